@@ -17,7 +17,7 @@ def test_names_and_tables_of_ones_own_agree() -> None:
     table = billiards.stadium(2.0, 0.8)
     assert named.position.tobytes() == billiards.orbit(table, start, 40).position.tobytes()
     assert named.t.tobytes() == carom.orbit(table, 40, position=(0.2, 0.1), velocity=(0.8, 0.3), spin=0.5).t.tobytes()
-    wedge = carom.orbit("wedge", 5, angle_deg=60, position=(1.0, 0.0), velocity=(0.1, 1.0))
+    wedge = carom.orbit("wedge", 5, angle=60, position=(1.0, 0.0), velocity=(0.1, 1.0))
     radians = billiards.orbit(billiards.wedge(np.radians(60)), billiards.Start((1.0, 0.0), (0.1, 1.0)), 5)
     assert wedge.position.tobytes() == radians.position.tobytes()
 
@@ -37,7 +37,7 @@ def test_sampled_orbits_spectra_and_reversal() -> None:
 def test_arrays_of_states_and_vertices() -> None:
     triangle = np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])
     many = carom.orbit(
-        "polygon", 3, vertices=triangle, position=[[0.5, 0.5], [0.4, 0.3]], velocity=(0.3, 1.0), law="mirror"
+        "polygon", 3, points=triangle, position=[[0.5, 0.5], [0.4, 0.3]], velocity=(0.3, 1.0), law="mirror"
     )
     assert many.position.shape == (2, 3, 2)
     falls = carom.orbit("cylinder:circle", 4, acceleration=-1.0, position=(0.5, 0.1, 0), velocity=(0.1, 0.9, 0.3))
@@ -48,9 +48,12 @@ def test_arrays_of_states_and_vertices() -> None:
     ("options", "said"),
     [
         ({"table": "circl"}, "did you mean 'circle'?"),
-        ({"table": 3}, "orbit: table: expected one of"),
+        ({"table": 3}, "figure: shape: expected one of"),
         ({"table": billiards.circle(), "radius": 2.0}, "`radius`: has no effect on a Table"),
-        ({"table": "stadium", "sides": 3}, "`sides`: a stadium has no such size; it has `straight`, `radius`"),
+        (
+            {"table": "stadium", "sides": 3},
+            "stadium: sides: expected a field that is known here, got 'sides'; known are shape, straight",
+        ),
         ({"table": "circle", "position": (0, 0)}, "`velocity`: expected one together with `position`"),
         ({"table": "circle", "position": (0, 0, 1), "velocity": (1, 0)}, "`position`: expected two numbers"),
         ({"table": "circle", "friction": 0.1}, "`friction`: law no-slip does not use it; `law` contact does"),
@@ -62,3 +65,36 @@ def test_faults_name_arguments(options: dict[str, Any], said: str) -> None:
         carom.orbit(**options)
     assert len(error.value.faults) == 1
     assert said in error.value.faults[0]
+
+
+OLD: dict[str, tuple[dict[str, Any], str, dict[str, Any]]] = {
+    "major": ({"table": "ellipse", "minor": 0.7, "major": 1.3}, "ellipse", {"half_axes": (1.3, 0.7)}),
+    "width": ({"table": "rectangle", "width": 3.0}, "rectangle", {"size": (3.0, 1.0)}),
+    "depth": ({"table": "box", "depth": 2.0}, "box", {"size": (1.0, 1.0, 2.0)}),
+    "angle_deg": ({"table": "wedge", "angle_deg": 60, "acceleration": (-1, 0)}, "wedge", {"angle": 60, "acceleration": (-1, 0)}),
+    "vertices": ({"table": "polygon", "vertices": [(0, 0), (2, 0), (0, 1)]}, "polygon", {"points": [(0, 0), (2, 0), (0, 1)]}),
+    "polygon without points": ({"table": "polygon", "sides": 5}, "regular:sides=5", {}),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", OLD)
+def test_sizes_by_the_names_of_the_release_before(name: str) -> None:
+    given, table, sizes = OLD[name]
+    with pytest.warns(DeprecationWarning, match="orbit: ") as heard:
+        old = carom.orbit(bounces=5, seed=1, **given)
+    assert str(heard[0].message).startswith(f"orbit: {name} is called ")
+    assert old.position.tobytes() == carom.orbit(table, 5, seed=1, **sizes).position.tobytes()
+
+
+def test_figures_texts_tables_of_fields_and_files_agree(tmp_path: Any) -> None:
+    file = tmp_path / "room.toml"
+    file.write_text('shape = "stadium"\nstraight = "150 cm"\nradius = 0.5\n')
+    ways = [
+        "stadium:straight=1.5,radius=50 cm", {"shape": "stadium", "straight": 1.5, "radius": 0.5}, file,
+        carom.scene.figure("stadium", straight=1.5, radius=0.5), billiards.table("stadium", straight=1.5, radius=0.5),
+    ]  # fmt: skip
+    assert len({carom.orbit(way, 20, seed=2).position.tobytes() for way in ways}) == 1
+    points = tmp_path / "room.json"
+    points.write_text("[[0, 0], [2, 0], [0, 1]]")
+    triangle = carom.orbit(points, 20, seed=2).position.tobytes()
+    assert triangle == carom.orbit("polygon:points=0,0 2,0 0,1", 20, seed=2).position.tobytes()

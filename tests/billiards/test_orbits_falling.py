@@ -217,7 +217,7 @@ def test_command_line_and_faults(tmp_path):
     assert "drift" not in facts
     assert "caustics" not in facts
     assert picture.stat().st_size > 5000
-    solid = run("cylinder:stadium", "--height", "2", "--acceleration", "0.1,0,-9.81", "--bounces", "30", "--json")
+    solid = run("cylinder:stadium:height=2", "--acceleration", "0.1,0,-9.81", "--bounces", "30", "--json")
     assert len(json.loads(solid.stdout)["bounces"]) == 30
     for words, said in (
         (("circle", "--acceleration", "-1"), "expected two numbers"),

@@ -47,7 +47,7 @@ LAWS = {"no-slip": {}, "mirror": {"law": "mirror"}, "rough": {"law": "contact", 
 def begin(table):
     d = table.dimension
     return (
-        (0.31, 0.12 if table.sizes.get("minor") == 0.3 else 0.42, 0.1)[:d],
+        (0.31, 0.12 if table.sizes.get("half_axes", [0, 0])[1] == 0.3 else 0.42, 0.1)[:d],
         (0.8, 0.5, 0.3)[:d],
         0.7 if d == 2 else (0.4, -0.3, 0.7),
     )

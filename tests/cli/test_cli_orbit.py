@@ -42,7 +42,7 @@ def fails(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], *
 
 def test_json_is_the_librarys_answer_in_full() -> None:
     done = json.loads(
-        run("circle", "--radius", "1.5", "--kappa", "0.3", "--bounces", "50", *START, "--reverse", "--json").stdout
+        run("circle:radius=1.5", "--kappa", "0.3", "--bounces", "50", *START, "--reverse", "--json").stdout
     )
     ball = carom.Disc(1.0, 1.0, 0.3)
     found = billiards.orbit(billiards.circle(1.5), ((0.2, 0.1), (0.8, 0.3), 0.5), 50, ball=ball)
@@ -57,11 +57,11 @@ def test_json_is_the_librarys_answer_in_full() -> None:
 
 
 TABLES = [
-    ["circle"], ["ellipse", "--major", "1", "--minor", "0.7"], ["stadium", "--straight", "1"], ["polygon", "--sides", "5"],
-    ["polygon", "--vertices", "0,0 2,0 2,1 1,1 1,2 0,2"], ["rectangle", "--width", "2"], ["sinai", "--radius", "0.2"],
-    ["periodic-strip"], ["sphere"], ["box", "--depth", "2"], ["cylinder:stadium", "--height", "2"],
-    ["cylinder:circle", "--acceleration", "-9.81"], ["cylinder:polygon", "--sides", "3"],
-    ["cylinder:polygon", "--height", "2"], ["cylinder:rectangle", "--height", "2", "--acceleration", "1"],
+    ["circle"], ["ellipse:half_axes=1,0.7"], ["stadium:straight=1"], ["regular:sides=5"],
+    ["polygon:points=0,0 2,0 2,1 1,1 1,2 0,2"], ["rectangle:size=2,1"], ["sinai:radius=0.2"],
+    ["periodic-strip"], ["sphere"], ["box:size=1,1,2"], ["cylinder:stadium:height=2"],
+    ["cylinder:circle", "--acceleration", "-9.81"], ["cylinder:regular:sides=3"], ["cell:obstacles=[[0.1,0,0.2]]"],
+    ["cylinder:regular:height=2"], ["cylinder:rectangle:height=2", "--acceleration", "1"],
 ]  # fmt: skip
 
 
@@ -75,6 +75,32 @@ def test_every_table(words: list[str], bounds: str) -> None:
     assert max(map(len, done.stdout.splitlines())) <= 80
     found = json.loads(run(*words, "--bounds", bounds, "--bounces", "30", "--seed", "3", "--json").stdout)
     assert len(found["bounces"]) == found["count"] == 30
+
+
+OLD = {
+    "regular:sides=5,radius=1": ["polygon", "--sides", "5"], "ellipse:half_axes=1,0.7": ["ellipse", "--minor", "0.7"],
+    "polygon:points=[[0.0,0.0],[2.0,0.0],[0.0,1.0]]": ["polygon", "--vertices", "0,0 2,0 0,1"],
+    "box:size=1,1,2": ["box", "--depth", "2"], "stadium:straight=1,radius=0.5": ["stadium", "--straight", "1", "--radius", "50cm"],
+    "rectangle:size=3,1": ["rectangle", "--width", "3"], "wedge:angle=60": ["wedge", "--angle", "60", "--acceleration=-9.81,0"],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", OLD)
+def test_sizes_as_options_are_read_with_a_note(text: str) -> None:
+    old = run(*OLD[text], "--bounces", "5", "--json")
+    new = run(text, "--bounces", "5", "--json", *[word for word in OLD[text] if word.startswith("--acc")])
+    assert old.stdout == new.stdout
+    assert new.stderr == ""
+    assert old.stderr.splitlines() == [
+        f"note: sizes stand in the table's text now: carom orbit {text}; options for them go with the next release"
+    ]
+
+
+def test_a_table_from_a_file(tmp_path: Path) -> None:
+    file = tmp_path / "room.json"
+    file.write_text("[[0, 0], [2, 0], [0, 1]]")
+    found = json.loads(run("--table", str(file), "--bounces", "5", "--json").stdout)
+    assert found["table"] == {"name": "polygon", "bounds": "centre", "points": [[0, 0], [2, 0], [0, 1]]}
 
 
 def test_an_orbit_without_a_period_says_how_far_it_was_sought() -> None:
@@ -110,7 +136,7 @@ def test_open_tables_and_their_drift() -> None:
     ]
     assert "not bounded so far" in run(*falls).stdout
     assert json.loads(run(*falls, "--json").stdout)["drift"]["acceleration"] == pytest.approx(-1.0)
-    wedge = json.loads(run("wedge", "--angle", "20", "--position", "1,0", "--velocity", "1,0.1", "--json").stdout)
+    wedge = json.loads(run("wedge:angle=20", "--position", "1,0", "--velocity", "1,0.1", "--json").stdout)
     assert wedge["ended"] == {"escaped": 1}
 
 
@@ -177,7 +203,7 @@ def test_the_laws_that_a_billiard_takes_are_listed_with_their_other_names() -> N
 
 def test_starts_lie_where_scatterers_do_not_overlap() -> None:
     """Discs wider than half the cell overlap: a start on a covered arc was refused as a position that nobody had given."""
-    found = json.loads(run("sinai", "--radius", "0.6", "--orbits", "20", "--bounces", "50", "--json").stdout)
+    found = json.loads(run("sinai:radius=0.6", "--orbits", "20", "--bounces", "50", "--json").stdout)
     assert found["count"] == 1000
 
 
@@ -279,10 +305,16 @@ def test_portraits_have_a_title_a_legend_and_one_ink_for_chaotic_orbits() -> Non
 
 
 BAD = [
+    ([], "TABLE: expected a table such as circle, or --table FILE, got neither"),
+    (["circle", "--table", "a.toml"], "got both"),
+    (["--table", "nowhere.toml"], "nowhere.toml: expected a file of a figure, got: No such file or directory"),
+    (["--table", "nowhere.json"], "nowhere.json: expected a file of a figure, got: No such file or directory"),
+    (["--table", "a.toml", "--radius", "2"], "--radius: has no effect with --table, whose file has the sizes; omit it"),
+    (["circle:2"], "expected sizes such as straight=2,radius=1, got '2'"),
     (["circl"], "did you mean 'circle'?"),
-    (["cylinder:cone"], "orbit: table: expected one of"),
-    (["circle", "--sides", "3"], "--sides: a circle has no such size; it has --radius"),
-    (["circle", "--radius", "-1"], "circle: radius: expected a length > 0, got -1.0"),
+    (["cylinder:cone"], "figure: expected sizes such as straight=2,radius=1"),
+    (["circle:sides=3"], "circle: sides: expected a field that is known here, got 'sides'; known are shape, radius"),
+    (["circle:radius=-1"], "circle: radius: expected a length in m, > 0, got -1"),
     (["circle", "--kappa", "3"], "Disc: inertia: expected kappa"),
     (["circle", "--position", "1"], "--velocity: expected one together with --position, got none"),
     (["circle", "--position", "1", "--velocity", "1,0"], "--position: expected two numbers, such as 0.1,0.2, got '1'"),
@@ -294,24 +326,24 @@ BAD = [
     (["circle", "--friction", "0.3"], "--friction: law no-slip does not use it"),
     (["circle", "--law", "mirror", "--friction", "0.1"], "--friction: law mirror does not use it; --law contact does"),
     (["circle", "--plot", "a.png", "--boundary", "./a.png"], "--boundary a.png: expected another file than --plot's"),
-    (["cylinder:plates"], "orbit: table: expected one of"),
-    (["wedge", "--angle", "400"], "wedge: angle: expected degrees > 0 and < 180, got 400"),
+    (["cylinder:plates"], "cylinder: section: expected a figure in the plane"),
+    (["wedge:angle=400"], "wedge: angle: expected degrees > 0 and < 180, got 400"),
     (["sphere", "--kappa", "0.9"], "got 0.9; a thin shell is 'hollow'; carom.Disc takes up to 1"),
-    (["sinai", "--radius", "0.8"], "sinai: scatterers: expected room between them, got one that covers the cell"),
-    (["periodic-strip", "--radius", "0.8"], "periodic strip: scatterers: expected room between them"),
+    (["sinai:radius=0.8"], "sinai: obstacles: expected room between them, got one that covers the cell"),
+    (["periodic-strip:radius=0.8"], "periodic-strip: obstacles: expected room between them"),
     (["circle", "--seed", "-1"], "seed: expected an integer >= 0, got -1"),
     (["circle", "--orbits", "100000000000"], "starts: count: expected no more than 10,000,000, got 100,000,000,000"),
     (["circle", "--bounds", "center"], "did you mean 'centre'?"),
     (["circle", "--corners", "stop"], "corners: expected 'end' or 'pass', got 'stop'"),
     (["wedge"], "give an acceleration towards the vertex (of a wedge such as -9.81,0), or --position and --velocity"),
-    (["polygon", "--vertices", "0,0 1,x 2,2"], "--vertices: expected two numbers"),
+    (["polygon:points=0,0 1,x 2,2"], "polygon: points[1][1]: expected a length in m, got 'x'"),
     (
-        ["polygon", "--vertices", "0,0 4,0 4,4 2,4 2,2 2,4 0,4"],
+        ["polygon:points=0,0 4,0 4,4 2,4 2,2 2,4 0,4"],
         "the side from corner 5 to 6 back along that from 4 to 5",
     ),
     (["circle", "--plot", "nowhere/a.svg"], "expected a folder that exists"),
     (["circle", "--law", "contact", "--restitution", "2", *START], "--restitution: expected a number from 0 to 1"),
-    (["ellipse", "--minor", "0.1", "--bounds", "surface"], "expected one that fits in the ellipse, got 0.1"),
+    (["ellipse:half_axes=1,0.1", "--bounds", "surface"], "expected one that fits in the ellipse, got 0.1"),
     (["circle", "--law", "contact", "--restitution", "0.5", "--reverse"], "expected a reversible one"),
 ]
 
@@ -326,13 +358,13 @@ def test_a_fault_is_a_line(
 
 
 def test_all_faults_at_once(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    assert len(fails(monkeypatch, capsys, "stadium", "--sides", "4", "--angle", "3")) == 2
+    assert len(fails(monkeypatch, capsys, "stadium:sides=4,angle=3")) == 2
 
 
 def test_all_faults_of_the_options_at_once(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    words = ("stadium", "--sides", "4", "--law", "noslip", "--bounces", "0", "--plot", "nowhere/a.svg")
+    words = ("stadium:sides=4", "--law", "noslip", "--bounces", "0", "--plot", "nowhere/a.svg")
     lines = fails(monkeypatch, capsys, *words)
-    assert [line.split(": ")[1] for line in lines] == ["--plot nowhere/a.svg", "--sides", "--law", "--bounces"]
+    assert [line.split(": ")[1] for line in lines] == ["--plot nowhere/a.svg", "stadium", "--law", "--bounces"]
     words = ("circle", "--friction", "0.3", "--bounces", "0", "--position", "3")
     assert [line.split(": ")[1] for line in fails(monkeypatch, capsys, *words)] == [
         "--friction",
@@ -362,7 +394,7 @@ def test_why_orbits_ended_is_printed_in_words() -> None:
 
 
 def test_a_wedge_without_a_force_names_one_that_runs():
-    done = runner.invoke(app, ["orbit", "wedge", "--angle", "40"])
+    done = runner.invoke(app, ["orbit", "wedge:angle=40"])
     assert (
         "got a wedge, whose walls are infinite; give an acceleration towards the vertex (of a wedge such as -9.81,0)"
         in str(done.exception)

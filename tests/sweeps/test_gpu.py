@@ -106,7 +106,7 @@ def test_laws_that_are_called_by_address_are_refused_by_name(no_gpu: None) -> No
 
 
 def test_orbits_and_gases_are_refused(a_gpu: None) -> None:
-    space = carom.Space(sweeps.OrbitCase(table="stadium", bounces=50), {"straight": [0.5, 1.0]})
+    space = carom.Space(sweeps.OrbitCase(table="stadium", bounces=50), {"table.straight": [0.5, 1.0]})
     with pytest.raises(carom.CaromError, match="expected a sweep of a scene or of impacts, got an orbit"):
         carom.sweep(space, ["time"]).run(on="cuda")
 

@@ -143,7 +143,7 @@ PLACES = {
     ),
     "cylinder": ("walls.0.axis", "walls.0.axis.x", "walls.0.radius"),
     "impact": ("angle", "law", "inertia", "spin_x"),
-    "orbit": ("law", "bounces", "vertices", "vertices.0", "vertices.0.x", "kappa"),
+    "orbit": ("law", "bounces", "table.points", "table.points.0", "table.points.0.x", "kappa"),
 }
 
 
@@ -152,7 +152,7 @@ def subject(name: str) -> tuple[object, list[str]]:
     if name == "impact":
         return sweeps.ImpactCase(), ["reflection_angle", "final.velocity"]
     if name == "orbit":
-        return sweeps.OrbitCase(table="polygon", vertices=[(0, 0), (1, 0), (0, 1)], bounces=3), ["time"]
+        return sweeps.OrbitCase(table="polygon:points=0,0 1,0 0,1", bounces=3), ["time"]
     if name == "scene":
         return table_scene(duration=0.1), ["final.position"]
     wall = {

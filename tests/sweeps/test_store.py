@@ -245,7 +245,7 @@ def test_sweeps_of_impacts_orbits_and_gases_are_taken_up(tmp_path: Path) -> None
     carom.sweep(carom.Space(case, {"angle": [10.0, 20.0]}), ["reflection_angle"], store=tmp_path / "i.zarr").run()
     assert carom.sweep(tmp_path / "i.zarr").missing() == []
     orbit = sweeps.OrbitCase(table="stadium", bounces=50)
-    carom.sweep(carom.Space(orbit, {"straight": [0.5, 1.0]}), ["time"], store=tmp_path / "o.zarr").run()
+    carom.sweep(carom.Space(orbit, {"table.straight": [0.5, 1.0]}), ["time"], store=tmp_path / "o.zarr").run()
     assert carom.sweep(tmp_path / "o.zarr").verify(2) == []
 
 

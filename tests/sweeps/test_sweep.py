@@ -185,7 +185,7 @@ def test_impacts_are_what_compare_gives() -> None:
 
 def test_orbits_and_gases() -> None:
     case = sweeps.OrbitCase(table="sinai", law="mirror", bounces=2000)
-    space = carom.Space(case, {"radius": [0.2, 0.4]}, repeats=2)
+    space = carom.Space(case, {"table.radius": [0.2, 0.4]}, repeats=2)
     found = carom.sweep(space, ["lyapunov.largest", "lyapunov.spectrum", "bounces.count", "ended", "time"]).run()
     largest = found["lyapunov.largest"].values
     assert (largest[0] > largest[1]).all()  # the smaller the disc, the larger the exponent of a bounce
@@ -275,7 +275,7 @@ def test_the_names_that_a_sweep_may_keep_are_all_listed() -> None:
         assert [name for name in names if f"`{name}`" not in rows[row] and f".{name}`" not in rows[row]] == []
     assert ", ".join(shots.EVENT_KINDS) in rows["a scene"]
     with pytest.raises(carom.CaromError, match="sweep: keep") as caught:
-        carom.sweep(carom.Space(sweeps.OrbitCase(table="circle"), {"radius": [1, 2]}), ["lyapunov.large"])
+        carom.sweep(carom.Space(sweeps.OrbitCase(table="circle"), {"table.radius": [1, 2]}), ["lyapunov.large"])
     assert str(caught.value) == (
         "sweep: keep: expected names among lyapunov.largest, lyapunov.error, lyapunov.spectrum, bounces.count, ended, time,"
         " got 'lyapunov.large'; did you mean 'lyapunov.largest'?"
@@ -285,7 +285,7 @@ def test_the_names_that_a_sweep_may_keep_are_all_listed() -> None:
 def test_repeats_are_drawn_as_their_mean_with_its_error() -> None:
     """They were drawn as a map over the parameter and the number of the repeat."""
     case = sweeps.OrbitCase(table="sinai", law="mirror", bounces=100)
-    found = carom.sweep(carom.Space(case, {"radius": [0.2, 0.3, 0.4]}, repeats=4), ["lyapunov.largest"]).run()
+    found = carom.sweep(carom.Space(case, {"table.radius": [0.2, 0.3, 0.4]}, repeats=4), ["lyapunov.largest"]).run()
     values = found["lyapunov.largest"].values
     (axes,) = plot.plot_sweep(found).axes
     assert axes.lines[0].get_ydata() == pytest.approx(values.mean(axis=1), rel=1e-12)
@@ -301,27 +301,36 @@ def test_repeats_are_drawn_as_their_mean_with_its_error() -> None:
 
 def test_points_without_an_outcome_are_named_with_their_reasons(tmp_path: Path) -> None:
     case = sweeps.OrbitCase(table="sinai", law="mirror", bounces=20)
-    space = carom.Space(case, {"radius": [0.3, 0.6, 0.8]}, repeats=2)
+    space = carom.Space(case, {"table.radius": [0.3, 0.6, 0.8]}, repeats=2)
     carom.sweep(space, ["lyapunov.largest"], store=tmp_path / "s.zarr").run()
     text = CliRunner().invoke(app, ["sweep", "status", str(tmp_path / "s.zarr")], catch_exceptions=False).stdout
-    why = "sinai: scatterers: expected room between them, got one that covers the cell; take a smaller one"
-    assert text.splitlines()[1:] == ["  without an outcome: 2 points (refused)", f"    radius = 0.8: {why} (2 times)"]
+    why = "sinai: obstacles: expected room between them, got one that covers the cell; take a smaller one"
+    assert text.splitlines()[1:] == [
+        "  without an outcome: 2 points (refused)",
+        f"    table.radius = 0.8: {why} (2 times)",
+    ]
 
 
 def test_polygons_by_their_corners() -> None:
     """A corner of an L moves: every point is the orbit in that polygon."""
     corners = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0)]
-    case = sweeps.OrbitCase(table="polygon", vertices=corners, bounces=40)
-    found = carom.sweep(carom.Space(case, {"vertices.3.0": [0.9, 1.0, 1.2]}), ["time", "bounces.count"]).run()
+    case = sweeps.OrbitCase(table={"shape": "polygon", "points": corners}, bounces=40)
+    found = carom.sweep(carom.Space(case, {"table.points.3.0": [0.9, 1.0, 1.2]}), ["time", "bounces.count"]).run()
     assert found["bounces.count"].values.tolist() == [40, 40, 40]
     assert len(set(found["time"].values.tolist())) == 3
     for given, message in (
-        ({"vertices": corners[:2]}, "vertices: expected three or more points"),
-        ({"vertices": [(0, 0), (1, 1), (1, 0), (0, 1)]}, "vertices: expected sides that do not cross"),
-        ({"vertices": corners, "sides": 4}, "vertices: expected no other size with it, got sides"),
+        ({"points": corners[:2]}, "table.points: expected 3 or more points"),
+        ({"points": [(0, 0), (1, 1), (1, 0), (0, 1)]}, "table.points: expected sides that do not cross"),
+        ({"points": corners, "sides": 4}, "table.sides: expected a field that is known here"),
     ):
         with pytest.raises(carom.CaromError, match=f"^OrbitCase: {message}"):
-            sweeps.OrbitCase(table="polygon", **given)
+            sweeps.OrbitCase(table={"shape": "polygon", **given})
+    with pytest.warns(DeprecationWarning, match="OrbitCase: vertices is called a size of its table now"):
+        old = sweeps.OrbitCase(table="polygon", vertices=corners, bounces=40)
+    assert old == case
+    with pytest.warns(DeprecationWarning, match="Space: radius is called table.radius now"):
+        space = carom.Space(sweeps.OrbitCase(table="circle"), {"radius": [1.0]})
+    assert list(space.parameters) == ["table.radius"]
 
 
 def test_a_sweep_over_the_seed_of_a_rack_breaks_the_racks_that_simulate_breaks() -> None:

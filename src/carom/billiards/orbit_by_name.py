@@ -1,34 +1,36 @@
-"""Orbits of a table by its name and sizes, from a given state or sampled ones: ``carom orbit``, in Python ``carom.orbit``."""
+"""Orbits in a figure or a table, from a given state or sampled ones: ``carom orbit``, in Python ``carom.orbit``."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
+from os import PathLike
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.billiards.named import SIZES, named_table
+from carom.billiards.old_sizes import with_new_sizes
 from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer, require_reversible, reverse
 from carom.billiards.periodic import PeriodicOrbits, periodic_orbits
 from carom.billiards.sampling import starts as sampled_starts
 from carom.billiards.setup import OrbitSetup, Start, default_ball, law_of, needs_surface, orbit_setup, start_rows
-from carom.billiards.solids import cylinder
 from carom.billiards.stability import Lyapunov
 from carom.billiards.stability import lyapunov as lyapunov_spectrum
 from carom.billiards.tables import Table, under
+from carom.billiards.tables import table as table_of
 from carom.bodies import Ball, Disc, Surface
-from carom.errors import CaromError, Fault, FaultList, did_you_mean
+from carom.errors import CaromError, FaultList
 from carom.laws.law import Law
 from carom.public.defaults import BOUNCES, PERIODIC_STARTS
 from carom.public.progress import Progress
+from carom.scene.figures import Figure
 
 __all__ = ["OrbitResult", "check_orbit", "orbit"]
 
 Array = NDArray[np.float64]
 
-SOLIDS = ("sphere", "box", "plates")
+ALONG = {"strip": (1, 0), "plates": (0, 0, 1), "cylinder": (0, 0, 1)}  # in which a scalar acceleration acts
 COUNTS = {
     1: "a number",
     2: "two numbers, such as 0.1,0.2",
@@ -56,23 +58,10 @@ class OrbitResult(Orbit):
 
 
 def orbit(
-    table: str | Table,
+    table: str | Mapping[str, Any] | PathLike[str] | Figure | Table,
     bounces: int = BOUNCES,
     *,
     bounds: str = "centre",
-    radius: float | None = None,
-    major: float | None = None,
-    minor: float | None = None,
-    straight: float | None = None,
-    sides: int | None = None,
-    vertices: ArrayLike | None = None,
-    width: float | None = None,
-    height: float | None = None,
-    depth: float | None = None,
-    angle_deg: float | None = None,
-    side: float | None = None,
-    period: float | None = None,
-    distance: float | None = None,
     acceleration: ArrayLike | None = None,
     kappa: float | None = None,
     ball_radius: float | None = None,
@@ -91,20 +80,19 @@ def orbit(
     periodic: int | str | Iterable[int] | None = None,
     starts: int = PERIODIC_STARTS,
     progress: Progress | None = None,
+    **sizes: Any,
 ) -> OrbitResult:
     """Follow a ball in a table from bounce to bounce: ``carom orbit``, with the names and defaults of its options.
 
     Parameters
     ----------
-    table : str or Table
-        circle, ellipse, stadium, polygon, rectangle, strip, wedge, sinai, periodic-strip, sphere, box, plates, or "cylinder:NAME",
-        a cylinder along z over a table in the plane; or a table of :mod:`carom.billiards`, which has its sizes.
+    table : str, dict, Path, Figure or Table
+        The figure, as :func:`carom.scene.figures.figure` takes it: a name, a text such as "stadium:straight=2,radius=1" or
+        "cylinder:stadium:height=2", a table of its fields, a Path of a TOML or JSON file; or a table of :mod:`carom.billiards`.
     bounces : int
         Number of bounces.
     bounds : "centre" or "surface"
-        What the table bounds: the ball's centre or its surface.
-    radius, major, minor, straight, sides, vertices, width, height, depth, angle_deg, side, period, distance : optional
-        Sizes, m; ``vertices`` (M, 2), m; ``angle_deg`` of a wedge, degrees. Default: about 1 m.
+        Whether the table bounds the ball's centre or its surface.
     acceleration : 2 or 3 numbers, or one, optional
         Constant acceleration, m/s^2; one number: along a strip (x), plates or a cylinder (z).
     kappa, ball_radius : float, optional
@@ -132,6 +120,8 @@ def orbit(
         Number of starts of that search, for each period.
     progress : callable(done, total, text), optional
         Called with the number of bounces done, and of all.
+    **sizes : optional
+        Sizes of the figure, by their names, such as ``straight=2.0``; those left out are about 1 m.
 
     Returns
     -------
@@ -151,8 +141,9 @@ def orbit(
     >>> carom.orbit("circle", 100, orbits=3, seed=1, lyapunov=True).spectrum.per_bounce.shape
     (3, 4)
     """
-    left_out = ("lyapunov", "progress", "periodic", "starts")
-    options = {name: value for name, value in locals().items() if name not in (*left_out, "left_out")}
+    left_out = ("lyapunov", "progress", "periodic", "starts", "sizes")
+    options = {name: value for name, value in locals().items() if name not in (*left_out, "left_out")} | sizes
+    setup: OrbitSetup
     setup, start = _checked(**options)
     surface = _surface(law, restitution, friction, tangential_restitution)
     closed = None
@@ -183,15 +174,19 @@ def _reversal_error(found: Orbit) -> Array:
 
 
 def check_orbit(**options: Any) -> None:
-    """Raise CaromError, one line per problem, for arguments of :func:`orbit` that it would refuse before it begins."""
+    """Raise CaromError, one line per problem, for arguments of :func:`orbit` that it would refuse before it begins.
+
+    ``table=None``: a table whose faults are known already.
+    """
     _checked(**options)
 
 
 def _checked(
-    table: str | Table,
+    table: Any,
     bounces: int = BOUNCES,
     *,
     bounds: str = "centre",
+    acceleration: Any = None,
     kappa: float | None = None,
     ball_radius: float | None = None,
     law: Any = "no-slip",
@@ -206,10 +201,16 @@ def _checked(
     seed: int = 0,
     reverse: bool = False,
     **sizes: Any,
-) -> tuple[OrbitSetup, Start | None]:
-    """Return the validated table, ball and law of an orbit, and its initial state (None: to be sampled)."""
+) -> tuple[Any, Start | None]:
+    """Return the validated OrbitSetup: table, ball and law; and the initial state (None: to be sampled)."""
     faults = FaultList()
-    made = faults.attempt(_table, table, {name: x for name, x in sizes.items() if x is not None}, bounds)
+    made = (
+        None
+        if table is None
+        else faults.attempt(
+            _table, table, {name: x for name, x in sizes.items() if x is not None}, bounds, acceleration
+        )
+    )
     before = len(faults)
     surface = faults.attempt(_surface, law, restitution, friction, tangential_restitution)
     ball = None if made is None else faults.attempt(_ball, made, kappa, ball_radius)
@@ -217,7 +218,7 @@ def _checked(
     faults.attempt(require_integer, "bounces", bounces)
     faults.attempt(require_integer, "seed", seed, 0)
     start = None if made is None else faults.attempt(_start, made, position, velocity, spin, orbits)
-    setup: OrbitSetup | None = None
+    setup = None
     if together:
         if made is None:
             faults.attempt(law_of, law, surface)
@@ -227,50 +228,22 @@ def _checked(
             if start is not None:
                 faults.attempt(start_rows, setup, start)
     faults.raise_if_any()
-    assert setup is not None
     return setup, start
 
 
-def _table(table: str | Table, given: Mapping[str, Any], bounds: str) -> Table:
-    if isinstance(table, Table):
-        if given:
-            raise CaromError(*(f"`{name}`: has no effect on a Table, which has its sizes; omit it" for name in given))
-        return table
-    sizes = {"angle" if name == "angle_deg" else name: value for name, value in given.items()}
-    over, colon, flat = table.partition(":") if isinstance(table, str) else ("", "", "")
-    kind = flat if colon else over
-    known = [*SIZES, "cylinder:circle"]
-    if kind not in SIZES or (colon and (over != "cylinder" or kind in SOLIDS)):
-        raise CaromError(Fault("orbit", "table", f"one of {', '.join(known)}", repr(table), did_you_mean(table, known)))
-    sizes, pull = _force(kind, bool(colon), sizes)
-    own = SIZES[kind] + (("height", "acceleration") if colon else ())
-    has = ", ".join(f"`{_argument(name)}`" for name in own)
-    faults = [f"`{_argument(key)}`: a {table} has no such size; it has {has}" for key in sizes if key not in own]
-    if faults:
-        raise CaromError(*faults)
-    # a scalar acceleration acts along the cylinder; the height is the cylinder's unless the section has one
-    axial = {"acceleration", "height"} - ({"height"} & set(SIZES[kind])) if colon else set()
-    solid = {key: sizes.pop(key) for key in axial & set(sizes)}
-    if "vertices" in sizes:
-        sizes["vertices"] = [tuple(map(float, point)) for point in np.asarray(sizes["vertices"], dtype=float)]
-    section = named_table(kind, sizes, bounds)
-    made = cylinder(section, **solid) if colon else section
-    return made if pull is None else under(made, pull)
-
-
-def _argument(size: str) -> str:
-    return "angle_deg" if size == "angle" else size
-
-
-def _force(kind: str, over: bool, sizes: dict[str, Any]) -> tuple[dict[str, Any], tuple[float, ...] | None]:
-    """Return the sizes, a scalar acceleration along the table among them, and an acceleration vector (or None)."""
-    force = sizes.get("acceleration")
-    if force is None:
-        return sizes, None
-    rest = {key: value for key, value in sizes.items() if key != "acceleration"}
-    if (over or "acceleration" in SIZES[kind]) and np.ndim(force) == 0:
-        return rest | {"acceleration": float(force)}, None
-    return rest, _vector("acceleration", force, 3 if over or kind in SOLIDS else 2)
+def _table(table: Any, given: dict[str, Any], bounds: Any, acceleration: Any) -> Table:
+    beside = given if acceleration is None else {**given, "acceleration": acceleration}
+    if isinstance(table, Table) and beside:
+        raise CaromError(*(f"`{name}`: has no effect on a Table, which has its sizes; omit it" for name in beside))
+    if isinstance(table, str):
+        table, given = with_new_sizes("orbit", table, given)
+    made = table if isinstance(table, Table) else table_of(table, bounds=bounds, **given)
+    if acceleration is None:
+        return made
+    axis = ALONG.get(made.name)
+    if axis is not None and np.ndim(acceleration) == 0:
+        return under(made, [float(acceleration) if one else 0.0 for one in axis])
+    return under(made, _vector("acceleration", acceleration, made.dimension))
 
 
 def _vector(name: str, value: Any, count: int) -> tuple[float, ...]:

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.billiards.named import SIZES
+from carom.billiards.old_sizes import OLD_SIZES, new_sizes
 from carom.cli.common import require_outputs, wrote
 from carom.cli.options import BALL, OUTPUT, quantity, shared
 from carom.cli.orbit_output import every_bounce, orbit_facts, print_orbit
 from carom.cli.progress import working
-from carom.cli.streams import say_json
+from carom.cli.streams import note, say_json
 from carom.errors import CaromError, FaultList
 from carom.public.defaults import BOUNCES, PERIODIC_STARTS
 from carom.public.own_laws import with_own_laws
@@ -28,50 +29,38 @@ def register(app: typer.Typer) -> None:
     app.command()(orbit)
 
 
-def _size(text: str, option: str = "", unit: str = "m") -> Any:
-    more = quantity(option, unit) if option else {}
-    return typer.Option(help=text, rich_help_panel=TABLE, show_default=False, **more)
+Old = Annotated[str | None, typer.Option(hidden=True)]  # a size as an option, of the release before
 
 
 def orbit(
     table: Annotated[
-        str, typer.Argument(help=f"{', '.join(SIZES)}; or cylinder:NAME, a cylinder along z over a table in the plane.")
-    ],
-    bounces: Annotated[int, typer.Option(help="Number of bounces.")] = BOUNCES,
-    bounds: Annotated[
-        str, typer.Option(help="What the table bounds: the ball's centre or its surface.", rich_help_panel=TABLE)
-    ] = "centre",
-    radius: Annotated[
-        float | None,
-        _size("Of a circle, a sphere, a stadium's ends, an obstacle; circumradius of a polygon; m.", "--radius"),
-    ] = None,
-    major: Annotated[float | None, _size("Half axis of an ellipse in x, m.", "--major")] = None,
-    minor: Annotated[float | None, _size("Half axis of an ellipse in y, m.", "--minor")] = None,
-    straight: Annotated[float | None, _size("Length of a stadium's straight sides, m.", "--straight")] = None,
-    sides: Annotated[int | None, _size("Number of sides of a regular polygon.")] = None,
-    vertices: Annotated[str | None, _size("Of any polygon: 'x,y x,y x,y ...', m.")] = None,
-    width: Annotated[float | None, _size("Of a rectangle, a strip, a box, m.", "--width")] = None,
-    height: Annotated[
-        float | None,
-        _size("Of a rectangle, a box; distance of the lids of a cylinder (except over a rectangle), m.", "--height"),
-    ] = None,
-    depth: Annotated[float | None, _size("Of a box, in z, m.", "--depth")] = None,
-    angle_deg: Annotated[
-        float | None,
-        typer.Option(
-            "--angle",
-            help="Of a wedge, degrees; it is open along +x: needs e.g. --acceleration=-9.81,0.",
-            rich_help_panel=TABLE,
-            show_default=False,
-            **quantity("--angle", "degree"),
+        str | None,
+        typer.Argument(
+            help="A figure, with sizes or without: circle, stadium:straight=2,radius=1, polygon:points=[[0,0],[2,0],[0,1]];"
+            " or cylinder:NAME, a cylinder along z over a figure in the plane. An unknown name is answered with all names.",
         ),
     ] = None,
-    side: Annotated[float | None, _size("Of Sinai's square cell, m.", "--side")] = None,
-    period: Annotated[float | None, _size("Of a periodic strip, m.", "--period")] = None,
-    distance: Annotated[float | None, _size("Between plates, m.", "--distance")] = None,
+    bounces: Annotated[int, typer.Option(help="Number of bounces.")] = BOUNCES,
+    table_file: Annotated[
+        Path | None,
+        typer.Option(
+            "--table",
+            help="The table from a file: TOML with a shape and sizes, or JSON, such as a list of points.",
+            rich_help_panel=TABLE,
+            show_default=False,
+            metavar="FILE",
+        ),
+    ] = None,
+    bounds: Annotated[
+        str, typer.Option(help="Whether the table bounds the ball's centre or its surface.", rich_help_panel=TABLE)
+    ] = "centre",
     acceleration: Annotated[
         str | None,
-        _size("Constant acceleration, m/s^2: x,y or x,y,z; or a number: along a strip (x), plates or a cylinder (z)."),
+        typer.Option(
+            help="Constant acceleration, m/s^2: x,y or x,y,z; or a number: along a strip (x), plates or a cylinder (z).",
+            rich_help_panel=TABLE,
+            show_default=False,
+        ),
     ] = None,
     kappa: Annotated[
         float | None,
@@ -140,10 +129,24 @@ def orbit(
         int, typer.Option(help="Starts of the search for periodic orbits, for each period.", rich_help_panel=OUTPUT)
     ] = PERIODIC_STARTS,
     json_: Annotated[bool, shared("json", help="Print JSON on standard output, with every bounce.")] = False,
+    radius: Old = None,
+    major: Old = None,
+    minor: Old = None,
+    straight: Old = None,
+    sides: Old = None,
+    vertices: Old = None,
+    width: Old = None,
+    height: Old = None,
+    depth: Old = None,
+    angle: Old = None,
+    side: Old = None,
+    period: Old = None,
+    distance: Old = None,
 ) -> None:
     """Single-particle billiards: follow one ball in a table from bounce to bounce, with the no-slip law or another.
 
-    Without --position and --velocity, the initial state is sampled from the invariant measure. Default sizes are about 1 m.
+    Sizes that the table leaves out are about 1 m. Without --position and --velocity, the initial state is sampled from the
+    invariant measure.
     """
     from carom.billiards.orbit_by_name import check_orbit
     from carom.billiards.orbit_by_name import orbit as follow
@@ -152,22 +155,22 @@ def orbit(
     require_outputs(
         faults, {"--plot": plot, "--portrait": portrait, "--boundary": boundary, "--lyapunov-plot": lyapunov_plot}
     )
+    given = locals()
+    old = {name: given[name] for name in OLD_SIZES if given[name] is not None}
+    what = faults.attempt(_table, table, table_file, old)
     options = {
-        "bounds": bounds, "radius": radius, "major": major, "minor": minor, "straight": straight, "sides": sides,
-        "vertices": None if vertices is None else faults.attempt(_points, vertices), "width": width, "height": height,
-        "depth": depth, "angle_deg": angle_deg, "side": side, "period": period, "distance": distance,
-        "kappa": kappa, "ball_radius": ball_radius, "law": with_own_laws(law), "restitution": restitution,
+        "bounds": bounds, "kappa": kappa, "ball_radius": ball_radius, "law": with_own_laws(law), "restitution": restitution,
         "friction": friction, "tangential_restitution": tangential_restitution, "corners": corners, "orbits": orbits,
         "seed": seed, "reverse": reverse,
     }  # fmt: skip
     for name, text in (("acceleration", acceleration), ("position", position), ("velocity", velocity), ("spin", spin)):
         options[name] = None if text is None else faults.attempt(_numbers, f"--{name}", text)
     if faults:
-        faults.attempt(check_orbit, table=table, bounces=bounces, **options)
+        faults.attempt(check_orbit, table=what, bounces=bounces, **options)
         raise CaromError(*faults)
     with working("orbits") as report:
         exponents = lyapunov or lyapunov_plot is not None
-        found = follow(table, bounces, lyapunov=exponents, periodic=periodic, starts=starts, progress=report, **options)
+        found = follow(what, bounces, lyapunov=exponents, periodic=periodic, starts=starts, progress=report, **options)
         facts = orbit_facts(found)
     if json_:
         facts["bounces"] = every_bounce(found)
@@ -182,14 +185,35 @@ def orbit(
         wrote(lyapunov_plot)
 
 
-def _points(text: str) -> list[list[float]]:
-    points = []
-    for part in text.split():
-        found = FaultList().attempt(_numbers, "--vertices", part)
-        if not isinstance(found, list) or len(found) != 2:
-            raise CaromError(f"--vertices: expected two numbers, such as 0.1,0.2, got {part!r}")
-        points.append(found)
-    return points
+def _table(table: str | None, file: Path | None, old: dict[str, str]) -> Any:
+    """Return the figure of a text or of a file; sizes that are given as options, as of the release before, are noted."""
+    if (table is None) == (file is None):
+        raise CaromError(
+            f"TABLE: expected a table such as circle, or --table FILE, got {'both' if file else 'neither'}"
+        )
+    if file is not None or table is None:
+        if old:
+            raise CaromError(
+                *(f"--{name}: has no effect with --table, whose file has the sizes; omit it" for name in old)
+            )
+        return file
+    from carom.scene.figures import figure
+    from carom.scene.figures.by_text import value_of_text
+
+    name, sizes, renamed = new_sizes(table, {one: value_of_text(text) for one, text in old.items()})
+    if not old and not renamed:
+        return table
+    made = figure(name, **sizes)
+    text = f"{made.kind()}:{','.join(f'{one}={_shown(value)}' for one, value in made.sizes.items())}"
+    note(f"note: sizes stand in the table's text now: carom orbit {text}; options for them go with the next release")
+    return made
+
+
+def _shown(value: Any) -> str:
+    """Return a size as it is written in a table's text."""
+    if isinstance(value, list) and all(isinstance(one, float) for one in value):
+        return ",".join(f"{one:g}" for one in value)
+    return json.dumps(value, separators=(",", ":")) if isinstance(value, list | dict) else f"{value:g}"
 
 
 def _numbers(option: str, text: str) -> float | list[float]:

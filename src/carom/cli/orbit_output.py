@@ -55,7 +55,7 @@ def orbit_facts(found: OrbitResult) -> dict[str, Any]:
         names, counts = np.unique(periods, return_counts=True)
         facts["periods"] = {str(p): int(c) for p, c in zip(names.tolist(), counts.tolist(), strict=True) if p}
         falls = bool(found.setup.world["force_across"][0])
-        round_ = table.name == "circle" or (table.name == "cylinder" and table.sizes["section"] == "circle")
+        round_ = "circle" in (table.name, getattr(getattr(table.figure, "over", None), "shape", ""))
         if round_ and not falls:
             caustics = billiards.caustics(found)
             facts["caustics"] = np.atleast_2d(caustics.radii)[0].tolist() if len(made) == 1 else None

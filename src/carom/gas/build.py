@@ -16,7 +16,8 @@ from carom.gas.scene import GasScene
 from carom.gas.snapshots import InitialState, read_initial_state
 from carom.public.progress import Progress
 from carom.scene.schema import from_file
-from carom.scene.toml import parse_toml, plain_table, read_toml
+from carom.scene.toml import plain_table
+from carom.scene.toml_files import parse_toml, read_toml
 
 __all__ = ["build", "gas_text", "is_gas", "load_gas", "new_gas"]
 

@@ -9,9 +9,19 @@ from typing import Any, TypeVar
 
 from carom.errors import CaromError
 
-__all__ = ["renamed_arguments", "renamed_attribute", "warn_of_rename", "with_new_names", "with_old_keys"]
+__all__ = [
+    "GOES",
+    "renamed_arguments",
+    "renamed_attribute",
+    "warn_of_rename",
+    "with_new_names",
+    "with_old_keys",
+]
 
 Function = TypeVar("Function", bound=Callable[..., Any])
+GOES = (
+    "the old name goes with the next release"  # (so ends the text of each warning, which the command shows as a note)
+)
 
 
 def renamed_attribute(old: str, new: str) -> property:
@@ -59,6 +69,4 @@ def with_old_keys(found: dict[str, Any], names: dict[str, str]) -> dict[str, Any
 
 def warn_of_rename(old: str, new: str, level: int) -> None:
     """Warn that a name goes with the next release. ``level``: how many calls above the code stands that uses it."""
-    warnings.warn(
-        f"{old} is called {new} now; the old name goes with the next release", DeprecationWarning, stacklevel=level
-    )
+    warnings.warn(f"{old} is called {new} now; {GOES}", DeprecationWarning, stacklevel=level)

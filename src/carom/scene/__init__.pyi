@@ -1,5 +1,13 @@
 from .ball import SceneBall as SceneBall
 from .ball_contact import BallContact as BallContact
+from .figures import FIGURES as FIGURES
+from .figures import ArcPiece as ArcPiece
+from .figures import EllipsePiece as EllipsePiece
+from .figures import Figure as Figure
+from .figures import Piece as Piece
+from .figures import PlaneFigure as PlaneFigure
+from .figures import SegmentPiece as SegmentPiece
+from .figures import figure as figure
 from .pockets import Pockets as Pockets
 from .rack import Rack as Rack
 from .scene import Floor as Floor

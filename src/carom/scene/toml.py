@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import tomllib
 from importlib.resources import files
 from pathlib import Path
@@ -16,13 +15,12 @@ from carom.scene.presets import presets
 from carom.scene.restitution import Constant
 from carom.scene.scene import Scene
 from carom.scene.schema import Model, from_file
+from carom.scene.toml_files import parse_toml, read_toml
 
 __all__ = [
     "load_scene",
     "new_scene",
-    "parse_toml",
     "plain_table",
-    "read_toml",
     "require_named_laws",
     "save_scene",
     "scene_text",
@@ -81,35 +79,6 @@ def _remedy(path: Path) -> str:
     if near and not path.suffix:
         return f"did you mean {near!r}?"
     return f"carom scene new `table` {near} FILE.toml writes one" if near else f"carom scene new {path} writes one"
-
-
-def read_toml(path: Path, remedy: str, what: str = "a scene file") -> dict[str, Any]:
-    """Return the table in a TOML file. CaromError, one line, if it has none; ``remedy`` helps where there is no file."""
-    try:
-        text = path.read_bytes().decode("utf-8-sig")  # with or without a byte-order mark
-    except OSError as error:
-        advice = f"; {remedy}" if isinstance(error, FileNotFoundError) else ""
-        raise CaromError(f"{path}: expected {what}, got: {error.strerror}{advice}") from None
-    except UnicodeDecodeError as error:
-        raise CaromError(Fault(f"{path}", "", "text in UTF-8", f"byte {error.object[error.start]:#04x}")) from None
-    return parse_toml(str(path), text)
-
-
-def parse_toml(name: str, text: str) -> dict[str, Any]:
-    """Return the table in a text. CaromError, one line that begins with ``name``, where it is not TOML."""
-    try:
-        return tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise CaromError(_syntax(name, text, str(error))) from None
-
-
-def _syntax(path: str, text: str, message: str) -> str:
-    found = re.fullmatch(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", message, re.DOTALL)
-    if found is None:
-        return f"{path}: expected TOML, got: {message}"
-    lines = text.splitlines() or [""]
-    number = int(found[2]) if found[2] else len(lines)
-    return f"{path}: line {number}: expected TOML, got {lines[number - 1].strip()[:60]!r}; {found[1]}"
 
 
 def save_scene(scene: Scene, path: str | Path) -> Path:

@@ -19,7 +19,7 @@ UNITS = {
     "velocity": "m/s", "speed": "m/s", "spin": "rad/s", "spin_x": "rad/s", "spin_y": "rad/s", "spin_z": "rad/s", "position": "m",
     "radius": "m", "ball_radius": "m", "mass": "kg", "azimuth": "degree", "elevation": "degree", "angle": "degree",
     "gravity": "m/s^2", "acceleration": "m/s^2", "duration": "s", "length": "m", "width": "m", "nose_height": "m", "height": "m",
-    "depth": "m", "distance": "m", "period": "m", "side": "m", "straight": "m", "major": "m", "minor": "m", "point": "m",
+    "depth": "m", "distance": "m", "period": "m", "side": "m", "straight": "m", "half_axes": "m", "points": "m", "point": "m",
     "size": "m", "vertical_speed": "m/s", "temperature": "J",
 }  # fmt: skip
 

@@ -9,25 +9,25 @@ import numpy as np
 from pydantic import BeforeValidator, PlainValidator, model_validator
 from pydantic_core.core_schema import ValidationInfo
 
-from carom.billiards.named import SIZES, named_table
+from carom.billiards.old_sizes import OLD_SIZES, new_sizes, old_paths
 from carom.billiards.orbits import orbit
 from carom.billiards.sampling import starts
 from carom.billiards.setup import default_ball, needs_surface
 from carom.billiards.stability import lyapunov
 from carom.billiards.table_records import ENDS
-from carom.billiards.tables import Table
+from carom.billiards.tables import Table, table
 from carom.bodies import Ball, Disc, Surface
 from carom.core.random import threefry
-from carom.errors import Fault, shown, suggestion
+from carom.errors import shown, suggestion
 from carom.laws.registry import laws
+from carom.public.renamed import warn_of_rename
+from carom.scene.figures import AnyFigure, figure
 from carom.scene.schema import (
     Friction,
-    Length,
     Model,
     Number,
     Share,
     Spring,
-    raise_faults,
     refused,
     with_faults_of_part,
 )
@@ -66,10 +66,9 @@ class OrbitCase(Model):
 
     Parameters
     ----------
-    table : circle, ellipse, stadium, polygon, rectangle, strip, wedge, sinai, periodic-strip, sphere, box, plates
-    radius, major, minor, straight, sides, width, height, depth, angle, side, period, distance : sizes of the table, as for
-        ``carom orbit``; default: about 1 m
-    vertices : of any polygon, in order, rows of x, y (m), in place of ``sides`` and ``radius``
+    table : the figure, as :func:`carom.scene.figures.figure` takes it: a text such as "stadium:straight=2,radius=1", or a table of
+        its fields; its sizes are swept by their paths, such as ``table.straight``
+    bounds : "centre" or "surface" of the ball
     law : "no-slip", "mirror", "contact", "rolling"
     kappa : I/(m a^2); default: 0.5 in the plane, 0.4 in space
     restitution, friction, tangential_restitution : of the law "contact"
@@ -80,26 +79,13 @@ class OrbitCase(Model):
     --------
     >>> import carom
     >>> case = carom.sweeps.OrbitCase(table="sinai", law="mirror", bounces=500)
-    >>> space = carom.Space(case, {"radius": [0.2, 0.4]})
+    >>> space = carom.Space(case, {"table.radius": [0.2, 0.4]})
     >>> found = carom.sweep(space, keep=["lyapunov.largest"]).run()["lyapunov.largest"].values
     >>> bool((found > 0.3).all())
     True
     """
 
-    table: str
-    radius: Extent | None = None
-    major: Extent | None = None
-    minor: Extent | None = None
-    straight: Extent | None = None
-    sides: Count | None = None
-    vertices: tuple[tuple[Length, Length], ...] | None = None
-    width: Extent | None = None
-    height: Extent | None = None
-    depth: Extent | None = None
-    angle: Extent | None = None
-    side: Extent | None = None
-    period: Extent | None = None
-    distance: Extent | None = None
+    table: AnyFigure
     bounds: Literal["centre", "surface"] = "centre"
     law: Annotated[str, PlainValidator(_orbit_law)] = "no-slip"
     kappa: (
@@ -113,32 +99,22 @@ class OrbitCase(Model):
     bounces: Count = 1000
     orbits: Count = 1
 
-    @model_validator(mode="after")
-    def _known(self) -> OrbitCase:
-        if self.table not in SIZES:
-            raise_faults(
-                [
-                    Fault(
-                        "",
-                        "table",
-                        f"one of {', '.join(SIZES)}",
-                        shown(self.table),
-                        suggestion(self.table, list(SIZES)),
-                    )
-                ]
-            )
-        own = SIZES[self.table]
-        sizes = [name for names in SIZES.values() for name in names]
-        wrong = [name for name in dict.fromkeys(sizes) if getattr(self, name, None) is not None and name not in own]
-        raise_faults([Fault("", name, f"sizes of a {self.table}: {', '.join(own)}", shown(name)) for name in wrong])
-        with_faults_of_part(lambda: self.made)
-        return self
+    @model_validator(mode="before")
+    @classmethod
+    def _with_new_sizes(cls, given: Any) -> Any:
+        if not isinstance(given, dict) or not isinstance(given.get("table"), str):
+            return given
+        old = {name: given[name] for name in OLD_SIZES if given.get(name) is not None}
+        rest = {name: value for name, value in given.items() if name not in OLD_SIZES}
+        for name in old:
+            warn_of_rename(f"OrbitCase: {name}", "a size of its table", 5)
+        name, sizes, _renamed = new_sizes(given["table"], old)
+        return rest | {"table": with_faults_of_part(lambda: figure(name, **sizes)) if old else name}
 
     @functools.cached_property
     def made(self) -> Table:
         """The table."""
-        sizes = {name: getattr(self, name, None) for name in SIZES[self.table]}
-        return named_table(self.table, {name: size for name, size in sizes.items() if size is not None}, self.bounds)
+        return table(self.table, bounds=self.bounds)
 
     @property
     def options(self) -> dict[str, Any]:
@@ -164,6 +140,11 @@ class Orbits(PointByPoint):
     """A sweep's subject: orbits in tables."""
 
     kind = "orbit"
+
+    @property
+    def renamed(self) -> dict[str, str]:
+        """Paths to the sizes of its table by their names in the release before."""
+        return old_paths(self.model.table.kind())  # type: ignore[attr-defined]
 
     def outcomes(self, names: tuple[str, ...]) -> list[Outcome]:
         """Return the outcomes of some names. CaromError with the nearest name."""

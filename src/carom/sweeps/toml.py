@@ -12,7 +12,8 @@ from carom.files import as_path
 from carom.gas.build import load_gas
 from carom.gas.scene import GasScene
 from carom.public.own_laws import with_own_laws
-from carom.scene.toml import load_scene, read_toml
+from carom.scene.toml import load_scene
+from carom.scene.toml_files import read_toml
 from carom.sweeps.axes import Axis, axis_from_data
 from carom.sweeps.space import Space
 from carom.sweeps.subjects import subject_from_data

@@ -5,12 +5,23 @@ A file added to this package, with a class of :class:`PlaneFigure` that has a ``
 
 from __future__ import annotations
 
-from carom.scene.by_file import models_by_shape
-from carom.scene.figures.figure import Cell, Figure, PlaneFigure, Solid
+from carom.scene.by_file import modules_of
+from carom.scene.figures.by_text import AnyFigure, figure
+from carom.scene.figures.figure import FIGURES, CellFigure, Figure, PlaneFigure
 from carom.scene.figures.pieces import ArcPiece, EllipsePiece, ParallelPiece, Piece, SegmentPiece
 
 __all__ = [
-    "FIGURES", "ArcPiece", "Cell", "EllipsePiece", "Figure", "ParallelPiece", "Piece", "PlaneFigure", "SegmentPiece", "Solid",
-]  # fmt: skip
+    "FIGURES",
+    "AnyFigure",
+    "ArcPiece",
+    "CellFigure",
+    "EllipsePiece",
+    "Figure",
+    "ParallelPiece",
+    "Piece",
+    "PlaneFigure",
+    "SegmentPiece",
+    "figure",
+]
 
-FIGURES = models_by_shape(__name__, __path__, Figure)
+modules_of(__name__, __path__)

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar, Literal
+from typing import ClassVar, Literal
 
-from pydantic import BeforeValidator
-
-from carom.scene.figures.figure import Loop, PlaneFigure
+from carom.scene.figures.figure import Loop, PlaneFigure, Sizes2
 from carom.scene.figures.pieces import EllipsePiece
-from carom.scene.schema import Components, Size
 
 __all__ = ["EllipseFigure"]
 
@@ -23,7 +20,7 @@ class EllipseFigure(PlaneFigure):
 
     usual: ClassVar = {"half_axes": (1.0, 0.8)}
     shape: Literal["ellipse"] = "ellipse"
-    half_axes: Annotated[tuple[Size, Size], BeforeValidator(Components("2 lengths in m, > 0: along x, y", (2,)))]
+    half_axes: Sizes2
 
     def outline(self) -> list[Loop]:
         """Return the whole ellipse."""

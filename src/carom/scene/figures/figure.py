@@ -5,18 +5,24 @@ from __future__ import annotations
 import math
 from abc import abstractmethod
 from collections.abc import Mapping
-from typing import Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import BeforeValidator
 
 from carom.scene.figures.pieces import Piece
-from carom.scene.schema import Model
+from carom.scene.schema import Components, Model, Place, Size
 
-__all__ = ["Cell", "Figure", "PlaneFigure", "Solid"]
+__all__ = ["FIGURES", "CellFigure", "Circle", "Figure", "Loop", "PlaneFigure", "Sizes2"]
 
 Array = NDArray[np.float64]
 Loop = list[Piece]
+Sizes2 = Annotated[tuple[Size, Size], BeforeValidator(Components("2 lengths in m, > 0: along x, y", (2,)))]
+Circle = tuple[float, float, float]
+
+FIGURES: dict[str, type[Figure]] = {}
+"""All figures by name; a class enters it when it is made."""
 
 
 class Figure(Model):
@@ -26,8 +32,8 @@ class Figure(Model):
 
     Examples
     --------
-    >>> from carom.scene.figures import FIGURES
-    >>> FIGURES["stadium"](straight=2, radius="50 cm").describe()
+    >>> from carom.scene.figures import figure
+    >>> figure("stadium:straight=2,radius=50 cm").describe()
     'stadium (straight 2.0, radius 0.5)'
     """
 
@@ -35,7 +41,14 @@ class Figure(Model):
     dimension: ClassVar[int] = 2
     """2: in the plane, 3: in space."""
     usual: ClassVar[dict[str, Any]] = {}
-    """Sizes of about 1 m, for who names it alone."""
+    """Sizes of about 1 m, for who gives none."""
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **_options: Any) -> None:
+        """Enter it among all figures."""
+        # (a wall of a scene derives from its figure, and is none itself)
+        if "shape" in vars(cls).get("__annotations__", {}):
+            FIGURES[cls.kind()] = cls
 
     @classmethod
     def kind(cls) -> str:
@@ -45,16 +58,27 @@ class Figure(Model):
     @property
     def sizes(self) -> dict[str, Any]:
         """Its fields but its name, as plain data; what is not given is left out."""
-        found = self.model_dump(exclude_none=True, exclude={"shape"})
-        return {name: _plain(value) for name, value in found.items()}
+        return {name: plain for name, value in self if name != "shape" and (plain := _plain(value)) is not None}
 
     def describe(self) -> str:
         """Return its name and its sizes in one line."""
-        sizes = ", ".join(f"{name} {value}" for name, value in self.sizes.items())
-        return f"{self.kind()} ({sizes})"
+        return f"{self.kind()} ({', '.join(self.phrases())})"
+
+    def phrases(self) -> list[str]:
+        """Return its sizes in words; a figure among them by its own."""
+        found = []
+        for name, value in self:
+            plain = _plain(value)
+            if isinstance(value, Figure):
+                found += [f"{name} {value.kind()}", *value.phrases()]
+            elif name != "shape" and plain is not None:
+                found.append(f"{name} {plain}")
+        return found
 
 
 def _plain(value: Any) -> Any:
+    if isinstance(value, Figure):
+        return {"shape": value.kind(), **value.sizes}
     if isinstance(value, Mapping):
         return {name: _plain(one) for name, one in value.items()}
     return [_plain(one) for one in value] if isinstance(value, tuple) else value
@@ -73,12 +97,12 @@ class PlaneFigure(Figure):
     @property
     def area(self) -> float:
         """Its area, m^2."""
-        return sum(_area_of(piece) for loop in self.outline() for piece in loop)
+        return math.fsum(_area_of(piece) for loop in self.outline() for piece in loop)
 
     @property
     def length(self) -> float:
         """The length of its boundary, m."""
-        return sum(piece.length for loop in self.outline() for piece in loop)
+        return math.fsum(piece.length for loop in self.outline() for piece in loop)
 
 
 def _area_of(piece: Piece) -> float:
@@ -91,11 +115,20 @@ def _area_of(piece: Piece) -> float:
     return math.fsum((rate @ weights * half / 2).tolist())
 
 
-class Cell(Figure):
-    """A rectangle about the origin that is periodic along some axes, with round obstacles."""
+class CellFigure(Figure):
+    """A rectangle about the origin that is periodic in x, and in y or between two walls, with round obstacles."""
 
+    @property
+    @abstractmethod
+    def sides(self) -> Place:
+        """Its lengths along x and y, m."""
 
-class Solid(Figure):
-    """A figure in space."""
+    @property
+    @abstractmethod
+    def circles(self) -> tuple[Circle, ...]:
+        """Its obstacles: x, y, radius, m."""
 
-    dimension: ClassVar[int] = 3
+    @property
+    def along(self) -> tuple[bool, bool]:
+        """Whether it is periodic in x, and in y."""
+        return True, True

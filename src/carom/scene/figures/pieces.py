@@ -155,29 +155,29 @@ class ArcPiece(Piece):
 
     center: Flat
     radius: float
-    from_angle: float
-    to_angle: float
-    """Above ``from_angle``: counterclockwise; below: clockwise, an obstacle seen from outside."""
+    from_angle_deg: float
+    to_angle_deg: float
+    """Degrees: above ``from_angle_deg``: counterclockwise; below: clockwise, an obstacle seen from outside."""
 
     @property
     def way(self) -> float:
         """1 where the centre is on the open side, else -1."""
-        return math.copysign(1.0, self.to_angle - self.from_angle)
+        return math.copysign(1.0, self.to_angle_deg - self.from_angle_deg)
 
     def at(self, t: Any) -> tuple[Array, Array, Array]:
         """Return places and derivatives; t is the angle turned, rad."""
         t, w = np.asarray(t, float), self.way
-        angle = math.radians(self.from_angle) + w * t
+        angle = math.radians(self.from_angle_deg) + w * t
         u = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
         return np.add(self.center, self.radius * u), w * self.radius * _left(u), -self.radius * u
 
     def span(self) -> tuple[float, float]:
         """Return 0 and its angle, rad."""
-        return 0.0, math.radians(abs(self.to_angle - self.from_angle))
+        return 0.0, math.radians(abs(self.to_angle_deg - self.from_angle_deg))
 
     def reversed(self) -> ArcPiece:
         """Return the arc the other way round."""
-        return ArcPiece(self.center, self.radius, self.to_angle, self.from_angle)
+        return ArcPiece(self.center, self.radius, self.to_angle_deg, self.from_angle_deg)
 
     @property
     def length(self) -> float:
@@ -193,7 +193,7 @@ class ArcPiece(Piece):
         radius = self.radius - self.way * a
         if radius <= 0:
             return ParallelPiece(self, a)
-        return ArcPiece(self.center, radius, self.from_angle, self.to_angle)
+        return ArcPiece(self.center, radius, self.from_angle_deg, self.to_angle_deg)
 
 
 @dataclass(frozen=True)
@@ -201,25 +201,25 @@ class EllipsePiece(Piece):
     """An arc of the ellipse (p cos u, q sin u) about a centre, for u from one angle to another, degrees."""
 
     half_axes: Flat
-    from_angle: float = 0.0
-    to_angle: float = 360.0
+    from_angle_deg: float = 0.0
+    to_angle_deg: float = 360.0
     center: Flat = (0.0, 0.0)
 
     def at(self, t: Any) -> tuple[Array, Array, Array]:
         """Return places and derivatives; t is the change of u, rad."""
-        t, w = np.asarray(t, float), math.copysign(1.0, self.to_angle - self.from_angle)
-        u, axes = math.radians(self.from_angle) + w * t, np.array(self.half_axes)
+        t, w = np.asarray(t, float), math.copysign(1.0, self.to_angle_deg - self.from_angle_deg)
+        u, axes = math.radians(self.from_angle_deg) + w * t, np.array(self.half_axes)
         out = axes * np.stack([np.cos(u), np.sin(u)], axis=-1)
         along = w * axes * np.stack([-np.sin(u), np.cos(u)], axis=-1)
         return np.add(self.center, out), along, -out
 
     def span(self) -> tuple[float, float]:
         """Return 0 and the change of u, rad."""
-        return 0.0, math.radians(abs(self.to_angle - self.from_angle))
+        return 0.0, math.radians(abs(self.to_angle_deg - self.from_angle_deg))
 
     def reversed(self) -> EllipsePiece:
         """Return the arc the other way round."""
-        return EllipsePiece(self.half_axes, self.to_angle, self.from_angle, self.center)
+        return EllipsePiece(self.half_axes, self.to_angle_deg, self.from_angle_deg, self.center)
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from pydantic import BeforeValidator, model_validator
 
 from carom.core.geometry.polygon import outline_faults
 from carom.errors import Fault
-from carom.scene.figures.figure import Loop, PlaneFigure
+from carom.scene.figures.figure import Loop, PlaneFigure, Sizes2
 from carom.scene.figures.pieces import SegmentPiece
 from carom.scene.schema import Components, Place, Size, Whole, raise_faults
 
@@ -84,7 +84,7 @@ class RectangleFigure(PlaneFigure):
 
     usual: ClassVar = {"size": (2.0, 1.0)}
     shape: Literal["rectangle"] = "rectangle"
-    size: Annotated[tuple[Size, Size], BeforeValidator(Components("2 lengths in m, > 0: along x, y", (2,)))]
+    size: Sizes2
 
     def outline(self) -> list[Loop]:
         """Return its sides, the lower one first."""

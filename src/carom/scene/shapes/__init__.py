@@ -6,11 +6,11 @@ then in scenes, in their files, and in the explorer once its module is built ane
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Union
+from typing import TYPE_CHECKING, Annotated, Any, Union
 
 from pydantic import Field
 
-from carom.scene.by_file import models_by_shape
+from carom.scene.by_file import modules_of
 from carom.scene.shapes.planes import Box, Plane, Strip, Wedge
 from carom.scene.shapes.rounds import Arc, Cylinder, Sphere, Stadium
 from carom.scene.shapes.segments import Polygon, Segment
@@ -24,9 +24,14 @@ __all__ = [
 FIRST = (Plane, Segment, Polygon, Table, Box, Strip, Wedge, Cylinder, Arc, Sphere, Stadium)
 
 
-# (in the order in which messages list them; then those of further files)
-SHAPES: dict[str, type[WallShape]] = {one.model_fields["shape"].default: one for one in FIRST}
-SHAPES |= models_by_shape(__name__, __path__, WallShape)
+def _found() -> dict[str, type[WallShape]]:
+    """Return the shapes by name: in the order in which messages list them, then those of further files."""
+    others: list[Any] = [x for one in modules_of(__name__, __path__) for x in vars(one).values() if isinstance(x, type)]
+    walls = [one for one in others if issubclass(one, WallShape) and "shape" in one.model_fields]
+    return {one.model_fields["shape"].default: one for one in dict.fromkeys((*FIRST, *walls))}
+
+
+SHAPES = _found()
 if TYPE_CHECKING:
     AnyWall = WallShape
 else:

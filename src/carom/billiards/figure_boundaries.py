@@ -1,0 +1,214 @@
+"""The boundary of the region open to a ball's centre in a figure: its pieces, one ball's radius inside."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.billiards.boundary import Boundary, Face, InsetEllipse, Obstacle, ObstacleImage, RoundWall, face
+from carom.billiards.checks import require_room
+from carom.errors import CaromError, Fault
+from carom.scene.figures import CellFigure, Figure, PlaneFigure
+from carom.scene.figures.figure import Loop
+from carom.scene.figures.open import PlatesFigure, StripFigure, WedgeFigure
+from carom.scene.figures.pieces import ArcPiece, EllipsePiece, SegmentPiece
+from carom.scene.figures.polygons import RectangleFigure
+from carom.scene.figures.solids import BoxFigure, CylinderFigure, SphereFigure
+
+__all__ = ["boundary_of"]
+
+Array = NDArray[np.float64]
+INF = math.inf
+SMOOTH = 1e-12  # sine of the angle between two pieces that continue each other
+WHOLE, RIGHT, LEFT = (0.0, 360.0), (-90.0, 90.0), (90.0, 270.0)  # the arcs that a billiard's loops follow
+HALVES = {WHOLE: 0.0, RIGHT: 1.0, LEFT: -1.0}
+
+
+def boundary_of(figure: Figure, inset: float, name: str = "") -> Boundary:
+    """Return the boundary of a figure for a centre that stays ``inset``, m, away from its wall.
+
+    CaromError, one line, where the ball does not fit, and for a figure with a piece that billiards do not have.
+    """
+    name = name or figure.kind()
+    for kind, make in BY_KIND.items():
+        if isinstance(figure, kind):
+            return make(name, figure, inset)
+    if not isinstance(figure, PlaneFigure):
+        raise CaromError(Fault(name, "", "a figure that billiards have", type(figure).__name__))
+    return _outline(name, figure, inset)
+
+
+def _outline(name: str, figure: PlaneFigure, inset: float) -> Boundary:
+    """Return the boundary of a figure by the pieces of its outline; loops in it are whole circles."""
+    outside, *inner = figure.outline()
+    first = outside[0]
+    if len(outside) == 1 and isinstance(first, EllipsePiece):
+        p, q = first.half_axes
+        require_room(name, min(p, q) - inset, f"in the {name}", inset)
+        found = Boundary(ellipse=InsetEllipse(p, q, inset), size=max(p, q))
+    elif len(outside) == 1 and isinstance(first, ArcPiece):
+        require_room(name, first.radius - inset, f"in the {name}", inset)
+        found = Boundary(inside=[RoundWall(*first.center, first.radius - inset, 0)], size=first.radius)
+    else:
+        found = _chain(name, outside, inset)
+    for loop in inner:
+        one = loop[0]
+        if len(loop) > 1 or not isinstance(one, ArcPiece) or abs(one.to_angle_deg - one.from_angle_deg) != 360.0:
+            raise CaromError(Fault(name, "outline", "obstacles that are circles", f"a loop of {len(loop)} pieces"))
+        found.outside.append(Obstacle(*one.center, one.radius + inset, 0.0, math.tau))
+    return found
+
+
+def _chain(name: str, loop: Loop, inset: float) -> Boundary:
+    """Return the boundary of a loop of segments, of which half circles may continue some without a corner."""
+    lengths, begins, t = _directions(loop)
+    after = np.roll(begins, -1, axis=0)
+    turn = t[:, 0] * after[:, 1] - t[:, 1] * after[:, 0]  # at the end of each piece
+    reflex, smooth, cos = turn < -SMOOTH, np.abs(turn) <= SMOOTH, (t * after).sum(-1)
+    # a convex corner shortens both its sides by inset/tan(half the inner angle)
+    cut = np.where(reflex | smooth, 0.0, inset * turn / (1 + cos))
+    faces: list[Face] = []
+    arcs: list[RoundWall] = []
+    outside: list[Obstacle] = []
+    order: list[tuple[str, int]] = []
+    for k, piece in enumerate(loop):
+        before = k - 1
+        if isinstance(piece, ArcPiece):
+            half = HALVES.get((piece.from_angle_deg, piece.to_angle_deg))
+            if half is None or not (smooth[before] and smooth[k]):
+                expected = "half circles to the left or the right that continue straight pieces, or a whole circle"
+                raise CaromError(Fault(name, "outline", expected, f"piece {k + 1}, {piece}"))
+            require_room(name, piece.radius - inset, f"in the {name}", inset)
+            order.append(("inside", len(arcs)))
+            arcs.append(RoundWall(*piece.center, piece.radius - inset, half))
+            continue
+        if not isinstance(piece, SegmentPiece):
+            raise CaromError(Fault(name, "outline", "segments and arcs", f"piece {k + 1}, {piece}"))
+        (tx, ty), (x, y) = t[k].tolist(), piece.start
+        x0 = tx * x + ty * y
+        begin, end = float(x0 + cut[before]), float(x0 + lengths[k] - cut[k])
+        require_room(name, end - begin, f"to touch side {k + 1}", inset)
+        # around a reflex vertex the centre moves on a circle
+        low = -INF if smooth[before] or (reflex[before] and inset) else begin
+        high = INF if smooth[k] or (reflex[k] and inset) else end
+        order.append(("face", len(faces)))
+        faces.append(face(0.0 - ty, tx, -ty * x + tx * y + inset, begin, end, low=low, high=high))
+        if reflex[k] and inset:
+            span = math.acos(max(-1.0, min(1.0, float(cos[k]))))
+            order.append(("outside", len(outside)))
+            outside.append(Obstacle(*piece.end, inset, math.atan2(tx, -ty), span))
+    number = {"face": 0, "inside": len(faces), "outside": len(faces) + len(arcs)}
+    found = Boundary(
+        faces=faces, inside=arcs, outside=outside, order=[number[kind] + k for kind, k in order],
+        finite_faces=bool(arcs) or bool(reflex.any()), size=_extent(loop) if arcs else float(lengths.max()),
+    )  # fmt: skip
+    if reflex.any():
+        found.vertices, found.clearance = np.array([piece.at(piece.span()[:1])[0][0] for piece in loop]), inset
+    return found
+
+
+def _directions(loop: Loop) -> tuple[Array, Array, Array]:
+    """Return the lengths (N) of pieces, and their unit tangents (N, 2) where they begin and where they end."""
+    straight = [
+        (*piece.start, *piece.end) if isinstance(piece, SegmentPiece) else (0.0, 0.0, 1.0, 0.0) for piece in loop
+    ]
+    sides = np.array(straight)[:, 2:] - np.array(straight)[:, :2]
+    lengths = np.hypot(sides[:, 0], sides[:, 1])
+    begins = sides / lengths[:, None]
+    ends = begins.copy()
+    for k, piece in enumerate(loop):
+        if not isinstance(piece, SegmentPiece):
+            lengths[k], (begins[k], ends[k]) = piece.length, piece.tangent(np.array([0.0, piece.length]))
+    return lengths, begins, ends
+
+
+def _extent(loop: Loop) -> float:
+    """Return the greatest distance of a loop of segments and arcs from the origin along x or y."""
+    reach = [abs(x) + piece.radius for piece in loop if isinstance(piece, ArcPiece) for x in piece.center]
+    return max([*reach, *(abs(x) for piece in loop if isinstance(piece, SegmentPiece) for x in piece.start)])
+
+
+def _strip(name: str, figure: StripFigure, inset: float) -> Boundary:
+    return _between(name, figure.width, inset)
+
+
+def _plates(name: str, figure: PlatesFigure, inset: float) -> Boundary:
+    return _between(name, figure.distance, inset)
+
+
+def _between(name: str, width: float, inset: float) -> Boundary:
+    require_room(name, width / 2 - inset, "between the walls", inset)
+    c = inset - width / 2
+    return Boundary(faces=[face(0, 1, c), face(0, -1, c)], size=width)
+
+
+def _wedge(_name: str, figure: WedgeFigure, inset: float) -> Boundary:
+    angle = math.radians(figure.angle)
+    cos, sin = math.cos(angle / 2), math.sin(angle / 2)
+    # the wedge of the centre has its vertex at (inset/sin, 0)
+    tip = cos * inset / sin
+    # arc length, with the ball on the left: inwards along the upper wall, outwards along the lower
+    return Boundary(faces=[face(sin, cos, inset, tip), face(sin, -cos, inset, end=-tip)], size=1.0 + inset)
+
+
+def _cell(name: str, figure: CellFigure, inset: float) -> Boundary:
+    (w, h), periodic = (side / 2 for side in figure.sides), figure.along
+    found = Boundary(size=2 * max(w, h), cell=(2 * w, 2 * h if periodic[1] else INF))
+    along = [(2 * w, 0.0)]
+    if periodic[1]:
+        along += [(0.0, 2 * h), (2 * w, 2 * h), (2 * w, -2 * h)]
+    else:
+        c = inset - h
+        require_room(name, -c, "between the walls", inset)
+        # their length is one period; there are no corners at the windows
+        found.faces = [face(0, 1, c, -w, w, low=-INF, high=INF), face(0, -1, c, -w, w, low=-INF, high=INF)]
+    found.windows = [face(1, 0, -w), face(-1, 0, -w)] + ([face(0, 1, -h), face(0, -1, -h)] if periodic[1] else [])
+    found.windows = [one._replace(separation=2 * (w if one.normal[0] else h)) for one in found.windows]
+    for k, (x, y, radius) in enumerate(figure.circles):
+        r = radius + inset
+        if r >= math.hypot(w, h if periodic[1] else h - inset + abs(y)):
+            ball = f", with a ball of radius {inset:g}," if inset else ""
+            got, advice = f"one that{ball} covers the cell", "take a smaller one"
+            raise CaromError(Fault(name, "obstacles", "room between them", got, advice))
+        found.outside.append(Obstacle(x, y, r, 0.0, math.tau))
+        for dx, dy in along + [(-dx, -dy) for dx, dy in along]:
+            if abs(x + dx) < w + r and abs(y + dy) < h + r:
+                found.images.append(ObstacleImage(x + dx, y + dy, r, k))
+    return found
+
+
+def _sphere(name: str, figure: SphereFigure, inset: float) -> Boundary:
+    require_room(name, figure.radius - inset, "in the sphere", inset)
+    return Boundary(sphere=figure.radius - inset, size=figure.radius)
+
+
+def _cylinder(name: str, figure: CylinderFigure, inset: float) -> Boundary:
+    return _with_lids(name, boundary_of(figure.over, inset), figure.height, inset)
+
+
+def _box(name: str, figure: BoxFigure, inset: float) -> Boundary:
+    x, y, z = figure.size
+    return _with_lids(name, boundary_of(RectangleFigure(size=(x, y)), inset), z, inset)
+
+
+def _with_lids(name: str, shape: Boundary, height: float | None, inset: float) -> Boundary:
+    """Return the boundary of a cylinder over a section, with two lids where it has a height."""
+    if height is None:
+        return shape
+    require_room(name, height / 2 - inset, "between the lids", inset)
+    c = inset - height / 2
+    if shape.order is not None:  # (the lids come after the other faces, and last along the wall)
+        shape.order = [k + 2 * (k >= len(shape.faces)) for k in shape.order]
+        shape.order += [len(shape.faces), len(shape.faces) + 1]
+    shape.faces = [*shape.faces, face(0, 0, c, nz=1.0), face(0, 0, c, nz=-1.0)]
+    return shape
+
+
+BY_KIND: dict[type[Figure], Callable[[str, Any, float], Boundary]] = {
+    StripFigure: _strip, PlatesFigure: _plates, WedgeFigure: _wedge, CellFigure: _cell,
+    SphereFigure: _sphere, CylinderFigure: _cylinder, BoxFigure: _box,
+}  # fmt: skip
