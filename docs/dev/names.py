@@ -26,9 +26,10 @@ from carom.fitting.setting import FORM_PARAMETERS
 from carom.fitting.tracks.model import FLOOR as TRACK_PARAMETERS
 from carom.scene.ball import CueStrike, SceneBall, SceneCue
 from carom.scene.ball_contact import BallContact
+from carom.scene.floor import Floor
 from carom.scene.pockets import Pockets
 from carom.scene.restitution import Exponential, Polynomial, Viscoelastic
-from carom.scene.scene import Floor, Run, Scene
+from carom.scene.scene import Run, Scene
 from carom.scene.shapes import Table
 from carom.sweeps import ImpactCase
 from carom.tracks import Settings
@@ -139,6 +140,10 @@ ROWS = {
         Quantity("rolling resistance: deceleration over g", "", "1", "floor.rolling_resistance rolling_resistance",
                  "no beginning `floor_`: a wall has none"),
         Quantity("friction of a spin about the vertical", "", "1", "floor.spin_friction"),
+        Quantity("rise of the rolling resistance with the speed", "", "s/m", "floor.rolling_drag",
+                 "the resistance is `floor.rolling_resistance` + `floor.rolling_drag` v"),
+        Quantity("damping of a spin about the vertical", "", "1/s", "floor.spin_damping", "more than `floor.spin_friction` takes"),
+        Quantity("loss of a spin about the vertical on the way", "", "rad/m", "floor.spin_drag", "of a ball that rolls"),
         Quantity("deceleration of a spin about the vertical", "", "rad/s²", "spin_loss", "g `floor.spin_friction` / (κ a)"),
         Quantity("deceleration of a sliding ball", "", "m/s²", "mu_g", "`floor_friction` times g, in the fit of a contact"),
         Quantity("deceleration of a rolling ball", "", "m/s²", "c_g", "`rolling_resistance` times g, as `mu_g`"),

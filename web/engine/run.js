@@ -167,9 +167,31 @@ function ballsIn(module, ball, rows) {
 /** @param {string} phase */
 const gone = (phase) => phase === "held" || phase === "left" || phase === "pocketed";
 
-/** The motion between events, in closed form. @param {Module} module @param {number} world @param {number} ball @param {LoggedEvent[]} rows @param {number} end @returns {Piece[]} */
-function pieces(module, world, ball, rows, end) {
+const PIECE = 0.05; // s: a ball whose acceleration decays is drawn by parabolas so short, 1e-7 m from its path
+
+/** Rows with more in between where the acceleration of a ball decays. @param {Module} module @param {number} world @param {number} ball @param {LoggedEvent[]} rows @param {number} end @returns {LoggedEvent[]} */
+function withPartsOf(module, world, ball, rows, end) {
   const { memory, layout } = module;
+  const record = layout.records.balls;
+  const at = ballsIn(module, ball, rows);
+  module.call("begin", 0, world, 1, at, rows.length);
+  const decays = memory.field(record, "decays");
+  const [x, v, w] = ["x", "v", "w"].map((name) => memory.field(record, name));
+  return rows.flatMap((row, i) => {
+    const lasts = (rows[i + 1]?.t ?? end) - row.t;
+    if (decays(at + i * record.bytes) === 0 || gone(row.phase) || !(lasts > PIECE && lasts < Infinity)) return [row];
+    const parts = Array.from({ length: Math.ceil(lasts / PIECE) }, (_, k) => k * PIECE);
+    const first = ballsIn(module, ball, parts.map(() => row));
+    module.call("states", 0, world, 1, first, parts.length, memory.put(parts), parts.length);
+    const places = parts.map((_, k) => first + k * record.bytes);
+    return places.map((one, k) => (k === 0 ? row : { ...row, t: row.t + parts[k], x: x(one), v: v(one), w: w(one) }));
+  });
+}
+
+/** The motion between events, in closed form. @param {Module} module @param {number} world @param {number} ball @param {LoggedEvent[]} events @param {number} end @returns {Piece[]} */
+function pieces(module, world, ball, events, end) {
+  const { memory, layout } = module;
+  const rows = withPartsOf(module, world, ball, events, end);
   const record = layout.records.balls;
   const at = ballsIn(module, ball, rows);
   module.call("begin", 0, world, 1, at, rows.length);

@@ -113,6 +113,7 @@ export function setUp(scene, layout, address) {
     force: scene.gravity,
     ...(floor && { floor: 1, g: -scene.gravity[2], ...prefixed("floor", contactOf(floor, layout)) }),
     ...(floor && { resistance: floor.rolling_resistance, spin_friction: floor.spin_friction }),
+    ...(floor && { rolling_drag: floor.rolling_drag, spin_damping: floor.spin_damping, spin_drag: floor.spin_drag }),
     ...pairFields(scene, pairLaw, called, layout),
     together: scene.run.floor_contact === "with",
   };

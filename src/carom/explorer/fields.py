@@ -14,9 +14,10 @@ from carom.formatting import json_value
 from carom.laws.registry import laws_of_pairs
 from carom.scene.ball import SceneBall
 from carom.scene.ball_contact import BallContact, FallingFriction
+from carom.scene.floor import Floor
 from carom.scene.pockets import Pockets
 from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, Power, Viscoelastic
-from carom.scene.scene import Floor, Run, Scene
+from carom.scene.scene import Run, Scene
 from carom.scene.schema import Components, Model, Number
 from carom.scene.shapes import SHAPES
 

@@ -8,9 +8,9 @@ from .figures import Piece as Piece
 from .figures import PlaneFigure as PlaneFigure
 from .figures import SegmentPiece as SegmentPiece
 from .figures import figure as figure
+from .floor import Floor as Floor
 from .pockets import Pockets as Pockets
 from .rack import Rack as Rack
-from .scene import Floor as Floor
 from .scene import Run as Run
 from .scene import Scene as Scene
 from .shapes import Arc as Arc

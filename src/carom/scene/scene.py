@@ -27,57 +27,23 @@ from carom.scene.among_balls import TOUCH, default_is_too_soft, name_faults, ove
 from carom.scene.ball import SceneBall
 from carom.scene.ball_contact import BallContact
 from carom.scene.feature_builders import Feature
+from carom.scene.floor import Floor
 from carom.scene.rack import Rack
-from carom.scene.restitution import Bounce, Constant
+from carom.scene.restitution import Constant
 from carom.scene.schema import (
     Acceleration,
     Components,
     Count,
-    Friction,
     Model,
-    NotNegative,
     Number,
-    Spring,
     Time,
     raise_faults,
     refused,
 )
 from carom.scene.shapes import AnyWall
-from carom.scene.wall import ContactParameters, LawChoice, WallShape, contact, format_vector, law_name
+from carom.scene.wall import LawChoice, WallShape, format_vector, law_name
 
-__all__ = ["Floor", "Run", "Scene", "scene_faults"]
-
-
-class Floor(Model):
-    """The plane z = 0, under the balls.
-
-    Parameters
-    ----------
-    restitution : number from 0 to 1, or a form of the normal speed; default: 0
-    friction : >= 0, or inf: of impacts and of sliding
-    tangential_restitution : -1 to 1; default: 0
-    rolling_resistance : deceleration / g while rolling; default: 0
-    spin_friction : |d omega_z / dt| = spin_friction g / (kappa a); default: 0
-
-    Raises CaromError, one line per problem.
-
-    Examples
-    --------
-    >>> import carom
-    >>> carom.Floor(restitution=0.5, friction=0.2, rolling_resistance=0.01).rolling_resistance
-    0.01
-    """
-
-    restitution: Bounce = Constant(value=0.0)
-    friction: Friction
-    tangential_restitution: Spring = 0.0
-    rolling_resistance: NotNegative = 0.0
-    spin_friction: NotNegative = 0.0
-
-    @property
-    def contact(self) -> ContactParameters:
-        """Return the parameters of its surface as numbers."""
-        return contact(self.restitution, self.friction, self.tangential_restitution)
+__all__ = ["Run", "Scene", "scene_faults"]
 
 
 class Run(Model):

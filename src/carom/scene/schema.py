@@ -246,7 +246,7 @@ def _expectation(owner: type[Model], field: str) -> str:
 Vector = tuple[float, float, float]
 EXAMPLES = {
     "m": "61.5 mm", "m/s": "2 m/s", "m/s^2": "9.81 m/s^2", "kg": "210 g", "s": "10 s", "rad/s": "30 rev/s", "degree": "0.5 rad",
-    "J": "2 uJ", "1/s": "50 Hz", "Pa": "5.84 GPa",
+    "J": "2 uJ", "1/s": "50 Hz", "s/m": "0.002 s/m", "rad/m": "2 rad/m", "Pa": "5.84 GPa",
 }  # fmt: skip
 
 
@@ -338,6 +338,9 @@ PositiveNumber = Annotated[float, BeforeValidator(Number("a number > 0", least=0
 NotNegative = Annotated[float, BeforeValidator(Number("a number >= 0", least=0))]
 Share = Annotated[float, BeforeValidator(Number("a number from 0 to 1", least=0, most=1))]
 Spring = Annotated[float, BeforeValidator(Number("a number from -1 to 1", least=-1, most=1))]
+Drag = Annotated[float, BeforeValidator(Number("a number in s/m, >= 0", "s/m", least=0))]
+SpinDamping = Annotated[float, BeforeValidator(Number("a rate in 1/s, >= 0", "1/s", least=0))]
+SpinDrag = Annotated[float, BeforeValidator(Number("a number in rad/m, >= 0", "rad/m", least=0))]
 Friction = Annotated[
     float, BeforeValidator(Number("a number >= 0 (inf: never slips)", least=0, infinite=True))
 ]  # fmt: skip

@@ -12,7 +12,19 @@ from typing import Any
 from carom.core.geometry.features import FALLS, OVER, SEAM, feature_hit, is_out_of_reach, never_closes
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, vector
 from carom.core.motion.bounces import bounces
-from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, SLIDING, accelerations, advance
+from carom.core.motion.decay import decay_integrals, time_of_path
+from carom.core.motion.phases import (
+    BOUNCING,
+    FLIGHT,
+    HELD,
+    REST,
+    SLIDING,
+    accelerations,
+    acts,
+    advance,
+    advance_decaying,
+    decays,
+)
 from carom.core.roots.first_root import hit2, hit4
 from carom.simulation.records import BALL, FLOOR, LEFT_EVENT, NOTHING, PHASE, POCKETED_EVENT, SETTLED, WALL
 
@@ -21,12 +33,15 @@ __all__ = [
     "begin_phase",
     "is_on_floor",
     "move_by",
+    "pair_hit",
     "predict",
     "state_after",
     "state_at",
     "write_vector",
 ]
 
+# Two balls so near, as a share of their distance, touch; the shortest and the longest step of the search for that, s, and how many.
+TOUCH, SHORTEST, LONGEST, MOST_STEPS = 4e-16, 1e-7, 1e6, 10_000
 STILL = 1e-12  # of the radius: a ball that moved by less is where it was
 
 
@@ -39,6 +54,11 @@ def write_vector(row: Any, value: Vec) -> None:
 @kernel
 def state_at(ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
     """Return position, velocity and spin of a ball a time s after its clock, in its present phase."""
+    if ball.decays != 0:
+        return advance_decaying(
+            vector(ball.x), vector(ball.v), vector(ball.w), vector(ball.acc), vector(ball.turn),
+            ball.fade, ball.spin_fade, ball.spin_gain, s,
+        )  # fmt: skip
     return advance(vector(ball.x), vector(ball.v), vector(ball.w), vector(ball.acc), vector(ball.turn), s)
 
 
@@ -73,6 +93,7 @@ def accelerations_of(world: Any, ball: Any) -> tuple[Vec, Vec, float]:
     return accelerations(
         ball.phase, vector(ball.v), vector(ball.w), ball.radius, ball.kappa,
         vector(world.force), world.g, world.floor_mu, world.resistance, world.spin_friction,
+        world.rolling_drag, world.spin_damping, world.spin_drag,
     )  # fmt: skip
 
 
@@ -90,23 +111,118 @@ def begin_phase(world: Any, ball: Any) -> None:
     acc, turn, lasts = accelerations_of(world, ball)
     write_vector(ball.acc, acc)
     write_vector(ball.turn, turn)
+    ball.decays = 0
+    if acts(world.rolling_drag) or acts(world.spin_damping) or acts(world.spin_drag):
+        ball.decays = 1
+        ball.fade, ball.spin_fade, ball.spin_gain = decays(
+            ball.phase, vector(ball.v), vector(ball.w), acc,
+            world.g, world.rolling_drag, world.spin_damping, world.spin_drag,
+        )  # fmt: skip
     if ball.phase != BOUNCING:  # whose end was set when its bounces were found to be clear of everything else
         ball.lasts = lasts
 
 
 @kernel
-def _pair_hit(ball: Any, other: Any, now: float, until: float, slow: float) -> float:
+def _slows_down(ball: Any) -> bool:
+    """Return whether the acceleration of a ball's centre decays: it rolls on a straight line."""
+    return bool(ball.decays != 0 and ball.fade > 0)
+
+
+@kernel
+def _feature_time(f: Any, ball: Any, x: Vec, v: Vec, acc: Vec, until: float, slow: float) -> float:
+    """Return the time in [0, until] at which a ball touches feature f, or infinity."""
+    if not _slows_down(ball):
+        return feature_hit(f, ball.radius, x, v, acc, until, slow)
+    # its path is straight: what it meets does not depend on how fast it goes along, and the way there is found first, as the
+    # time that the ball would take at its first speed
+    c, k = math.sqrt(dot(acc, acc) / dot(v, v)), ball.fade
+    way = until - c * decay_integrals(k, until)[2] if until < math.inf else 1 / k
+    path = feature_hit(f, ball.radius, x, v, (0 * c, 0 * c, 0 * c), way, slow)
+    return time_of_path(k, c, path, until) if path < math.inf else path
+
+
+@kernel
+def _pair_polynomial(r: Vec, v: Vec, b: Vec, reach: float) -> tuple[float, float, float, float, float]:
+    """Return the coefficients of |r + v s + b s^2/2|^2 - reach^2."""
+    far = math.sqrt(dot(r, r))
+    return (
+        (far - reach) * (far + reach),
+        2 * dot(r, v),
+        dot(v, v) + dot(r, b),
+        dot(v, b),
+        dot(b, b) / 4,
+    )
+
+
+@kernel
+def _motion_in(ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
+    """Return position, velocity and acceleration of a ball a time s after its clock."""
+    x, v, _w = state_at(ball, s)
+    c = decay_integrals(ball.fade, s)[0] if _slows_down(ball) else 1 + 0 * s
+    return x, v, (c * ball.acc[0], c * ball.acc[1], c * ball.acc[2])
+
+
+@kernel
+def _slowing_pair_hit(ball: Any, other: Any, now: float, until: float, slow: float) -> float:
+    """:func:`pair_hit` where the acceleration of a ball decays.
+
+    From any time on the relative motion is a parabola, but for J s^3/6 at most: J is how fast its acceleration changes, which
+    decays. Balls that are larger by what that is for a time ahead do not meet on the parabola before the balls do, so that no
+    contact is passed; and as what is ahead gets shorter, the error gets less, to rounding.
+    """
+    reach, t = ball.radius + other.radius, 0 * now
+    seam = 2 * reach * SEAM * min(ball.radius, other.radius)
+    tol = 2 * reach * slow
+    for _ in range(MOST_STEPS):
+        left = until - t
+        if not left >= 0:
+            break
+        x, v, b = _motion_in(ball, now - ball.clock + t)
+        y, u, c = _motion_in(other, now - other.clock + t)
+        r, v = (x[0] - y[0], x[1] - y[1], x[2] - y[2]), (v[0] - u[0], v[1] - u[1], v[2] - u[2])
+        p, q = ball.fade if _slows_down(ball) else 0 * t, other.fade if _slows_down(other) else 0 * t
+        j = (p * b[0] - q * c[0], p * b[1] - q * c[1], p * b[2] - q * c[2])
+        jerk = math.sqrt(dot(j, j)) / 6
+        b = (b[0] - c[0], b[1] - c[1], b[2] - c[2])
+        c0, c1, c2, c3, c4 = _pair_polynomial(r, v, b, reach)
+        if c0 <= (seam if t == 0 else 2 * reach * TOUCH * reach):
+            if c1 < -tol and (t > 0 or c0 <= 0):
+                return t
+            if c1 >= -tol:
+                # in touch and not closing: on for a time in which the error stays below what they part by
+                later = hit4(c0, c1, c2, c3, c4, left, tol) / 2
+                step = max(math.sqrt(max(c1, 0 * c1) / (2 * reach * jerk)) / 2 if jerk > 0 else left, SHORTEST)
+                t = t + min(later if later > 0 else SHORTEST, step, left)
+                if not t < until:
+                    break
+                continue
+        ahead = min(left, 2 * hit4(c0, c1, c2, c3, c4, left, tol), LONGEST)
+        gap = c0 / (math.sqrt(dot(r, r)) + reach)
+        while jerk * ahead * ahead * ahead > gap / 2 and ahead > SHORTEST * SHORTEST:
+            ahead = ahead / 2
+        d0, d1, d2, d3, d4 = _pair_polynomial(r, v, b, reach + jerk * ahead * ahead * ahead)
+        step = hit4(d0, d1, d2, d3, d4, ahead, 0 * tol)
+        if step < math.inf and step <= 1e-16 * t:
+            return t
+        t = t + min(step, ahead)
+        if not t < until:
+            break
+    return math.inf
+
+
+@kernel
+def pair_hit(ball: Any, other: Any, now: float, until: float, slow: float) -> float:
     """Return the time from ``now``, in [0, until], at which two balls touch, or infinity."""
+    if _slows_down(ball) or _slows_down(other):
+        return _slowing_pair_hit(ball, other, now, until, slow)
     x, v, _w = state_at(ball, now - ball.clock)
     y, u, _w = state_at(other, now - other.clock)
     r = (x[0] - y[0], x[1] - y[1], x[2] - y[2])
     v = (v[0] - u[0], v[1] - u[1], v[2] - u[2])
     b = (ball.acc[0] - other.acc[0], ball.acc[1] - other.acc[1], ball.acc[2] - other.acc[2])
     reach = ball.radius + other.radius
-    far = math.sqrt(dot(r, r))
-    # |r + v s + b s^2/2|^2 - reach^2
-    c0, c1, tol = (far - reach) * (far + reach), 2 * dot(r, v), 2 * reach * slow
-    c2, c3, c4 = dot(v, v) + dot(r, b), dot(v, b), dot(b, b) / 4
+    c0, c1, c2, c3, c4 = _pair_polynomial(r, v, b, reach)
+    tol = 2 * reach * slow
     if c0 <= 2 * reach * SEAM * min(ball.radius, other.radius) and never_closes(c1, c2, c3, c4, until, tol):
         return math.inf
     return hit4(c0, c1, c2, c3, c4, until, tol)
@@ -147,7 +263,7 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
     if phase < REST:
         x, v, acc = vector(ball.x), vector(ball.v), vector(ball.acc)
         for f in range(0 if _lands_first(world, features, ball, slow) else features.shape[0]):
-            s = feature_hit(features[f], a, x, v, acc, best, slow)
+            s = _feature_time(features[f], ball, x, v, acc, best, slow)
             if s < best or (s == best and kind == NOTHING and s < math.inf):
                 best, kind, who = s, _kind_of(features[f]), f
         if phase == FLIGHT and world.floor != 0:
@@ -165,7 +281,7 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
             now = max(ball.clock, other.clock)
             until = min(best - (now - ball.clock), other.next_at - now)
             if until >= 0:
-                s = _pair_hit(ball, other, now, until, slow) + (now - ball.clock)
+                s = pair_hit(ball, other, now, until, slow) + (now - ball.clock)
                 if s < best or (s == best and kind == NOTHING and s < math.inf):
                     best, kind, who = s, BALL, k
     if kind == NOTHING and best < math.inf:

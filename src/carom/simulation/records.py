@@ -52,6 +52,11 @@ WORLD = np.dtype(
         *((f"floor_{name}", *kind) for name, *kind in _SURFACE),
         ("resistance", _NUMBER),
         ("spin_friction", _NUMBER),
+        # of a resistance that grows with the speed, s/m; of a spin that fades the faster the more there is of it, 1/s, or the
+        # faster the ball rolls, rad/m: 0 by default
+        ("rolling_drag", _NUMBER),
+        ("spin_damping", _NUMBER),
+        ("spin_drag", _NUMBER),
         *((f"pair_{name}", *kind) for name, *kind in _SURFACE),
         # friction that falls with the slip, mu + drop exp(-rate slip) (carom.core.contact.friction_at_slip): 0, 0 where it does not
         ("pair_drop", _NUMBER),
@@ -78,6 +83,11 @@ BALLS = np.dtype(
         ("clock", _NUMBER),
         ("acc", *_VECTOR),
         ("turn", *_VECTOR),  # angular acceleration
+        # how they change (carom.core.motion.phases.decays); 0 where both are constant
+        ("decays", _WHOLE),
+        ("fade", _NUMBER),
+        ("spin_fade", _NUMBER),
+        ("spin_gain", _NUMBER),
         ("lasts", _NUMBER),  # how long the phase lasts from the clock on
         ("next_in", _NUMBER),  # time from the clock to the next event; the absolute time is next_at
         ("next_at", _NUMBER),

@@ -59,6 +59,8 @@ def _set_up(scene: Scene, compiled: bool) -> SceneArrays:
         world["floor"], world["g"] = 1, -scene.gravity[2]
         _surface(world, "floor", floor.contact)
         world["resistance"], world["spin_friction"] = floor.rolling_resistance, floor.spin_friction
+        for name in ("rolling_drag", "spin_damping", "spin_drag"):
+            world[name] = getattr(floor, name)
     law = scene.pair_law
     _surface(world, "pair", scene.ball_contact.contact_of(law))
     world["pair_law"] = CONTACT_WALL if law.one_contact else CALLED_WALL + scene.called_laws.index(law)

@@ -15,8 +15,8 @@ from carom.core.jit.kernel import vector
 from carom.core.jit.objects import as_objects, write_back
 from carom.core.jit.slices import sliced
 from carom.core.motion.phases import BOUNCING, HELD
-from carom.core.motion.rotation import orientation_after, orientation_after_bounces
-from carom.simulation.predict import accelerations_of, begin_phase, move_by
+from carom.core.motion.rotation import orientation_after, orientation_after_bounces, orientation_after_decay
+from carom.simulation.predict import begin_phase, move_by
 
 __all__ = ["orientations", "state_rows", "states"]
 
@@ -45,8 +45,12 @@ def _turn_rows(worlds: Any, balls: Any, after: Any, q: Any) -> None:
                 world.floor_mu, world.floor_beta, after[i],
             )  # fmt: skip
         else:
-            _acc, turn, _lasts = accelerations_of(world, ball)
-            new = orientation_after(old, w, turn, after[i])
+            begin_phase(world, ball)
+            turn = vector(ball.turn)
+            if ball.decays == 0:
+                new = orientation_after(old, w, turn, after[i])
+            else:
+                new = orientation_after_decay(old, w, turn, ball.fade, ball.spin_fade, ball.spin_gain, after[i])
         q[i, 0], q[i, 1], q[i, 2], q[i, 3] = new
 
 

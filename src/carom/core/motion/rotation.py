@@ -12,14 +12,20 @@ import math
 from carom.core.contact import one_contact
 from carom.core.jit.kernel import Vec, cross, dot, kernel
 from carom.core.motion.bounces import LAST_HOP
+from carom.core.motion.decay import time_of_integral, time_of_path
+from carom.core.motion.phases import advance_decaying
 from carom.core.motion.restitution import restitution
 from carom.core.motion.rolling import UP
 
-__all__ = ["Quaternion", "compose", "orientation_after", "orientation_after_bounces", "rotation"]
+__all__ = [
+    "Quaternion", "compose", "orientation_after", "orientation_after_bounces", "orientation_after_decay", "rotation",
+]  # fmt: skip
 
 Quaternion = tuple[float, float, float, float]
 # Largest turn of one step, rad: a local error of some 1e-14.
 STEP = 0.05
+# Nodes of Gauss in a step, as shares of it from its middle
+NODE = math.sqrt(15) / 10
 
 
 @kernel
@@ -77,6 +83,61 @@ def orientation_after(q: Quaternion, w: Vec, turn: Vec, s: float) -> Quaternion:
         w = (w[0] + turn[0] * ends, w[1] + turn[1] * ends, 0 * s)
         turn, s = (turn[0], turn[1], 0 * s), s - ends
     q = _orientation_after_linear_spin(q, w, turn, s)
+    size = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
+    return (q[0] / size, q[1] / size, q[2] / size, q[3] / size)
+
+
+@kernel
+def _spin_at(w: Vec, turn: Vec, fade: float, spin_fade: float, gain: float, s: float) -> Vec:
+    zero = (0 * s, 0 * s, 0 * s)
+    return advance_decaying(zero, zero, w, zero, turn, fade, spin_fade, gain, s)[2]
+
+
+@kernel
+def _orientation_in_steps(
+    q: Quaternion, w: Vec, turn: Vec, fade: float, spin_fade: float, gain: float, begin: float, end: float
+) -> Quaternion:
+    """Return the orientation at a time, from that at another: Magnus' series of order 6 at three nodes of Gauss a step."""
+    most = math.sqrt(dot(w, w)) * (end - begin)
+    steps = 1 + int(most / STEP)
+    h = (end - begin) / steps
+    for k in range(steps):
+        t = begin + (k + 1 / 2) * h
+        low = _spin_at(w, turn, fade, spin_fade, gain, t - NODE * h)
+        mid = _spin_at(w, turn, fade, spin_fade, gain, t)
+        high = _spin_at(w, turn, fade, spin_fade, gain, t + NODE * h)
+        c = 10 * NODE / 3 * h
+        a1 = (mid[0] * h, mid[1] * h, mid[2] * h)
+        a2 = (c * (high[0] - low[0]), c * (high[1] - low[1]), c * (high[2] - low[2]))
+        c = 10 / 3 * h
+        a3 = (
+            c * (high[0] - 2 * mid[0] + low[0]), c * (high[1] - 2 * mid[1] + low[1]), c * (high[2] - 2 * mid[2] + low[2]),
+        )  # fmt: skip
+        c1 = cross(a1, a2)
+        b = (2 * a3[0] + c1[0], 2 * a3[1] + c1[1], 2 * a3[2] + c1[2])
+        c2 = cross(a1, b)
+        left = (-20 * a1[0] - a3[0] + c1[0], -20 * a1[1] - a3[1] + c1[1], -20 * a1[2] - a3[2] + c1[2])
+        d = cross(left, (a2[0] - c2[0] / 60, a2[1] - c2[1] / 60, a2[2] - c2[2] / 60))
+        r = (
+            a1[0] + a3[0] / 12 + d[0] / 240, a1[1] + a3[1] / 12 + d[1] / 240, a1[2] + a3[2] / 12 + d[2] / 240,
+        )  # fmt: skip
+        q = compose(rotation(r), q)
+    return q
+
+
+@kernel
+def orientation_after_decay(
+    q: Quaternion, w: Vec, turn: Vec, fade: float, spin_fade: float, gain: float, s: float
+) -> Quaternion:
+    """:func:`orientation_after` where the angular acceleration changes (:func:`carom.core.motion.phases.decays`)."""
+    ends = s
+    if turn[2] * w[2] < 0:  # the step ends where the sidespin does
+        path = -w[2] / turn[2]
+        ends = time_of_integral(spin_fade, path) if gain == 0 else time_of_path(fade, abs(gain / turn[2]), path, s)
+        ends = min(ends, s)
+    q = _orientation_in_steps(q, w, turn, fade, spin_fade, gain, 0 * s, ends)
+    if ends < s:
+        q = _orientation_in_steps(q, w, turn, fade, spin_fade, gain, ends, s)
     size = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
     return (q[0] / size, q[1] / size, q[2] / size, q[3] / size)
 

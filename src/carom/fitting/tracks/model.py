@@ -18,8 +18,9 @@ from carom.fitting.tracks.arrays import AffineArrays, Table
 from carom.fitting.usable_rows import assumed_height
 from carom.laws.law import LIKE_SOLIDS
 from carom.scene.ball import SceneBall
+from carom.scene.floor import Floor
 from carom.scene.restitution import Constant
-from carom.scene.scene import Floor, Run, Scene
+from carom.scene.scene import Run, Scene
 from carom.scene.shapes import Table as Cushions
 from carom.tracks.events import WallLine
 

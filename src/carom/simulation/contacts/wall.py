@@ -73,6 +73,7 @@ def _kinetic(ball: Any) -> float:
 def keeps_energy(world: Any, ball: Any) -> bool:
     """Return whether a ball moves on without a loss of energy: in flight, or rolling without resistance."""
     rolls = ball.phase == ROLLING and not world.resistance > 0 and not world.spin_friction > 0
+    rolls = rolls and not world.rolling_drag > 0 and not world.spin_damping > 0 and not world.spin_drag > 0
     return bool(ball.phase == FLIGHT or rolls)
 
 

@@ -166,6 +166,9 @@ def _move_to_event(
     move_by(world, ball, t - ball.clock, as_dual(t))
     if k != i:
         move_by(world, other, t - other.clock, as_dual(t))
+    for one in (ball, other):
+        if one.decays != 0:  # (what the event's time changes is what the accelerations are now)
+            begin_phase(world, one)
     x, v = vector(plain[i].x), vector(plain[i].v)
     speed = math.sqrt(dot(v, v))
     if k != i:

@@ -1,0 +1,57 @@
+"""The floor of a scene: its surface, and how it slows down what rolls and spins on it."""
+
+from __future__ import annotations
+
+from pydantic import model_validator
+
+from carom.errors import Fault, shown
+from carom.scene.restitution import Bounce, Constant
+from carom.scene.schema import Drag, Friction, Model, NotNegative, SpinDamping, SpinDrag, Spring, raise_faults
+from carom.scene.wall import ContactParameters, contact
+
+__all__ = ["Floor"]
+
+
+class Floor(Model):
+    """The plane z = 0, under the balls.
+
+    Parameters
+    ----------
+    restitution : number from 0 to 1, or a form of the normal speed; default: 0
+    friction : >= 0, or inf: of impacts and of sliding
+    tangential_restitution : -1 to 1; default: 0
+    rolling_resistance : deceleration / g while rolling; default: 0
+    spin_friction : |d omega_z / dt| = spin_friction g / (kappa a); default: 0
+    rolling_drag : s/m: the rolling resistance grows with the speed v to rolling_resistance + rolling_drag v; default: 0
+    spin_damping : 1/s: |d omega_z / dt| is greater by spin_damping |omega_z|; default: 0
+    spin_drag : rad/m: it is greater by spin_drag v while the ball rolls; default: 0. Not with ``spin_damping``
+
+    Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> import carom
+    >>> carom.Floor(restitution=0.5, friction=0.2, rolling_resistance=0.01).rolling_resistance
+    0.01
+    """
+
+    restitution: Bounce = Constant(value=0.0)
+    friction: Friction
+    tangential_restitution: Spring = 0.0
+    rolling_resistance: NotNegative = 0.0
+    spin_friction: NotNegative = 0.0
+    rolling_drag: Drag = 0.0
+    spin_damping: SpinDamping = 0.0
+    spin_drag: SpinDrag = 0.0
+
+    @model_validator(mode="after")
+    def _one_spin_law(self) -> Floor:
+        if self.spin_damping > 0 and self.spin_drag > 0:
+            advice = "take one law of the loss of spin: damping grows with the spin, drag with the speed of rolling"
+            raise_faults([Fault("", "spin_drag", "0 with spin_damping > 0", shown(self.spin_drag), advice)])
+        return self
+
+    @property
+    def contact(self) -> ContactParameters:
+        """Return the parameters of its surface as numbers."""
+        return contact(self.restitution, self.friction, self.tangential_restitution)
