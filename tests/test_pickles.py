@@ -57,6 +57,19 @@ def a_film_from_above() -> Any:
     return [found, fit_tracks(found, fitting.Setting(radius=0.03, noise=1e-4), ["conventional"])]
 
 
+def a_collision_from_above() -> Any:
+    """A ball that strikes one at rest, filmed from above."""
+    t = np.arange(0.0, 0.6, 1 / 60)
+    ball = {"radius": 0.03, "mass": 0.2}
+    balls = [
+        {**ball, "position": (0.0, 0.0), "velocity": (1.0, 0.0), "rolling": True},
+        {**ball, "position": (0.3, 0.01)},
+    ]
+    run = carom.simulate(carom.Scene(balls=balls, walls=[], floor={"friction": 0.2}))
+    film = [tracks.Track(name, t, np.asarray(run.at(t).position)[:, k, :2]) for k, name in enumerate("AB")]
+    return tracks.measure_pairs(tracks.measure(film, tracks.Settings(radius=0.03, view="above", noise=1e-4)))
+
+
 def a_derivation() -> list[Any]:
     """A rod that is caught by a hook, and a contact of a ball with the floor."""
     m, length = sp.symbols("m l", positive=True)
@@ -195,6 +208,7 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
     ],
     "films": lambda: [
         *a_film_from_above(),
+        *a_collision_from_above(),
         tracks.read_tracks(FILES.parents[1] / "tracks" / "files" / "tracker_single.txt"),
         tracks.Settings(radius=0.02),
         tracks.Calibration(),

@@ -26,7 +26,7 @@ TWINS: dict[str, tuple[Callable[..., Any], set[str], set[str]]] = {
     "fit": (carom.fit, OUTPUT, {"progress"}),
     "tracks show": (
         carom.measure_tracks,
-        OUTPUT | {"out", "stage", "sliding"},
+        OUTPUT | {"out", "stage", "sliding", "balls"},
         {"progress"},
     ),  # (of its table: found.rebounds())
     "compare": (carom.incoming, OUTPUT | {"law"}, set()),  # (carom.compare(laws, ...) hands its numbers on)

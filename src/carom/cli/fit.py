@@ -122,6 +122,7 @@ def fit(
     rate: Annotated[float | None, shared("rate", default="from the times")] = None,
     scale: Annotated[str | None, shared("scale")] = None,
     view: Annotated[str | None, shared("view", default="by the motion")] = None,
+    balls: Annotated[bool, shared("balls")] = False,
     whole: Annotated[
         bool,
         typer.Option(
@@ -215,7 +216,8 @@ def fit(
         "stiffness_ratio": stiffness_ratio, "fit": [name for text in fit_ or [] for name in comma_separated(text)], "fix": fixed,
         "bound": bounds, "robust": robust, "contact_height": contact_height, "floor_friction": floor_friction,
         "floor_restitution": floor_restitution, "roll": roll, "kind": kind, "stage": stage, "rate": rate,
-        "scale": faults.attempt(parse_length, "scale", scale), "view": view, "whole": whole, "cushions": cushions,
+        "scale": faults.attempt(parse_length, "scale", scale), "view": view, "balls": balls, "whole": whole,
+        "cushions": cushions,
         "noise": faults.attempt(parse_length, "noise", noise), "where": where or (), "sigma_v": sigma_v,
         "sigma_spin": sigma_spin, "spin": spin, "every_contact": every_contact, "scatter": scatter, "bootstrap": bootstrap,
         "profiles": profiles, "seed": seed,

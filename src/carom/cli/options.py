@@ -85,6 +85,7 @@ _SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
     "seed": (RUN, "Seed of the random numbers.", {"metavar": "N"}),
     "rate": (TRACK, "Frames per second; overrides the times of the file.", {"flags": ("--rate", "--fps")}),
     "scale": (TRACK, "Metres per unit of the file: 0.0005, or 0.5mm.", {}),
+    "balls": (TRACK, "Measure balls that strike balls at rest, not balls at walls.", {}),
     "view": (TRACK, "above (balls on a table) or side (balls in flight).", {"metavar": "above|side"}),
     "noise": (TRACK, "Error of one coordinate in one frame: 0.0003 (m), or 0.3mm.", {}),
     "kind": (REBOUNDS, "planar (ball in flight) or table (ball on a table).", {"metavar": "planar|table"}),

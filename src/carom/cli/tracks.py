@@ -16,6 +16,7 @@ from carom.cli.common import require_outputs, wrote
 from carom.cli.console import err
 from carom.cli.console import out as stdout
 from carom.cli.options import FLOOR, parse_length, quantity, shared
+from carom.cli.pair_output import pair_facts, tell_pairs
 from carom.cli.progress import working
 from carom.cli.streams import say_json
 from carom.cli.tracks_output import facts, tell, tell_contacts
@@ -25,6 +26,7 @@ from carom.public.defaults import GRAVITY, WINDOW
 
 if TYPE_CHECKING:
     from carom.data.rebounds import Rebounds
+    from carom.tracks.film_files import MeasuredFilms
     from carom.tracks.measurement import Measured
     from carom.tracks.read import TrackFile
 
@@ -56,6 +58,7 @@ def show(
     sliding: Annotated[
         bool, typer.Option("--sliding", help="Keep balls that are still sliding when they meet the wall.")
     ] = False,
+    balls: Annotated[bool, shared("balls")] = False,
     format_: Annotated[
         str | None, typer.Option("--format", help="Format of the file; overrides detection.", rich_help_panel=FILE)
     ] = None,
@@ -151,7 +154,7 @@ def show(
     names, found, measured = films.names, films.files, films.measured
     written = None
     lacking = FaultList()
-    table = lacking.attempt(films.rebounds, stage, sliding=sliding)
+    table = lacking.attempt(films.rebounds, stage, sliding=sliding, balls=balls)
     if out is not None:
         if table is None:
             _notes(console, names, found, measured, None)
@@ -164,9 +167,13 @@ def show(
         save(plot_tracks(measured[0]), plot)
     if json_:
         each = [facts(film, one, stage, sliding) for film, one in zip(found, measured, strict=True)]
+        if balls:
+            each = [
+                one | {"ball_contacts": [*map(pair_facts, met)]} for one, met in zip(each, films.pairs, strict=True)
+            ]
         say_json(each[0] if len(each) == 1 else {"films": each})
     else:
-        _tell(names, found, measured, stage, sliding)
+        _tell(films, stage, sliding, balls)
     _notes(console, names, found, measured, table)
     if written:
         console.print(f"{counted(written[1], 'rebound')} in the table")
@@ -190,15 +197,16 @@ def example(
     err().print(f"written: {paths[0]} to {paths[-1].name}", soft_wrap=True)
 
 
-def _tell(
-    names: Sequence[str], found: Sequence[TrackFile], measured: Sequence[Measured], stage: str, sliding: bool
-) -> None:
+def _tell(films: MeasuredFilms, stage: str, sliding: bool, balls: bool) -> None:
     """Print a table of each film, and one of all contacts."""
-    for name, film, one in zip(names, found, measured, strict=True):
+    for name, film, one in zip(films.names, films.files, films.measured, strict=True):
         if name:
             stdout().print(f"{name}: {film.path}", style="bold", soft_wrap=True)
         tell(stdout(), film, one)
-    tell_contacts(stdout(), list(zip(names, measured, strict=True)), stage, sliding)
+    if balls:
+        tell_pairs(stdout(), list(zip(films.names, films.pairs, strict=True)))
+    else:
+        tell_contacts(stdout(), list(zip(films.names, films.measured, strict=True)), stage, sliding)
 
 
 def _notes(
@@ -223,7 +231,7 @@ def _notes(
     bare = [name for name, one in zip(names, measured, strict=True) if not one.measured]
     if bare and len(names) > 1:
         notes.append(f"{shortened_list(bare)}: no contact measured")
-    notes += [] if table is None else [note for note in table.notes if note.startswith("energy:")]
+    notes += [] if table is None else [note for note in table.notes if note.startswith(("energy:", "v_t_out:"))]
     if any(needs_lines(one.contacts) for one in measured):
         notes.append("--wall x1,y1,x2,y2 gives the line of a wall by two points (m), and may be repeated")
     for note in notes:

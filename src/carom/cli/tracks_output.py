@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from carom.tracks.measurement import Measured
     from carom.tracks.read import TrackFile
 
-__all__ = ["facts", "grouped_reasons", "tell", "tell_contacts"]
+__all__ = ["MAX_ROWS", "facts", "grouped_reasons", "tell", "tell_contacts", "tell_counts", "uncertain"]
 
 MAX_TRACKS, MAX_ROWS = 12, 30
 RATIO = "out/in"  # of v_n: the restitution
@@ -170,6 +170,11 @@ def tell_contacts(console: Console, films: Sequence[tuple[str, Measured]], stage
         + (f"; {RATIO}: restitution, v_n out / v_n in" if RATIO in heads else ""),
         soft_wrap=True,
     )
+    tell_counts(console, contacts, shown, total, whys)
+
+
+def tell_counts(console: Console, contacts: Table, shown: int, total: int, whys: Sequence[str]) -> None:
+    """Print a table of contacts, how many were measured, and the reasons why the others were not."""
     if shown:
         console.print(contacts)
         console.print(
@@ -219,7 +224,7 @@ def _restitution(one: TrackContact) -> str:
     ratio, (v, w) = after / before, (one.fit.error("vn_in") / before, one.fit.error("vn_out") / after)
     # the fit's v_n before the contact is negative
     shared = 2 * one.fit.covariance_of("vn_in", "vn_out") / (before * after)
-    return _uncertain(ratio, ratio * math.sqrt(max(v**2 + w**2 + shared, 0.0)))
+    return uncertain(ratio, ratio * math.sqrt(max(v**2 + w**2 + shared, 0.0)))
 
 
 def _without_names(why: str, names: Iterable[str]) -> str:
@@ -258,10 +263,11 @@ def _with_ranges(pattern: str, rows: Sequence[Sequence[str]]) -> str:
 def _with_error(one: TrackContact, name: str, sign: int) -> str:
     """Return a value with its uncertainty in the last two digits: 1.2292(12) is 1.2292 ± 0.0012."""
     assert one.fit is not None
-    return _uncertain(sign * one.fit[name], one.fit.error(name))
+    return uncertain(sign * one.fit[name], one.fit.error(name))
 
 
-def _uncertain(value: float, error: float) -> str:
+def uncertain(value: float, error: float) -> str:
+    """Return a value with its uncertainty in the last digits."""
     digits = 1 - math.floor(math.log10(error)) if 0 < error < 1 else 1 if error else MAX_DECIMALS
     digits = min(digits, MAX_DECIMALS)
     return f"{value:.{digits}f}({error * 10**digits:.0f})"

@@ -60,6 +60,7 @@ def fit(
     rate: float | None = None,
     scale: float | None = None,
     view: str | None = None,
+    balls: bool = False,
     whole: bool = False,
     cushions: int = CUSHIONS,
     noise: float | None = None,
@@ -101,6 +102,8 @@ def fit(
         Of a table of rebounds, as for :func:`carom.data.read_rebounds`.
     rate, scale, view : optional
         Of films: frames per second, metres per unit, "above" or "side".
+    balls : bool
+        Of films: whether the contacts of balls with each other are fitted, in place of those with walls.
     whole : bool
         Whether whole tracks are fitted, each simulated from its own initial state, with at most ``cushions`` contacts per ball and
         the ``noise`` of one coordinate, m.
@@ -136,9 +139,9 @@ def fit(
     film = Calibration(scale=scale, rate=rate)
     if whole:
         return _fit_whole(ready, film, where, progress)
-    rebounds = _rebounds(ready, film, kind, stage, view, progress)
+    rebounds = _rebounds(ready, film, kind, stage, view, balls, progress)
     _require_effect(
-        rebounds, ready.films, {"scale": scale, "rate": rate, "view": view},
+        rebounds, ready.films, {"scale": scale, "rate": rate, "view": view, "balls": balls or None},
         {"contact_height": contact_height, "floor_friction": floor_friction, "floor_restitution": floor_restitution or None,
          "roll": None if roll == 1 else roll},
     )  # fmt: skip
@@ -190,7 +193,8 @@ def _checked(asked: SimpleNamespace) -> _Request:
     of_contacts = {
         "sigma_v": asked.sigma_v, "sigma_spin": asked.sigma_spin, "bootstrap": asked.bootstrap, "profiles": asked.profiles,
         "every_contact": asked.every_contact or None, "kind": asked.kind, "stage": asked.stage, "seed": asked.seed,
-        "robust": asked.robust or None, "scatter": asked.scatter or None, "roll": None if asked.roll == 1 else asked.roll,
+        "robust": asked.robust or None, "scatter": asked.scatter or None, "balls": asked.balls or None,
+        "roll": None if asked.roll == 1 else asked.roll,
     }  # fmt: skip
     of_frames = {"noise": asked.noise, "cushions": None if asked.cushions == CUSHIONS else asked.cushions}
     wanted = "no `whole`, which fits frames instead of contacts" if asked.whole else "`whole` as well"
@@ -303,16 +307,16 @@ def _strange_words(
 
 
 def _rebounds(
-    ready: _Request, film: Calibration, kind: Any, stage: Any, view: Any, progress: Progress | None
+    ready: _Request, film: Calibration, kind: Any, stage: Any, view: Any, balls: bool, progress: Progress | None
 ) -> Rebounds:
     if ready.published is not None:
         return ready.published.rebounds  # type: ignore[no-any-return]
     if isinstance(ready.data, MeasuredFilms):
-        return ready.data.rebounds(stage or "best")
+        return ready.data.rebounds(stage or "best", balls=balls)
     if ready.data is not None:
         return as_rebounds(ready.data, kind, stage)
     about = Settings(radius=ready.setting.radius, kappa=ready.setting.kappa, view=view)
-    return rebounds_of_files(ready.paths, film, about, kind=kind, stage=stage, progress=progress)
+    return rebounds_of_files(ready.paths, film, about, kind=kind, stage=stage, balls=balls, progress=progress)
 
 
 def _require_effect(rebounds: Rebounds, films: bool, of_films: Mapping[str, Any], of_tables: Mapping[str, Any]) -> None:

@@ -6,6 +6,10 @@ from .formats.text_table import Calibration as Calibration
 from .least_squares import ContactFit as ContactFit
 from .measurement import Measured as Measured
 from .measurement import measure as measure
+from .pair_contacts import PairContact as PairContact
+from .pair_contacts import measure_pairs as measure_pairs
+from .pair_contacts import pair_rebounds as pair_rebounds
+from .pair_model import PairFit as PairFit
 from .read import TrackFile as TrackFile
 from .read import read_tracks as read_tracks
 from .rebounds import to_rebounds as to_rebounds

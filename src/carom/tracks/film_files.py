@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -22,6 +23,7 @@ from carom.tracks.films import combined_rebounds, film_names, hops_together
 from carom.tracks.formats.columns import HEADER_EXAMPLE
 from carom.tracks.formats.text_table import Calibration
 from carom.tracks.measurement import Measured, measure
+from carom.tracks.pair_contacts import PairContact, measure_pairs, pair_rebounds
 from carom.tracks.read import (
     TrackFile,
     film_of,
@@ -87,23 +89,32 @@ class MeasuredFilms:
             f"{name}: {note}" if name else note for name, own in zip(self.names, notes, strict=True) for note in own
         ]
 
-    def tables(self, stage: Stage = "best", *, sliding: bool = False) -> dict[str, Rebounds]:
+    @functools.cached_property
+    def pairs(self) -> tuple[tuple[PairContact, ...], ...]:
+        """The contacts of balls with each other in each film, as :func:`carom.tracks.measure_pairs` returns them."""
+        return tuple(measure_pairs(one) for one in self.measured)
+
+    def tables(self, stage: Stage = "best", *, sliding: bool = False, balls: bool = False) -> dict[str, Rebounds]:
         """Return the rebounds of each film that has some, by its name. Raises CaromError, with a line per film, if none has."""
         faults = FaultList()
         tables: dict[str, Rebounds] = {}
-        for name, one in zip(self.names, self.measured, strict=True):
+        pairs = self.pairs if balls else ((),) * len(self.measured)
+        for name, one, met in zip(self.names, self.measured, pairs, strict=True):
             with collected(faults):
-                tables[name] = to_rebounds(one, stage, sliding=sliding)
+                tables[name] = (
+                    pair_rebounds(met, one.radius or 0.0) if balls else to_rebounds(one, stage, sliding=sliding)
+                )
         if not tables:
             faults.raise_if_any()
         return tables
 
-    def rebounds(self, stage: Stage = "best", *, sliding: bool = False) -> Rebounds:
+    def rebounds(self, stage: Stage = "best", *, sliding: bool = False, balls: bool = False) -> Rebounds:
         """Return the rebounds of all films as one table, as :func:`carom.tracks.to_rebounds` does; of several, with a column film.
 
-        Raises CaromError, with a line per film, if none has a contact that can be measured.
+        With ``balls`` those of balls off each other, as :func:`carom.tracks.pair_rebounds` does. Raises CaromError, with a line per
+        film, if none has a contact that can be measured.
         """
-        tables = self.tables(stage, sliding=sliding)
+        tables = self.tables(stage, sliding=sliding, balls=balls)
         return combined_rebounds(tables) if len(self.files) > 1 else next(iter(tables.values()))
 
 
@@ -261,6 +272,7 @@ def rebounds_of_films(
     wall: Sequence[str] = (),
     stage: Stage = "best",
     sliding: bool = False,
+    balls: bool = False,
     progress: Progress | None = None,
 ) -> Rebounds:
     """Read films, measure their contacts, and return one table of rebounds, with the notes of all these steps.
@@ -271,6 +283,8 @@ def rebounds_of_films(
         As for :func:`measure_films`.
     stage, sliding
         As for :func:`carom.tracks.to_rebounds`.
+    balls : bool
+        Whether balls off each other are measured, in place of balls off walls.
 
     Returns
     -------
@@ -299,7 +313,7 @@ def rebounds_of_films(
     films = measure_films(paths, calibration, settings, format=format, wall=wall, progress=progress)
     notes = films.notes
     with noting(notes):
-        tables = films.tables(stage, sliding=sliding)
+        tables = films.tables(stage, sliding=sliding, balls=balls)
         rebounds = combined_rebounds(tables) if len(paths) > 1 else next(iter(tables.values()))
     notes.append(f"{counted(len(rebounds), 'rebound')} measured (carom tracks shows them)")
     if len(paths) > len(tables):
@@ -359,6 +373,7 @@ def rebounds_of_files(
     *,
     kind: Kind | None = None,
     stage: Stage | None = None,
+    balls: bool = False,
     progress: Progress | None = None,
 ) -> Rebounds:
     """Return the rebounds of a table, or of one or more films, which are measured.
@@ -373,6 +388,8 @@ def rebounds_of_files(
         Of a table, as for :func:`carom.data.read_rebounds`.
     stage : "after_wall" or "rolling", optional
         Of all rows of a table without that column; of films, the stage of the rebounds.
+    balls : bool
+        Of films, as for :func:`rebounds_of_films`.
 
     Returns
     -------
@@ -384,7 +401,7 @@ def rebounds_of_files(
         With all problems of the files.
     """
     if are_films(paths):
-        return rebounds_of_films(paths, calibration, settings, stage=stage or "best", progress=progress)
+        return rebounds_of_films(paths, calibration, settings, stage=stage or "best", balls=balls, progress=progress)
     return read_rebounds(paths[0], kind=kind, stage=stage)
 
 

@@ -14,7 +14,7 @@ from carom.files import require_library
 from carom.tracks.blind import BlindTime
 from carom.tracks.contact import Settings, TrackContact, View
 from carom.tracks.contact_fits import ContactFitter, Progress
-from carom.tracks.correlation import WHITE
+from carom.tracks.correlation import WHITE, Correlation
 from carom.tracks.elsewhere import elsewhere_note, facing_up, with_turns
 from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
 from carom.tracks.flights import STILL_AIR, air_and_notes
@@ -77,6 +77,10 @@ class Measured:
     """I/(m a^2)."""
     correlation: float = 0.0
     """Correlation of the noise between neighbouring frames; 0 where the frames show none."""
+    frame_correlation: Correlation = WHITE
+    """The same between frames any time apart."""
+    window: float = 0.5
+    """Longest time before and after a contact that a fit uses, s."""
     view_reason: str = ""
     """Why the view was taken for what it is; empty if it was given."""
 
@@ -148,7 +152,7 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, progress:
     film = Measured(
         tracks=tuple(seen), view="above", walls=(), events={}, contacts=(), noise=noise, noise_given=settings.noise is not None,
         step=step, interval=interval, blind=BlindTime(*(settings.blind or 0.0,) * 2), gravity=settings.gravity,
-        radius=settings.radius or None, kappa=settings.kappa,
+        radius=settings.radius or None, kappa=settings.kappa, window=settings.window,
     )  # fmt: skip
     if settings.view is not None:
         found = _in_view(film, settings.view, settings, groups, progress)
@@ -251,7 +255,7 @@ def _in_view(
     )
     return replace(
         film, view=view, walls=walls, events=events, contacts=tuple(contacts), noise=job.noise,
-        correlation=job.correlation.neighbours, blind=job.blind,
+        correlation=job.correlation.neighbours, frame_correlation=job.correlation, blind=job.blind,
         floor=FloorEstimates(job.floor | ({"air drag": WithError(air.drag, air.drag_error)} if air.drag_shown else {})),
         notes=tuple(notes),
     )  # fmt: skip

@@ -22,6 +22,7 @@ __all__ = [
     "TableMotion",
     "hop_slide_roll",
     "hop_slide_roll_derivatives",
+    "landed",
     "slide_then_roll",
     "slide_then_roll_derivatives",
 ]
@@ -64,9 +65,14 @@ def slide_then_roll_derivatives(
 def hop_slide_roll(v: Array, u: Array, hop: float, t: Array, mu_g: float, c_g: float, k: float) -> Array:
     """Compute the displacement (n, 2) of a ball that hops for the time ``hop``, s, and then slides and rolls."""
     flown = np.minimum(t, hop)
-    lost = _lost_at_landing(u, hop, mu_g, k)
-    way = slide_then_roll(v - lost, u - lost / k, t - flown, mu_g, c_g, k)
+    way = slide_then_roll(*landed(v, u, hop, mu_g, k), t - flown, mu_g, c_g, k)
     return np.asarray(flown[:, None] * v + way.displacement)
+
+
+def landed(v: Array, u: Array, hop: float, mu_g: float, k: float) -> tuple[Array, Array]:
+    """Return velocity and slip (2,) of a ball that has landed from a hop of the time ``hop``, s."""
+    lost = _lost_at_landing(u, hop, mu_g, k)
+    return v - lost, u - lost / k
 
 
 def hop_slide_roll_derivatives(
@@ -76,8 +82,7 @@ def hop_slide_roll_derivatives(
     flown, lands = np.minimum(t, hop)[:, None], t >= hop
     size = float(np.hypot(*u)) + TINY
     e, across = u / size, np.eye(2) - np.outer(u, u) / size**2
-    lost = _lost_at_landing(u, hop, mu_g, k)
-    _way, after, by = slide_then_roll_derivatives(v - lost, u - lost / k, t - flown[:, 0], mu_g, c_g, k)
+    _way, after, by = slide_then_roll_derivatives(*landed(v, u, hop, mu_g, k), t - flown[:, 0], mu_g, c_g, k)
     by_v, by_u = by[:, :, 0:2], by[:, :, 2:4]
     by_lost = -by_v - by_u / k
     sticks = mu_g * hop / 2 >= k * size
