@@ -114,15 +114,14 @@ def test_loops_of_the_package_are_for_the_records_of_today(
 
 def test_every_loop_with_a_signature_is_in_the_package() -> None:
     from carom.fitting import likelihood
-    from carom.fitting.tracks import simulate as tracks
     from carom.simulation.compiled import compiled_engine
-    from carom.simulation.sensitivity import compiled, many, near_misses
+    from carom.simulation.sensitivity import at_times, compiled, near_misses
 
     if native.why_not_shipped():
         pytest.skip("Numba compiles all loops")
     loops = [
         *compiled_engine(), compiled.compiled_follow(), compiled.compiled_states(), near_misses.compiled_least_gaps(),
-        run_many.compiled_many(), many.compiled_many(), tracks._compiled(), tracks._compiled_with_slopes(),
+        run_many.compiled_many(), at_times.compiled_runs(),
         likelihood._evaluating(False), likelihood._evaluating(True), likelihood._predicting(),
     ]  # fmt: skip
     assert all(isinstance(getattr(one, "func", one), NativeLoop) for one in loops)

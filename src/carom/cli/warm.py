@@ -169,12 +169,10 @@ def draw_numbers() -> None:
 
 
 def follow_many_runs() -> None:
-    """Compile the loops over short runs and those with derivatives: whole tracks, and many starts."""
-    from carom.simulation.sensitivity.at_times import compile_at_times
-    from carom.simulation.sensitivity.many import compiled_many
+    """Compile the loop over runs whose states are kept, with their derivatives: of many starts, and of whole tracks."""
+    from carom.simulation.sensitivity.at_times import compiled_runs
 
-    compile_at_times()
-    compiled_many()
+    compiled_runs()
 
 
 def measure_gas() -> None:

@@ -52,13 +52,13 @@ if hasattr(os, "register_at_fork"):  # (threads do not survive a fork: a child w
 def call_in_threads(work: Callable[[Part], Answer], parts: Sequence[Part]) -> list[Answer]:
     """Return ``work(part)`` of every part, in their order. No work may call this itself.
 
-    A single part is done at once; from the main thread in another thread, once Numba is loaded: its loops run Python code where
-    they look up the types of arguments, and Ctrl-C, which Python raises in the main thread, would be lost there or end as an error
-    of Numba's. The package's own loops run none.
+    The first part is done by this thread; in the main thread by another one, too, once Numba is loaded: its loops run Python code
+    where they look up the types of arguments, and Ctrl-C, which Python raises in the main thread, would be lost there or end as an
+    error of Numba's. The package's own loops run none.
     """
-    if len(parts) == 1 and ("numba" not in sys.modules or threading.current_thread() is not threading.main_thread()):
-        return [work(parts[0])]
-    return list(_pool("work").map(work, parts))
+    if not parts or ("numba" in sys.modules and threading.current_thread() is threading.main_thread()):
+        return list(_pool("work").map(work, parts))
+    return _this_thread_too("work", work, parts)
 
 
 def call_in_parts(work: Callable[[int], Answer], count: int) -> list[Answer]:
@@ -66,5 +66,10 @@ def call_in_parts(work: Callable[[int], Answer], count: int) -> list[Answer]:
 
     The pool is another than that of :func:`call_in_threads`, whose work may have such loops.
     """
-    others = [_pool("parts").submit(work, part) for part in range(1, count)]
-    return [work(0), *(one.result() for one in others)]
+    return _this_thread_too("parts", work, range(count))
+
+
+def _this_thread_too(pool: str, work: Callable[[Part], Answer], parts: Sequence[Part]) -> list[Answer]:
+    """Return the work of every part, the first of them done by this thread."""
+    others = [_pool(pool).submit(work, part) for part in parts[1:]]
+    return [work(parts[0]), *(one.result() for one in others)]

@@ -1,7 +1,8 @@
-"""Many runs from given starts, each with its states at the times of frames, and with the exact derivatives of these.
+"""The one compiled loop over many runs of which states are kept: at the end, at the times of frames, with derivatives or without.
 
 It is what :func:`carom.simulate`, :meth:`carom.Trajectory.at` and ``run.sensitivity`` do, in one call, without a scene or a
-trajectory for each run; tests check that states are bitwise identical.
+trajectory for each run; tests check that states are bitwise identical. (Events are counted and kept by
+:mod:`carom.simulation.run_many`, which has no log of a whole run.)
 """
 
 from __future__ import annotations
@@ -16,33 +17,40 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.geometry.features import FEATURES
-from carom.core.jit.compile import array_of, njit, signature
+from carom.core.jit.compile import array_of, named_tuple_type, njit, signature
 from carom.core.jit.dual.dual_records import float_count
 from carom.core.jit.dual.numbers import LANES
-from carom.core.jit.kernel import kernel, prange, vector
+from carom.core.jit.kernel import kernel, vector
 from carom.core.jit.pointers import caller_of, compiled_address
 from carom.core.jit.slices import block_slices
 from carom.core.jit.threads import call_in_threads, thread_count
 from carom.core.motion.phases import HELD
-from carom.simulation.compiled import ENGINE_RUN, compiled_engine
+from carom.simulation.compiled import ENGINE_END, ENGINE_RUN, compiled_engine
 from carom.simulation.contacts.contact import DONE
 from carom.simulation.event_rows import ALL
-from carom.simulation.loop import QUIET
+from carom.simulation.loop import FULL, LIMIT, QUIET
 from carom.simulation.predict import begin_phase, move_by, write_vector
 from carom.simulation.records import BALLS, LOG, WORLD
-from carom.simulation.sensitivity.compiled import FOLLOW, SLOPES, STATES, compiled_follow, compiled_states
+from carom.simulation.sensitivity.compiled import FOLLOW, SLOPES, STATES, X, compiled_follow, compiled_states
 from carom.simulation.sensitivity.pass_kernels import PASSAGES
 from carom.simulation.setup import SceneArrays
 
-__all__ = ["Limits", "Slopes", "StatesAndSlopes", "compile_at_times", "states_and_slopes", "states_at"]
+__all__ = [
+    "ENDED", "KeptStates", "Limits", "RunSlopes", "Slopes", "StatesAndSlopes", "compiled_runs", "kept_states",
+    "states_and_slopes", "states_at",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 Slopes = dict[str, Array]
-BLOCK = 1024  # runs in one call, whose logs are in memory at once
-RUNS_A_THREAD = 16  # at least: fewer are done before another thread has begun
+BLOCK = 4096  # runs in one call of the compiled loop: Python sees Ctrl-C between two of them
+# Runs that a thread takes at least, with derivatives and without: fewer are done before another thread has begun.
+RUNS_A_THREAD, PLAIN_RUNS_A_THREAD = 16, 64
+NUMBERS = 9  # of a state: position, velocity and spin
+ENDED = (DONE, QUIET, LIMIT)  # how a run ends that is followed to its end
 
 # The compiled functions, called through their addresses, once there are any.
 _call_run: Any = None
+_call_finish: Any = None
 _call_follow: Any = None
 _call_states: Any = None
 
@@ -53,6 +61,10 @@ class Limits(NamedTuple):
     rows: int = 128
     """Of its log; a run that writes more is known until then."""
     events: int = 400
+    until: float = math.inf
+    """s"""
+    most_rows: int = 0
+    """A run that writes more rows is run again with eight times as many, while these are at most so many."""
 
 
 SEGMENT = Limits()
@@ -67,6 +79,70 @@ class StatesAndSlopes(NamedTuple):
     """(N, C, T, B, K, LANES): of the first K numbers of a state."""
 
 
+class RunSlopes(NamedTuple):
+    """Derivatives of the scene and of the starts, LANES parameters in each of C chunks; with C = 0 none are computed."""
+
+    world: Array
+    """(C, 1, numbers of the world, LANES)"""
+    features: Array
+    """(C, F, numbers of a feature, LANES)"""
+    starts: Array
+    """(1 or N, C, B, numbers of a ball, LANES): the same for all runs, or those of each."""
+    users: NDArray[np.int64]
+    """Laws that are called by address, of dual numbers."""
+
+
+class RunScene(NamedTuple):
+    """A scene as the loop takes it."""
+
+    worlds: Any
+    features: Any
+    users: Any
+
+
+class Room(NamedTuple):
+    """Arrays for one run at a time."""
+
+    log: Any
+    """(M,)"""
+    passages: Any
+    """(M,), or (1,) where no times are asked for."""
+    passages_d: Any
+    balls: Any
+    """(B,)"""
+    balls_d: Any
+    """(C, B, numbers, LANES)"""
+    rows: Any
+    """(T, B): the row of the log that each ball follows at each time."""
+
+
+class KeptStates(NamedTuple):
+    """States of N runs, and how they ended."""
+
+    finals: NDArray[np.void]
+    """(N, B): the balls at the end; (0, B) if only times are asked for."""
+    finals_d: Array
+    """(N, C, B, 9, LANES): derivatives of their positions, velocities and spins; 0 where the run has no end."""
+    states: Array
+    """(N, T, B, K): the first K numbers of each ball at each time; NaN beyond a run's times, and where it is not known."""
+    slopes: Array
+    """(N, C, T, B, K, LANES): their derivatives; ``undefined`` from a graze on."""
+    ends: Array
+    """(N,): times, s."""
+    ended: NDArray[np.int64]
+    """(N, 3): status, events, and -1 or the row of a graze."""
+
+
+@kernel
+def _copy(numbers: Any, into: Any, first: int) -> None:
+    """Copy the derivatives (C, B, numbers, LANES) of numbers from the first on. (Numba takes 3 s to compile a[:] = b.)"""
+    for c in range(into.shape[0]):
+        for k in range(into.shape[1]):
+            for number in range(into.shape[2]):
+                for lane in range(LANES):
+                    into[c, k, number, lane] = numbers[c, k, first + number, lane]
+
+
 @kernel
 def _rows_at(log: Any, rows: int, k: int, time: Any, count: int, which: Any) -> None:
     """Write for each of the times the row of the log that ball k follows then: ``which`` (T, B)."""
@@ -79,133 +155,212 @@ def _rows_at(log: Any, rows: int, k: int, time: Any, count: int, which: Any) -> 
         which[i, k] = row
 
 
-def _run_all(
-    functions: Any, worlds: Any, features: Any, balls: Any, logs: Any, users: Any, time: Any, count: Any, most: int, which: Any,
-    states: Any,
-) -> None:  # fmt: skip
-    """Run every start (N, B), and write the first K numbers of its states (N, T, B, K) at the first ``count`` (N,) of its times.
-
-    ``time`` (N, T), or (1, T) for all; ``which`` (N, T, B) is work memory.
-    """
-    for n in prange(balls.shape[0]):
-        log = logs[n]
-        own = time[0]
-        if time.shape[0] > 1:
-            own = time[n]
-        rows_at = which[n]
-        until = own[count[n] - 1]
-        ended, _events, rows, _ball, _slow, last = _call_run(
-            functions[0], (worlds, features, balls[n], log, -1.0, until, most, users, ALL)
-        )
-        known = until if ended in (DONE, QUIET) else last  # else the law is undefined, or events accumulate
-        world = worlds[0]
-        for k in range(balls.shape[1]):
-            ball = balls[n, k]
-            _rows_at(log, rows, k, own, count[n], rows_at)
-            for i in range(count[n]):
-                t = own[i]
-                row = log[rows_at[i, k]]
-                ball.phase = row.phase
-                if t <= known and ball.phase < HELD:
-                    write_vector(ball.x, vector(row.x))
-                    write_vector(ball.v, vector(row.v))
-                    write_vector(ball.w, vector(row.w))
-                    begin_phase(world, ball)
-                    move_by(world, ball, t - row.t, t)
-                    for j in range(min(states.shape[3], 3)):
-                        states[n, i, k, j] = ball.x[j]
-                    for j in range(3, states.shape[3]):
-                        states[n, i, k, j] = ball.v[j - 3] if j < 6 else ball.w[j - 6]
-
-
-def _follow_all(
-    functions: Any, worlds: Any, world_d: Any, features: Any, features_d: Any, starts: Any, balls_d: Any, users: Any, laws: Any,
-    time: Any, count: Any, most: int, log: Any, out: Any, out_d: Any, balls: Any, which: Any, states: Any, slopes: Any,
-    undefined: float,
-) -> None:  # fmt: skip
-    """As :func:`_run_all`, one after the other, with derivatives ``slopes`` (N, C, T, B, K, LANES), ``undefined`` from a graze on.
-
-    ``balls_d`` (N, C, B, numbers, LANES): of the starts; they are written over. ``log`` and ``out`` (M,), ``out_d`` (C, M, numbers,
-    LANES), ``balls`` (B,), ``which`` (T, B) are for one run at a time. ``functions`` (3,): addresses of what is called.
-    """
-    for n in range(starts.shape[0]):
-        own = time[n if time.shape[0] > 1 else 0]
-        until, slope = own[count[n] - 1], balls_d[n]
-        for k in range(starts.shape[1]):
-            balls[k] = starts[n, k]
-        ended, _events, rows, _ball, _slow, last = _call_run(
-            functions[0], (worlds, features, balls, log, -1.0, until, most, users, ALL)
-        )
-        known, rows_of = until if ended in (DONE, QUIET) else last, log[:rows]
-        graze = _call_follow(
-            functions[1],
-            (worlds, world_d, features, features_d, starts[n], slope, balls, rows_of, laws, known, out, out_d),
-        )
-        for k in range(starts.shape[1]):
-            _rows_at(log, rows, k, own, count[n], which)
-        many = count[n]
-        while many > 0 and own[many - 1] > known:
-            many -= 1
-        _call_states(
-            functions[2],
-            (
-                worlds, world_d, starts[n], slope, rows_of, which[:many], out, out_d, own[:many], balls, slope, states[n],
-                slopes[n],
-            ),
-        )  # fmt: skip
+@kernel
+def _keep_states(world: Any, log: Any, rows_at: Any, time: Any, many: int, balls: Any, states: Any) -> None:
+    """Write the first K numbers of the balls at so many times: ``states`` (T, B, K)."""
+    for k in range(balls.shape[0]):
+        ball = balls[k]
         for i in range(many):
-            for k in range(starts.shape[1]):
-                row = which[i, k]
-                if log[row].phase >= HELD:
-                    for j in range(states.shape[3]):
-                        states[n, i, k, j] = math.nan
-                if log[row].phase >= HELD or (graze >= 0 and (row >= graze or own[i] >= log[graze].t)):
-                    for c in range(slopes.shape[1]):
-                        for j in range(slopes.shape[4]):
-                            for lane in range(LANES):
-                                slopes[n, c, i, k, j, lane] = undefined
+            t, row = time[i], log[rows_at[i, k]]
+            ball.phase = row.phase
+            if ball.phase < HELD:
+                write_vector(ball.x, vector(row.x))
+                write_vector(ball.v, vector(row.v))
+                write_vector(ball.w, vector(row.w))
+                begin_phase(world, ball)
+                move_by(world, ball, t - row.t, t)
+                for j in range(min(states.shape[2], 3)):
+                    states[i, k, j] = ball.x[j]
+                for j in range(3, states.shape[2]):
+                    states[i, k, j] = ball.v[j - 3] if j < 6 else ball.w[j - 6]
+
+
+@kernel
+def _leave_out(
+    log: Any, rows_at: Any, time: Any, many: int, graze: int, undefined: float, states: Any, slopes: Any
+) -> None:
+    """Leave out what is not known: states of balls that are held, and derivatives from a graze on."""
+    for i in range(many):
+        for k in range(states.shape[1]):
+            row = rows_at[i, k]
+            if log[row].phase >= HELD:
+                for j in range(states.shape[2]):
+                    states[i, k, j] = math.nan
+            if log[row].phase >= HELD or (graze >= 0 and (row >= graze or time[i] >= log[graze].t)):
+                for c in range(slopes.shape[0]):
+                    for j in range(slopes.shape[3]):
+                        for lane in range(LANES):
+                            slopes[c, i, k, j, lane] = undefined
+
+
+def _many(
+    functions: Any, scene: Any, slopes: Any, starts: Any, which: Any, time: Any, count: Any, until: float, most: int,
+    undefined: float, room: Any, kept: Any,
+) -> None:  # fmt: skip
+    """Run the starts (N, B) whose numbers are in ``which``: to the end, if it is kept, else to the last of their times.
+
+    ``time`` (N, T), or (1, T) for all, of which the first ``count`` (N,) are evaluated. ``functions`` (4,): addresses of what is
+    called.
+    """
+    worlds, log, balls = scene.worlds, room.log, room.balls
+    to_end = kept.finals.shape[0] > 0
+    for m in range(which.shape[0]):
+        n = which[m]
+        own = time[n if time.shape[0] > 1 else 0]
+        stop = until if to_end else min(until, own[count[n] - 1])
+        for k in range(balls.shape[0]):
+            balls[k] = starts[n, k]
+        status, events, rows, _ball, _slow, last = _call_run(
+            functions[0], (worlds, scene.features, balls, log, -1.0, stop, most, scene.users, ALL)
+        )
+        # (else the law is undefined, or events accumulate)
+        end = stop if stop < math.inf and status in (DONE, QUIET) else last
+        graze = -1
+        kept.ended[n, 0], kept.ended[n, 1], kept.ended[n, 2] = status, events, graze
+        if status in (DONE, QUIET, LIMIT):
+            kept.ends[n] = end
+        if to_end:
+            for k in range(balls.shape[0]):
+                kept.finals[n, k] = balls[k]
+            if status == FULL:  # (run again with more rows)
+                continue
+            if status in (DONE, QUIET, LIMIT):
+                _call_finish(functions[1], (worlds, kept.finals[n], end))
+        followed = room.balls_d.shape[0] > 0 and (count[n] > 0 or status in (DONE, QUIET, LIMIT))
+        first = slopes.starts[n if slopes.starts.shape[0] > 1 else 0]
+        if followed:
+            _copy(first, room.balls_d, 0)
+            graze = _call_follow(
+                functions[2],
+                (
+                    worlds, slopes.world, scene.features, slopes.features, starts[n], room.balls_d, balls, log[:rows], slopes.users,
+                    end, room.passages, room.passages_d,
+                ),
+            )  # fmt: skip
+            kept.ended[n, 2] = graze
+            if to_end and status in (DONE, QUIET, LIMIT):
+                _copy(room.balls_d, kept.finals_d[n], X)
+        many = count[n]
+        while many > 0 and own[many - 1] > end:
+            many -= 1
+        for k in range(balls.shape[0]):
+            _rows_at(log, rows, k, own, many, room.rows)
+        if followed and many > 0:
+            _call_states(
+                functions[3],
+                (
+                    worlds, slopes.world, starts[n], first, log[:rows], room.rows[:many], room.passages, room.passages_d,
+                    own[:many], balls, room.balls_d, kept.states[n], kept.slopes[n],
+                ),
+            )  # fmt: skip
+            _leave_out(log, room.rows, own, many, graze, undefined, kept.states[n], kept.slopes[n])
+        else:
+            _keep_states(worlds[0], log, room.rows, own, many, balls, kept.states[n])
 
 
 @functools.cache
 def _declare_calls() -> None:
-    """Tell the compiler what the loops call by address."""
-    global _call_run, _call_follow, _call_states
-    _call_run, _call_follow, _call_states = caller_of(*ENGINE_RUN), caller_of(*FOLLOW), caller_of(*STATES)
+    """Tell the compiler what the loop calls by address."""
+    global _call_run, _call_finish, _call_follow, _call_states
+    _call_run, _call_finish = caller_of(*ENGINE_RUN), caller_of(*ENGINE_END)
+    _call_follow, _call_states = caller_of(*FOLLOW), caller_of(*STATES)
 
 
 @functools.cache
-def _compiled() -> Callable[..., None]:
-    """Return the compiled loop over runs, on all cores."""
-    addresses = np.array([compiled_address(compiled_engine().run)])
+def compiled_runs() -> Callable[..., None]:
+    """Return the compiled loop, for one thread."""
+    called = (*compiled_engine(), compiled_follow(), compiled_states())
+    addresses, whole = np.array([compiled_address(one) for one in called]), array_of(int)
     loop = signature(
-        None, array_of(int), array_of(WORLD), array_of(FEATURES), array_of(BALLS, 2), array_of(LOG, 2), array_of(int),
-        array_of(float, 2), array_of(int), int, array_of(int, 3), array_of(float, 4),
+        None, whole, named_tuple_type(RunScene, array_of(WORLD), array_of(FEATURES), whole),
+        named_tuple_type(RunSlopes, SLOPES, SLOPES, array_of(float, 5), whole),
+        array_of(BALLS, 2), whole, array_of(float, 2), whole, float, int, float,
+        named_tuple_type(Room, array_of(LOG), array_of(PASSAGES), SLOPES, array_of(BALLS), SLOPES, array_of(int, 2)),
+        named_tuple_type(
+            KeptStates, array_of(BALLS, 2), array_of(float, 5), array_of(float, 4), array_of(float, 6), array_of(float),
+            array_of(int, 2),
+        ),
     )  # fmt: skip
-    return functools.partial(njit(_run_all, loop, (_declare_calls,), parallel=True), addresses)
+    return functools.partial(njit(_many, loop, (_declare_calls,), nogil=True), addresses)
 
 
 @functools.cache
-def _compiled_with_slopes() -> Callable[..., None]:
-    """Return the compiled loop over runs with their derivatives, for one thread."""
-    addresses = np.array(
-        [compiled_address(one) for one in (compiled_engine().run, compiled_follow(), compiled_states())]
-    )
-    loop = signature(
-        None, array_of(int), array_of(WORLD), SLOPES, array_of(FEATURES), SLOPES, array_of(BALLS, 2), array_of(float, 5),
-        array_of(int), array_of(int), array_of(float, 2), array_of(int), int, array_of(LOG), array_of(PASSAGES), SLOPES,
-        array_of(BALLS), array_of(int, 2), array_of(float, 4), array_of(float, 6), float,
+def _no_slopes() -> RunSlopes:
+    """Return the derivatives with respect to no parameter."""
+    world, features, balls = (np.empty((0, 1, float_count(kind), LANES)) for kind in (WORLD, FEATURES, BALLS))
+    return RunSlopes(world, features, balls[None], np.empty(0, np.int64))
+
+
+def kept_states(
+    arrays: SceneArrays,
+    starts: NDArray[np.void],
+    slopes: RunSlopes | None = None,
+    time: Array | None = None,
+    count: NDArray[np.int64] | None = None,
+    *,
+    to_end: bool = False,
+    numbers: int = NUMBERS,
+    undefined: float = 0.0,
+    limits: Limits = SEGMENT,
+) -> KeptStates:
+    """Run starts (N, B) on all cores, each by the thread that has its arrays; return what is kept of them.
+
+    Parameters
+    ----------
+    arrays : SceneArrays
+    starts : array (N, B) of BALLS
+        They are kept as they are.
+    slopes : RunSlopes, optional
+    time : array (N, T) or (1, T), optional
+        Increasing times from the start, s, of which the first ``count`` (N,) are evaluated.
+    to_end : bool
+        Whether each run goes on to its end, which is kept; else it ends at the last of its times.
+    numbers : int
+        How many numbers of each ball are kept at the times, of position, velocity and spin; of states with derivatives all.
+    undefined : float
+        In the place of derivatives from a graze on.
+    limits : Limits
+
+    Returns
+    -------
+    KeptStates
+        Bitwise identical whatever the number of cores.
+    """
+    (total, size), given = starts.shape, _no_slopes() if slopes is None else slopes
+    chunks = len(given.world)
+    times = np.empty((1, 0)) if time is None else time
+    counts = np.zeros(total, np.int64) if count is None else count
+    width, at_end = times.shape[1], total if to_end else 0
+    kept = KeptStates(
+        np.empty((at_end, size), BALLS), np.zeros((at_end, chunks, size, NUMBERS, LANES)),
+        np.full((total, width, size, NUMBERS if chunks else numbers), math.nan),
+        np.full((total, chunks, width, size, numbers, LANES), undefined), np.zeros(total), np.zeros((total, 3), np.int64),
     )  # fmt: skip
-    return functools.partial(njit(_follow_all, loop, (_declare_calls,), nogil=True), addresses)
+    loop, scene, least = compiled_runs(), RunScene(arrays.world, arrays.features, arrays.users), 1
+    if not to_end:
+        least = RUNS_A_THREAD if chunks else PLAIN_RUNS_A_THREAD
 
+    def part(some: NDArray[np.int64], rows: int) -> None:
+        passages = rows if chunks and width else 1
+        room = Room(
+            np.empty(rows, LOG), np.empty(passages, PASSAGES), np.empty((chunks, passages, float_count(PASSAGES), LANES)),
+            np.empty(size, BALLS), np.empty((chunks, size, float_count(BALLS), LANES)), np.empty((width, size), np.int64),
+        )  # fmt: skip
+        loop(scene, given, starts, some, times, counts, limits.until, limits.events, undefined, room, kept)
 
-def compile_at_times() -> None:
-    """Compile both loops, or load them from the cache."""
-    _compiled()
-    _compiled_with_slopes()
+    for block in block_slices(total, BLOCK):
+        which, rows = np.arange(block.start, block.stop), limits.rows
+        while len(which):
+            threads = min(len(which), 1 + len(which) // least, thread_count())
+            edges = [len(which) * k // threads for k in range(threads + 1)]
+            call_in_threads(functools.partial(part, rows=rows), [which[low:high] for low, high in pairwise(edges)])
+            rows *= 8
+            which = which[kept.ended[which, 0] == FULL] if rows <= limits.most_rows else which[:0]
+    return kept
 
 
 def states_at(
-    arrays: SceneArrays, balls: NDArray[np.void], time: Array, count: NDArray[np.int64], numbers: int = 9,
+    arrays: SceneArrays, balls: NDArray[np.void], time: Array, count: NDArray[np.int64], numbers: int = NUMBERS,
     limits: Limits = SEGMENT,
 ) -> Array:  # fmt: skip
     """Return the first numbers of the states (N, T, B, numbers) of N runs; NaN beyond a run's times, and where it is not known.
@@ -213,41 +368,18 @@ def states_at(
     ``balls`` (N, B): the starts, which are kept; ``time`` (N, T) or (1, T): s since the start, of which ``count`` (N,) are
     evaluated.
     """
-    (n, b), width = balls.shape, time.shape[1]
-    balls, states = balls.copy(), np.full((n, width, b, numbers), np.nan)
-    logs, which = np.empty((min(n, BLOCK), limits.rows), LOG), np.empty((min(n, BLOCK), width, b), np.int64)
-    for some in block_slices(n, BLOCK):
-        size = some.stop - some.start
-        own = time[some] if len(time) > 1 else time
-        _compiled()(
-            arrays.world, arrays.features, balls[some], logs[:size], arrays.users, own, count[some], limits.events, which[:size],
-            states[some],
-        )  # fmt: skip
-    return states
+    return kept_states(arrays, balls, None, time, count, numbers=numbers, limits=limits).states
 
 
 def states_and_slopes(
     arrays: SceneArrays, duals: NDArray[np.int64], balls: NDArray[np.void], time: Array, count: NDArray[np.int64], by_scene: Slopes,
-    by_start: Array, numbers: int = 9, undefined: float = 0.0, limits: Limits = SEGMENT,
+    by_start: Array, numbers: int = NUMBERS, undefined: float = 0.0, limits: Limits = SEGMENT,
 ) -> StatesAndSlopes:  # fmt: skip
     """Return states as :func:`states_at`, and the exact derivatives of their first ``numbers``; ``undefined`` from a graze on.
 
     ``duals``: laws that are called by address, of dual numbers. ``by_scene``: derivatives of the world (C, 1, numbers, LANES) and
     of the features (C, F, numbers, LANES); ``by_start`` (N, C, B, numbers, LANES): of the balls.
     """
-    (n, b), width, chunks = balls.shape, time.shape[1], by_start.shape[1]
-    by_start = by_start.copy()
-    states, slopes = np.full((n, width, b, 9), np.nan), np.full((n, chunks, width, b, numbers, LANES), undefined)
-    loop = _compiled_with_slopes()
-
-    def part(some: slice) -> None:
-        loop(
-            arrays.world, by_scene["world"], arrays.features, by_scene["features"], balls[some], by_start[some],
-            arrays.users, duals, time[some] if len(time) > 1 else time, count[some], limits.events, np.empty(limits.rows, LOG),
-            np.empty(limits.rows, PASSAGES), np.empty((chunks, limits.rows, float_count(PASSAGES), LANES)),
-            np.empty(b, BALLS), np.empty((width, b), np.int64), states[some], slopes[some], undefined,
-        )  # fmt: skip
-
-    edges = np.linspace(0, n, min(1 + n // RUNS_A_THREAD, thread_count()) + 1).astype(int)
-    call_in_threads(part, [slice(*pair) for pair in pairwise(edges.tolist())])
-    return StatesAndSlopes(states, slopes)
+    slopes = RunSlopes(by_scene["world"], by_scene["features"], by_start, duals)
+    kept = kept_states(arrays, balls, slopes, time, count, numbers=numbers, undefined=undefined, limits=limits)
+    return StatesAndSlopes(kept.states, kept.slopes)

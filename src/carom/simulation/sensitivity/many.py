@@ -2,39 +2,24 @@
 
 from __future__ import annotations
 
-import functools
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import State
-from carom.core.geometry.features import FEATURES
-from carom.core.jit.compile import array_of, njit, signature
-from carom.core.jit.dual.dual_records import float_count, float_places
-from carom.core.jit.dual.numbers import LANES
-from carom.core.jit.kernel import kernel
-from carom.core.jit.pointers import caller_of, compiled_address
-from carom.core.jit.slices import block_slices
-from carom.core.jit.threads import call_in_threads, thread_count
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, require_type
 from carom.scene.paths import replaced
 from carom.scene.scene import Scene
-from carom.simulation.compiled import ENGINE_END, ENGINE_RUN, compiled_engine
-from carom.simulation.contacts.contact import DONE
 from carom.simulation.contacts.kinds import REFUSALS
-from carom.simulation.event_rows import ALL
-from carom.simulation.loop import FULL, LIMIT, QUIET
-from carom.simulation.records import BALLS, LOG, WORLD
+from carom.simulation.loop import FULL
 from carom.simulation.run_log import run_limits, run_scene
-from carom.simulation.sensitivity.at_times import Limits, states_and_slopes
-from carom.simulation.sensitivity.compiled import FOLLOW, SLOPES, compiled_follow, dual_users
+from carom.simulation.sensitivity.at_times import ENDED, Limits, RunSlopes, kept_states
+from carom.simulation.sensitivity.compiled import dual_users
 from carom.simulation.sensitivity.parameters import ARRAYS, Parameters, parameters_of
-from carom.simulation.sensitivity.pass_kernels import PASSAGES
 from carom.simulation.sensitivity.passages import StateSensitivity
 from carom.simulation.setup import SceneArrays, set_up
 from carom.simulation.starts import starts_of
@@ -42,77 +27,9 @@ from carom.simulation.starts import starts_of
 __all__ = ["ManySensitivities", "sensitivities"]
 
 Array = NDArray[np.float64]
-# Runs in one call of the compiled loop: Python sees Ctrl-C between two of them.
-BLOCK = 4096
 # Rows of a log at first; a run that needs more is run again.
-ROWS_AT_FIRST, MOST_ROWS = 512, 1 << 20
+ROWS_AT_FIRST, MOST_ROWS = 512, 1 << 18
 NO_DERIVATIVE = "a graze, or nearly one: no derivative exists"
-
-# The compiled functions, called through their addresses, once there are any.
-_call_run: Any = None
-_call_finish: Any = None
-_call_follow: Any = None
-
-
-@kernel
-def _copy(numbers: Any, into: Any, first: int) -> None:
-    """Copy the derivatives (C, B, numbers, LANES) of numbers from the first on. (Numba takes 3 s to compile a[:] = b.)"""
-    for c in range(into.shape[0]):
-        for k in range(into.shape[1]):
-            for number in range(into.shape[2]):
-                for lane in range(LANES):
-                    into[c, k, number, lane] = numbers[c, k, first + number, lane]
-
-
-def _many(
-    functions: Any, worlds: Any, world_d: Any, features: Any, features_d: Any, starts: Any, starts_d: Any,
-    which: Any, users: Any, laws: Any, until: float, most: int, first: int, log: Any, out: Any, out_d: Any,
-    balls: Any, balls_d: Any, finals: Any, finals_d: Any, ends: Any, ended: Any,
-) -> None:  # fmt: skip
-    """Run the starts (N, B) whose numbers are in ``which``, and follow each log.
-
-    ``log`` (M,), ``out`` (1,), ``out_d``, ``balls`` (B,), ``balls_d`` (C, B, numbers, LANES) are for one run at a time. ``finals``
-    (N, B) and ``finals_d`` (N, C, B, M, LANES): the final states, and the derivatives of their numbers from ``first``
-    on; ``ends`` (N,): times; ``ended`` (N, 3): status, events, and -1 or the row of a graze. ``functions`` (3,): addresses of
-    what is called.
-    """
-    for m in range(which.shape[0]):
-        n = which[m]
-        for k in range(starts.shape[1]):
-            finals[n, k] = starts[n, k]
-        status, events, rows, _ball, _slow, t = _call_run(
-            functions[0], (worlds, features, finals[n], log, -1.0, until, most, users, ALL)
-        )
-        ended[n, 0], ended[n, 1], ended[n, 2] = status, events, -1
-        if status not in (DONE, QUIET, LIMIT):
-            continue
-        ends[n] = until if until < math.inf and status != LIMIT else t
-        _call_finish(functions[1], (worlds, finals[n], ends[n]))
-        _copy(starts_d, balls_d, 0)
-        ended[n, 2] = _call_follow(
-            functions[2],
-            (worlds, world_d, features, features_d, starts[n], balls_d, balls, log[:rows], laws, ends[n], out, out_d),
-        )
-        _copy(balls_d, finals_d[n], first)
-
-
-@functools.cache
-def _declare_calls() -> None:
-    """Tell the compiler what the loop calls by address."""
-    global _call_run, _call_finish, _call_follow
-    _call_run, _call_finish, _call_follow = caller_of(*ENGINE_RUN), caller_of(*ENGINE_END), caller_of(*FOLLOW)
-
-
-@functools.cache
-def compiled_many() -> Callable[..., None]:
-    """Return the compiled loop, for one thread."""
-    addresses = np.array([compiled_address(one) for one in (*compiled_engine(), compiled_follow())])
-    loop = signature(
-        None, array_of(int), array_of(WORLD), SLOPES, array_of(FEATURES), SLOPES, array_of(BALLS, 2), SLOPES, array_of(int),
-        array_of(int), array_of(int), float, int, int, array_of(LOG), array_of(PASSAGES), SLOPES, array_of(BALLS), SLOPES,
-        array_of(BALLS, 2), array_of(float, 5), array_of(float), array_of(int, 2),
-    )  # fmt: skip
-    return functools.partial(njit(_many, loop, (_declare_calls,), nogil=True), addresses)
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,8 +95,8 @@ def sensitivities(
     Raises
     ------
     CaromError
-        For paths as ``run.sensitivity`` does, for initial states as ``simulate_many`` does, for runs of more than a million events,
-        and for a law that takes no dual numbers.
+        For paths as ``run.sensitivity`` does, for initial states as ``simulate_many`` does, for runs of more than 262,144 rows
+        of the log, and for a law that takes no dual numbers.
 
     Examples
     --------
@@ -198,9 +115,7 @@ def sensitivities(
     arrays = set_up(scene)
     starts = starts_of("sensitivities", scene, arrays, velocity, spin, position)
     wanted = None if times is None else _times(times, len(starts), scene)
-    parameters = parameters_of(scene, arrays, wrt, _phases(scene))
-    found, rows = _run_all(scene, arrays, parameters, starts)
-    return found if wanted is None else _with_states(found, scene, parameters, starts, wanted, rows)
+    return _run_all(scene, arrays, parameters_of(scene, arrays, wrt, _phases(scene)), starts, wanted)
 
 
 def _times(times: ArrayLike, runs: int, scene: Scene) -> Array:
@@ -222,22 +137,6 @@ def _times(times: ArrayLike, runs: int, scene: Scene) -> Array:
     return np.ascontiguousarray(found)
 
 
-def _with_states(
-    found: ManySensitivities, scene: Scene, parameters: Parameters, starts: NDArray[np.void], time: Array, rows: int
-) -> ManySensitivities:
-    """Return the sensitivities with states and derivatives at times: each run once more, up to its last time."""
-    arrays, p, places = parameters.arrays, len(parameters), np.full(len(starts), time.shape[1])
-    by_scene = {name: parameters.packed[name] for name in ARRAYS if name != "balls"}
-    by_start = np.repeat(parameters.packed["balls"][None], len(starts), axis=0)
-    limits = Limits(rows, run_limits(scene)[1])
-    states, slopes = states_and_slopes(
-        arrays, dual_users(scene.called_laws), starts, time, places, by_scene, by_start, undefined=math.nan, limits=limits
-    )  # fmt: skip
-    d = np.moveaxis(slopes, 1, 4).reshape(*states.shape, -1)[..., :p]
-    x, v, w = (states[..., k : k + 3] for k in (0, 3, 6))
-    return replace(found, states=State.of(v, w, x), slopes=StateSensitivity(*(d[..., k : k + 3, :] for k in (0, 3, 6))))
-
-
 def _phases(scene: Scene) -> list[int]:
     """Return the phases in which the balls of a scene begin."""
     run = run_scene(replaced(scene, {"run.max_events": 1}))
@@ -245,51 +144,38 @@ def _phases(scene: Scene) -> list[int]:
 
 
 def _run_all(
-    scene: Scene, arrays: SceneArrays, parameters: Parameters, starts: NDArray[np.void]
-) -> tuple[ManySensitivities, int]:
-    """Return the final states with derivatives, and how many rows of a log the longest run needs."""
-    many, laws, p = compiled_many(), dual_users(scene.called_laws), len(parameters)
-    world_d, features_d, starts_d = (parameters.packed[name] for name in ARRAYS)
-    places = float_places(BALLS)
-    first, last = places["x"].start, places["w"].stop
-    total, chunks, count = len(starts), len(world_d), starts.shape[1]
-    finals, ends = np.empty_like(starts), np.zeros(total)
-    ended = np.zeros((total, 3), np.int64)
-    found = np.full((total, count, last - first, p), math.nan)
-    until, most = run_limits(scene)
-    needed = ROWS_AT_FIRST
-    for block in block_slices(total, BLOCK):
-        size = block.stop - block.start
-        slopes_d = np.zeros((size, chunks, count, last - first, LANES))
-        which, rows = np.arange(size), ROWS_AT_FIRST
-        while len(which):
-
-            def part(
-                some: NDArray[np.int64], rows: int = rows, block: slice = block, slopes_d: Array = slopes_d
-            ) -> None:
-                many(
-                    arrays.world, world_d, arrays.features, features_d, starts[block], starts_d, some, arrays.users, laws, until,
-                    most, first, np.empty(rows, LOG), np.empty(1, PASSAGES),
-                    np.empty((chunks, 1, float_count(PASSAGES), LANES)), np.empty(count, BALLS), np.empty(starts_d.shape),
-                    finals[block], slopes_d, ends[block], ended[block],
-                )  # fmt: skip
-
-            call_in_threads(part, np.array_split(which, min(thread_count(), len(which))))
-            needed = max(needed, rows)
-            which = np.flatnonzero(ended[block, 0] == FULL)
-            rows *= 8
-            if rows > MOST_ROWS and len(which):
-                raise CaromError(
-                    f"sensitivities: expected runs of at most {MOST_ROWS // 8:,} rows of the log, got a longer one at index"
-                    f" {block.start + int(which[0])}; set run.duration or run.max_events"
-                )
-        good = np.isin(ended[block, 0], (DONE, QUIET, LIMIT)) & (ended[block, 2] < 0)
-        found[block][good] = np.moveaxis(slopes_d, 1, 3).reshape(size, count, last - first, -1)[good][..., :p]
-    why = np.array([REFUSALS.get(int(code), NO_DERIVATIVE if graze >= 0 else "") for code, _count, graze in ended])
-    found_runs = ManySensitivities(
-        [one.name for one in parameters.columns],
-        State.of(*(np.array(finals[name]) for name in ("v", "w", "x"))),
-        StateSensitivity(*(found[:, :, 3 * k : 3 * k + 3] for k in range(3))),
-        np.array(finals["phase"]), ends, ended[:, 1].copy(), why,
+    scene: Scene, arrays: SceneArrays, parameters: Parameters, starts: NDArray[np.void], times: Array | None
+) -> ManySensitivities:
+    (total, count), (until, most), p = starts.shape, run_limits(scene), len(parameters)
+    world, features, balls = (parameters.packed[name] for name in ARRAYS)
+    slopes = RunSlopes(world, features, balls[None], dual_users(scene.called_laws))
+    places = None if times is None else np.full(total, times.shape[1])
+    limits = Limits(ROWS_AT_FIRST, most, until, MOST_ROWS)
+    kept = kept_states(arrays, starts, slopes, times, places, to_end=True, undefined=math.nan, limits=limits)
+    status, events, grazes = kept.ended.T
+    if (status == FULL).any():
+        raise CaromError(
+            f"sensitivities: expected runs of at most {MOST_ROWS:,} rows of the log, got a longer one at index"
+            f" {int(np.argmax(status == FULL))}; set run.duration or run.max_events"
+        )
+    found = np.moveaxis(kept.finals_d, 1, 3).reshape(total, count, 9, -1)[..., :p]
+    found[~(np.isin(status, ENDED) & (grazes < 0))] = math.nan
+    why = np.array([REFUSALS.get(int(code), NO_DERIVATIVE if graze >= 0 else "") for code, _count, graze in kept.ended])
+    made = ManySensitivities(
+        [one.name for one in parameters.columns], _states(kept.finals), _slopes(found), np.array(kept.finals["phase"]), kept.ends,
+        events.copy(), why,
     )  # fmt: skip
-    return found_runs, needed
+    if times is None:
+        return made
+    x, v, w = (kept.states[..., k : k + 3] for k in (0, 3, 6))
+    at_times = np.moveaxis(kept.slopes, 1, 4).reshape(*kept.states.shape, -1)[..., :p]
+    return replace(made, states=State.of(v, w, x), slopes=_slopes(at_times))
+
+
+def _states(balls: NDArray[np.void]) -> State:
+    return State.of(*(np.array(balls[name]) for name in ("v", "w", "x")))
+
+
+def _slopes(numbers: Array) -> StateSensitivity:
+    """Return the derivatives (..., 9, p) of positions, velocities and spins."""
+    return StateSensitivity(*(numbers[..., k : k + 3, :] for k in (0, 3, 6)))
