@@ -10,7 +10,7 @@ from reference.exploring import tried
 from reference.identities import approaching, surfaces, units, with_zeros
 
 import carom
-from carom.laws.arrays import FEW, loop_for, wall_law_rows
+from carom.laws.arrays import FEW_AT_FIRST, loop_for, wall_law_rows
 from carom.laws.contact import contact_final_rows, contact_rows
 from carom.laws.landing import second_rows
 from carom.laws.pair import pair_rows
@@ -49,7 +49,7 @@ def by_threads(loop, args, out, threads):
     before = numba.get_num_threads()
     numba.set_num_threads(min(threads, numba.config.NUMBA_NUM_THREADS))
     try:
-        loop_for(loop, FEW)(*args, *out)
+        loop_for(loop, FEW_AT_FIRST)(*args, *out)
     finally:
         numba.set_num_threads(before)
     return out

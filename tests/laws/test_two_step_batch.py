@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import carom
-from carom.laws.arrays import FEW
+from carom.laws.arrays import FEW_AT_FIRST
 from carom.laws.two_step import two_step_plain
 from carom.laws.two_step_batch import LANES
 
@@ -77,7 +77,7 @@ def test_same_bits_as_python(count: int) -> None:
     wall, floor, normal = carom.Surface(0.85, 0.2), carom.Surface(0.5, 0.2), (math.sqrt(0.84), 0.0, -0.4)
     v, w = balls(rng, 2000)
     v, w = (np.ascontiguousarray(x[v[:, 2] == 0]) for x in (v, w))
-    assert len(v) > FEW > count
+    assert len(v) > FEW_AT_FIRST > count
     many = into(v, w, wall, floor, normal)
     few = into(v[:count].copy(), w[:count].copy(), wall, floor, normal)
     for x, y in zip(many, few, strict=True):

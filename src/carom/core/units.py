@@ -79,6 +79,7 @@ SPELLINGS = {
 _DIMENSION_OF = {
     "m": "length", "m/s": "speed", "m/s^2": "acceleration", "kg": "mass", "s": "time", "rad/s": "spin",
 }  # fmt: skip
+LONGEST_NAME = 60  # of a unit
 _QUANTITY = re.compile(r"\s*((?>[-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:[eE][-+]?\d+)?))\s*(\S.*)")
 
 
@@ -134,6 +135,8 @@ def parse_quantity(text: str, unit: str) -> float:
     if known is not None and known.exact:
         return float(amount * Decimal(repr(known.numerator)) / Decimal(repr(known.denominator)))
     units = _registry()
+    if len(name) > LONGEST_NAME:  # pint takes minutes for some long texts
+        raise ValueError(f"{name[:LONGEST_NAME]!r}... is not a known unit")
     try:
         given = units.parse_units(name)
     except Exception:  # pint hands on what its parser stumbles over, of many classes

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import functools
 import math
+from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
@@ -30,13 +31,14 @@ from carom.errors import (
 )
 
 __all__ = [
-    "FEW", "RESOLVED", "WallKernel", "answer_rows", "approaching", "fresh_unless_own", "loop_for", "motion_resolved", "one_normal",
-    "reason_array", "require_approach", "require_resolved", "state_arrays", "unit_normal", "wall_law_rows",
+    "FEW_AT_FIRST", "RESOLVED", "WallKernel", "answer_rows", "approaching", "fresh_unless_own", "loop_for", "motion_resolved",
+    "one_normal", "reason_array", "require_approach", "require_resolved", "state_arrays", "unit_normal", "wall_law_rows",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
-# With fewer rows, compiling the loop or loading it from the cache takes longer than it saves.
-FEW = 400
+# Below so many rows Python is faster than a compiled loop; and than loading or compiling it first (if it is shipped, by the rows
+# of all calls so far).
+FEW, FEW_AT_FIRST = 12, 400
 WallKernel = Callable[[Vec, Vec, Vec, float, float, float, float, float], tuple[Vec, Vec]]
 
 
@@ -304,14 +306,24 @@ def _on_gpu(loop: Callable[..., None]) -> CudaLoop:
     return CudaLoop(loop)
 
 
+_rows_so_far: Counter[Callable[..., None]] = Counter()
+
+
 def loop_for(loop: Callable[..., None], rows: int) -> Callable[..., None]:
-    """Return the loop: in Python for a few rows, compiled and in slices for many; or on the GPU, where that is asked for."""
+    """Return the loop: in Python for a few rows, compiled and in slices for many; or on the GPU, where that is asked for.
+
+    The results have the same bits.
+    """
     if computes_on_gpu():
         return _on_gpu(loop)
     if rows < FEW:
         return _without_warnings(loop)
     from carom.core.jit.compile import compiler_is_off
+    from carom.core.jit.native import is_shipped
 
+    _rows_so_far[loop] += rows
+    if (_rows_so_far[loop] if is_shipped(loop) else rows) < FEW_AT_FIRST:
+        return _without_warnings(loop)
     return _without_warnings(loop) if compiler_is_off() else sliced(_compiled(loop), rows)
 
 

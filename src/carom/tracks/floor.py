@@ -163,7 +163,8 @@ def shared_fraction(own: float, prior_error: float, between: float | None) -> fl
     fraction is that of the prior, s^2/T^2.
     """
     rest = min((own / prior_error) ** 2, 1.0)
-    return rest if between is None else own**2 / (own**2 + (1 - rest) * between)
+    together = 0.0 if between is None else own**2 + (1 - rest) * between
+    return own**2 / together if together > 0 else rest
 
 
 def _without_shared_frames(

@@ -26,6 +26,7 @@ FINE_ROUNDING = 0.8  # in frames: times that are rounded so far still show their
 PHASES = 9  # of the clock within the rounding of the first time that are tried
 FIRST_ROWS = 64  # with which the search for a clock begins
 MOST_NUMBERS = 4_000_000  # intervals, phases and rows at once; more intervals than that are not searched further
+MOST_TRIED = 10_000_000  # intervals at once
 MOST_CHECKED = 40  # of the intervals that are found, from the longest on
 SHORTEST = 0.5  # share of the upper bound down to which a clock is searched
 
@@ -194,6 +195,8 @@ def _slowest_clock(time: Array, step: Array) -> tuple[float, float]:
     """Return the number of frames without a row, and the interval, s, of the slowest clock that explains the times."""
     jump = np.diff(time)
     smallest = float(jump[jump > 0].min())
+    if not smallest > MIN_INTERVAL_S:
+        return np.inf, 0.0
     half = np.maximum(step / 2, OFF_CLOCK * smallest)
     # so many rows are at least so many frames
     high = min(
@@ -209,6 +212,8 @@ def _slowest_clock(time: Array, step: Array) -> tuple[float, float]:
         # intervals so near each other that the last of these rows moves by an eighth of its rounding at most
         finer = max(int(np.ceil(2 * spacing * (some[-1] / low) / float(wide.min()))), 1)
         within = spacing * ((np.arange(finer) + 0.5) / finer - 0.5)
+        if len(tried) * finer > MOST_TRIED:
+            return np.inf, 0.0
         spacing /= finer
         tried = _fitting(some, wide, (tried[:, None] - within).ravel())[: max(MOST_NUMBERS // (PHASES * count), 4)]
         if not len(tried):

@@ -45,7 +45,8 @@ def without_markers(place: Array, label: str, notes: list[str]) -> Array:
 def without_marked_places(track: Track, scale: float) -> Track:
     """Return a track without places that were markers in the file, whose unit is ``scale``, m, and with a note on them."""
     notes: list[str] = []
-    raw = np.round(track.position / scale, 9)
+    with np.errstate(over="ignore"):  # (a place beyond all lengths is refused later, with its row)
+        raw = np.round(track.position / scale, 9)
     for sign in (1.0, -1.0):  # (the second axis may have been turned over)
         raw[:, 1] *= sign
         raw = without_markers(raw, f"{track.name}: ", notes)
