@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 
 import carom
-from carom.fitting.parameters import ALONG
-from tests.reference.varying_bounces import RADIUS, drawn_table
+from carom.fitting.form_choice import choose_forms
+from carom.fitting.parameters import ALONG, INDEX
+from carom.fitting.varying import Noise, fit_varying, smooth_parameter, varying_model
+from tests.reference.varying_bounces import RADIUS, bounce, drawn_table
 
 CONSTANT = {"e": lambda v: 0.7 + 0 * v, "mu": lambda s: 0.5 + 0 * s, "beta": lambda s: 0.3 + 0 * s}
 
@@ -78,3 +80,67 @@ def test_every_form_begins_at_a_constant() -> None:
 def test_an_unknown_form_is_refused(options: dict[str, str]) -> None:
     with pytest.raises(carom.CaromError, match="expected one of constant"):
         fitted(drawn_table(20, 1, **CONSTANT), **options)
+
+
+def choice_of(columns: dict[str, Any], **options: Any) -> Any:
+    return choose_forms(fitted(columns, **options), ("friction", "tangential_restitution"), noise=False)
+
+
+def test_a_spline_follows_what_no_form_has() -> None:
+    def wave(s: Any) -> Any:
+        return 0.3 + 0.25 * np.sin(3 * s)
+
+    base = fitted(drawn_table(400, 7, **(CONSTANT | {"beta": wave, "mu": lambda s: 5 + 0 * s})))
+    fit = fit_varying(base, (smooth_parameter(base, "tangential_restitution", "slip/v_n", 0.06),))
+    s = np.linspace(0.1, 1.2, 9)
+    x = np.stack([0 * s + 6, 0 * s, -6 * s / RADIUS], axis=-1)
+    beta = fit.model.records(fit.q, x)[:, INDEX["tangential_restitution"]]
+    assert np.allclose(beta, wave(s), atol=0.06)
+    assert fit.aicc < base.aicc - 100
+    assert 4 < fit.k - 2 < 8.5  # of eight coefficients
+
+
+def test_held_out_rows_choose_the_parameter_that_depends_on_the_impact() -> None:
+    found = choice_of(drawn_table(80, 3, **(CONSTANT | {"beta": lambda s: 0.6 - 0.3 * s}), sigma=0.1, bars=False))
+    assert found.tried[found.chosen[1]].words.startswith("tangential restitution")
+    assert found.best.gain > found.best.gain_error
+    said = found.predict([[6.0, 1.0, -200.0]])
+    expected = bounce(6.0, 1.0, -200.0, 0.7, 0.5, 0.6 - 0.3 * 5 / 6)
+    assert np.all(np.abs(said.mean[0] - expected) < 4 * said.stderr[0])
+
+
+def test_held_out_rows_choose_constants_where_nothing_depends_on_the_impact() -> None:
+    found = choice_of(drawn_table(40, 1, **CONSTANT))
+    assert found.chosen == (0,)
+    assert found.sentence.startswith("contact: constants predict held-out rows best")
+
+
+@pytest.mark.parametrize(("noise", "expected"), [("student", "student"), ("laplace", "two-sided")])
+def test_heavy_tails_are_found(noise: str, expected: str) -> None:
+    columns = drawn_table(400, 11, **CONSTANT, sigma=0.1, bars=False, noise=noise)
+    base = fitted(columns)
+    scores = {errors: fit_varying(base, (), Noise(errors)).aicc for errors in ("normal", "student", "two-sided")}
+    assert scores[expected] < scores["normal"] - 20
+
+
+def test_scatter_that_grows_with_the_speed_is_found() -> None:
+    base = fitted(drawn_table(300, 12, **CONSTANT, sigma=0.1, bars=False, noise="grows"))
+    fit = fit_varying(base, (), Noise(grows=True))
+    power = fit.q[fit.model.parts["power"]][0]
+    assert abs(power - 1.5) < 0.4
+    assert fit.aicc < base.aicc - 20
+
+
+def test_constants_have_the_deviance_of_the_compiled_likelihood() -> None:
+    for bars in (True, False):
+        base = fitted(drawn_table(60, 4, **CONSTANT, bars=bars))
+        assert fit_varying(base).aicc == pytest.approx(base.aicc, abs=1e-4)
+
+
+@pytest.mark.parametrize("errors", ["student", "two-sided"])
+def test_densities_of_errors_have_the_integral_one(errors: str) -> None:
+    base = fitted(drawn_table(20, 4, **CONSTANT, bars=False))
+    model = varying_model(base, (), Noise(errors))
+    r = np.linspace(-60, 60, 400_001)
+    rho = model.rho(r * r, r, np.ones(len(r), int), np.array([0.7]))[0]
+    assert np.trapezoid(np.exp(-rho / 2) / math.sqrt(2 * math.pi), r) == pytest.approx(1.0, abs=0.02)

@@ -81,6 +81,14 @@ def fit(
             metavar="FORM[:VARIABLE]", help="Stiffness ratio: the same, by default in slip/v_n.", rich_help_panel=LAWS
         ),
     ] = "constant",
+    forms: Annotated[
+        bool,
+        typer.Option(
+            "--forms",
+            help="Choose a form or a spline for each parameter of the best law, and the tails of errors, by rows held out.",
+            rich_help_panel=LAWS,
+        ),
+    ] = False,
     fit_: Annotated[
         list[str] | None,
         typer.Option(
@@ -213,7 +221,8 @@ def fit(
     options: dict[str, Any] = {
         "radius": radius, "inertia": inertia, "laws": [name for text in laws for name in comma_separated(text)] if laws else None,
         "restitution": restitution, "friction": friction, "tangential_restitution": tangential_restitution,
-        "stiffness_ratio": stiffness_ratio, "fit": [name for text in fit_ or [] for name in comma_separated(text)], "fix": fixed,
+        "stiffness_ratio": stiffness_ratio, "forms": forms,
+        "fit": [name for text in fit_ or [] for name in comma_separated(text)], "fix": fixed,
         "bound": bounds, "robust": robust, "contact_height": contact_height, "floor_friction": floor_friction,
         "floor_restitution": floor_restitution, "roll": roll, "kind": kind, "stage": stage, "rate": rate,
         "scale": faults.attempt(parse_length, "scale", scale), "view": view, "balls": balls, "whole": whole,

@@ -10,6 +10,7 @@ from carom.formatting import counted
 
 if TYPE_CHECKING:
     from carom.fitting import Fit, Ranked, Ranking
+    from carom.fitting.form_choice import FormChoice
     from carom.fitting.tracks import TrackRanking
 
 __all__ = ["print_ranking", "show"]
@@ -35,10 +36,32 @@ def show(ranking: Ranking) -> None:
         )
 
     print_ranking(ranking, ("weight", "chi²/dof", "CV score"), cells)
+    for choice in ranking.forms:
+        _print_forms(choice)
     for outlier in ranking.outliers[:MAX_OUTLIERS]:
         out().print(Text(f"outlier: {outlier.row}: chi² {outlier.chi2:.1f}, {outlier.why}"), soft_wrap=True)
     if (more := len(ranking.outliers) - MAX_OUTLIERS) > 0:
         out().print(f"and {counted(more, 'more outlier')}")
+
+
+def _print_forms(choice: FormChoice) -> None:
+    """Print the functions of the impact that were tried for a law's parameters, and the choice."""
+    from rich import box
+    from rich.table import Table
+    from rich.text import Text
+
+    from carom.cli.console import out
+
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
+    for head in (f"{choice.law}: parameters as", "ΔAICc", "held-out score", "gain"):
+        table.add_column(head, justify="left" if head.startswith(choice.law) else "right", no_wrap=True)
+    first = choice.tried[0]
+    for i, one in enumerate(choice.tried):
+        gain = f"{one.gain:+.3f} ± {one.gain_error:.3f}" if i else ""
+        cells = (one.words, f"{one.aicc - first.aicc:+.1f}", f"{one.score:.3f}", gain)
+        table.add_row(*cells, style="bold" if i in choice.chosen else None)
+    out().print(table)
+    out().print(Text(f"{choice.sentence}."), soft_wrap=True)
 
 
 def print_ranking(

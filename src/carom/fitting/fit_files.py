@@ -47,6 +47,7 @@ def fit(
     friction: str = "constant",
     tangential_restitution: str = "constant",
     stiffness_ratio: str = "constant",
+    forms: bool = False,
     fit: Sequence[str] = (),
     fix: Mapping[str, float] | None = None,
     bound: Mapping[str, tuple[float, float]] | None = None,
@@ -92,6 +93,8 @@ def fit(
     friction, tangential_restitution, stiffness_ratio : str
         Constant, linear or exponential in the slip (the last two: in slip/v_n), or in what a colon precedes: v_n, slip, slip/v_n,
         speed.
+    forms : bool
+        Whether to choose a form, or a spline, for each parameter, and heavy tails, by the score of rows held out.
     fit, fix, bound : optional
         Parameters to fit as well; held ones with their values; bounds of fitted ones.
     robust : bool
@@ -145,11 +148,12 @@ def fit(
         {"contact_height": contact_height, "floor_friction": floor_friction, "floor_restitution": floor_restitution or None,
          "roll": None if roll == 1 else roll},
     )  # fmt: skip
-    return fit_laws(
+    ranking = fit_laws(
         rebounds, ready.setting, ready.laws or None, where=where, sigma_v=sigma_v, sigma_spin=sigma_spin, spin=spin,
         every_contact=every_contact, shifted=ready.published.shifted if ready.published else (), profiles=profiles,
         bootstrap=bootstrap, seed=seed or 0, progress=progress,
     )  # fmt: skip
+    return ranking.with_forms(progress) if forms else ranking
 
 
 def check_fit(**options: Any) -> None:
@@ -193,8 +197,8 @@ def _checked(asked: SimpleNamespace) -> _Request:
     of_contacts = {
         "sigma_v": asked.sigma_v, "sigma_spin": asked.sigma_spin, "bootstrap": asked.bootstrap, "profiles": asked.profiles,
         "every_contact": asked.every_contact or None, "kind": asked.kind, "stage": asked.stage, "seed": asked.seed,
-        "robust": asked.robust or None, "scatter": asked.scatter or None, "balls": asked.balls or None,
-        "roll": None if asked.roll == 1 else asked.roll,
+        "robust": asked.robust or None, "forms": asked.forms or None, "scatter": asked.scatter or None,
+        "balls": asked.balls or None, "roll": None if asked.roll == 1 else asked.roll,
     }  # fmt: skip
     of_frames = {"noise": asked.noise, "cushions": None if asked.cushions == CUSHIONS else asked.cushions}
     wanted = "no `whole`, which fits frames instead of contacts" if asked.whole else "`whole` as well"

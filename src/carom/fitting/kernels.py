@@ -22,8 +22,9 @@ from carom.laws.two_step import UNDEFINED, first_impact
 from carom.laws.wall_and_floor.solver import STALL
 
 __all__ = [
-    "AFTER_WALL", "CONTACT", "CONVENTIONAL", "DENSE", "PLANES", "ROLLING", "SMOOTH", "TABLE_HEAD", "TABULATED", "TOGETHER",
-    "TURN", "of_impact", "planar_law", "planar_rebound", "speed_restitution", "table_law", "table_rebound",
+    "AFTER_WALL", "CONTACT", "CONVENTIONAL", "DENSE", "LEAST_STIFFNESS", "PLANES", "ROLLING", "SMOOTH", "TABLE_HEAD",
+    "TABULATED", "TOGETHER", "TURN", "of_impact", "planar_law", "planar_rebound", "speed_restitution", "table_law",
+    "table_rebound",
 ]  # fmt: skip
 
 # Contact models that are compiled in. SMOOTH: wall and floor without friction; TURN: the wall and then the floor; TOGETHER: both
@@ -31,6 +32,7 @@ __all__ = [
 # the kernel takes is the stiffness ratio in place of the tangential restitution.
 CONTACT, SMOOTH, CONVENTIONAL, TURN, TOGETHER = range(5)
 TABULATED = 5  # both at once, from a table (carom.fitting.tabulated)
+LEAST_STIFFNESS = 0.1  # of a stiffness ratio that depends on the impact
 # Stages at which the outgoing ball was measured
 AFTER_WALL, ROLLING = 0, 1
 
@@ -66,7 +68,7 @@ def _along_wall(code: int, form: int, p: Any, v: Vec, w: Vec, n: Vec, a: float) 
         zero = 0 * a
         mu = max(of_impact(along % ALONG_FORMS, (mu, p.friction_1, p.friction_2), v, w, n, a), zero)
         last = of_impact(along // ALONG_FORMS, (last, p.last_1, p.last_2), v, w, n, a)
-        last = max(last, zero) if stiff else min(max(last, zero - 1), zero + 1)
+        last = max(last, zero + LEAST_STIFFNESS) if stiff else min(max(last, zero - 1), zero + 1)
     return mu, last
 
 

@@ -17,6 +17,7 @@ from carom.fitting.cross_validation import cross_validated_score, score_warnings
 from carom.fitting.data import make_problem
 from carom.fitting.evidence import Evidence, Ranked, RankedLaws, decisive, odds_in_words, verdict_words, weigh
 from carom.fitting.fit import fit_law, kinked_rows_warning
+from carom.fitting.form_choice import FormChoice, choose_forms
 from carom.fitting.laws import laws_named
 from carom.fitting.model import SETTING_NUMBERS
 from carom.fitting.outliers import Outlier, outliers_of
@@ -75,6 +76,8 @@ class Ranking(RankedLaws[Fit]):
     outliers: tuple[Outlier, ...]
     swayed: bool = False
     """Whether outliers have moved the best law's parameters by several error bars."""
+    forms: tuple[FormChoice, ...] = ()
+    """Functions of the impact for the parameters of the best law, and of ``contact``, best first; where they were asked for."""
 
     @property
     def fits(self) -> bool:
@@ -92,8 +95,14 @@ class Ranking(RankedLaws[Fit]):
         return decisive(self.fits, self.odds) and not self.swayed and not self.coverage.narrow
 
     def predict(self, before: Any) -> Prediction:
-        """Return what the best law predicts (:meth:`carom.fitting.Fit.predict`)."""
-        return self.best.predict(before)
+        """Return what the best law predicts (:meth:`carom.fitting.Fit.predict`), with the functions that were chosen, if any."""
+        return (self.forms[0] if self.forms else self.best).predict(before)
+
+    def with_forms(self, progress: Progress | None = None) -> Ranking:
+        """Return the ranking with functions of the impact for the parameters, chosen by held-out rows."""
+        laws = dict.fromkeys([self.best, *(one.fit for one in self.ranked if one.fit.law.name == "contact")])
+        found = [choose_forms(fit, progress=progress) for fit in laws]
+        return replace(self, forms=tuple(sorted(found, key=lambda one: -one.best.score)))
 
     def to_surface(self, before: Any = None) -> Surface:
         """Return the best law's surface (:meth:`carom.fitting.Fit.to_surface`)."""
@@ -125,6 +134,7 @@ class Ranking(RankedLaws[Fit]):
             "outliers": [vars(outlier) for outlier in self.outliers],
             "swayed_by_outliers": self.swayed,
             "rows": len(problem.x),
+            "forms": [one.as_dict() for one in self.forms],
             "setting": {name: getattr(problem.setting, name) for name in ("radius", *SETTING_NUMBERS)},
         }
 

@@ -10,7 +10,7 @@ import numpy as np
 from carom.bodies import Surface
 from carom.core.jit.kernel import Vec, kernel
 from carom.errors import CaromError, Fault
-from carom.fitting.kernels import of_impact
+from carom.fitting.kernels import LEAST_STIFFNESS, of_impact
 from carom.fitting.model import model_of
 from carom.fitting.parameters import ALONG_FORMS, INDEX, PLACES, RESTITUTION_FORMS
 from carom.fitting.varying import parameter_at
@@ -48,7 +48,7 @@ def law_of(fit: Any) -> Law:
             Fault("", f"law {law.name}", "a law of one contact, whose parameters depend on the impact", "another")
         )
     first, base, stiff = code % ALONG_FORMS, law.kernel, law.last == "stiffness_ratio"
-    last, least = code // ALONG_FORMS, 0.0 if stiff else -1.0
+    last, least = code // ALONG_FORMS, LEAST_STIFFNESS if stiff else -1.0
     mu0, mu1, mu2 = (float(fit.numbers[i]) for i in PLACES["friction"])
     p0, p1, p2 = (float(fit.numbers[i]) for i in PLACES[law.last])
     most = 100.0 if stiff else 1.0

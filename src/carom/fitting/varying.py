@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.fitting.data import Problem
 from carom.fitting.kernels import of_impact, speed_restitution
+from carom.fitting.laws import FittedLaw
 from carom.fitting.likelihood import predictions
 from carom.fitting.model import FitModel, model_of
 from carom.fitting.optimizer import minimize
@@ -39,9 +40,17 @@ LEAST_C = 1e-6  # of c where the two-sided exponential has its peak
 class FittedLawNumbers(Protocol):
     """A law fitted to rows (:class:`carom.fitting.Fit`)."""
 
-    law: Any
-    problem: Problem
-    numbers: Array
+    @property
+    def law(self) -> FittedLaw:
+        """The law."""
+
+    @property
+    def problem(self) -> Problem:
+        """The rows."""
+
+    @property
+    def numbers(self) -> Array:
+        """All numbers of the law."""
 
 
 @dataclass(frozen=True)
@@ -179,11 +188,11 @@ class VaryingModel:
     def start(self, like: FitModel | None = None, numbers: Array | None = None) -> Array:
         """Return q at the law's own numbers, or at those of the same law with other forms, which the splines follow."""
         like, numbers = like or self.base, self.numbers if numbers is None else numbers
-        x, radius, q = self.problem.x, self.problem.setting.radius, np.zeros(self.parts["shape"].stop)
+        x, q = self.problem.x, np.zeros(self.parts["shape"].stop)
         q[self.parts["law"]] = numbers[self.free]
         at = self.parts["smooth"].start
         for one in self.smooth:
-            basis = spline_basis(impact_variable(one.variable, x, radius), one.ends, one.count)
+            basis = self.basis(one, x)
             values = parameter_at(one.parameter, like, numbers, x)
             # (a little of the penalty: few rows do not determine all coefficients)
             precision = basis.T @ basis + 1e-9 * np.eye(one.count) + 1e-4 * one.width**2 * one.penalty
@@ -202,20 +211,39 @@ class VaryingModel:
         p[:, self.free] = q[self.parts["law"]]
         at = self.parts["smooth"].start
         for one in self.smooth:
-            basis = spline_basis(impact_variable(one.variable, x, self.problem.setting.radius), one.ends, one.count)
             place = PLACES[one.parameter][0]
             own = PARAMETERS[place]
-            p[:, place] = np.clip(basis @ q[at : at + one.count], own.low, own.high)
+            p[:, place] = np.clip(self.basis(one, x) @ q[at : at + one.count], own.low, own.high)
             at += one.count
         return p
 
+    def basis(self, one: Smooth, x: Array) -> Array:
+        """Return the splines (N, K) of a parameter at impacts x; those of the rows are kept."""
+        known = self._bases
+        key = (one.parameter, len(x))
+        if x is not self.problem.x or key not in known:
+            found = spline_basis(impact_variable(one.variable, x, self.problem.setting.radius), one.ends, one.count)
+            if x is not self.problem.x:
+                return found
+            known[key] = found
+        return known[key]
+
+    @functools.cached_property
+    def _bases(self) -> dict[tuple[str, int], Array]:
+        return {}
+
     def predict(self, q: Array, x: Array | None = None) -> Array:
         """Return the law's prediction (N, 3)."""
-        x = self.problem.x if x is None else x
+        return self.predict_many(q[None], self.problem.x if x is None else x)[0]
+
+    def predict_many(self, q: Array, x: Array) -> Array:
+        """Return the predictions (B, N, 3) with each of q (B, k)."""
         rows = self.base.likelihood(derivatives=False).rows
-        if len(x) != len(rows.stages):
-            rows = rows._replace(stages=np.full(len(x), rows.stages[0]))
-        return predictions(self.base.law.kind, rows, x, self.records(q, x))
+        stages = rows.stages if len(x) == len(rows.stages) else np.full(len(x), rows.stages[0])
+        records = np.concatenate([self.records(one, x) for one in q])
+        rows = rows._replace(stages=np.tile(stages, len(q)))
+        told = predictions(self.base.law.kind, rows, np.tile(x, (len(q), 1)), records)
+        return np.asarray(told.reshape(len(q), len(x), 3))
 
     def by_inputs(self, q: Array, x: Array, wide: Array) -> Array:
         """Return J (N, 3, 3), its last index the input, where an input has a variance."""
@@ -234,16 +262,13 @@ class VaryingModel:
     def by_numbers(self, q: Array, x: Array | None = None) -> Array:
         """Return the derivatives (N, 3, m) of the prediction in the numbers of law and splines."""
         x = self.problem.x if x is None else x
-        m, here = self.parts["smooth"].stop, self.predict(q, x)
-        found = np.zeros((len(x), 3, m))
-        high = self.bounds[1]
-        for i in range(m):
-            size = STEP * max(abs(q[i]), 0.1)
-            size = -size if q[i] + size > high[i] else size
-            moved = q.copy()
-            moved[i] += size
-            found[:, :, i] = (self.predict(moved, x) - here) / size
-        return found
+        m, high = self.parts["smooth"].stop, self.bounds[1]
+        sizes = STEP * np.maximum(np.abs(q[:m]), 0.1)
+        sizes = np.where(q[:m] + sizes > high[:m], -sizes, sizes)
+        moved = np.tile(q, (m + 1, 1))
+        moved[np.arange(m), np.arange(m)] += sizes
+        told = self.predict_many(moved, x)
+        return np.asarray(np.moveaxis((told[:m] - told[m]) / sizes[:, None, None], 0, -1))
 
     def scatter(self, q: Array, x: Array) -> Array:
         """Return the variances (S, N, 3) of each fitted scatter."""
