@@ -94,7 +94,7 @@ def measure(name: str, table: billiards.Table, library: ctypes.CDLL, peer: str, 
     pairs = []
     for _ in range(repeats):
         begin = time.process_time()
-        follow(world, setup.pieces, x, v, w, bounces, bounces, ours, met, last, np.zeros(MEMORY))
+        follow(world, setup.pieces, setup.panels, x, v, w, bounces, bounces, ours, met, last, np.zeros(MEMORY))
         own = time.process_time() - begin
         begin = time.process_time()
         rest = (number(kappa), number(a), pointer(theirs), pointer(side))

@@ -120,7 +120,7 @@ def test_compiled_as_python(table):
     world, pieces = setup.world.view(np.recarray)[0], setup.pieces.view(np.recarray)
     memory, start = np.zeros(MEMORY), (tuple(row[:3]), tuple(row[3:6]), tuple(row[6:]))
     for done in (9, 18, 27, 36, 45, 54, 63, 70):  # in pieces, as long runs are
-        ended, count = follow(world, pieces, *start, 70, 9, kept, piece, last, memory)
+        ended, count = follow(world, pieces, setup.panels, *start, 70, 9, kept, piece, last, memory)
         assert (ended, count) == (0, done)
     np.testing.assert_array_equal(kept[:, 0], found.t[0])
     np.testing.assert_array_equal(kept[:, 1:3], found.position[0])
@@ -395,7 +395,7 @@ def test_a_ball_on_a_circle_that_flies_along_its_tangent_never_meets_it_again():
 def test_displacements_that_are_followed_to_no_bounce_have_met_no_wall():
     at_rest = (0.0, 0.0, 0.0)
     assert follow_tangents(
-        None, None, at_rest, at_rest, at_rest, 0, np.zeros((0, 9)), np.zeros(0), 0, np.zeros(10)
+        None, None, None, at_rest, at_rest, at_rest, 0, np.zeros((0, 9)), np.zeros(0), 0, np.zeros(10)
     ) == (0, 0, -1)
 
 

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.billiards.curved_region import CurvedRegion
 from carom.billiards.elliptic_boundary import EllipticArc, arc_along, arc_length, arc_normals, arc_place, arcs
 from carom.billiards.table_records import PIECES, WORLD
 from carom.core.geometry.polygon import ellipse_depth, polygon_depth
@@ -135,6 +136,8 @@ class Boundary:
     order: list[int] | None = None
     """Indices of the pieces in the order in which they follow each other along the boundary; None: by index."""
     ellipse: InsetEllipse | None = None
+    curve: CurvedRegion | None = None
+    """Arcs of a smooth curve."""
     sphere: float | None = None
     """Radius of a sphere about the origin."""
     finite_faces: bool = False
@@ -163,10 +166,18 @@ class Boundary:
             p, q, world["inset"] = self.ellipse
             rows += [((*arc.corner, 0.0), p, q, arc.half, arc.reach, -INF, INF) for arc in self.arcs]
         world["arc_corners"], world["ellipses"] = len(self.arcs) > 1, len(rows)
+        if self.curve is not None:
+            world["inset"], world["arc_corners"] = self.curve.inset, any(max(arc[3:]) for arc in self.curve.arcs)
+            rows += self.curve.pieces()
+        world["curves"] = len(rows)
         if self.sphere is not None:
             rows.append(((0.0, 0.0, 0.0), 1 / self.sphere, self.sphere, 0.0, 0.0, -INF, INF))
         world["spheres"] = len(rows)
-        world["finite_faces"], world["corner_tolerance"] = self.finite_faces, 1e-12 * self.size
+        world["finite_faces"], world["corner_tolerance"], world["extent"] = (
+            self.finite_faces,
+            1e-12 * self.size,
+            self.size,
+        )
         return world, np.array(rows, PIECES)
 
     def crossed_by(self, acceleration: Sequence[float]) -> bool:
@@ -177,12 +188,32 @@ class Boundary:
             for n, *_ in [*self.faces, *self.windows]
         ):
             return True
-        return flat if self.inside or self.outside or self.ellipse else self.sphere is not None and any(acceleration)
+        round_in_plane = self.inside or self.outside or self.ellipse or self.curve
+        return flat if round_in_plane else self.sphere is not None and any(acceleration)
 
     @property
     def arcs(self) -> list[EllipticArc]:
         """Arcs of the centre's curve in an ellipse."""
         return [] if self.ellipse is None else arcs(*self.ellipse)
+
+    @property
+    def _last_arcs(self) -> int:
+        """How many arcs of ellipses and smooth curves there are."""
+        return len(self.arcs) + (0 if self.curve is None else len(self.curve.arcs))
+
+    @property
+    def parts(self) -> NDArray[np.int64]:
+        """Number of the smooth part of each piece, without windows and images: arcs of a smooth curve between corners are one."""
+        pieces = np.arange(len(self.lengths))
+        if self.curve is not None:
+            first = len(pieces) - len(self.curve.arcs)
+            pieces[first:] = first + self.curve.parts
+        return pieces
+
+    def part_numbers(self, met: Any) -> NDArray[np.int64]:
+        """Return the smooth parts of pieces (...) that are met; the pieces themselves where there is no smooth curve."""
+        met = np.asarray(met, np.int64)
+        return met if self.curve is None else np.append(self.parts, -1)[self._number(met)]
 
     def without_lids(self) -> Boundary:
         """Return the boundary of the section of a prism: its pieces but the lids, which follow the other faces."""
@@ -199,7 +230,7 @@ class Boundary:
         found += [(math.pi if half else math.tau) * r for _x, _y, r, half in self.inside]
         found += [span * r for _x, _y, r, _first, span in self.outside]
         found += [arc_length(*(self.ellipse or NO_ELLIPSE), arc) for arc in self.arcs]
-        return np.array(found)
+        return np.array(found + ([] if self.curve is None else self.curve.lengths))
 
     @property
     def starts(self) -> Array:
@@ -213,7 +244,7 @@ class Boundary:
     def _number(self, piece: NDArray[np.int64]) -> NDArray[np.int64]:
         """Return the indices of pieces as they are without windows, and with an image counted as its obstacle."""
         faces, circles = len(self.faces), len(self.inside) + len(self.outside)
-        table = np.arange(-1, faces + len(self.windows) + circles + len(self.images) + max(1, len(self.arcs)))
+        table = np.arange(-1, faces + len(self.windows) + circles + len(self.images) + max(1, self._last_arcs))
         # entry 0 is for piece -1, none
         table[1 + faces + len(self.windows) :] -= len(self.windows)
         first = 1 + faces + len(self.windows) + circles
@@ -247,6 +278,10 @@ class Boundary:
             here = number == k
             s[here] = starts[k] + arc_along(*(self.ellipse or NO_ELLIPSE), arc, x[here])
             k += 1
+        if self.curve is not None:
+            for m in range(len(self.curve.arcs)):
+                here = number == k + m
+                s[here] = starts[k + m] + self.curve.along(m, x[here][:, :2])
         return s
 
     def place(self, s: Any) -> tuple[NDArray[np.int64], Array, Array]:
@@ -287,6 +322,8 @@ class Boundary:
             angle = first - along / r
             n = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
             return np.array([cx, cy]) + r * n, n
+        if self.curve is not None:
+            return self.curve.place(k - len(self.outside), along)
         return arc_place(*(self.ellipse or NO_ELLIPSE), self.arcs[k - len(self.outside)], along)
 
     def connected(self) -> list[ConnectedWall]:
@@ -344,6 +381,10 @@ class Boundary:
             here = number == k
             n[here, :2], n[here, 2] = arc_normals(*(self.ellipse or NO_ELLIPSE)[:2], arc, x[here]), 0.0
             k += 1
+        if self.curve is not None:
+            for m in range(len(self.curve.arcs)):
+                here = number == k + m
+                n[here, :2], n[here, 2] = self.curve.normals(m, x[here][:, :2]), 0.0
         if self.sphere is not None:
             here = number == k
             n[here] = -x[here] / self.sphere
@@ -353,12 +394,16 @@ class Boundary:
         """Return curvatures (N) of the centre's curve at points (N, 2 or more) on pieces (N): 1/r in a circle, -1/r around one."""
         number, x = self._number(np.asarray(met, int)), np.asarray(x, float)
         radii = [math.inf for _ in self.faces] + [one[2] for one in self.inside] + [-one[2] for one in self.outside]
-        found: Array = 1.0 / np.array([*radii, *(math.inf for _ in self.arcs), math.inf])[number]
+        found: Array = 1.0 / np.array([*radii, *(math.inf for _ in range(self._last_arcs)), math.inf])[number]
         p, q, inset = self.ellipse or NO_ELLIPSE
         for k, arc in enumerate(self.arcs, start=len(radii)):
             here = number == k
             n = arc_normals(p, q, arc, x[here])
             found[here] = 1.0 / (p * p * q * q / np.hypot(p * n[:, 0], q * n[:, 1]) ** 3 - inset)
+        if self.curve is not None:
+            for k in range(len(self.curve.arcs)):
+                here = number == len(radii) + k
+                found[here] = self.curve.curvatures(k, x[here][:, :2])
         return found
 
     def folded(self, x: Array) -> Array:
@@ -395,6 +440,9 @@ class Boundary:
         if self.ellipse is not None:
             p, q, inset = self.ellipse
             gap = np.minimum(gap, ellipse_depth(p, q, x) - inset)
+        if self.curve is not None:
+            depth = self.curve.wall.depth(x[..., :2].reshape(-1, 2)).reshape(gap.shape)
+            gap = np.minimum(gap, depth - self.curve.inset)
         if self.sphere is not None:
             gap = np.minimum(gap, self.sphere - np.linalg.norm(x, axis=-1))
         return gap

@@ -6,7 +6,7 @@ Where no force acts across the walls, the flight is met as a straight line: line
 ellipse. Under a force across walls it is a parabola; its roots, of degree 2 (faces) or 4 (curved pieces), are those of
 :mod:`carom.core.roots.first_root`, which find the first of them, and a crossing outside the ends of a piece is skipped for the next
 one. The curve at a distance from an ellipse, of degree eight, is in :mod:`carom.billiards.elliptic_boundary` and
-:mod:`carom.core.geometry.ellipse`.
+:mod:`carom.core.geometry.ellipse`; smooth curves, with a table of ``panels``, are in :mod:`carom.core.geometry.curve`.
 """
 
 from __future__ import annotations
@@ -15,6 +15,8 @@ import math
 from typing import Any
 
 from carom.billiards.elliptic_boundary import arc_exit, arc_wall
+from carom.core.geometry.curve import curve_line, curve_wall
+from carom.core.geometry.curve_parabola import curve_parabola
 from carom.core.geometry.ellipse import oval_hit
 from carom.core.jit.kernel import Vec, hot_kernel, kernel
 from carom.core.roots.first_root import hit2, hit4, next_hit4
@@ -22,6 +24,7 @@ from carom.core.roots.first_root import hit2, hit4, next_hit4
 __all__ = ["next_hit", "straight_hit", "wall_normal"]
 
 NEVER = math.inf
+NOISE = 4e-16  # of the table's size: so much of a distance from a smooth curve is rounding
 
 
 @hot_kernel
@@ -74,7 +77,9 @@ def sphere_exit(x: Vec, v: Vec, r: float) -> float:
 
 
 @hot_kernel
-def straight_hit(world: Any, pieces: Any, x: Vec, v: Vec) -> tuple[float, int]:
+def straight_hit(  # noqa: PLR0915  (one loop per kind of piece)
+    world: Any, pieces: Any, panels: Any, x: Vec, v: Vec
+) -> tuple[float, int]:
     """Return the time to the next piece on a straight flight, and its index; infinity and -1 where none lies ahead."""
     best = NEVER
     which = -1
@@ -125,7 +130,15 @@ def straight_hit(world: Any, pieces: Any, x: Vec, v: Vec) -> tuple[float, int]:
         if t < best:
             best = t
             which = i
-    for i in range(world.ellipses, world.spheres):
+    if world.ellipses < world.curves:
+        behind = -world.corner_tolerance / math.sqrt(v[0] * v[0] + v[1] * v[1])
+        for i in range(world.ellipses, world.curves):
+            p = pieces[i]
+            t = curve_line(panels, int(p.c), int(p.r), world.inset, NOISE * world.extent, x[0], x[1], v[0], v[1])
+            if behind < t < best:
+                best = t
+                which = i
+    for i in range(world.curves, world.spheres):
         t = sphere_exit(x, v, pieces[i].r)
         if t < best:
             best = t
@@ -135,7 +148,7 @@ def straight_hit(world: Any, pieces: Any, x: Vec, v: Vec) -> tuple[float, int]:
 
 
 @hot_kernel
-def wall_normal(world: Any, pieces: Any, i: int, x: Vec) -> Vec:
+def wall_normal(world: Any, pieces: Any, panels: Any, i: int, x: Vec) -> Vec:
     """Return the normal of piece i, towards the ball, for a centre at x."""
     p = pieces[i]
     if i < world.windows:
@@ -148,6 +161,9 @@ def wall_normal(world: Any, pieces: Any, i: int, x: Vec) -> Vec:
         return (dx * w, dy * w, 0.0)
     if i < world.ellipses:
         return arc_wall(p, world.inset, x[0], x[1])[0]
+    if i < world.curves:
+        nx, ny, _kappa = curve_wall(panels, int(p.c), int(p.r), world.inset, p.n[0], p.n[1], x[0], x[1])
+        return (nx, ny, 0.0)
     w = (1.5 - (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) * (0.5 * p.c * p.c)) * p.c
     return (-x[0] * w, -x[1] * w, -x[2] * w)
 
@@ -203,7 +219,7 @@ def _on_second_arc(p: Any, near: float, x: Vec, v: Vec, g: Any, t: float) -> boo
 
 
 @kernel
-def parabolic_hit(world: Any, pieces: Any, x: Vec, v: Vec) -> tuple[float, int]:
+def parabolic_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple[float, int]:
     """Return the time to the next piece on a parabolic flight, and its index; infinity and -1 where none lies ahead."""
     best = NEVER
     which = -1
@@ -245,7 +261,26 @@ def parabolic_hit(world: Any, pieces: Any, x: Vec, v: Vec) -> tuple[float, int]:
             t = hit4(c[0], c[1], c[2], c[3], c[4], NEVER, 0.0)
         if t < best:
             best, which = t, i
-    for i in range(world.ellipses, world.spheres):
+    for i in range(world.ellipses, world.curves):
+        p = pieces[i]
+        t = curve_parabola(
+            panels,
+            int(p.c),
+            int(p.r),
+            world.inset,
+            world.extent,
+            NOISE * world.extent,
+            x[0],
+            x[1],
+            v[0],
+            v[1],
+            g0,
+            g1,
+            best,
+        )
+        if t < best:
+            best, which = t, i
+    for i in range(world.curves, world.spheres):
         r = pieces[i].r
         t = hit4(
             r * r - (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]),
@@ -259,8 +294,8 @@ def parabolic_hit(world: Any, pieces: Any, x: Vec, v: Vec) -> tuple[float, int]:
 
 
 @hot_kernel
-def next_hit(world: Any, pieces: Any, x: Vec, v: Vec) -> tuple[float, int]:
+def next_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple[float, int]:
     """Return the time to the next piece and its index; infinity and -1 where none lies ahead."""
     if world.force_across != 0:
-        return parabolic_hit(world, pieces, x, v)
-    return straight_hit(world, pieces, x, v)
+        return parabolic_hit(world, pieces, panels, x, v)
+    return straight_hit(world, pieces, panels, x, v)

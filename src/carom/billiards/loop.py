@@ -91,10 +91,23 @@ def energy_restored(v: Vec, w: Vec, should: float, has: float) -> tuple[Vec, Vec
     return (f * v[0], f * v[1], f * v[2]), (f * w[0], f * w[1], f * w[2])
 
 
+@kernel
+def at_arc_end(panels: Any, p: Any, x: Vec, near: float) -> bool:
+    """Return whether a ball is at an end of an arc of a smooth curve that is a corner."""
+    first, last = panels[int(p.c)], panels[int(p.r)]
+    begins: bool = p.begin != 0.0 and abs(x[0] - first[0]) < near and abs(x[1] - first[1]) < near
+    ends: bool = p.end != 0.0 and abs(x[0] - last[0]) < near and abs(x[1] - last[1]) < near
+    return begins or ends
+
+
 @hot_kernel
-def at_corner(world: Any, pieces: Any, i: int, x: Vec) -> bool:
-    """Return whether a ball that meets face i, or an arc of the curve in an ellipse, is at a corner."""
+def at_corner(world: Any, pieces: Any, panels: Any, i: int, x: Vec) -> bool:
+    """Return whether a ball that meets face i, or an arc of an ellipse or a smooth curve, is at a corner."""
     p = pieces[i]
+    if i >= world.ellipses:
+        return at_arc_end(panels, p, x, world.corner_tolerance)
+    if world.windows <= i < world.outside:
+        return False
     if i >= world.faces:
         # the corners of the arcs lie on the long axis
         across: bool = abs(x[1] if p.c > p.r else x[0]) < world.corner_tolerance
@@ -107,6 +120,7 @@ def at_corner(world: Any, pieces: Any, i: int, x: Vec) -> bool:
 def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
     world: Any,
     pieces: Any,
+    panels: Any,
     x: Vec,
     v: Vec,
     w: Vec,
@@ -138,14 +152,14 @@ def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
     ended = DONE
     until = min(bounces, k + share)
     while k < until:
-        dt, i = next_hit(world, pieces, x, v)
+        dt, i = next_hit(world, pieces, panels, x, v)
         if i < 0 or not dt < math.inf:
             ended = ESCAPED
             break
         x, v = after_flight(world, x, v, dt)
         t += dt
         if i < world.faces or world.arc_corners != 0:
-            if world.corners and at_corner(world, pieces, i, x):
+            if world.corners and at_corner(world, pieces, panels, i, x):
                 ended = CORNER
                 break
         elif i < world.windows:
@@ -160,7 +174,7 @@ def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
                 break
             continue
         cells = 0
-        n = wall_normal(world, pieces, i, x)
+        n = wall_normal(world, pieces, panels, i, x)
         if planar and law == NO_SLIP_WALL:  # (the same bits; zeros that the compiler sees)
             v, w = no_slip_bounce((v[0], v[1], 0.0), (0.0, 0.0, w[2]), (n[0], n[1], 0.0), a, kappa)
         else:
@@ -216,12 +230,23 @@ _follow: Any = follow
 
 @kernel
 def _follow_row(
-    world: Any, pieces: Any, s: Any, bounces: int, share: int, rows: Any, met: Any, last: Any, end: Any, memory: Any
+    world: Any,
+    pieces: Any,
+    panels: Any,
+    s: Any,
+    bounces: int,
+    share: int,
+    rows: Any,
+    met: Any,
+    last: Any,
+    end: Any,
+    memory: Any,
 ) -> None:
     """Follow one row of the starts further."""
     end.reason, end.bounces = _follow(
         world,
         pieces,
+        panels,
         (s[0], s[1], s[2]),
         (s[3], s[4], s[5]),
         (s[6], s[7], s[8]),
@@ -246,6 +271,7 @@ def _all_have_bounced(ends: Any, count: int) -> bool:
 def follow_many(
     worlds: Any,
     pieces: Any,
+    panels: Any,
     starts: Any,
     bounces: int,
     share: int,
@@ -277,7 +303,9 @@ def follow_many(
         )
         if together:
             for m in range(first, first + LANES):
-                _follow_row(worlds[0], pieces, starts[m], bounces, few, rows[m], met[m], last[m], ends[m], memory[m])
+                _follow_row(
+                    worlds[0], pieces, panels, starts[m], bounces, few, rows[m], met[m], last[m], ends[m], memory[m]
+                )
             if _all_have_bounced(own, begin + few):
                 count = _follow_in_step(worlds[0], pieces, memory[these], min(bounces, begin + share), work[block])
                 for k in range(LANES):
@@ -285,7 +313,9 @@ def follow_many(
         for m in range(first, first + len(own)):
             if ends[m].reason == DONE and (together or ends[m].bounces < bounces):
                 rest = begin + share - ends[m].bounces if together else share
-                _follow_row(worlds[0], pieces, starts[m], bounces, rest, rows[m], met[m], last[m], ends[m], memory[m])
+                _follow_row(
+                    worlds[0], pieces, panels, starts[m], bounces, rest, rows[m], met[m], last[m], ends[m], memory[m]
+                )
 
 
 @functools.cache
@@ -293,7 +323,9 @@ def compiled_follow() -> Callable[..., Any]:
     """Return :func:`follow`, compiled or loaded from the cache."""
     global _follow  # noqa: PLW0603
     pieces, table, vec, row = array_of(PIECES), array_of(float, 2), (float, float, float), array_of(float)
-    one = signature((int, int), WORLD, pieces, vec, vec, vec, int, int, table, array_of(np.dtype("i4")), row, row)
+    one = signature(
+        (int, int), WORLD, pieces, table, vec, vec, vec, int, int, table, array_of(np.dtype("i4")), row, row
+    )
     _follow = njit(follow, one, (register_calls,), _nrt=False)
     return _follow  # type: ignore[no-any-return]
 
@@ -304,15 +336,37 @@ def compiled_many() -> Callable[..., Any]:
     compiled_follow()
     pieces, table, met = array_of(PIECES), array_of(float, 2), array_of(np.dtype("i4"), 2)
     many = signature(
-        None, array_of(WORLD), pieces, table, int, int, array_of(float, 3), met, table, array_of(ENDING), table, table
+        None,
+        array_of(WORLD),
+        pieces,
+        table,
+        table,
+        int,
+        int,
+        array_of(float, 3),
+        met,
+        table,
+        array_of(ENDING),
+        table,
+        table,
     )
     return njit(follow_many, many, (register_calls,), parallel=True)
 
 
-def follow_one(worlds: Any, pieces: Any, starts: Any, bounces: int, share: int, *of_each: Any) -> None:
+def follow_one(worlds: Any, pieces: Any, panels: Any, starts: Any, bounces: int, share: int, *of_each: Any) -> None:
     """Do what :func:`follow_many` does, for one row of starts: its loop, which takes as long to compile, is not needed."""
     compiled_follow()
     rows, met, last, ends, memory, _work = of_each
     _follow_row(
-        worlds[0], pieces, starts[0], bounces, share, rows[0], met[0], last[0], ends.view(np.recarray)[0], memory[0]
+        worlds[0],
+        pieces,
+        panels,
+        starts[0],
+        bounces,
+        share,
+        rows[0],
+        met[0],
+        last[0],
+        ends.view(np.recarray)[0],
+        memory[0],
     )

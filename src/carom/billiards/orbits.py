@@ -330,8 +330,8 @@ def _loop(
         while ((ends[here]["reason"] == DONE) & (ends[here]["bounces"] < bounces)).any():
             more = pace.begin()
             advance(
-                setup.world, setup.pieces, rows[here], bounces, max(more // len(rows[here]), 1), kept[here], piece[here],
-                last[here], ends[here], memory[here], np.empty((-(-len(rows[here]) // LANES), STATE)),
+                setup.world, setup.pieces, setup.panels, rows[here], bounces, max(more // len(rows[here]), 1), kept[here],
+                piece[here], last[here], ends[here], memory[here], np.empty((-(-len(rows[here]) // LANES), STATE)),
             )  # fmt: skip
             pace.done(more)
         if progress is not None:

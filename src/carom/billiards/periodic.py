@@ -379,7 +379,7 @@ def _distinct(shell: EnergyShell, y: Array, p: int) -> list[PeriodicOrbit]:
     for k in closed[np.lexsort((-short[closed], -slow[closed].round(6)))]:
         if not proper[k] or least_period(shell, run.folded[k], bounces[k]) != p:
             continue
-        key = family_key(run.piece[k].tolist(), symmetries, walls[k], cells[k])
+        key = family_key(shell.setup.shape.part_numbers(run.piece[k]).tolist(), symmetries, walls[k], cells[k])
         for place, (one, shown, family) in enumerate(kept):
             if (one.family and key == family) or congruent(bounces[shown], bounces[k], reverse[k]):
                 kept[place] = (replace(one, found=one.found + 1), shown, family)

@@ -72,17 +72,21 @@ def piece_symmetries(shape: Boundary) -> list[list[int]]:
     """Return how the rotations and reflections of a closed boundary about its middle permute its pieces; the identity first.
 
     The middles of the pieces and their ends are mapped on one another; a map is one of the table if all points of a sample stay on
-    the boundary.
+    the boundary. Arcs of a smooth curve count as one piece between its corners.
     """
     total = float(shape.lengths.sum())
     pieces, x, _n = shape.place((np.arange(SYMMETRY_POINTS) + 0.5) * total / SYMMETRY_POINTS)
-    middles = shape.place(shape.starts + shape.lengths / 2)[1]
+    middles, lengths = shape.place(shape.starts + shape.lengths / 2)[1], shape.lengths
+    if shape.curve is not None:
+        pieces, first = shape.part_numbers(pieces), np.unique(shape.parts, return_index=True)[1]
+        lengths = np.bincount(shape.parts, lengths).astype(float)
+        middles = shape.place(shape.starts[first] + lengths / 2)[1]
     origin = (
         np.zeros(2) if shape.cell is not None else (x.max(0) + x.min(0)) / 2 if len(middles) < 3 else middles.mean(0)
     )
     # (pieces of unequal length: their middles, weighted by length, have the table's own centre)
     if shape.cell is None and len(middles) >= 3:
-        origin = (middles * shape.lengths[:, None]).sum(0) / total
+        origin = (middles * lengths[:, None]).sum(0) / total
     angles = np.arctan2(*(middles - origin).T[::-1])
     found = [list(range(int(pieces.max()) + 1))]
     for sign in (1, -1):

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from carom.billiards.boundary import Boundary
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Disc, Surface
+from carom.core.geometry.curve import ROW
 from carom.errors import (
     MAX_MAGNITUDE,
     MIN_MAGNITUDE,
@@ -87,6 +88,8 @@ class OrbitSetup:
     shape: Boundary
     world: Any
     pieces: NDArray[np.void]
+    panels: Array
+    """Table of the panels of a smooth curve (:mod:`carom.core.geometry.curve`)."""
     conservative: bool
     """Whether the law conserves the energy."""
 
@@ -145,7 +148,8 @@ def orbit_setup(table: Table, ball: Ball | None, law: Any, surface: Surface | No
     world["conservative"] = keeps
     if response == CALLED_WALL and chosen.kernel is not None:
         world["user"] = user_address(chosen.kernel)
-    return OrbitSetup(table, ball, name, response, shape, world, pieces, keeps)
+    panels = np.zeros((1, ROW)) if shape.curve is None else shape.curve.table
+    return OrbitSetup(table, ball, name, response, shape, world, pieces, panels, keeps)
 
 
 def law_of(law: Any, surface: Surface | None) -> tuple[Law, str]:

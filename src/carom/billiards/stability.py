@@ -165,7 +165,7 @@ def _follow(
     last[:, TIME] = 0.0
     while done < bounces and (ends["reason"] == DONE).any():
         share = min(max(pace.begin() // len(states), 1), bounces - done)
-        loop(setup.world, setup.pieces, states, share, vectors, sums, every, last, ends)
+        loop(setup.world, setup.pieces, setup.panels, states, share, vectors, sums, every, last, ends)
         states = np.where((ends["reason"] == DONE)[:, None], last[:, 1:], states)
         pace.done(share * len(states))
         done += share

@@ -21,6 +21,9 @@ __all__ = [
 #   end    where it ends                       0                         distance of the corners from the      0
 #                                                                        middle, along the long axis
 #
+# Of an arc of a smooth curve: n, a direction along which it runs; c and r, the rows of its first and last nodes in the table of
+# panels (:mod:`carom.core.geometry.curve`); begin and end, whether it begins and ends in a corner.
+#
 # Positions along a face are measured along the tangent (ny, -nx): the ball is on its left. ``low`` and ``high`` are the ends
 # that are corners, infinite where the boundary goes on smoothly.
 PIECES = np.dtype(
@@ -36,8 +39,8 @@ PIECES = np.dtype(
 )
 
 # The table, the ball and the law. The pieces are sorted by kind: faces, windows (through which a ball passes into the next
-# periodic cell), circles seen from inside, circles seen from outside, ellipses, spheres; each of the first six fields is the index
-# at which its kind ends.
+# periodic cell), circles seen from inside, circles seen from outside, ellipses, smooth curves, spheres; each of the first seven
+# fields is the index at which its kind ends.
 WORLD = np.dtype(
     [
         ("faces", "i8"),
@@ -45,9 +48,10 @@ WORLD = np.dtype(
         ("inside", "i8"),
         ("outside", "i8"),
         ("ellipses", "i8"),
+        ("curves", "i8"),
         ("spheres", "i8"),
         ("finite_faces", "i8"),  # 1: hits beyond the ends of a face are ignored (a stadium, a table that is not convex)
-        ("arc_corners", "i8"),  # 1: the centre's curve in the ellipse has two arcs, with corners
+        ("arc_corners", "i8"),  # 1: the centre's curve in an ellipse or a smooth curve has corners
         ("planar", "i8"),  # 1: the table lies in the plane
         ("corners", "i8"),  # 1: an orbit ends at a corner
         ("conservative", "i8"),  # 1: the law conserves the energy
@@ -61,7 +65,8 @@ WORLD = np.dtype(
         ("mu", "f8"),  # friction
         ("beta", "f8"),  # tangential restitution
         ("corner_tolerance", "f8"),  # m: nearer than this to a corner, the corner is hit
-        ("inset", "f8"),  # m: distance of the centre's curve from the ellipse
+        ("inset", "f8"),  # m: distance of the centre's curve from the ellipse or the smooth curve
+        ("extent", "f8"),  # m: of the table
     ]
 )
 

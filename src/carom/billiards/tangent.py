@@ -16,6 +16,7 @@ from carom.billiards.intersections import next_hit, wall_normal
 from carom.billiards.loop import after_flight, after_impact, at_corner
 from carom.billiards.table_records import CORNER, DONE, ENDING, ESCAPED, GRAZED, PIECES, WORLD
 from carom.core.contact import LEAST, slip_velocity
+from carom.core.geometry.curve import curve_wall
 from carom.core.jit.compile import array_of, njit, signature
 from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel, prange
 from carom.laws.callbacks import register_calls
@@ -25,7 +26,7 @@ __all__ = ["compiled_tangent_loop", "follow_tangents", "follow_tangents_many", "
 
 
 @hot_kernel
-def curvature_at(world: Any, pieces: Any, i: int, x: Vec) -> float:
+def curvature_at(world: Any, pieces: Any, panels: Any, i: int, x: Vec) -> float:
     """Return the curvature k of the centre's curve: the normal turns by -k times the displacement along the wall."""
     found: float = 1.0 / pieces[i].r
     if i < world.windows:
@@ -34,6 +35,10 @@ def curvature_at(world: Any, pieces: Any, i: int, x: Vec) -> float:
         found = -found
     elif world.outside <= i < world.ellipses:
         found = 1.0 / arc_wall(pieces[i], world.inset, x[0], x[1])[1]
+    elif world.ellipses <= i < world.curves:
+        p = pieces[i]
+        kappa = curve_wall(panels, int(p.c), int(p.r), world.inset, p.n[0], p.n[1], x[0], x[1])[2]
+        found = kappa / (1.0 - world.inset * kappa)
     return found
 
 
@@ -116,7 +121,17 @@ def tangent_step(
 
 
 def follow_tangents(
-    world: Any, pieces: Any, x: Vec, v: Vec, w: Vec, bounces: int, vectors: Any, sums: Any, every: int, last: Any
+    world: Any,
+    pieces: Any,
+    panels: Any,
+    x: Vec,
+    v: Vec,
+    w: Vec,
+    bounces: int,
+    vectors: Any,
+    sums: Any,
+    every: int,
+    last: Any,
 ) -> tuple[int, int, int]:
     """Follow a ball from just after a bounce, and its displacements; return why it ended, the bounces made, the last piece.
 
@@ -134,7 +149,7 @@ def follow_tangents(
         i = -1
         u = v
         while True:
-            dt, i = next_hit(world, pieces, x, u)
+            dt, i = next_hit(world, pieces, panels, x, u)
             if i < 0 or not dt < math.inf:
                 ended = ESCAPED
                 break
@@ -146,15 +161,15 @@ def follow_tangents(
             x = (x[0] + p.r * p.n[0], x[1] + p.r * p.n[1], x[2])
         if ended != DONE:
             break
-        if (i < world.faces or world.arc_corners != 0) and world.corners and at_corner(world, pieces, i, x):
+        if (i < world.faces or world.arc_corners != 0) and world.corners and at_corner(world, pieces, panels, i, x):
             ended = CORNER
             break
-        n = wall_normal(world, pieces, i, x)
-        b = curvature_at(world, pieces, i, x)
+        n = wall_normal(world, pieces, panels, i, x)
+        b = curvature_at(world, pieces, panels, i, x)
         for m in range(len(vectors)):
             q = vectors[m]
             dx, dv, dw = tangent_step(
-                world, n, b, i >= world.ellipses, flight, u, w,
+                world, n, b, i >= world.curves, flight, u, w,
                 (q[0], q[1], q[2]), (q[3], q[4], q[5]), (q[6], q[7], q[8]),
             )  # fmt: skip
             for j in range(3):
@@ -200,7 +215,16 @@ _follow_tangents: Any = follow_tangents
 
 
 def follow_tangents_many(
-    worlds: Any, pieces: Any, starts: Any, bounces: int, vectors: Any, sums: Any, every: int, last: Any, ends: Any
+    worlds: Any,
+    pieces: Any,
+    panels: Any,
+    starts: Any,
+    bounces: int,
+    vectors: Any,
+    sums: Any,
+    every: int,
+    last: Any,
+    ends: Any,
 ) -> None:
     """Apply :func:`follow_tangents` to every row of ``starts`` (N, 9), ``vectors`` (N, K, 9), ``sums`` (N, K) that goes on."""
     for m in prange(len(starts)):
@@ -208,7 +232,7 @@ def follow_tangents_many(
             continue
         s = starts[m]
         ended, count, met = _follow_tangents(
-            worlds[0], pieces, (s[0], s[1], s[2]), (s[3], s[4], s[5]), (s[6], s[7], s[8]), bounces,
+            worlds[0], pieces, panels, (s[0], s[1], s[2]), (s[3], s[4], s[5]), (s[6], s[7], s[8]), bounces,
             vectors[m], sums[m], every, last[m],
         )  # fmt: skip
         ends[m].reason, ends[m].bounces, ends[m].piece = ended, count, met
@@ -220,7 +244,9 @@ def compiled_tangent_loop() -> Any:
     global _follow_tangents  # noqa: PLW0603
     needs = (register_calls,)
     pieces, row, table, vec = array_of(PIECES), array_of(float), array_of(float, 2), (float, float, float)
-    one = signature((int, int, int), WORLD, pieces, vec, vec, vec, int, table, row, int, row)
+    one = signature((int, int, int), WORLD, pieces, table, vec, vec, vec, int, table, row, int, row)
     _follow_tangents = njit(follow_tangents, one, needs, _nrt=False)
-    many = signature(None, array_of(WORLD), pieces, table, int, array_of(float, 3), table, int, table, array_of(ENDING))
+    many = signature(
+        None, array_of(WORLD), pieces, table, table, int, array_of(float, 3), table, int, table, array_of(ENDING)
+    )
     return njit(follow_tangents_many, many, needs, parallel=True)
