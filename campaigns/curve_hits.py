@@ -19,8 +19,7 @@ from reference.curves import CURVES, depth, first_crossings, on_parallel
 
 import carom
 from carom import billiards
-from carom.billiards.curved_tables import table_of_outline
-from carom.scene.figures import Piece
+from carom.scene.figures import OutlineFigure, Piece
 
 NEAR = 1e-12  # m: a hit lies at the ball's distance from the curve to this
 EARLIER = 1e-4  # s: a crossing that is earlier by less is not told apart
@@ -50,7 +49,7 @@ class Given(Piece):
 def table(name: str) -> tuple[billiards.Table, carom.Disc]:
     """Return the table of a curve, and its ball."""
     curve, a = CURVES[name]
-    made = table_of_outline(name, [[Given(curve)]], {}, "surface" if a else "centre")
+    made = billiards.table(OutlineFigure(loops=[[Given(curve)]]), bounds="surface" if a else "centre")
     return made, carom.Disc(a or 1.0, 1.0)
 
 

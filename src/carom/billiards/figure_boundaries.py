@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable
 from typing import Any
@@ -11,6 +12,8 @@ from numpy.typing import NDArray
 
 from carom.billiards.boundary import Boundary, Face, InsetEllipse, Obstacle, ObstacleImage, RoundWall, face
 from carom.billiards.checks import require_room
+from carom.billiards.curved_region import curved_region
+from carom.billiards.curved_wall import CurvedWall
 from carom.errors import CaromError, Fault
 from carom.scene.figures import CellFigure, Figure, PlaneFigure
 from carom.scene.figures.figure import Loop
@@ -43,8 +46,10 @@ def boundary_of(figure: Figure, inset: float, name: str = "") -> Boundary:
 
 
 def _outline(name: str, figure: PlaneFigure, inset: float) -> Boundary:
-    """Return the boundary of a figure by the pieces of its outline; loops in it are whole circles."""
+    """Return the boundary of a figure by the pieces of its outline."""
     outside, *inner = figure.outline()
+    if not (_has_closed_form(outside) and all(_is_circle(loop, -1.0) for loop in inner)):
+        return _curved(name, figure, inset)
     first = outside[0]
     if len(outside) == 1 and isinstance(first, EllipsePiece):
         p, q = first.half_axes
@@ -56,11 +61,48 @@ def _outline(name: str, figure: PlaneFigure, inset: float) -> Boundary:
     else:
         found = _chain(name, outside, inset)
     for loop in inner:
-        one = loop[0]
-        if len(loop) > 1 or not isinstance(one, ArcPiece) or abs(one.to_angle_deg - one.from_angle_deg) != 360.0:
-            raise CaromError(Fault(name, "outline", "obstacles that are circles", f"a loop of {len(loop)} pieces"))
-        found.outside.append(Obstacle(*one.center, one.radius + inset, 0.0, math.tau))
+        one: Any = loop[0]
+        found.outside.append(Obstacle(one.center[0], one.center[1], one.radius + inset, 0.0, math.tau))
     return found
+
+
+def _is_circle(loop: Loop, way: float) -> bool:
+    """Return whether a loop is a whole circle, counterclockwise for a way of 1."""
+    one = loop[0]
+    return len(loop) == 1 and isinstance(one, ArcPiece) and one.to_angle_deg - one.from_angle_deg == 360.0 * way
+
+
+def _has_closed_form(loop: Loop) -> bool:
+    """Return whether a loop is a circle, an ellipse, or segments that half circles may continue without a corner."""
+    first = loop[0]
+    if len(loop) == 1:
+        return _is_circle(loop, 1.0) or (isinstance(first, EllipsePiece) and first.is_whole)
+    if all(isinstance(piece, SegmentPiece) for piece in loop):
+        return True
+    halves = [isinstance(piece, ArcPiece) and (piece.from_angle_deg, piece.to_angle_deg) in HALVES for piece in loop]
+    if not all(half or isinstance(piece, SegmentPiece) for half, piece in zip(halves, loop, strict=True)):
+        return False
+    _lengths, begins, t = _directions(loop)
+    after = np.roll(begins, -1, axis=0)
+    smooth = np.abs(t[:, 0] * after[:, 1] - t[:, 1] * after[:, 0]) <= SMOOTH
+    return all(smooth[k - 1] and smooth[k] for k, half in enumerate(halves) if half)
+
+
+@functools.lru_cache(maxsize=64)
+def _wall_of(name: str, figure: PlaneFigure) -> CurvedWall:
+    """Return the wall of a figure, cut into panels once for all balls."""
+    return CurvedWall(name, tuple(tuple(loop) for loop in figure.outline()))
+
+
+def _curved(name: str, figure: PlaneFigure, inset: float) -> Boundary:
+    """Return the boundary of a figure whose wall has a smooth curve."""
+    wall = _wall_of(name, figure)
+    region = curved_region(wall, inset)
+    outside = [Obstacle(x, y, inset, first, span) for x, y, first, span in region.reflex]
+    # (circles come before arcs among the pieces)
+    arcs, circles = len(region.arcs), len(outside)
+    order = None if region.order is None else [k + circles if k < arcs else k - arcs for k in region.order]
+    return Boundary(outside=outside, curve=region, order=order, size=wall.size)
 
 
 def _chain(name: str, loop: Loop, inset: float) -> Boundary:
@@ -78,17 +120,13 @@ def _chain(name: str, loop: Loop, inset: float) -> Boundary:
     for k, piece in enumerate(loop):
         before = k - 1
         if isinstance(piece, ArcPiece):
-            half = HALVES.get((piece.from_angle_deg, piece.to_angle_deg))
-            if half is None or not (smooth[before] and smooth[k]):
-                expected = "half circles to the left or the right that continue straight pieces, or a whole circle"
-                raise CaromError(Fault(name, "outline", expected, f"piece {k + 1}, {piece}"))
+            half = HALVES[piece.from_angle_deg, piece.to_angle_deg]
             require_room(name, piece.radius - inset, f"in the {name}", inset)
             order.append(("inside", len(arcs)))
             arcs.append(RoundWall(*piece.center, piece.radius - inset, half))
             continue
-        if not isinstance(piece, SegmentPiece):
-            raise CaromError(Fault(name, "outline", "segments and arcs", f"piece {k + 1}, {piece}"))
-        (tx, ty), (x, y) = t[k].tolist(), piece.start
+        side: Any = piece
+        (tx, ty), (x, y) = t[k].tolist(), side.start
         x0 = tx * x + ty * y
         begin, end = float(x0 + cut[before]), float(x0 + lengths[k] - cut[k])
         require_room(name, end - begin, f"to touch side {k + 1}", inset)
@@ -100,7 +138,7 @@ def _chain(name: str, loop: Loop, inset: float) -> Boundary:
         if reflex[k] and inset:
             span = math.acos(max(-1.0, min(1.0, float(cos[k]))))
             order.append(("outside", len(outside)))
-            outside.append(Obstacle(*piece.end, inset, math.atan2(tx, -ty), span))
+            outside.append(Obstacle(side.end[0], side.end[1], inset, math.atan2(tx, -ty), span))
     number = {"face": 0, "inside": len(faces), "outside": len(faces) + len(arcs)}
     found = Boundary(
         faces=faces, inside=arcs, outside=outside, order=[number[kind] + k for kind, k in order],

@@ -8,6 +8,7 @@ from __future__ import annotations
 from carom.scene.by_file import modules_of
 from carom.scene.figures.by_text import AnyFigure, figure
 from carom.scene.figures.figure import FIGURES, CellFigure, Figure, PlaneFigure
+from carom.scene.figures.outline import OutlineFigure
 from carom.scene.figures.pieces import ArcPiece, EllipsePiece, ParallelPiece, Piece, SegmentPiece
 
 __all__ = [
@@ -17,6 +18,7 @@ __all__ = [
     "CellFigure",
     "EllipsePiece",
     "Figure",
+    "OutlineFigure",
     "ParallelPiece",
     "Piece",
     "PlaneFigure",

@@ -205,6 +205,11 @@ class EllipsePiece(Piece):
     to_angle_deg: float = 360.0
     center: Flat = (0.0, 0.0)
 
+    @property
+    def is_whole(self) -> bool:
+        """Whether it is the whole ellipse, counterclockwise about the origin."""
+        return self.to_angle_deg - self.from_angle_deg == 360.0 and not any(self.center)
+
     def at(self, t: Any) -> tuple[Array, Array, Array]:
         """Return places and derivatives; t is the change of u, rad."""
         t, w = np.asarray(t, float), math.copysign(1.0, self.to_angle_deg - self.from_angle_deg)
