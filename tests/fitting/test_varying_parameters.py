@@ -10,8 +10,10 @@ import pytest
 
 import carom
 from carom.fitting.form_choice import choose_forms
+from carom.fitting.noise import Noise
 from carom.fitting.parameters import ALONG, INDEX
-from carom.fitting.varying import Noise, fit_varying, smooth_parameter, varying_model
+from carom.fitting.smooth import smooth_parameter
+from carom.fitting.varying import fit_varying
 from tests.reference.varying_bounces import RADIUS, bounce, drawn_table
 
 CONSTANT = {"e": lambda v: 0.7 + 0 * v, "mu": lambda s: 0.5 + 0 * s, "beta": lambda s: 0.3 + 0 * s}
@@ -139,8 +141,6 @@ def test_constants_have_the_deviance_of_the_compiled_likelihood() -> None:
 
 @pytest.mark.parametrize("errors", ["student", "two-sided"])
 def test_densities_of_errors_have_the_integral_one(errors: str) -> None:
-    base = fitted(drawn_table(20, 4, **CONSTANT, bars=False))
-    model = varying_model(base, (), Noise(errors))
     r = np.linspace(-60, 60, 400_001)
-    rho = model.rho(r * r, r, np.ones(len(r), int), np.array([0.7]))[0]
+    rho = Noise(errors).rho(r * r, r, np.ones(len(r), int), np.array([0.7]))[0]
     assert np.trapezoid(np.exp(-rho / 2) / math.sqrt(2 * math.pi), r) == pytest.approx(1.0, abs=0.02)

@@ -1,7 +1,7 @@
 """Which parameters of a law depend on the impact, and how errors scatter: chosen by the score of rows that were held out.
 
 From constants on, one parameter after the other takes the form, or the spline, that predicts held-out rows best, as long as that
-gains more than its own standard error over the rows; then the scatter may grow with the speed, and errors have heavy tails.
+gains more than twice its standard error over the rows; then the scatter may grow with the speed, and errors have heavy tails.
 """
 
 from __future__ import annotations
@@ -15,19 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.fit import fit_law
+from carom.fitting.noise import ERRORS, NORMAL, Noise
 from carom.fitting.parameters import FORMS, PLACES
 from carom.fitting.predictive import Prediction, held_out_score, impacts, predictive_of
 from carom.fitting.result import Fit
-from carom.fitting.varying import (
-    ERRORS,
-    Noise,
-    Smooth,
-    VaryingFit,
-    VaryingModel,
-    fit_varying,
-    smooth_parameter,
-    varying_model,
-)  # fmt: skip
+from carom.fitting.smooth import Smooth, smooth_parameter
+from carom.fitting.varying import VaryingFit, VaryingModel, fit_varying, varying_model
 from carom.formatting import json_value
 from carom.public.progress import Progress
 
@@ -43,7 +36,7 @@ SPLINES = {
     "tangential_restitution": "slip/v_n",
     "stiffness_ratio": "slip/v_n",
 }
-MOST_AICC = 2.0
+MOST_AICC, ERRORS_OF_GAIN = 2.0, 2.0
 LEAST_GAIN = 1.0  # of the log score of all rows
 
 
@@ -72,8 +65,11 @@ class TriedForm:
 
     @property
     def better(self) -> bool:
-        """Whether the gain is larger than its error, and than 1 for all rows, and AICc does not rise by more than 2."""
-        return self.gain > max(self.gain_error, LEAST_GAIN / len(self.rows)) and self.aicc_change < MOST_AICC
+        """Whether the gain is larger than twice its error, and than 1 for all rows, and AICc does not rise by more than 2."""
+        return (
+            self.gain > max(ERRORS_OF_GAIN * self.gain_error, LEAST_GAIN / len(self.rows))
+            and self.aicc_change < MOST_AICC
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -155,7 +151,7 @@ def choose_forms(
     if len(problem.x) > MOST_ROWS:
         some = problem.select(np.linspace(0, len(problem.x) - 1, MOST_ROWS).astype(int))
         fit = fit_law(fit.law, some)
-    tried = [_tried("constants", fit, (), Noise(), None)]
+    tried = [_tried("constants", fit, (), NORMAL, None)]
     chosen, varied = [0], set[str]()
     names = [name for name in SPLINES if name in fit.law.free and (parameters is None or name in parameters)]
     while True:

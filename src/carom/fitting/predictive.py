@@ -7,6 +7,7 @@ Student's t with n - k degrees of freedom for each output.
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -19,12 +20,14 @@ from carom.bodies import State
 from carom.data.rebounds import COLUMNS, Rebounds
 from carom.errors import CaromError
 from carom.fitting.data import Problem
-from carom.fitting.varying import Noise, VaryingFit, VaryingModel, varying_model
+from carom.fitting.noise import Noise
+from carom.fitting.varying import VaryingFit, VaryingModel, varying_model
 
 __all__ = ["Prediction", "Predictive", "held_out_score", "predictive_of"]
 
 Array = NDArray[np.float64]
 FOLDS = 5
+HALVINGS, MOST_RISE = 8, 3.0  # of a step; of the deviance at its end
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,6 +83,25 @@ class Predictive:
     covariance: Array
     """(m, m) of the numbers of law and splines."""
     dof: float
+    weights: Array | None = None
+    """(N,) of the fitted rows; None: their likelihood is not asked."""
+
+    @functools.cached_property
+    def sides(self) -> Array:
+        """The numbers (B, k) one standard deviation to both sides along each axis of their covariance; nearer where there the rows
+        are far less likely than that, beyond a kink."""
+        found, m = [], len(self.covariance)
+        strength, axes = np.linalg.eigh(self.covariance)
+        here = 0.0 if self.weights is None else self.model.evaluate(self.q, self.weights, False)[0]
+        for step in (np.sqrt(np.maximum(strength, 0.0)) * axes).T:
+            for side in (step, -step):
+                moved = self.q.copy()
+                for part in 0.5 ** np.arange(HALVINGS):
+                    moved[:m] = np.clip(self.q[:m] + part * side, *(end[:m] for end in self.model.bounds))
+                    if self.weights is None or self.model.evaluate(moved, self.weights, False)[0] - here < MOST_RISE:
+                        break
+                found.append(moved)
+        return np.array(found).reshape(-1, len(self.q))
 
     @property
     def nu(self) -> float:
@@ -99,16 +121,8 @@ class Predictive:
         """Return the prediction for impacts x (N, 3), with error bars (N, 3, 3), if given, of their measurement."""
         here, s = self.model.predict(self.q, x), self.enlarged * self.model.scatter(self.q, x).sum(axis=0)
         spread = np.einsum("ni,ij->nij", s, np.eye(3))
-        # the numbers one standard deviation to both sides along each axis of their covariance: a slope does not see kinks
-        strength, axes = np.linalg.eigh(self.covariance)
-        for step in (np.sqrt(np.maximum(strength, 0.0)) * axes).T:
-            for side in (step, -step):
-                moved = self.q.copy()
-                moved[: len(side)] = np.clip(
-                    moved[: len(side)] + side, *(end[: len(side)] for end in self.model.bounds)
-                )
-                off = self.model.predict(moved, x) - here
-                spread += off[:, :, None] * off[:, None, :] / 2
+        off = self.model.predict_many(self.sides, x) - here if len(self.sides) else np.zeros((0, *here.shape))
+        spread += np.einsum("bni,bnj->nij", off, off) / 2  # (a slope does not see kinks)
         spread = spread if errors is None else spread + errors
         return Prediction(here, spread, self.nu, self.model.noise.errors)
 
@@ -131,14 +145,15 @@ class Predictive:
         shape = np.array([math.log(one.nu)]) if one.nu else self.q[self.model.parts["shape"]]
         kind = Noise("student") if one.nu else self.model.noise
         r = np.nan_to_num(problem.y - one.mean)
-        rho = replace(self.model, noise=kind).rho(c, r[:, 0], np.maximum(d, 1), shape)[0]
+        rho = kind.rho(c, r[:, 0], np.maximum(d, 1), shape)[0]
         return np.where(d > 0, -0.5 * (logs + rho + d * math.log(2 * math.pi)) - seen[:, 2] * math.log(a), 0.0)
 
 
-def predictive_of(fit: Any) -> Predictive:
+def predictive_of(fit: Any, weights: Array | None = None) -> Predictive:
     """Return what a fit (:class:`carom.fitting.Fit`, or a :class:`VaryingFit`) predicts with: numbers, covariance, scatter."""
     if isinstance(fit, VaryingFit):
-        return Predictive(fit.model, fit.q, fit.covariance, fit.dof)
+        weights = np.ones(len(fit.model.problem.x)) if weights is None else weights
+        return Predictive(fit.model, fit.q, fit.covariance, fit.dof, weights)
     problem = fit.problem
     marginal = problem.spins is not None
     if (
@@ -171,7 +186,9 @@ def held_out_score(fit: VaryingFit, folds: int = FOLDS) -> tuple[float, Array]:
         out = fold == one
         seen = float(np.isfinite(model.problem.y[~out]).sum())
         part = VaryingFit(model, q[one], float(value[one]), information[one])
-        scores[out] = replace(predictive_of(part), dof=max(seen - part.k, 1.0)).log_density(model.problem.select(out))
+        scores[out] = replace(predictive_of(part, weights[one]), dof=max(seen - part.k, 1.0)).log_density(
+            model.problem.select(out)
+        )
     return float(scores.mean()), scores
 
 

@@ -13,7 +13,7 @@ from carom.errors import CaromError, Fault
 from carom.fitting.kernels import LEAST_STIFFNESS, of_impact
 from carom.fitting.model import model_of
 from carom.fitting.parameters import ALONG_FORMS, INDEX, PLACES, RESTITUTION_FORMS
-from carom.fitting.varying import parameter_at
+from carom.fitting.smooth import parameter_at
 from carom.laws.law import CALLED_WALL, Card, Law
 from carom.laws.registry import law_named
 from carom.scene import Floor, Plane, Run, Scene, SceneBall, Table

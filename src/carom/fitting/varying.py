@@ -19,22 +19,20 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.fitting.data import Problem
-from carom.fitting.kernels import of_impact, speed_restitution
 from carom.fitting.laws import FittedLaw
 from carom.fitting.likelihood import predictions
 from carom.fitting.model import FitModel, model_of
+from carom.fitting.noise import NORMAL, Noise
 from carom.fitting.optimizer import minimize
-from carom.fitting.parameters import ALONG_FORMS, PARAMETERS, PLACES, RESTITUTION_FORMS
+from carom.fitting.parameters import PARAMETERS, PLACES
+from carom.fitting.smooth import Smooth, impact_variable, parameter_at, spline_basis
 
-__all__ = ["ERRORS", "Noise", "VaryingFit", "VaryingModel", "fit_varying", "impact_variable", "spline_basis"]
+__all__ = ["VaryingFit", "VaryingModel", "fit_varying", "varying_model"]
 
 Array = NDArray[np.float64]
-ERRORS = ("normal", "student", "two-sided")
 STEP = 1e-4  # of a number: of numerical derivatives
-SPLINES, ROWS_PER_SPLINE, DEGREE = 8, 6, 3
 STEPS, TOLERANCE = 60, 1e-6
 STUDENT = (math.log(2.0), math.log(200.0))  # bounds of log nu
-LEAST_C = 1e-6  # of c where the two-sided exponential has its peak
 
 
 class FittedLawNumbers(Protocol):
@@ -53,79 +51,6 @@ class FittedLawNumbers(Protocol):
         """All numbers of the law."""
 
 
-@dataclass(frozen=True)
-class Noise:
-    """The distribution of errors and scatter.
-
-    Examples
-    --------
-    >>> Noise("student", grows=True).shapes
-    1
-    """
-
-    errors: str = "normal"
-    """One of ERRORS. "two-sided": exponential on both sides, with sizes of v_n's that may differ."""
-    grows: bool = False
-    """Whether the scatter grows with a fitted power of the speed."""
-
-    @property
-    def shapes(self) -> int:
-        """Number of fitted numbers of the distribution's shape."""
-        return int(self.errors != "normal")
-
-
-def impact_variable(name: str, x: Array, radius: float) -> Array:
-    """Return v_n, slip, slip/v_n or speed (N,) of rebounds x (N, 3)."""
-    slip = np.abs(x[:, 1] - radius * x[:, 2])
-    found = {"v_n": x[:, 0], "slip": slip, "slip/v_n": slip / x[:, 0], "speed": np.hypot(x[:, 0], x[:, 1])}
-    return np.asarray(found[name])
-
-
-def parameter_at(parameter: str, model: FitModel, numbers: Array, x: Array) -> Array:
-    """Return restitution, friction, tangential restitution or stiffness ratio (N,) at impacts x, by their forms."""
-    p, a, along = (
-        [float(numbers[i]) for i in PLACES[parameter]],
-        model.problem.setting.radius,
-        model.form // RESTITUTION_FORMS,
-    )
-    triple = (p[0], p[1], p[2])
-    if parameter == "restitution":
-        return np.array([speed_restitution(model.form % RESTITUTION_FORMS, triple, v) for v in x[:, 0].tolist()])
-    code = along % ALONG_FORMS if parameter == "friction" else along // ALONG_FORMS
-    balls = [((-v, u, 0.0), (0.0, 0.0, w)) for v, u, w in x.tolist()]
-    return np.array([of_impact(code, triple, v, w, (1.0, 0.0, 0.0), a) for v, w in balls])
-
-
-def spline_basis(s: Array, ends: tuple[float, float], count: int) -> Array:
-    """Return B-splines (N, count) at s, which is held within its ends."""
-    from scipy.interpolate import BSpline
-
-    inner = np.linspace(*ends, count - DEGREE + 1)
-    width = inner[1] - inner[0]
-    knots = np.concatenate(
-        [inner[0] - width * np.arange(DEGREE, 0, -1), inner, inner[-1] + width * np.arange(1, DEGREE + 1)]
-    )
-    return np.asarray(BSpline.design_matrix(np.clip(s, *ends), knots, DEGREE).toarray())
-
-
-@dataclass(frozen=True)
-class Smooth:
-    """One parameter as a spline of one variable: its place in the record, the ends and number of splines, the penalty."""
-
-    parameter: str
-    variable: str
-    ends: tuple[float, float]
-    count: int
-    width: float
-    """Of the second differences of the coefficients, under the penalty."""
-
-    @property
-    def penalty(self) -> Array:
-        """The precision (K, K) of the coefficients."""
-        differences = np.diff(np.eye(self.count), 2, axis=0)
-        return np.asarray(differences.T @ differences / self.width**2)
-
-
 @dataclass(frozen=True, eq=False)
 class VaryingModel:
     """Rows, a law, smooth parameters and noise. Fitted are q: numbers of the law and splines, log scatter, its power, the shape."""
@@ -134,7 +59,7 @@ class VaryingModel:
     numbers: Array
     """(NUMBERS,) where the law's fitted numbers begin, and the values of the others."""
     smooth: tuple[Smooth, ...] = ()
-    noise: Noise = Noise()
+    noise: Noise = NORMAL
 
     @property
     def problem(self) -> Problem:
@@ -234,7 +159,7 @@ class VaryingModel:
 
     def predict(self, q: Array, x: Array | None = None) -> Array:
         """Return the law's prediction (N, 3)."""
-        return self.predict_many(q[None], self.problem.x if x is None else x)[0]
+        return np.asarray(self.predict_many(q[None], self.problem.x if x is None else x)[0])
 
     def predict_many(self, q: Array, x: Array) -> Array:
         """Return the predictions (B, N, 3) with each of q (B, k)."""
@@ -299,26 +224,6 @@ class VaryingModel:
         pair = seen[:, :, None] & seen[:, None, :]
         return np.where(pair, s, np.eye(3)), np.where(pair, plain, np.eye(3))
 
-    def rho(self, c: Array, first: Array, d: Array, shape: Array) -> tuple[Array, Array]:
-        """Return the deviance (N,) of d numbers beside log det S, and its slope in c = r' S^-1 r; ``first``: v_n's residual."""
-        if self.noise.errors == "normal":
-            return c, np.ones(len(c))
-        if self.noise.errors == "student":
-            nu = math.exp(float(shape[0]))
-            lgamma = np.vectorize(math.lgamma)
-            constant = -2 * (lgamma((nu + d) / 2) - math.lgamma(nu / 2)) + d * math.log(nu / 2)
-            return (nu + d) * np.log1p(c / nu) + constant, (nu + d) / (nu + c)
-        # a multivariate exponential, exp(-sqrt((d + 1) c)); on the two sides of v_n = 0 its sizes are exp(+-a)
-        a = float(shape[0])
-        side = np.exp(-2 * a * np.sign(first))
-        lgamma = np.vectorize(math.lgamma)
-        constant = 2 * (lgamma(d + 1.0) + (1 + d) * math.log(2) - np.log(d) - lgamma(d / 2.0)) - d * np.log(
-            4.0 * (d + 1)
-        )
-        constant = constant - d * math.log(2) + 2 * np.log(np.cosh(a * d))
-        root = np.sqrt((d + 1) * np.maximum(c * side, LEAST_C))
-        return 2 * root + constant, (d + 1) * side / root
-
     def look(self, q: Array, rows: slice | Array = slice(None)) -> tuple[Array, dict[str, Any]]:
         """Return the deviance (N,) of rows, relative to S without scatter, and what its derivatives need."""
         s, plain = self.covariance(q, rows)
@@ -331,13 +236,13 @@ class VaryingModel:
         c, d = (r * qr).sum(axis=1), seen.sum(axis=1)
         some = d > 0
         shape = q[self.parts["shape"]]
-        rho, weight = self.rho(c, r[:, 0], np.maximum(d, 1), shape)
+        rho, weight = self.noise.rho(c, r[:, 0], np.maximum(d, 1), shape)
         value = np.where(some, np.linalg.slogdet(s)[1] - np.linalg.slogdet(plain)[1] + rho, 0.0)
         moved = np.zeros((len(y), len(shape)))
         for i in range(len(shape)):
             up = shape.copy()
             up[i] += STEP
-            moved[:, i] = np.where(some, (self.rho(c, r[:, 0], np.maximum(d, 1), up)[0] - rho) / STEP, 0.0)
+            moved[:, i] = np.where(some, (self.noise.rho(c, r[:, 0], np.maximum(d, 1), up)[0] - rho) / STEP, 0.0)
         bad = ~np.isfinite(value)
         value[bad], qr[bad] = 1e8, 0.0
         return value, {"q": inverse, "qr": qr, "weight": weight, "shape": moved, "plain": plain}
@@ -425,7 +330,7 @@ class VaryingFit:
         return np.asarray(np.linalg.pinv(self.information[:m, :m] + np.diag(weak), hermitian=True, rcond=1e-10))
 
 
-def varying_model(fit: FittedLawNumbers, smooth: tuple[Smooth, ...] = (), noise: Noise = Noise()) -> VaryingModel:
+def varying_model(fit: FittedLawNumbers, smooth: tuple[Smooth, ...] = (), noise: Noise = NORMAL) -> VaryingModel:
     """Return a model that begins at a fit to the same rows."""
     problem = fit.problem
     if problem.spins is not None:
@@ -436,15 +341,8 @@ def varying_model(fit: FittedLawNumbers, smooth: tuple[Smooth, ...] = (), noise:
     return VaryingModel(base, fit.numbers[: len(PARAMETERS)].copy(), smooth, noise)
 
 
-def smooth_parameter(fit: FittedLawNumbers, parameter: str, variable: str, width: float) -> Smooth:
-    """Return a spline of one parameter, with ends and number as the rows allow."""
-    s = impact_variable(variable, fit.problem.x, fit.problem.setting.radius)
-    count = int(np.clip(len(s) // ROWS_PER_SPLINE, DEGREE + 1, SPLINES))
-    return Smooth(parameter, variable, (float(s.min()), float(s.max())), count, width)
-
-
 def fit_varying(
-    fit: FittedLawNumbers, smooth: tuple[Smooth, ...] = (), noise: Noise = Noise(), start: Array | None = None
+    fit: FittedLawNumbers, smooth: tuple[Smooth, ...] = (), noise: Noise = NORMAL, start: Array | None = None
 ) -> VaryingFit:
     """Fit smooth parameters and noise on top of a law that was fitted to the same rows.
 
