@@ -131,6 +131,9 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
         found[0],
         across := billiards.refine_orbit(billiards.sinai(0.33), ((0.5, 0.0), (1.0, 0.0), 0.0), 2),
         billiards.continue_orbit(across, sinai_of_radius, 0.33, 0.34),
+        billiards.manifold(
+            billiards.periodic_orbits(billiards.ellipse(1.25), 2, law="mirror", starts=30)[-1], length=0.1
+        ),
         billiards.rotation_number(billiards.orbit(billiards.circle(), ((0.2, 0.1), (0.8, 0.3), 0.5), 60)),
     ],
     "impacts": lambda: [

@@ -19,6 +19,8 @@ from .golf import OUTCOMES as OUTCOMES
 from .golf import Putts as Putts
 from .golf import putt as putt
 from .golf import putts as putts
+from .manifolds import Manifold as Manifold
+from .manifolds import manifold as manifold
 from .open_tables import Escape as Escape
 from .open_tables import escape as escape
 from .orbit_by_name import OrbitResult as OrbitResult

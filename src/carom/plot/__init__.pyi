@@ -12,6 +12,7 @@ from .paper import figures as figures
 from .paper import incidence_and_reflection as incidence_and_reflection
 from .paper import setting as setting
 from .periodic_orbits import plot_branch as plot_branch
+from .periodic_orbits import plot_manifolds as plot_manifolds
 from .periodic_orbits import plot_periodic as plot_periodic
 from .portrait import plot_boundary as plot_boundary
 from .portrait import plot_portrait as plot_portrait

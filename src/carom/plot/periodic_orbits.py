@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from carom.billiards.continuation import OrbitBranch
+from carom.billiards.manifolds import Manifold
 from carom.billiards.periodic import PeriodicOrbit
 from carom.errors import CaromError
 from carom.plot.billiards import draw_table, flights_in_cell, table_extent
@@ -15,9 +16,10 @@ from carom.plot.style import GREY, INK, new_figure, style
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["plot_branch", "plot_periodic"]
+__all__ = ["plot_branch", "plot_manifolds", "plot_periodic"]
 
 COLOURS = {"elliptic": "#0072B2", "parabolic": "#8a8a8a", "hyperbolic": "#D55E00"}
+MANIFOLDS = {"unstable": "#D55E00", "stable": "#0072B2"}
 MOST = 24  # orbits in one figure
 POINTS = 24  # of each flight, under a force
 
@@ -127,4 +129,40 @@ def plot_branch(branch: OrbitBranch, name: str = "parameter") -> Figure:
             )  # fmt: skip
         axes.set(xlabel=name, ylabel="trace of the pair of multipliers")
         axes.margins(x=0.02, y=0.12)
+    return figure
+
+
+def plot_manifolds(curves: Sequence[Manifold]) -> Figure:
+    """Draw manifolds as arc length against the velocity along the wall over the speed: orange unstable, blue stable.
+
+    Parameters
+    ----------
+    curves : several Manifold
+        Of one table, from `carom.billiards.manifold`.
+
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
+    Examples
+    --------
+    >>> from carom import billiards, plot
+    >>> axis = billiards.periodic_orbits(billiards.ellipse(1.25, 1.0), 2, law="mirror", starts=60)[-1]
+    >>> len(plot.plot_manifolds([billiards.manifold(axis, kind) for kind in ("unstable", "stable")]).axes)
+    1
+    """
+    if not curves:
+        raise CaromError("plot_manifolds: curves: expected at least one manifold, got none")
+    with style():
+        figure = new_figure(7.2, 4.4)
+        axes = figure.add_subplot()
+        for curve in curves:
+            colour = MANIFOLDS[curve.kind]
+            axes.plot(curve.arc, curve.phase[:, 1], ".", ms=1.6, color=colour, mew=0, rasterized=True)
+            axes.plot([], [], "-", color=colour, lw=2, label=curve.kind)
+        axes.set(xlabel="arc length (m)", ylabel="velocity along the wall", ylim=(-1.04, 1.04))
+        handles, labels = axes.get_legend_handles_labels()
+        once = dict(zip(labels, handles, strict=True))
+        axes.legend(once.values(), once.keys(), loc="upper center", bbox_to_anchor=(0.5, 1.13), ncols=2)
     return figure

@@ -136,17 +136,23 @@ def _meetings(p: Array, number: NDArray[np.int64], near: float) -> list[tuple[st
 
 
 def ellipse_depth(p: float, q: float, x: Array) -> Array:
-    """Distance (...) of points x (..., 2 or more) to the ellipse (p cos u, q sin u): positive inside, else negative."""
+    """Distance (...) of points x (..., 2 or more) to the ellipse (p cos u, q sin u): positive inside, else negative.
+
+    For arrays; :func:`carom.core.geometry.ellipse.oval_depth` has the equation.
+    """
     (p, u), (q, v) = sorted([(p, np.abs(x[..., 0])), (q, np.abs(x[..., 1]))], key=lambda pair: -pair[0])
-    # the nearest point is (p^2 u/(p^2 + m), q^2 v/(q^2 + m)), where (p u/(p^2 + m))^2 + (q v/(q^2 + m))^2 = 1 and m > -q^2
-    low, high = np.full(u.shape, -q * q), p * u + q * v
+    e = (p - q) * (p + q)
+    t = np.maximum(q * v, p * u - e)
     with np.errstate(divide="ignore", invalid="ignore"):
-        for _ in range(60):
-            m = (low + high) / 2
-            beyond = (p * u / (p * p + m)) ** 2 + (q * v / (q * q + m)) ** 2 > 1
-            low, high = np.where(beyond, m, low), np.where(beyond, high, m)
-        eu = np.minimum(p * p * u / (p * p + high), p) if p > q else p * u / np.maximum(np.hypot(u, v), 1e-300)
-    ev = q * np.sqrt(np.maximum(1 - (eu / p) ** 2, 0))
-    distance = np.hypot(eu - u, ev - v)
-    found: Array = np.where((u / p) ** 2 + (v / q) ** 2 < 1, distance, -distance)
+        for _ in range(100):
+            a, b = p * u / (t + e), q * v / t
+            step = 0.5 * (a * a + b * b - 1.0) / (a * a / (t + e) + b * b / t)
+            t = t + np.where(t > 0, step, 0.0)
+            if not (step > 1e-15 * t).any():
+                break
+        off_axis = (q * q - t) * np.hypot(u / (t + e), v / t)
+        # on the long axis, between the centres of curvature of its ends: two points are nearest
+        c = p * u / e if e > 0 else np.zeros_like(u)
+        on_axis = q * np.sqrt(np.maximum((1.0 - c) * (1.0 + c), 0.0) + (c * q / p) ** 2)
+    found: Array = np.where(t > 0, off_axis, on_axis)
     return found
