@@ -28,7 +28,7 @@ def gases(balls: int) -> dict[str, Gas]:
         "smooth": Gas([Species(ball, balls)], (side,) * 3, contacts=SMOOTH),
         "rough": Gas([Species(ball, balls)], (side,) * 3, contacts=ROUGH),
         "walls": Gas(mixed, (side,) * 3, periodic=False, contacts=ROUGH, gravity=(0, 0, -0.2)),
-        "sphere": Gas(mixed, container("sphere", (1.3 * side,) * 3), contacts=ROUGH),
+        "sphere": Gas(mixed, container("sphere", radius=0.65 * side), contacts=ROUGH),
     }
 
 

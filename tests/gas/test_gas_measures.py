@@ -112,7 +112,12 @@ def test_g_by_counting_all_pairs():
 def test_g_of_an_ideal_gas_within_walls_is_one(shape):
     # very small balls know nothing of each other, but the walls must not show
     side = 10.0
-    room = container(shape, (side,) * 3)
+    sizes = {
+        "box": {"size": (side,) * 3},
+        "sphere": {"radius": side / 2},
+        "cylinder": {"radius": side / 2, "height": side},
+    }
+    room = container(shape, **sizes[shape])
     gas = Gas([Species(Ball(0.15, 1.0, 0.4), 3000)], room, contacts=SMOOTH, seed=3)
     gas.run(60_000)
     measures = looked(gas, 20, 1.0, container=room)
@@ -125,7 +130,8 @@ def test_g_of_an_ideal_gas_within_walls_is_one(shape):
 @pytest.mark.parametrize("shape", ["box", "cylinder"])
 def test_g_under_gravity_between_side_walls_tends_to_one(shape):
     # centres reach only 9.4 of 10 across: the mean density over a whole slice is an eighth too low
-    room = container(shape, (10.0, 10.0, 30.0))
+    sizes = {"size": (10.0, 10.0, 30.0)} if shape == "box" else {"radius": 5.0, "height": 30.0}
+    room = container(shape, **sizes)
     gas = Gas([Species(Ball(0.3, 1.0), 1500)], room, contacts=SMOOTH, gravity=(0, 0, -0.05), seed=3)
     gas.run(30_000)
     measures = looked(gas, 40, 1.0, container=room)
@@ -318,7 +324,7 @@ def test_rates_of_collisions_by_species():
 
 
 def test_walls_count_for_themselves():
-    room = container("cylinder", (12.0, 12.0, 8.0))
+    room = container("cylinder", radius=6.0, height=8.0)
     gas = Gas([Species(SPHERE, 200)], room, contacts={("a", "a"): SMOOTH, ("a", "wall"): Surface(0.9, 0.2, 0)}, seed=1)
     mark = gas.mark()
     gas.advance(5000)

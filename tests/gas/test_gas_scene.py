@@ -101,7 +101,8 @@ def test_the_gases_of_the_docs_are_sound(path):
 
 def test_rooms_drives_and_a_thermostat(tmp_path):
     text = ROUGH.replace(
-        '"periodic"\nsize = [8.0, 7.5, 7.0]', '"cylinder"\nsize = [9, 9, 12]\nscatterers = [[4.5, 4.5, 6.0, 1.0]]'
+        '"periodic"\nsize = [8.0, 7.5, 7.0]',
+        '"cylinder"\nradius = 4.5\nheight = "1200 cm"\nobstacles = [[4.5, 4.5, 6.0, 1.0]]',
     )
     text = text.replace(
         "[run]",
@@ -248,14 +249,14 @@ WRONG = {
     ),
     "an egg": (
         ROUGH.replace('"periodic"', '"circle"'),
-        "container.size: expected the same width and depth for a circle, got (8.0, 7.5, 7.0); shape = 'ellipse' has two",
+        "container.size: expected the same lengths for a circle, got (8.0, 7.5, 7.0); shape = 'ellipse' has two",
     ),
     "a wedge too wide": (
         ROUGH.replace('"periodic"', '"wedge"').replace("[8.0, 7.5, 7.0]", "[8.0, 4.0, 7.0]"),
         "container.size: expected a wedge less than twice as wide as deep, got (8.0, 4.0, 7.0)",
     ),
     "sides that cross": (
-        ROUGH.replace('"periodic"', '"polygon"\npoints = [[0, 0], [8, 8], [8, 0], [0, 7]]'),
+        ROUGH.replace('"periodic"\nsize = [8.0, 7.5, 7.0]', '"polygon"\npoints = [[0, 0], [8, 8], [8, 0], [0, 7]]'),
         "container.points: expected sides that do not cross, got those from corner 1 to 2 and from corner 3 to 4, which meet at",
     ),
     "gravity": (
@@ -276,7 +277,8 @@ WRONG = {
 
 def test_a_ball_as_wide_as_an_ellipse(tmp_path):
     wall = '[[contacts]]\nbetween = ["a", "wall"]\nrestitution = 1\nfriction = 0\n[run]'
-    text = ROUGH.replace('"periodic"', '"ellipse"').replace("[8.0, 7.5, 7.0]", "[8.0, 1.0, 7.0]").replace("[run]", wall)
+    sizes = '"ellipse"\nhalf_axes = [4.0, 0.5]\nheight = 7.0'
+    text = ROUGH.replace('"periodic"\nsize = [8.0, 7.5, 7.0]', sizes).replace("[run]", wall)
     assert any(
         "radius: expected a radius below the ellipse's smaller half axis, 0.5, got 0.5" in line
         for line in faults(tmp_path, text)

@@ -12,13 +12,13 @@ from carom.gas.initial import dense
 
 SMOOTH = Surface(1, 0, -1)
 ROOMS = [
-    container("sphere", (12.0,) * 3),
-    container("cylinder", (10.0, 10.0, 12.0)),
-    container("circle", (30.0, 30.0)),
-    container("stadium", (30.0, 14.0)),
+    container("sphere", radius=6.0),
+    container("cylinder", radius=5.0, height=12.0),
+    container("circle", radius=15.0),
+    container("stadium", straight=16.0, radius=7.0),
     container("polygon", points=[(0, 0), (30, 0), (20, 25)]),
-    container("ellipse", (30.0, 18.0), bounds="centre"),
-    container("periodic", (10.0,) * 3, scatterers=[(5.0, 5.0, 5.0, 2.0)]),
+    container("ellipse", half_axes=(15.0, 9.0), bounds="centre"),
+    container("periodic", (10.0,) * 3, obstacles=[(5.0, 5.0, 5.0, 2.0)]),
 ]
 IDS = [room.shape for room in ROOMS]
 
@@ -104,7 +104,7 @@ def test_jammed_and_impossible():
 
 
 def test_a_gas_that_has_no_room_on_a_lattice_starts_from_a_packing():
-    room = container("circle", (14.0, 14.0))
+    room = container("circle", radius=7.0)
     gas = Gas([Species(Disc(0.5, 1.0, 0.5), 130)], room, contacts=SMOOTH)
     assert room.clearance(0.5, gas.balls().position).min() > -1e-12
     assert gas.run(2000).max_overlap < 1e-12

@@ -33,6 +33,11 @@ def outward(x, centre, axes):
     return r, np.sqrt((r * r).sum(axis=-1))
 
 
+def sector_angle(width, radius):
+    """Return the angle, degrees, of a sector that is so wide at its arc's ends."""
+    return math.degrees(2 * math.asin(width / 2 / radius))
+
+
 def inside(centre, radius, axes):
     def normal(x):
         r, size = outward(x, np.array(centre), axes)
@@ -158,20 +163,21 @@ COMB = [
 ]
 FLAT_ENDS = [plane(2, 0.0, 1.0), plane(2, 4.0, -1.0)]
 CASES = {
-    "circle": (container("circle", (7.0, 7.0)), [inside((3.5, 3.5, 0), 3.5, 2)], (0.0, 0.0), {}),
-    "circle with gravity": (container("circle", (7.0, 7.0)), [inside((3.5, 3.5, 0), 3.5, 2)], (0.5, -2.0), {}),
-    "sphere": (container("sphere", (5.6,) * 3), [inside((2.8,) * 3, 2.8, 3)], (0, 0, 0), {}),
-    "sphere with gravity": (container("sphere", (5.6,) * 3), [inside((2.8,) * 3, 2.8, 3)], (0.3, 0.2, -3.0), {}),
-    "cylinder": (container("cylinder", (5.0, 5.0, 4.0)), [inside((2.5, 2.5, 0), 2.5, 2), *FLAT_ENDS], (0, 0, -2.0), {}),
+    "circle": (container("circle", radius=3.5), [inside((3.5, 3.5, 0), 3.5, 2)], (0.0, 0.0), {}),
+    "circle with gravity": (container("circle", radius=3.5), [inside((3.5, 3.5, 0), 3.5, 2)], (0.5, -2.0), {}),
+    "sphere": (container("sphere", radius=2.8), [inside((2.8,) * 3, 2.8, 3)], (0, 0, 0), {}),
+    "sphere with gravity": (container("sphere", radius=2.8), [inside((2.8,) * 3, 2.8, 3)], (0.3, 0.2, -3.0), {}),
+    "cylinder": (container("cylinder", radius=2.5, height=4.0), [inside((2.5, 2.5, 0), 2.5, 2), *FLAT_ENDS], (0, 0, -2.0), {}),
     "cylinder, force across": (
-        container("cylinder", (5.0, 5.0, 4.0)), [inside((2.5, 2.5, 0), 2.5, 2), *FLAT_ENDS], (1.5, -1.0, -2.0), {},
+        container("cylinder", radius=2.5, height=4.0), [inside((2.5, 2.5, 0), 2.5, 2), *FLAT_ENDS], (1.5, -1.0, -2.0), {},
     ),
     "endless cylinder": (
-        container("cylinder", (5.0, 5.0, 4.0), periodic=(False, False, True)), [inside((2.5, 2.5, 0), 2.5, 2)], (0, 0, 0), {},
+        container("cylinder", radius=2.5, height=4.0, periodic=(False, False, True)),
+        [inside((2.5, 2.5, 0), 2.5, 2)], (0, 0, 0), {},
     ),
-    "stadium": (container("stadium", (8.0, 5.0)), [stadium(8.0, 5.0)], (0.0, 0.0), {}),
-    "stadium with gravity": (container("stadium", (8.0, 5.0)), [stadium(8.0, 5.0)], (-0.7, -2.0), {}),
-    "ellipse": (container("ellipse", (8.0, 5.0), bounds="centre"), [ellipse(4.0, 2.5)], (0.0, -1.0), {}),
+    "stadium": (container("stadium", straight=3.0, radius=2.5), [stadium(8.0, 5.0)], (0.0, 0.0), {}),
+    "stadium with gravity": (container("stadium", straight=3.0, radius=2.5), [stadium(8.0, 5.0)], (-0.7, -2.0), {}),
+    "ellipse": (container("ellipse", half_axes=(4.0, 2.5), bounds="centre"), [ellipse(4.0, 2.5)], (0.0, -1.0), {}),
     "polygon": (
         container("polygon", points=[(0, 0), (8, 0), (4, 7)]),
         [
@@ -185,21 +191,21 @@ CASES = {
     "elbow, the other way round, with gravity": (container("polygon", points=ELBOW[::-1]), [outline(*ELBOW)], (0.7, -2.0), {}),
     "comb with gravity": (container("polygon", points=COMB), [outline(*COMB)], (-0.4, -2.0), {}),
     "upright elbow": (
-        container("polygon", (4.0,), points=ELBOW), [outline(*ELBOW), *FLAT_ENDS], (1.0, -0.5, -2.0), {},
+        container("polygon", height=4.0, points=ELBOW), [outline(*ELBOW), *FLAT_ENDS], (1.0, -0.5, -2.0), {},
     ),
-    "wedge": (
-        container("wedge", (8.0, 7.0)),
+    "sector": (
+        container("sector", angle=sector_angle(8.0, 7.0), radius=7.0),
         [*(plane_through((4.0, 0.0), (way * math.sqrt(33), 4)) for way in (1, -1)), inside((4.0, 0, 0), 7.0, 2)],
         (0.3, -2.0), {},
     ),
-    "ellipse that bounds surfaces": (container("ellipse", (8.0, 5.0)), [full_ellipse(4.0, 2.5)], (0.0, 0.0), {}),
-    "the same with gravity, upright": (container("ellipse", (5.0, 8.0)), [full_ellipse(2.5, 4.0)], (0.4, -2.0), {}),
-    "one that is sharper than the balls": (container("ellipse", (13.0, 3.4)), [full_ellipse(6.5, 1.7)], (-1.5, -0.5), {}),
+    "ellipse that bounds surfaces": (container("ellipse", half_axes=(4.0, 2.5)), [full_ellipse(4.0, 2.5)], (0.0, 0.0), {}),
+    "the same with gravity, upright": (container("ellipse", half_axes=(2.5, 4.0)), [full_ellipse(2.5, 4.0)], (0.4, -2.0), {}),
+    "one that is sharper than the balls": (container("ellipse", half_axes=(6.5, 1.7)), [full_ellipse(6.5, 1.7)], (-1.5, -0.5), {}),
     "elliptic cylinder": (
-        container("ellipse", (6.0, 4.5, 4.0)), [full_ellipse(3.0, 2.25), *FLAT_ENDS], (0.5, 0.5, -2.0), {},
+        container("ellipse", half_axes=(3.0, 2.25), height=4.0), [full_ellipse(3.0, 2.25), *FLAT_ENDS], (0.5, 0.5, -2.0), {},
     ),
     "obstacles": (
-        container("periodic", (7.0, 7.0), scatterers=[(3.0, 3.5, 1.1), (6.8, 0.3, 0.7)]),
+        container("periodic", (7.0, 7.0), obstacles=[(3.0, 3.5, 1.1), (6.8, 0.3, 0.7)]),
         [
             outside((3.0, 3.5, 0), 1.1, 2),
             *(outside((6.8 + 7 * i, 0.3 + 7 * j, 0), 0.7, 2) for i in (-1, 0) for j in (0, 1)),
@@ -207,7 +213,7 @@ CASES = {
         (0.0, 0.0), {},
     ),
     "a ball fixed in a box": (
-        container("box", (5.0, 5.0, 4.0), scatterers=[(2.0, 2.5, 2.0, 0.8)]),
+        container("box", (5.0, 5.0, 4.0), obstacles=[(2.0, 2.5, 2.0, 0.8)]),
         [
             outside((2.0, 2.5, 2.0), 0.8, 3),
             *(plane(k, at, way) for k, d in enumerate((5.0, 5.0, 4.0)) for at, way in ((0, 1), (d, -1))),
@@ -219,7 +225,8 @@ CASES = {
         (0, 0, -4.0), {"bottom": Drive(0.15, 1.7, 0.3)},
     ),
     "a floor that shakes": (
-        container("cylinder", (5.0, 5.0, 5.0)), [inside((2.5, 2.5, 0), 2.5, 2), swinging(0.02, 23.0, 0.0), plane(2, 5.0, -1.0)],
+        container("cylinder", radius=2.5, height=5.0), [inside((2.5, 2.5, 0), 2.5, 2),
+        swinging(0.02, 23.0, 0.0), plane(2, 5.0, -1.0)],
         (0, 0, -4.0), {"bottom": Drive(0.02, 23.0)},
     ),
 }  # fmt: skip
@@ -261,11 +268,11 @@ def angular_momentum(gas):
 @pytest.mark.parametrize(
     ("room", "gravity", "axes"),
     [
-        (container("circle", (16.0, 16.0)), (0, 0), [2]),
-        (container("sphere", (9.0,) * 3), (0, 0, 0), [0, 1, 2]),
-        (container("sphere", (9.0,) * 3), (0, 0, -2.0), [2]),
-        (container("cylinder", (8.0, 8.0, 10.0)), (0, 0, -1.0), [2]),
-        (container("cylinder", (8.0, 8.0, 10.0), periodic=(False, False, True)), (0, 0, 0), [2]),
+        (container("circle", radius=8.0), (0, 0), [2]),
+        (container("sphere", radius=4.5), (0, 0, 0), [0, 1, 2]),
+        (container("sphere", radius=4.5), (0, 0, -2.0), [2]),
+        (container("cylinder", radius=4.0, height=10.0), (0, 0, -1.0), [2]),
+        (container("cylinder", radius=4.0, height=10.0, periodic=(False, False, True)), (0, 0, 0), [2]),
     ],
 )
 def test_energy_and_angular_momentum_are_kept(room, gravity, axes):
@@ -296,11 +303,11 @@ STAR = [
     [
         (container("polygon", points=STAR), (0.3, -1.0)),
         (container("polygon", points=STAR, bounds="centre"), (0.0, 0.0)),
-        (container("polygon", (5.0,), points=STAR), (0.2, -0.3, -1.0)),
-        (container("wedge", (12.0, 14.0)), (0.0, -1.0)),
-        (container("ellipse", (16.0, 10.0)), (0.0, -1.0)),
-        (container("ellipse", (30.0, 5.0)), (-0.5, 0.0)),  # sharper than the balls at its ends
-        (container("ellipse", (7.0, 10.0, 6.0), periodic=(False, False, True)), (0.2, -0.3, 0.0)),
+        (container("polygon", height=5.0, points=STAR), (0.2, -0.3, -1.0)),
+        (container("sector", angle=sector_angle(12.0, 14.0), radius=14.0), (0.0, -1.0)),
+        (container("ellipse", half_axes=(8.0, 5.0)), (0.0, -1.0)),
+        (container("ellipse", half_axes=(15.0, 2.5)), (-0.5, 0.0)),  # sharper than the balls at its ends
+        (container("ellipse", half_axes=(3.5, 5.0), height=6.0, periodic=(False, False, True)), (0.2, -0.3, 0.0)),
     ],
 )
 def test_no_ball_gets_out_and_none_loses_energy(room, pull):
@@ -319,7 +326,12 @@ def test_no_ball_gets_out_and_none_loses_energy(room, pull):
 
 
 @pytest.mark.parametrize(
-    "room", [container("polygon", points=STAR), container("wedge", (12.0, 14.0)), container("ellipse", (16.0, 10.0))]
+    "room",
+    [
+        container("polygon", points=STAR),
+        container("sector", angle=sector_angle(12.0, 14.0), radius=14.0),
+        container("ellipse", half_axes=(8.0, 5.0)),
+    ],
 )
 def test_the_pressure_of_an_ideal_gas(room):
     # discs so small that they hardly meet: N k T over the area, on every wall
@@ -340,7 +352,7 @@ def test_the_pressure_of_an_ideal_gas(room):
 )
 def test_how_far_a_disc_goes_along_the_long_axis_of_an_ellipse(size, half):
     gas = Gas(
-        [Species(Disc(0.5, 1.0, 0.5), 1)], container("ellipse", size), contacts=SMOOTH,
+        [Species(Disc(0.5, 1.0, 0.5), 1)], container("ellipse", half_axes=(size[0] / 2, size[1] / 2)), contacts=SMOOTH,
         position=[(size[0] / 2, size[1] / 2)], velocity=[(1.0, 0.0)],
     )  # fmt: skip
     gas.run(1)
@@ -363,7 +375,7 @@ def test_sides_of_a_polygon_are_named_as_its_corners_are_given():
 
 def test_the_pressure_on_a_round_wall():
     # so few that they hardly meet: n k T, with the room that the centres have
-    gas = Gas([Species(Ball(0.05, 1.0, 0.4), 300)], container("sphere", (20.0,) * 3), contacts=SMOOTH, seed=2)
+    gas = Gas([Species(Ball(0.05, 1.0, 0.4), 300)], container("sphere", radius=10.0), contacts=SMOOTH, seed=2)
     gas.run(20_000)
     run = gas.run(100_000)
     kinetic = 300 / (4 / 3 * math.pi * 9.95**3) * run.temperature_translational
@@ -374,7 +386,7 @@ def test_walls_that_conserve_keep_the_barometer():
     # the isothermal atmosphere in a cylinder: density ~ exp(-m g z / T), of the centres from their lowest place on
     gas = Gas(
         [Species(Ball(0.1, 1.0, 0.4), 400)],
-        container("cylinder", (8.0, 8.0, 30.0)),
+        container("cylinder", radius=4.0, height=30.0),
         contacts=ROUGH,
         gravity=(0, 0, -0.5),
     )
@@ -407,7 +419,7 @@ def test_swinging_floor_feeds_the_gas_as_it_is_booked():
 def test_maxwellians_of_a_warm_wall():
     # hardly any contacts among the balls: what leaves the walls fills the room, a Maxwellian at the walls' temperatures
     drive = {"side": Drive(temperature=2.0, temperature_rotational=0.7)}
-    room = container("sphere", (10.0,) * 3)
+    room = container("sphere", radius=5.0)
     gas = Gas([Species(Ball(0.02, 0.5, 0.3), 800, temperature=9.0)], room, contacts=SMOOTH, drives=drive, seed=3)
     gas.run(30_000)
     speeds, spins = [], []
@@ -483,12 +495,12 @@ def test_thermostat_holds_an_inelastic_gas_below_its_temperature():
 @pytest.mark.parametrize(
     ("room", "gravity"),
     [
-        (container("circle", (9.0, 9.0)), (0, 0)),
-        (container("sphere", (6.0,) * 3), (0, 0, -1.0)),
+        (container("circle", radius=4.5), (0, 0)),
+        (container("sphere", radius=3.0), (0, 0, -1.0)),
         (container("box", (6.0,) * 3), (0, 0, -1.0)),
-        (container("ellipse", (9.0, 6.0)), (0.1, -1.0)),
-        (container("ellipse", (9.0, 6.0)), (0, 0)),
-        (container("wedge", (6.0, 8.0)), (0, -1.0)),
+        (container("ellipse", half_axes=(4.5, 3.0)), (0.1, -1.0)),
+        (container("ellipse", half_axes=(4.5, 3.0)), (0, 0)),
+        (container("sector", angle=sector_angle(6.0, 8.0), radius=8.0), (0, -1.0)),
     ],
 )
 def test_balls_that_walls_would_hold_go_on_in_hops(restitution, room, gravity):
@@ -504,7 +516,7 @@ def test_balls_that_walls_would_hold_go_on_in_hops(restitution, room, gravity):
 
 @pytest.mark.parametrize("restitution", [0.0, 0.5])
 def test_a_disc_goes_round_along_an_inelastic_wall(restitution):
-    room = container("circle", (9.0, 9.0))
+    room = container("circle", radius=4.5)
     gas = Gas(
         [Species(Disc(0.5, 1.0, 0.5), 1)], room, contacts=Surface(restitution, 0, 0), contact_time=1e-3,
         position=[(6.0, 4.5)], velocity=[(0.0, 1.0)],
@@ -530,7 +542,8 @@ def test_a_collapse_is_told_of():
 def test_saved_and_restored_with_everything_on():
     def made():
         return Gas(
-            [Species(Ball(0.5, 1.0, 0.4), 40, "a"), Species(Ball(0.3, 0.5, 0.5), 40, "b")], container("cylinder", (6.0, 6.0, 9.0)),
+            [Species(Ball(0.5, 1.0, 0.4), 40, "a"), Species(Ball(0.3, 0.5, 0.5), 40, "b")],
+            container("cylinder", radius=3.0, height=9.0),
             contacts=Surface(0.9, 0.4, 0.2), gravity=(0, 0, -3.0), contact_time=1e-4, thermostat=Thermostat(1.0, 0.05),
             drives={"bottom": Drive(0.1, 5.0, 0.2, 1.5), "side": Drive(temperature=0.5)}, seed=9,
         )  # fmt: skip
@@ -554,19 +567,19 @@ def test_saved_and_restored_with_everything_on():
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"shape": "sphere", "size": (4.0, 4.0)}, "three lengths"),
-        ({"shape": "spher", "size": (4.0, 4.0, 4.0)}, "did you mean 'sphere'"),
-        ({"shape": "circle", "size": (4.0, 5.0)}, "ellipse"),
-        ({"shape": "stadium", "size": (4.0, 5.0)}, "along x"),
+        ({"shape": "cylinder", "radius": 2.0}, "cylinder: expected|height: expected a length"),
+        ({"shape": "spher", "radius": 4.0}, "did you mean 'sphere'"),
+        ({"shape": "circle", "radius": (4.0, 5.0)}, "radius: expected a length"),
+        ({"shape": "stadium", "straight": -1.0, "radius": 5.0}, "straight: expected a length"),
         ({"shape": "polygon", "points": [(0, 0), (4, 4), (4, 0), (0, 4)]}, r"meet at \(2, 2\)"),
         ({"shape": "polygon", "points": [(0, 0), (4, 4), (2, 2)]}, "around some area"),
         ({"shape": "polygon", "points": [(0, 0), (4, 4), (4, 0), (0, 5)]}, "do not cross"),
         ({"shape": "polygon", "points": [(0, 0), (4, 0), (4, 4), (4, 1), (0, 1)]}, "do not run back"),
         ({"shape": "polygon", "points": [(0, 0), (4, 0), (4, 0), (0, 5)]}, "corners 2 and 3 both"),
-        ({"shape": "wedge", "size": (8.0, 4.0)}, "twice as wide as deep"),
-        ({"shape": "polygon", "points": [(0, 0), (4, 0)]}, "three or more"),
-        ({"shape": "circle", "size": (4.0, 4.0), "periodic": True}, "periodic"),
-        ({"shape": "periodic", "size": (4.0, 4.0), "scatterers": [(1, 1)]}, "x, y, radius"),
+        ({"shape": "sector", "angle": 180, "radius": 4.0}, "> 0 and < 180"),
+        ({"shape": "polygon", "points": [(0, 0), (4, 0)]}, "3 or more"),
+        ({"shape": "circle", "radius": 2.0, "periodic": True}, "periodic"),
+        ({"shape": "periodic", "size": (4.0, 4.0), "obstacles": [(1, 1)]}, "x, y, radius"),
         ({"shape": "box", "size": (4.0, -1.0)}, "lengths > 0"),
     ],
 )
@@ -583,7 +596,7 @@ def test_sides_that_swing():
         with pytest.raises(CaromError, match=said):
             Gas([Species(Disc(0.3, 1.0, 0.5), 10)], room, contacts=ROUGH, drives={edge: floor})
     with pytest.raises(CaromError, match="smaller half axis"):
-        Gas([Species(Disc(2.0, 1.0, 0.5), 1)], container("ellipse", (9.0, 4.0)), contacts=ROUGH)
+        Gas([Species(Disc(2.0, 1.0, 0.5), 1)], container("ellipse", half_axes=(4.5, 2.0)), contacts=ROUGH)
 
 
 @pytest.mark.parametrize(
@@ -598,7 +611,7 @@ def test_sides_that_swing():
 def test_what_walls_cannot_be(options, said):
     given = {"contacts": ROUGH, **options}
     with pytest.raises(CaromError, match=said):
-        Gas([Species(Ball(0.3, 1.0, 0.4), 1)], container("cylinder", (4.0, 4.0, 4.0)), **given)
+        Gas([Species(Ball(0.3, 1.0, 0.4), 1)], container("cylinder", radius=2.0, height=4.0), **given)
 
 
 def test_faults_of_drives():
@@ -611,9 +624,10 @@ def test_faults_of_drives():
 
 
 @pytest.mark.parametrize("room", [
-    container("box", (7, 5, 3)), container("circle", (6, 6)), container("wedge", (6, 5)), container("sphere", (4, 4, 4)),
-    container("polygon", (6, 4), points=[[0, 0], [6, 0], [6, 4], [3, 1], [0, 4]]),
-    container("periodic", (6, 6), scatterers=[[3, 3, 2]]),
+    container("box", (7, 5, 3)), container("circle", radius=3.0), container("sector", angle=sector_angle(6, 5), radius=5),
+    container("sphere", radius=2.0),
+    container("polygon", points=[[0, 0], [6, 0], [6, 4], [3, 1], [0, 4]]),
+    container("periodic", (6, 6), obstacles=[[3, 3, 2]]),
 ], ids=lambda room: room.shape)  # fmt: skip
 def test_a_profile_divides_by_the_room_in_each_slice(room):
     for axis in range(len(room.size)):
@@ -621,7 +635,7 @@ def test_a_profile_divides_by_the_room_in_each_slice(room):
         profiles.axis, profiles.bins, profiles.edges = axis, 24, np.linspace(0, room.size[axis], 25)
         space = profiles._volumes(0.0)
         assert space.sum() == pytest.approx(room.volume, rel=5e-3)
-    if room.shape == "wedge":  # a sector about (3, 0)
+    if room.shape == "sector":  # a sector about (3, 0)
         assert space[0] < 0.1 * space[12]
 
 
@@ -639,3 +653,33 @@ def test_a_ball_pressed_on_an_ellipse_returns_after_the_contact_time() -> None:
     ball, gravity = SimpleNamespace(x=0.9, y=0.0, z=0.0, vx=0.0, vy=2.0, vz=0.0), (3.0, 0.0, 0.0)
     speed = _release_speed(features, face, None, gravity, ball, (-1.0, 0.0, 0.0), 0.01)
     assert speed == pytest.approx((4 / 0.9 + 3.0) * 0.01 / 2)
+
+
+OLD = {
+    "circle": ((7.0, 7.0), {}, {"radius": 3.5}), "sphere": ((5.6,) * 3, {}, {"radius": 2.8}),
+    "cylinder": ((5.0, 5.0, 4.0), {}, {"radius": 2.5, "height": 4.0}),
+    "stadium": ((8.0, 5.0), {}, {"straight": 3.0, "radius": 2.5}),
+    "ellipse": ((8.0, 5.0, 2.0), {}, {"half_axes": (4.0, 2.5), "height": 2.0}),
+    "polygon": ((4.0,), {"points": ELBOW}, {"points": ELBOW, "height": 4.0}),
+    "periodic": ((7.0, 7.0), {"scatterers": [(3.0, 3.5, 1.1)]}, {"size": (7.0, 7.0), "obstacles": [(3.0, 3.5, 1.1)]}),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("shape", OLD)
+def test_containers_by_the_names_of_the_release_before(shape):
+    size, given, sizes = OLD[shape]
+    with pytest.warns(DeprecationWarning, match=r"container: .* is called .* now"):
+        old = container(shape, size, **given)
+    new = container(shape, **sizes)
+    assert (old.size, old.faces, old.volume) == (new.size, new.faces, new.volume)
+    with pytest.warns(DeprecationWarning, match="of shape wedge. is called angle and radius now"):
+        assert container("wedge", (8.0, 7.0)).shape == "sector"
+
+
+def test_any_figure_of_straight_sides_is_a_container():
+    hexagon = container("regular:sides=6,radius=4", height=2.0)
+    assert hexagon.names == ("edge1", "edge2", "edge3", "edge4", "edge5", "edge6", "bottom", "top")
+    assert hexagon.volume == pytest.approx(1.5 * math.sqrt(3) * 16 * 2)
+    assert hexagon.clearance(0.5, np.array([[4.0, 2 * math.sqrt(3), 1.0]])) == pytest.approx(0.5)
+    with pytest.raises(CaromError, match=r"shape: expected one of periodic, box, .*, got 'strip'"):
+        container("strip", width=1.0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -190,15 +190,15 @@ def measure_gas() -> None:
 
 def measure_gas_in_container() -> None:
     """Compile the event loop of gases whose walls are not all fixed planes, random starts there, and checks of given places."""
-    _run_in("circle", (10.0, 10.0))
+    _run_in("circle", radius=5.0)
 
 
 def measure_gas_in_ellipse() -> None:
     """Compile the event loop of gases in an ellipse that bounds their surfaces."""
-    _run_in("ellipse", (10.0, 6.0))
+    _run_in("ellipse", half_axes=(5.0, 3.0))
 
 
-def _run_in(shape: str, size: tuple[float, float]) -> None:
+def _run_in(shape: str, **sizes: Any) -> None:
     import numpy as np
 
     import carom
@@ -206,7 +206,7 @@ def _run_in(shape: str, size: tuple[float, float]) -> None:
 
     discs = Species(carom.Disc(0.5, 1.0), 2)
     position = np.array([[4.0, 3.0], [6.0, 3.0]])
-    Gas([discs], container(shape, size), contacts=carom.Surface(1, math.inf, 1), position=position).run(10)
+    Gas([discs], container(shape, **sizes), contacts=carom.Surface(1, math.inf, 1), position=position).run(10)
 
 
 def fit_bounces() -> None:

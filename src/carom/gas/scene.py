@@ -12,10 +12,11 @@ from pydantic import BeforeValidator, model_validator
 from carom.bodies import Surface
 from carom.errors import Fault, FaultList, shown, suggestion
 from carom.formatting import counted, format_number
-from carom.gas.containers import JOINT_OVERLAP, WALLS
+from carom.gas.containers import WALLS
 from carom.gas.edmd.gas_records import ELLIPSE, MAX_BALLS
+from carom.gas.faces import JOINT_OVERLAP
 from carom.gas.initial import DENSEST
-from carom.gas.schema import GasContact, GasContainer, GasDrive, GasSettings, GasSpecies, GasThermostat
+from carom.gas.schema import AnyContainer, GasContact, GasDrive, GasSettings, GasSpecies, GasThermostat
 from carom.gas.sizes import LONGEST_SIDE
 from carom.scene.plausible import FAST
 from carom.scene.schema import Components, Model, Number, raise_faults
@@ -65,7 +66,7 @@ class GasScene(Model):
 
     gravity: Annotated[float | tuple[float, ...], BeforeValidator(_gravity)] = 0.0
     contact_time: Annotated[float, BeforeValidator(_CONTACT_TIME)] = 0.0
-    container: GasContainer
+    container: AnyContainer
     species: tuple[GasSpecies, ...]
     contacts: tuple[GasContact, ...] = ()
     drives: tuple[GasDrive, ...] = ()

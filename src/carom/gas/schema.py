@@ -6,16 +6,19 @@ The same from Python and from TOML, with the same names. :mod:`carom.gas.scene` 
 from __future__ import annotations
 
 import functools
-import math
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Union
 
-from pydantic import BeforeValidator, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 
 from carom.bodies import DISC_INERTIAS, INERTIAS, Ball, Disc, Surface
 from carom.errors import Fault, shown, suggestion
 from carom.formatting import format_number
-from carom.gas.containers import SHAPES, WALLS, Container, container
+from carom.gas.containers import WALLS, Container, container, container_figures, in_figure
+from carom.gas.old_containers import with_new_container
 from carom.gas.species import Drive, Species, Thermostat
+from carom.scene.figures import FIGURES, Figure, PlaneFigure
+from carom.scene.figures.sector import SectorFigure
+from carom.scene.figures.solids import CylinderFigure, SphereFigure
 from carom.scene.schema import (
     Components,
     Count,
@@ -34,7 +37,7 @@ from carom.scene.schema import (
     with_faults_of_part,
 )
 
-__all__ = ["GasContact", "GasContainer", "GasDrive", "GasSettings", "GasSpecies", "GasThermostat"]
+__all__ = ["AnyContainer", "GasContact", "GasContainer", "GasDrive", "GasSettings", "GasSpecies", "GasThermostat"]
 
 _OBSTACLE = Components("x, y, radius; or x, y, z, radius", (3, 4))
 _SIZE = Components("2 or 3 lengths > 0: along x, y (discs), and z (balls)", (2, 3))
@@ -49,49 +52,39 @@ _ENDINGS = (".csv", ".npz", ".gsd")
 # --- the container -------------------------------------------------------------------------------------------------
 
 
-def _shape(value: Any) -> str:
-    if not isinstance(value, str) or value not in SHAPES:
-        advice = suggestion(value, list(SHAPES)) if isinstance(value, str) else ""
-        raise refused(f"one of {', '.join(SHAPES)}", shown(value), advice if advice.startswith("did") else "")
-    return value
-
-
 class GasContainer(Model):
-    """The container, with the parameters of :func:`carom.gas.container`.
+    """The container, with the parameters of :func:`carom.gas.container`: a class for each shape, chosen by ``shape``.
 
     Parameters
     ----------
-    shape : one of carom.gas.SHAPES
-    size : of the box around the shape, along x, y and z; two lengths: discs in a plane
+    shape : one of carom.gas.SHAPES: "box" or "periodic", or a figure
+    size : of a box, along x, y and z; two lengths: discs in a plane
+    straight, radius, half_axes, points, ... : sizes of the figure
+    height : of a plane figure that stands upright along z, with balls
     periodic : axes without walls, such as ["x", "y"]; default: none, or all for "periodic"
-    points : corners of a polygon in order, rows of x, y
-    scatterers : round obstacles, rows of x, y, radius or x, y, z, radius
-    bounds : "surface" or "centre" of the balls: what the walls bound
+    obstacles : round obstacles, rows of x, y, radius or x, y, z, radius
+    bounds : "surface" or "centre" of the balls: which of them the walls bound
     """
 
-    shape: Annotated[str, BeforeValidator(_shape)]
-    size: Annotated[tuple[Size, ...], BeforeValidator(_SIZE)] | None = None
+    tag: ClassVar[str] = "shape"
     periodic: tuple[Literal["x", "y", "z"], ...] = ()
-    points: tuple[tuple[Length, Length], ...] | None = None
-    scatterers: tuple[Annotated[tuple[Length, ...], BeforeValidator(_OBSTACLE)], ...] = ()
+    obstacles: tuple[Annotated[tuple[Length, ...], BeforeValidator(_OBSTACLE)], ...] = ()
     bounds: Literal["surface", "centre"] = "surface"
+
+    def __new__(cls, *_unnamed: Any, **fields: Any) -> Any:
+        """Return a container of the class of its shape."""
+        kind = CONTAINERS.get(str(with_new_container(fields).get("shape"))) if cls is GasContainer and fields else cls
+        return super().__new__(kind or cls)
 
     @model_validator(mode="after")
     def _check(self) -> GasContainer:
-        if self.size is None and self.shape != "polygon":
-            raise_faults([Fault("", "size", _SIZE.what, "nothing")])
         with_faults_of_part(lambda: self.geometry)
         return self
 
     @functools.cached_property
     def geometry(self) -> Container:
         """The container of :class:`carom.gas.Gas`."""
-        closed = (
-            None if self.shape == "periodic" else [axis in self.periodic for axis in "xyz"[: len(self.size or (0, 0))]]
-        )
-        return container(
-            self.shape, self.size, periodic=closed, points=self.points, scatterers=self.scatterers, bounds=self.bounds
-        )
+        raise refused(f"one of {', '.join(CONTAINERS)}", "nothing", field="shape")
 
     @property
     def dimensions(self) -> int:
@@ -100,14 +93,86 @@ class GasContainer(Model):
 
     def describe(self) -> str:
         """Return one phrase."""
-        sides = " x ".join(format_number(x, 6) for x in self.geometry.size)
-        what = {"periodic": "periodic"}.get(self.shape, f"{'an' if self.shape == 'ellipse' else 'a'} {self.shape}")
-        if self.shape == "wedge":
-            what += f" of {format_number(math.degrees(2 * math.asin(self.geometry.size[0] / self.geometry.size[1] / 2)), 4)}°,"
+        made = self.geometry
+        sides = " x ".join(format_number(x, 6) for x in made.size)
+        what = {"periodic": "periodic"}.get(made.shape, f"{'an' if made.shape == 'ellipse' else 'a'} {made.shape}")
+        if isinstance(self, SectorFigure):
+            what += f" of {format_number(self.angle, 4)}°,"
         along = f", periodic along {' and '.join(self.periodic)}" if self.periodic else ""
-        count = len(self.scatterers)
-        obstacles = f" with {count} obstacle{'s' if count > 1 else ''}" if count else ""
-        return f"{what} {sides}{along}{obstacles}"
+        count = len(self.obstacles)
+        around = f" with {count} obstacle{'s' if count > 1 else ''}" if count else ""
+        return f"{what} {sides}{along}{around}"
+
+
+class BoxContainer(GasContainer):
+    """A box, with walls where it is not periodic."""
+
+    shape: Literal["box"] = "box"
+    size: Annotated[tuple[Size, ...], BeforeValidator(_SIZE)]
+
+    @functools.cached_property
+    def geometry(self) -> Container:
+        """The container of :class:`carom.gas.Gas`."""
+        closed = [axis in self.periodic for axis in "xyz"[: len(self.size)]]
+        return container("box", self.size, periodic=closed, obstacles=self.obstacles, bounds=self.bounds)
+
+
+class PeriodicContainer(GasContainer):
+    """A box without walls."""
+
+    shape: Literal["periodic"] = "periodic"
+    size: Annotated[tuple[Size, ...], BeforeValidator(_SIZE)]
+
+    @functools.cached_property
+    def geometry(self) -> Container:
+        """The container of :class:`carom.gas.Gas`."""
+        return container("periodic", self.size, obstacles=self.obstacles, bounds=self.bounds)
+
+
+class FigureContainer(GasContainer):
+    """A container in a figure, whose class is the other base."""
+
+    @functools.cached_property
+    def geometry(self) -> Container:
+        """The container of :class:`carom.gas.Gas`."""
+        height = getattr(self, "height", None)
+        upright = height is not None or isinstance(self, SphereFigure | CylinderFigure)
+        closed = [axis in self.periodic for axis in "xyz"[: 3 if upright else 2]]
+        own: Any = self
+        return in_figure(own, height, closed, self.obstacles, self.bounds)
+
+
+class UprightContainer(FigureContainer):
+    """A plane figure, for discs; with a height, for balls."""
+
+    height: Size | None = None
+
+
+def _container_of(kind: type[Figure]) -> type[GasContainer]:
+    """Return the class of containers in a figure: its fields are those of the figure and of a container."""
+    base = UprightContainer if issubclass(kind, PlaneFigure) else FigureContainer
+    name = f"{kind.__name__.removesuffix('Figure')}Container"
+    metaclass: Any = type(base)
+    made = metaclass(name, (base, kind), {"__module__": __name__, "__doc__": kind.__doc__})
+    globals()[name] = made  # (where a pickle looks for it)
+    return made  # type: ignore[no-any-return]
+
+
+CONTAINERS: dict[str, type[GasContainer]] = {"periodic": PeriodicContainer, "box": BoxContainer}
+CONTAINERS |= {name: _container_of(FIGURES[name]) for name in container_figures()}
+
+
+def _with_new_names(given: Any) -> Any:
+    return with_faults_of_part(lambda: with_new_container(given)) if isinstance(given, dict) else given
+
+
+if TYPE_CHECKING:
+    AnyContainer = GasContainer
+else:
+    AnyContainer = Annotated[
+        Annotated[Union[tuple(CONTAINERS.values())], Field(discriminator="shape")],  # noqa: UP007  (made at run time)
+        BeforeValidator(_with_new_names),
+    ]
 
 
 # --- species and contacts ------------------------------------------------------------------------------------------

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from carom.bodies import Ball, Surface
 from carom.errors import FaultList, checked_number, require_type, suggestion
-from carom.gas.containers import JOINT_OVERLAP, WALLS, Container
+from carom.gas.containers import WALLS, Container
 from carom.gas.edmd.driver import SystemRecords
 from carom.gas.edmd.gas_records import ELLIPSE, FACE, MAX_BALLS, PAIR, SPECIES, SYSTEM, WALL_CONTACT
+from carom.gas.faces import JOINT_OVERLAP
 from carom.gas.sizes import LONGEST_SIDE, cells_at_most
 
 __all__ = ["Contacts", "Drive", "Species", "Thermostat", "system_records"]

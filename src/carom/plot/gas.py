@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.gas.containers import Container
+from carom.gas.containers import BOXES, Container
 from carom.gas.curves import Distribution
 from carom.gas.edmd.gas_records import PLANE
 from carom.gas.measures import Measures
@@ -165,7 +165,7 @@ def _balls(axes: Any, session: Session) -> None:
 def _outline(axes: Any, container: Container, pair: list[int], low: Array, window: Array) -> None:
     """Draw the walls where the plane of the figure cuts them; periodic borders are dashed, and the outside is shaded.
 
-    The walls are contours on a fine grid: one mechanism for every shape, and for scatterers.
+    The walls are contours on a fine grid: one mechanism for every shape, and for obstacles.
     """
     n = OUTLINE_POINTS
     over = 0.002 * window  # so that a wall along the border has grid points on both sides
@@ -174,7 +174,7 @@ def _outline(axes: Any, container: Container, pair: list[int], low: Array, windo
     x[:, 1] = container.size[1] / 2
     u, v = np.meshgrid(*steps)
     x[:, pair[0]], x[:, pair[1]] = u.ravel(), v.ravel()
-    if any(face.form != PLANE for face in container.faces) or container.shape == "polygon":
+    if container.shape not in BOXES or any(face.form != PLANE for face in container.faces):
         gap = np.minimum(container.clearance(np.zeros(n * n), x), max(container.size)).reshape(n, n)
         if (gap < 0).any():
             axes.contourf(u, v, gap, levels=[-np.inf, 0], colors=[PALE], zorder=0)
@@ -182,7 +182,7 @@ def _outline(axes: Any, container: Container, pair: list[int], low: Array, windo
     high = low + window
     for axis in range(2):
         bare = container.periodic[pair[axis]] or window[axis] < container.size[pair[axis]]
-        round_ = container.shape in {"circle", "cylinder", "ellipse", "stadium"}
+        round_ = container.shape in {"circle", "cylinder", "ellipse", "stadium", "rectangle"}
         closed = (
             container.shape == "box" or (container.shape != "sphere" and pair[axis] == 2) or (round_ and pair == [0, 2])
         )

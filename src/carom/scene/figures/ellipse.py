@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import ClassVar, Literal
 
 from carom.scene.figures.figure import Loop, PlaneFigure, Sizes2
@@ -25,3 +26,12 @@ class EllipseFigure(PlaneFigure):
     def outline(self) -> list[Loop]:
         """Return the whole ellipse."""
         return [[EllipsePiece(self.half_axes)]]
+
+    def piece_names(self) -> list[str]:
+        """Return the names of the pieces."""
+        return ["side"]
+
+    @property
+    def area(self) -> float:
+        """Its area, m^2."""
+        return math.pi * self.half_axes[0] * self.half_axes[1]

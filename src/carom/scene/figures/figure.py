@@ -94,6 +94,10 @@ class PlaneFigure(Figure):
     def outline(self) -> list[Loop]:
         """Return the loops of its boundary: the first is the outside, counterclockwise; others are obstacles in it, clockwise."""
 
+    def piece_names(self) -> list[str]:
+        """Return the names of the pieces of its outer loop, as of a gas's walls: edge1, edge2, ... unless it has its own."""
+        return [f"edge{k + 1}" for k in range(len(self.outline()[0]))]
+
     @property
     def area(self) -> float:
         """Its area, m^2."""

@@ -40,11 +40,20 @@ class PolygonFigure(PlaneFigure):
         raise_faults(Fault("", "points", expected, got) for expected, got in outline_faults(np.array(self.points)))
         return self
 
+    @property
+    def clockwise(self) -> bool:
+        """Whether the points go clockwise."""
+        x, y = np.transpose(np.subtract(self.points, self.points[0]))
+        return bool(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 0)
+
     def outline(self) -> list[Loop]:
         """Return its sides, counterclockwise, in the order of the points; backwards where these go clockwise."""
-        points, (x, y) = self.points, np.transpose(np.subtract(self.points, self.points[0]))
-        clockwise = np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 0
-        return _sides(points[::-1] if clockwise else points)
+        return _sides(self.points[::-1] if self.clockwise else self.points)
+
+    def piece_names(self) -> list[str]:
+        """Return the names of the sides: edge1 goes from the first point to the second, whichever way round they are given."""
+        count, back = len(self.points), self.clockwise
+        return [f"edge{(count - 2 - k) % count + 1 if back else k + 1}" for k in range(count)]
 
 
 class RegularFigure(PlaneFigure):
@@ -90,3 +99,7 @@ class RectangleFigure(PlaneFigure):
         """Return its sides, the lower one first."""
         x, y = self.size[0] / 2, self.size[1] / 2
         return _sides([(-x, -y), (x, -y), (x, y), (-x, y)])
+
+    def piece_names(self) -> list[str]:
+        """Return the names of the sides."""
+        return ["front", "right", "back", "left"]

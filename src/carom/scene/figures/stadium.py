@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import ClassVar, Literal
 
 from carom.scene.figures.figure import Loop, PlaneFigure
@@ -38,3 +39,12 @@ class StadiumFigure(PlaneFigure):
                 ArcPiece((-x, 0.0), r, 90.0, 270.0),
             ]
         ]
+
+    def piece_names(self) -> list[str]:
+        """Return the names of the pieces."""
+        return ["front", "right", "back", "left"]
+
+    @property
+    def area(self) -> float:
+        """Its area, m^2."""
+        return self.straight * (2 * self.radius) + math.pi * self.radius * self.radius
