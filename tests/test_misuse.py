@@ -261,8 +261,11 @@ def test_what_is_the_callers_own_goes_on() -> None:
         carom.simulate_many(scene, velocity=[[-1, 0, 0]], progress=stop)
     with pytest.raises(TypeError, match="missing 1 required positional argument: 'state'"):
         carom.impact(BALL)  # type: ignore[call-arg]
-    with pytest.raises(TypeError, match="unexpected keyword argument 'frction'"):
+    with pytest.raises(TypeError, match="unexpected keyword argument 'frction'; did you mean 'friction'\\?") as caught:
         carom.Surface(frction=0.2)  # type: ignore[call-arg]
+    assert caught.value.__notes__ == ["Surface takes restitution, friction, tangential_restitution"]
+    with pytest.raises(TypeError, match="unexpected keyword argument 'durtion'; did you mean 'duration'\\?"):
+        carom.simulate(scene, durtion=3)  # type: ignore[call-overload]
 
 
 def test_names_keep_signature_docstring_and_place() -> None:

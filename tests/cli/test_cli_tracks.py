@@ -406,3 +406,15 @@ def test_what_is_said_of_a_film_in_centimetres_that_ends_early(
     assert code == 0
     assert "1 frame between the wall and the end of the track" in told
     assert "no unit in 't': assumed to be s\n" in notes
+
+
+def test_a_table_of_rebounds_is_said_as_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("bounces.csv").write_text("v_n_in,v_t_in,v_n_out,v_t_out,spin_in\n1,1,0.8,1,0\n")
+    code, out, err = run(capsys, monkeypatch, "tracks", "show", "bounces.csv")
+    assert (code, out) == (2, "")
+    assert err == (
+        "carom: bounces.csv: expected a track, got a table of rebounds; carom fit and carom predict take it as it is\n"
+    )

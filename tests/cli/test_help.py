@@ -75,6 +75,7 @@ def test_help(
         if option.param_type_name == "option" and not option.hidden:
             assert [name for name in option.opts if not re.search(rf"{name}\b", text)] == []
     joined = re.sub(r"[\s│]+", " ", text)
+    assert not re.search(r"\[default: \([^]]*\)\]", joined)  # (one pair of brackets)
     for default in re.findall(r"\[default: ([^]]*)", joined):
         for number in re.findall(r"\d*\.?\d+", default):
             assert len(number.replace(".", "").lstrip("0")) <= 6, f"{default} in carom {' '.join(words)} --help"

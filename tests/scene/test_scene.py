@@ -556,9 +556,10 @@ def test_files_that_are_none(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     file = tmp_path / "none.toml"
     said = f"carom: {file}: expected a scene file, got: No such file or directory; carom scene new {file} writes one"
     assert fails(capsys, "scene", "check", str(file)) == [said]
-    assert fails(capsys, "scene", "check", str(tmp_path)) == [
-        f"carom: {tmp_path}: expected a scene file, got: Is a directory"
-    ]
+    said = f"carom: {tmp_path}: expected a scene file, got a folder"
+    assert fails(capsys, "scene", "check", str(tmp_path)) == [f"{said}; name a file; it has none that ends with .toml"]
+    file.touch()
+    assert fails(capsys, "scene", "check", str(tmp_path)) == [f"{said}; name a file in it: {file}"]
     file.write_bytes(b"name = '\xff'")
     assert fails(capsys, "scene", "check", str(file)) == [f"carom: {file}: expected text in UTF-8, got byte 0xff"]
 

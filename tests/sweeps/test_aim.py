@@ -347,7 +347,7 @@ def test_the_command_refuses_as_the_library_does(tmp_path: Path, options: str, s
     assert done.exception.faults == (said,)
 
 
-def test_the_command_line(tmp_path: Path) -> None:
+def test_the_command_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     from typer.testing import CliRunner
 
     from carom.cli import app
@@ -363,9 +363,13 @@ def test_the_command_line(tmp_path: Path) -> None:
     words = ["aim", str(file), "--hit", "red", "--cushions", "1", "--starts", "1024", "--solutions", "2"]
     done = CliRunner().invoke(app, [*words, "--json", "--plot", str(tmp_path / "aim.svg")])
     assert done.exit_code == 0, done.output
+    monkeypatch.setattr("carom.plot.aims.DRAWN", 0)
+    more = CliRunner().invoke(app, [*words, "--json", "--plot", str(tmp_path / "more.svg")])
+    assert f"note: the figure has the first 0 of the {len(json.loads(more.stdout))} shots" in more.stderr
     assert (tmp_path / "aim.svg").stat().st_size > 5000
     rows = json.loads(done.stdout)
     assert 1 <= len(rows) <= 2
+    assert "note: the figure has" not in done.stderr
     assert {"speed", "angle", "success", "spread_m", "sequence"} <= set(rows[0])
 
 

@@ -11,7 +11,7 @@ import typer
 
 from carom.cli.common import require_outputs, wrote
 from carom.cli.options import OUTPUT, RUN, quantity, shared
-from carom.cli.streams import say_json
+from carom.cli.streams import note, say_json
 from carom.errors import CaromError, FaultList
 
 if TYPE_CHECKING:
@@ -152,9 +152,11 @@ def aim(
     elif not quiet:
         _show(aims, scene)
     if plot is not None:
-        from carom.plot.aims import plot_aims
+        from carom.plot.aims import DRAWN, plot_aims
 
         plot_aims(aims, plot)
+        if len(aims) > DRAWN and not quiet:
+            note(f"note: the figure has the first {DRAWN} of the {len(aims)} shots")
         wrote(plot)
 
 

@@ -1,4 +1,4 @@
-"""The help of every command: flags without a type, and a plain layout where the panels would cut the names of options."""
+"""The help of every command: flags without a type, defaults in one pair of brackets, plain where panels would cut names."""
 
 from __future__ import annotations
 
@@ -17,12 +17,17 @@ INDENT = 4
 
 
 def prepare_help(command: Any) -> Any:
-    """Return a command, with all below it, whose flags (--help among them) have no type and whose help cuts no name."""
+    """Return a command, with all below it, whose flags (--help among them) have no type and whose help cuts no name.
+
+    Defaults that are texts stand in one pair of brackets; Typer writes two.
+    """
     for option in command.get_params(command.context_class(command)):
         if getattr(option, "is_flag", False) and option.metavar is None:
             option.metavar = ""
         if hasattr(option, "display_type_rich"):
             option.display_type_rich = functools.partial(_of_one, option.display_type_rich)
+        if isinstance(getattr(option, "show_default", None), str) and hasattr(option, "_get_default_string"):
+            option._get_default_string = functools.partial(_default_text, option.show_default)
     command.format_help = functools.partial(_format_help, command, command.format_help)
     for inner in getattr(command, "commands", {}).values():
         prepare_help(inner)
@@ -33,6 +38,11 @@ def _of_one(display_type: Any, **context: Any) -> str | None:
     """Return the type of one value where an option may be repeated: <str>, not <list[str]>."""
     text = display_type(**context)
     return text and re.sub(r"<list\[(\w+)\]>", lambda found: f"<{found[1].lower()}>", text)
+
+
+def _default_text(text: str, **_context: Any) -> str:
+    """Return a default that is a text as it is: [default: solid], not [default: (solid)]."""
+    return text
 
 
 def _format_help(command: Any, in_panels: Any, context: Any, formatter: Any) -> None:

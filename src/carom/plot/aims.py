@@ -20,12 +20,13 @@ if TYPE_CHECKING:
 
     from carom.sweeps.aiming import Aim, Aims
 
-__all__ = ["plot_aims"]
+__all__ = ["DRAWN", "plot_aims"]
 
 WIDTH, COLUMNS = 4.2, 2  # inches, of a panel; panels side by side
+DRAWN = 4  # solutions, if not said otherwise
 
 
-def plot_aims(aims: Aims, file: str | os.PathLike[str] | None = None, *, solutions: int = 4) -> Figure:
+def plot_aims(aims: Aims, file: str | os.PathLike[str] | None = None, *, solutions: int = DRAWN) -> Figure:
     """Draw solutions of :func:`carom.aim`, a panel each: the balls' paths, and the target's error ellipse.
 
     Parameters

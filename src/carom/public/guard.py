@@ -104,7 +104,10 @@ def _explained(
     try:
         given = signature.bind(*args, **options).arguments
     except TypeError:  # too few arguments, too many, or another name: Python says it well, but not which there are
-        error.add_note(_parameters(signature, where, options))
+        known = [name for name in signature.parameters if name not in ("self", "cls")]
+        hints = filter(None, (did_you_mean(name, known) for name in options if name not in known))
+        error.args = ("; ".join((str(error), *list(hints)[:1])),)
+        error.add_note(f"{where} takes {', '.join(known) or 'no arguments'}")
         return None
     first = next(iter(signature.parameters), "")
     if first in ("self", "cls"):
@@ -131,13 +134,6 @@ def _explained(
         f"{where}: expected arguments that fit its documentation, got {got} ({type(error).__name__}: {said});"
         " check their order, types and shapes"
     )
-
-
-def _parameters(signature: inspect.Signature, where: str, options: Any) -> str:
-    """Return which arguments a function takes, and the nearest name for each argument that it does not know."""
-    known = [name for name in signature.parameters if name not in ("self", "cls")]
-    hints = [did_you_mean(name, known) for name in options if name not in known]
-    return f"{where} takes {', '.join(known) or 'no arguments'}{next((f'; {hint}' for hint in hints if hint), '')}"
 
 
 def _is_the_callers(error: Exception) -> bool:

@@ -7,7 +7,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from carom.errors import CaromError, Fault
+from carom.errors import CaromError, Fault, shortened_list
 
 __all__ = ["parse_toml", "read_toml"]
 
@@ -17,11 +17,22 @@ def read_toml(path: Path, remedy: str, what: str = "a scene file") -> dict[str, 
     try:
         text = path.read_bytes().decode("utf-8-sig")  # with or without a byte-order mark
     except OSError as error:
-        advice = f"; {remedy}" if isinstance(error, FileNotFoundError) else ""
-        raise CaromError(f"{path}: expected {what}, got: {error.strerror}{advice}") from None
+        got = "a folder" if path.is_dir() else f": {error.strerror}"
+        advice = remedy if isinstance(error, FileNotFoundError) else _scenes_in(path)
+        raise CaromError(Fault(f"{path}", "", what, got, advice)) from None
     except UnicodeDecodeError as error:
         raise CaromError(Fault(f"{path}", "", "text in UTF-8", f"byte {error.object[error.start]:#04x}")) from None
     return parse_toml(str(path), text)
+
+
+def _scenes_in(folder: Path) -> str:
+    """Return advice where a folder is given in the place of a file: the files that may be meant."""
+    if not folder.is_dir():
+        return ""
+    names = sorted(str(file) for file in folder.glob("*.toml"))
+    return (
+        f"name a file in it: {shortened_list(names, 4)}" if names else "name a file; it has none that ends with .toml"
+    )
 
 
 def parse_toml(name: str, text: str) -> dict[str, Any]:

@@ -29,6 +29,7 @@ from carom.tracks.read import (
     film_of,
     format_of,
     got_instead,
+    is_table_of_rebounds,
     read_tracks,
     require_text,
     track_text,
@@ -53,7 +54,6 @@ REBOUND_COLUMNS = (
     "v_n_in, v_t_in, v_n_out, v_t_out (m/s, toward the wall, along it, away from it, along it), and spin_in, spin_out if they were"
     " measured (rad/s)"
 )
-OF_REBOUNDS = ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in")
 
 
 @dataclass(frozen=True, eq=False)
@@ -434,7 +434,7 @@ def is_track(path: Path) -> bool:
     if b"\0" in raw and codec == "utf-8":
         raise CaromError(f"{wanted}, got bytes that are not text; export it as CSV from the program that made it")
     text = raw.decode(codec, errors="replace")
-    if any(name in text.lower() for name in OF_REBOUNDS):
+    if is_table_of_rebounds(text):
         return False
     whole = track_text(path)
     if format_of(whole) is None:

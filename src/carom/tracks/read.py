@@ -38,6 +38,8 @@ from carom.tracks.free_fall import likely_unit
 from carom.tracks.preprocess import MIN_INTERVAL_S, position_noise
 from carom.tracks.track import Track
 
+OF_REBOUNDS = ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in")  # columns
+
 __all__ = [
     "FORMATS",
     "Format",
@@ -45,6 +47,7 @@ __all__ = [
     "film_of",
     "format_of",
     "got_instead",
+    "is_table_of_rebounds",
     "read_tracks",
     "require_text",
     "track_text",
@@ -153,6 +156,9 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
     if not text.strip():
         raise CaromError(f"{path}: expected a track, got an empty file")
     name = format or format_of(text)
+    if name is None and is_table_of_rebounds(text):
+        advice = "carom fit and carom predict take it as it is"
+        raise CaromError(Fault(f"{path}", "", "a track", "a table of rebounds", advice))
     if name is None:
         raise CaromError(
             f"{path}: expected a track of {', '.join(FORMATS)}, {got_instead(text)}; a table can always be read if its header"
@@ -233,6 +239,17 @@ def format_of(text: str) -> str | None:
     ('columns', None)
     """
     return next((name for name, one in FORMATS.items() if one.matches(text)), None)
+
+
+def is_table_of_rebounds(text: str) -> bool:
+    """Return whether a text is taken for a table of rebounds: its first lines name a column of such a table.
+
+    Examples
+    --------
+    >>> is_table_of_rebounds("v_n_in,v_t_in,v_n_out,v_t_out,spin_in\\n1,1,0.8,1,0\\n"), is_table_of_rebounds("t,x,y\\n")
+    (True, False)
+    """
+    return any(name in text[:START].lower() for name in OF_REBOUNDS)
 
 
 def got_instead(text: str) -> str:
