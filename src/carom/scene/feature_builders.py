@@ -20,8 +20,8 @@ from carom.core.roots.polynomial import two_prod, two_sum
 from carom.scene.schema import Vector
 
 __all__ = [
-    "COLUMNS", "Feature", "Flat", "across", "built", "circle", "frame", "length_2d", "minus", "put", "put_corner", "put_cushion",
-    "put_disc", "put_edges", "put_ends", "put_line", "put_plane", "put_post", "put_rim", "put_rims", "put_round",
+    "COLUMNS", "Feature", "Flat", "across", "built", "circle", "frame", "length_2d", "minus", "point_along", "put", "put_corner",
+    "put_cushion", "put_disc", "put_edges", "put_ends", "put_line", "put_plane", "put_post", "put_rim", "put_rims", "put_round",
     "put_round_cushion", "put_standing", "put_upright", "side_of", "unit",
 ]  # fmt: skip
 
@@ -150,6 +150,13 @@ def length_2d(x: float, y: float) -> float:
         return root
     square, error = two_prod(root, root)
     return root + (total - square - error + lost) / (2 * root)
+
+
+@kernel
+def point_along(p: Sequence[float], length: float) -> Vector:
+    """Return the point at a distance from a wall's first point (numbers 0 to 2), along its direction (numbers 3 to 5)."""
+    d = unit((p[3], p[4], p[5]))
+    return (p[0] + length * d[0], p[1] + length * d[1], p[2] + length * d[2])
 
 
 @kernel

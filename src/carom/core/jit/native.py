@@ -153,17 +153,22 @@ class NativeLoop:
 
     def __call__(self, *arguments: Any) -> Any:
         """Call the first code that is for arguments of these kinds, else Numba's."""
-        for code in self.codes:
-            try:
-                given = code.given(arguments)
-            except MismatchError:
-                continue
+        if (found := self.code_for(arguments)) is not None:
+            code, given = found
             try:
                 return code.call(arguments, given)
             except UnusableError:
                 self.codes.clear()
-                break
         return self.numbas()(*arguments)
+
+    def code_for(self, arguments: tuple[Any, ...]) -> tuple[NativeCode, list[Any]] | None:
+        """Return the first code for arguments of these kinds, and the arguments as it takes them; None if there is none."""
+        for code in self.codes:
+            try:
+                return code, code.given(arguments)
+            except MismatchError:
+                continue
+        return None
 
     def numbas(self) -> Any:
         """Return what Numba makes of the function, here."""

@@ -22,7 +22,7 @@ from carom.core.jit.compile import numba_signature, register_kernels
 from carom.core.jit.kernel_hash import name_with_values
 from carom.core.jit.lowering import CFunction, LoweringError, linked_dispatcher, llvm_text, whole_module, with_entry
 from carom.core.jit.machine_code import library_version
-from carom.core.jit.marshal import MismatchError, dtype_text
+from carom.core.jit.marshal import dtype_text
 from carom.core.jit.native import FOLDER, INDEX, LoopSource, NativeCode, NativeLoop
 
 __all__ = ["LoweringError", "NativeBuild", "part_range"]
@@ -176,13 +176,9 @@ class BuiltLoop(NativeLoop):
         from numba import typeof
         from numba.core.errors import NumbaError
 
-        for code in self.codes:
-            try:
-                given = code.given(arguments)
-            except MismatchError:
-                continue
-            self._build.note_use(self._key, code)
-            return code.call(arguments, given)
+        if (found := self.code_for(arguments)) is not None:
+            self._build.note_use(self._key, found[0])
+            return found[0].call(arguments, found[1])
         if self.source.signature is not None:
             raise TypeError(f"{self._key}: expected arguments of its signature, got others")
         kinds = tuple(map(typeof, arguments))

@@ -13,7 +13,17 @@ from carom.core.geometry.features import FACE
 from carom.core.jit.kernel import cross, dot, kernel
 from carom.formatting import format_length
 from carom.public.renamed import renamed_attribute
-from carom.scene.feature_builders import UP, frame, minus, put, put_corner, put_line, put_plane, unit
+from carom.scene.feature_builders import (
+    UP,
+    frame,
+    minus,
+    point_along,
+    put,
+    put_corner,
+    put_line,
+    put_plane,
+    unit,
+)
 from carom.scene.schema import Angle, Direction, Flag, Point, Size, Sizes, Vector
 from carom.scene.wall import Outline, ShapeFault, ShapeKernels, WallShape, format_vector, put_fault
 
@@ -95,21 +105,14 @@ def _strip_features(p: Numbers, out: Any) -> int:
     """Write two faces."""
     n = unit((p[3], p[4], p[5]))
     i = put_plane((p[0], p[1], p[2]), n, 0, out)
-    return put_plane(_second_plane(p), (-n[0], -n[1], -n[2]), i, out)
-
-
-@kernel
-def _second_plane(p: Numbers) -> Vector:
-    """Return a point of the second plane."""
-    n, width = unit((p[3], p[4], p[5])), p[6]
-    return (p[0] + width * n[0], p[1] + width * n[1], p[2] + width * n[2])
+    return put_plane(point_along(p, p[6]), (-n[0], -n[1], -n[2]), i, out)
 
 
 @kernel
 def _beside_strip(p: Numbers, x: Vector) -> bool:
     """Return whether a point is not between the planes."""
     n = unit((p[3], p[4], p[5]))
-    return dot(minus(x, (p[0], p[1], p[2])), n) < 0 or dot(minus(x, _second_plane(p)), n) > 0
+    return dot(minus(x, (p[0], p[1], p[2])), n) < 0 or dot(minus(x, point_along(p, p[6])), n) > 0
 
 
 class Strip(WallShape):
@@ -146,7 +149,7 @@ class Strip(WallShape):
     def outline(self) -> Outline:
         """Return the intersections of the planes with the floor."""
         d = unit(self.normal)
-        return track(self.point, d) + track(_second_plane(self.numbers), d)
+        return track(self.point, d) + track(point_along(self.numbers, self.numbers[6]), d)
 
     def describe(self) -> str:
         """Return a description of a few words."""

@@ -21,6 +21,7 @@ from carom.scene.feature_builders import (
     frame,
     length_2d,
     minus,
+    point_along,
     put,
     put_corner,
     put_disc,
@@ -43,12 +44,6 @@ Numbers = Sequence[float]
 
 
 @kernel
-def _far_end(p: Numbers) -> Vector:
-    d, length = unit((p[3], p[4], p[5])), p[8]
-    return (p[0] + length * d[0], p[1] + length * d[1], p[2] + length * d[2])
-
-
-@kernel
 def _cylinder_features(p: Numbers, out: Any) -> int:
     """Write a line with a radius; of a finite one also two discs, or its outer side, and two rims."""
     at, d, R, inside, length = (p[0], p[1], p[2]), unit((p[3], p[4], p[5])), p[6], p[7] != 0, p[8]
@@ -58,9 +53,9 @@ def _cylinder_features(p: Numbers, out: Any) -> int:
     i = put_line(at, d, 0.0, length, R, 1.0, i, out)
     if not inside:
         i = put_disc(at, (-d[0], -d[1], -d[2]), R, i, out)
-        i = put_disc(_far_end(p), d, R, i, out)
+        i = put_disc(point_along(p, p[8]), d, R, i, out)
     i = put_rim(at, d, R, frame(d)[0], -1.0, i, out)
-    return put_rim(_far_end(p), d, R, frame(d)[0], -1.0, i, out)
+    return put_rim(point_along(p, p[8]), d, R, frame(d)[0], -1.0, i, out)
 
 
 @kernel
@@ -77,7 +72,7 @@ def _blocked_by_cylinder(p: Numbers, x: Vector) -> bool:
 @kernel
 def _vertical_cylinder(p: Numbers, z: float) -> bool:
     """Return whether its axis is vertical, and it extends below and above the balls' centres."""
-    one, two = (p[2], _far_end(p)[2]) if p[8] < math.inf else (-math.inf, math.inf)
+    one, two = (p[2], point_along(p, p[8])[2]) if p[8] < math.inf else (-math.inf, math.inf)
     return abs(unit((p[3], p[4], p[5]))[2]) > 1 - LEVEL and min(one, two) <= z <= max(one, two)
 
 
@@ -141,7 +136,7 @@ class Cylinder(WallShape):
         x, y, _z = unit((*self.axis[:2], 0.0))
         off = self.radius * np.array([-y, x])
         if self._ends:
-            one, two = np.array(self.point[:2]), np.array(_far_end(self.numbers)[:2])
+            one, two = np.array(self.point[:2]), np.array(point_along(self.numbers, self.numbers[8])[:2])
             return [np.array([one + off, two + off, two - off, one - off, one + off])]
         at, along = np.array(self.point[:2]), np.array([x, y])
         return [np.array([at + s * off - FAR * along, at + s * off + FAR * along]) for s in (1.0, -1.0)]
