@@ -5,6 +5,8 @@ from .fit import fit_law as fit_law
 from .laws import FITTED as FITTED
 from .laws import FittedLaw as FittedLaw
 from .outliers import Outlier as Outlier
+from .population import Population as Population
+from .population import fit_population as fit_population
 from .predictive import Prediction as Prediction
 from .profile_likelihood import with_profiles as with_profiles
 from .ranking import Ranking as Ranking

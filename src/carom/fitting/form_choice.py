@@ -198,7 +198,7 @@ def _tried(words: str, base: Fit, smooth: tuple[Smooth, ...], noise: Noise, befo
             other = _refitted(base, smooth[-1].parameter, form)
             starts.append(model.start(varying_model(other).base, other.numbers))
     fits = [fit_varying(base, smooth, noise, start) for start in starts]
-    fit = min(fits, key=lambda one: one.deviance + float(one.q @ one.model.precision @ one.q))
+    fit = min(fits, key=lambda one: one.deviance + one.model.penalty(one.q)[0])
     score, rows = held_out_score(fit)
     gains = rows - before.rows if before is not None else np.zeros(len(rows))
     error = float(gains.std(ddof=1) / math.sqrt(len(rows)))

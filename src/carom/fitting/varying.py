@@ -60,6 +60,8 @@ class VaryingModel:
     """(NUMBERS,) where the law's fitted numbers begin, and the values of the others."""
     smooth: tuple[Smooth, ...] = ()
     noise: Noise = NORMAL
+    prior: tuple[Array, Array] | None = None
+    """Mean and precisions (k,) of all numbers, where they are known before."""
 
     @property
     def problem(self) -> Problem:
@@ -108,7 +110,12 @@ class VaryingModel:
         for one in self.smooth:
             p[at : at + one.count, at : at + one.count] = one.penalty
             at += one.count
-        return p
+        return p if self.prior is None else p + np.diag(self.prior[1])
+
+    def penalty(self, q: Array) -> tuple[float, Array]:
+        """Return the penalty of splines and prior, and -1/2 of its gradient."""
+        off = q if self.prior is None else q - self.prior[0] * (self.prior[1] > 0)
+        return float(off @ self.precision @ off), -self.precision @ off
 
     def start(self, like: FitModel | None = None, numbers: Array | None = None) -> Array:
         """Return q at the law's own numbers, or at those of the same law with other forms, which the splines follow."""
@@ -250,7 +257,8 @@ class VaryingModel:
     def evaluate(self, q: Array, weights: Array, derivatives: bool) -> tuple[float, Array, Array]:
         """Return the penalised deviance, -1/2 of its gradient and 1/2 of its curvature, of weighted rows (N,)."""
         value, found = self.look(q)
-        total = float((weights * value).sum()) + float(q @ self.precision @ q)
+        cost, pull = self.penalty(q)
+        total = float((weights * value).sum()) + cost
         u, h = np.zeros(len(q)), np.zeros((len(q), len(q)))
         if not derivatives:
             return total, u, h
@@ -276,7 +284,7 @@ class VaryingModel:
         shape = self.parts["shape"]
         u[shape] = -0.5 * (weights[:, None] * found["shape"]).sum(axis=0)
         h[shape, shape] = 0.25 * np.einsum("n,ni,nj->ij", weights, found["shape"], found["shape"]) + 1e-9
-        return total, u - self.precision @ q, h + self.precision
+        return total, u + pull, h + self.precision
 
     def minimize(self, q: Array, weights: Array | None = None) -> tuple[Array, Array, Array]:
         """Return the best numbers (B, k) from q (B, k) with weights (B, N), their deviances and information."""
@@ -361,4 +369,4 @@ def fit_varying(
     """
     model = varying_model(fit, smooth, noise)
     q, value, information = model.minimize((model.start() if start is None else start)[None])
-    return VaryingFit(model, q[0], float(value[0] - q[0] @ model.precision @ q[0]), information[0])
+    return VaryingFit(model, q[0], float(value[0]) - model.penalty(q[0])[0], information[0])
