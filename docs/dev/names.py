@@ -124,6 +124,7 @@ ROWS = {
             for name in ("friction_2", "last_1", "last_2")
         ),
         Quantity("contact time of a ball alone", "T", "s", "walls[].contact_time"),
+        Quantity("depth at which a ball turns, over its speed along the normal", "", "s", "walls[].yield_time"),
         Quantity("normal", "n", "1", "normal normal_x normal_y normal_z"),
         Quantity("height of the contact point", "", "radii of the ball", "contact_height",
                  "not the height of the nose: over a nose below its centre the ball meets the wall level with the centre, at 1"),

@@ -293,7 +293,7 @@ WRONG = {
     "a field of another shape": (
         SOUND.replace("friction = 0.2\n[[b", "friction = 0.2\nsize = 3\n[[b"),
         "walls[0].size: expected a field that is known here, got 'size'; known are restitution, friction,"
-        " tangential_restitution, stiffness_ratio, contact_time, law, name, shape, point, normal",
+        " tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name, shape, point, normal",
     ),
     "unknown shape": (
         SOUND.replace("'plane'", "'plnae'"),
@@ -716,7 +716,7 @@ position = [-0.1, 0.2, 0.3]
             {"shape": "cylinder", "point": [0.0, 0.0, 0.0], "axis": [0.0, 0.0, 1.0], "radius": 0.5, "inside": True,
              "length": "inf", "restitution": {"form": "power", "at_rest": 0.9, "speed": 0.2, "exponent": 0.25},
              "friction": 0.2, "tangential_restitution": 0.0, "stiffness_ratio": 14 / 17,
-             "contact_time": 3e-4, "law": None, "name": None},
+             "contact_time": 3e-4, "yield_time": 0.0, "law": None, "name": None},
         ],
         "balls": [
             {"radius": 0.03, "mass": 0.2, "inertia": 0.4, "position": [0.1, 0.2, 0.03], "velocity": [1.0, 2.0, 0.0],

@@ -69,7 +69,10 @@ def in_small_steps(made: carom.Scene, until: float) -> Shot:
         Ball(np.array(one.position[:2]), np.array(one.state.velocity[:2]), np.array(one.state.spin), one.radius)
         for one in made.balls
     ]
-    walls = [Wall(np.array(n, float), at) for n, at in SIDES]
+    walls = [
+        Wall(np.array(n, float), at, yield_time=one.yield_time, deepest=0.5)
+        for (n, at), one in zip(SIDES, made.walls, strict=True)
+    ]
     shot = Shot(balls, walls, Cloth(**{name: getattr(floor, name) for name in names}))
     shot.run(until)
     return shot
@@ -240,3 +243,114 @@ def test_a_spin_that_only_damps_never_ends() -> None:
     run = carom.simulate(made)
     assert run.final.spin[0, 2] == pytest.approx(20 * np.exp(-1.5), rel=1e-15)
     assert carom.simulate(carom.replaced(made, {"run.duration": None})).end == 0
+
+
+@pytest.mark.parametrize("c", [0.004, 0.012])
+def test_a_wall_that_yields_is_met_at_a_depth_of_its_time_times_the_speed(c: float) -> None:
+    for law in ({}, {"rolling_drag": 0.02}):
+        made = scene(law, 5, 5.0, yield_time=c)
+        run = carom.simulate(made)
+        agrees(run, in_small_steps(made, 5.0), 1e-9)
+        rows = run.log[run.log["kind"] == 1]
+        for row in rows:
+            n, at = SIDES[row["other"]]
+            gap = np.dot(n, row["x"][:2]) - at - A
+            assert gap == pytest.approx(max(c * np.dot(n, row["v_before"][:2]), -A / 2), abs=1e-13)
+        assert len(rows) > 1
+
+
+def test_round_walls_yield_along_their_normals() -> None:
+    """A pillar and the inside of a tube: the place of contact is a root of a fine table of the path."""
+    pillar = {
+        "shape": "cylinder",
+        "point": (0, 0, 0),
+        "axis": (0, 0, 1),
+        "radius": 0.1,
+        "restitution": 0.8,
+        "friction": 0.1,
+    }
+    tube = {**pillar, "radius": 1.0, "inside": True}
+    draw = np.random.default_rng(3)
+    for n in range(30):
+        wall, side = ((pillar, 1), (tube, -1))[n % 2]
+        wall = {**wall, "yield_time": draw.uniform(0, 0.01)}
+        v, spin = draw.uniform(-2, 2, 2), draw.uniform(-60, 60, 3)
+        way = v / np.linalg.norm(v)
+        start = (-0.3 * way + draw.uniform(-0.12, 0.12) * np.array([-way[1], way[0]])) if n % 2 == 0 else (0.1, 0.2)
+        ball = {"radius": A, "mass": 0.2, "position": tuple(start), "velocity": tuple(v), "spin": tuple(spin)}
+        run = carom.simulate(
+            carom.Scene(floor={"friction": 0.2}, walls=[wall], balls=[ball], run={"max_events": 2, "law": "contact"})
+        )
+        free = carom.simulate(carom.Scene(floor={"friction": 0.2}, balls=[ball], run={"duration": 3}))
+        t = np.linspace(0, 3, 60001)
+        path = free.at(t)
+        x, u = path.position[:, 0, :2], path.velocity[:, 0, :2]
+        far = np.linalg.norm(x, axis=1)
+        gap, rate = side * (far - wall["radius"]) - A, side * (x * u).sum(axis=1) / far
+        short = gap + np.minimum(wall["yield_time"] * np.maximum(-rate, 0), A / 2)
+        hits = run.log[run.log["kind"] == 1]
+        if not (short < 0).any():
+            assert len(hits) == 0
+            continue
+        k = int(np.argmax(short < 0))
+        exact = t[k - 1] + (t[k] - t[k - 1]) * short[k - 1] / (short[k - 1] - short[k])
+        assert hits[0]["t"] == pytest.approx(exact, abs=1e-7)
+
+
+def test_what_is_driven_into_a_wall_that_yields_stays_at_its_depth() -> None:
+    """Topspin presses a ball on the cushion: it loses energy, and neither sinks in nor creeps out."""
+    ball = {"radius": 0.03, "mass": 0.2, "position": (0.3, 0), "velocity": (-1, 0.3), "spin": (0, -333.0, 40)}
+    wall = {"shape": "plane", "point": (0, 0, 0), "normal": (1, 0, 0), "restitution": 0.4, "friction": 0.15}
+    ends = []
+    for c in (0.0, 0.006):
+        walls = [{**wall, "yield_time": c}]
+        run = carom.simulate(
+            carom.Scene(
+                floor={"friction": 0.2, "rolling_resistance": 0.01}, walls=walls, balls=[ball], run={"duration": 4}
+            )
+        )
+        log = run.log
+        energy = (log["v"] ** 2).sum(axis=1) + 0.4 * 0.03**2 * (log["w"] ** 2).sum(axis=1)
+        assert np.diff(energy).max() < 1e-15
+        depth = 0.03 - log["x"][log["kind"] == 1, 0]
+        if c > 0:
+            assert depth[:4] == pytest.approx([8.68e-3, 3.74e-3, 1.56e-3, 0.577e-3], rel=5e-3)
+        assert np.ptp(depth[5:]) < 1e-12
+        ends.append((len(log), run.final.position[0, 1]))
+    assert ends[1][0] < 1.5 * ends[0][0]
+    assert ends[1][1] == pytest.approx(ends[0][1], abs=0.01)
+
+
+def test_derivatives_by_the_yield_time_are_differences() -> None:
+    for c, law in ((0.006, {}), (0.006, {"rolling_drag": 0.01}), (0.0, {})):
+        made = carom.replaced(scene(law, 4, 2.0, yield_time=c), {"run.law": "two-step", "walls.*.friction": 0.2})
+        paths = ("walls.*.yield_time", "floor.friction", "balls.0.velocity.x")
+        exact = carom.simulate(made).sensitivity(paths).final.position
+        for k, path in enumerate(paths):
+            value, h = float(path_match(made, path).values[0]), 1e-7
+            ends = [carom.simulate(carom.replaced(made, {path: value + s * h})).final.position for s in (0, 1, 2)]
+            slope = (4 * ends[1] - 3 * ends[0] - ends[2]) / (2 * h)
+            np.testing.assert_allclose(exact[:, :, k], slope, atol=1e-8 + 3e-6 * abs(slope).max())
+
+
+def test_a_ball_between_a_ball_and_a_wall_that_yields_is_in_contact_with_both() -> None:
+    """Contacts that overlap in time: the wall acts where the ball is, and does not let it through."""
+    wall = {
+        "shape": "plane",
+        "point": (0, 0, 0),
+        "normal": (1, 0, 0),
+        "restitution": 0.8,
+        "friction": 0.1,
+        "contact_time": 3e-3,
+    }
+    for c in (0.0, 0.006):
+        balls = [
+            {"radius": A, "mass": 0.2, "position": (0.2, 0), "velocity": (-2, 0)},
+            {"radius": A, "mass": 0.2, "position": (A + 0.0005, 0.002)},
+        ]
+        made = carom.Scene(floor={"friction": 0.2}, walls=[{**wall, "yield_time": c}], balls=balls, run={"duration": 1})
+        run = carom.simulate(made)
+        assert run.final.position[:, 0].min() > A - 2 * 0.006
+        assert run.log["x"][:, 0].min() > 0.3 * A
+        moved = run.final.velocity[0, 0]
+        assert moved > 0

@@ -123,7 +123,7 @@ export function setUp(scene, layout, address) {
     const { form, p, mu, beta } = surfaceOf(scene, wall, law, layout);
     const number = law.response + (law.response === layout.responses.called ? called.indexOf(law) : 0);
     const { leaves, falls, goes_on: goesOn } = layout.gates;
-    const surface = { wall: i, form, e: p, mu, beta, contact_time: wall.contact_time, law: number };
+    const surface = { wall: i, form, e: p, mu, beta, contact_time: wall.contact_time, yield_time: wall.yield_time, law: number };
     const gate = placeAt(wall, [0, 0, 0]).encloses ? leaves : goesOn;
     return featuresOf(wall).map(({ pocket, ...one }) => {
       if (pocket >= 0) return { ...one, ...surface, ends: falls, at: pockets++ };

@@ -15,7 +15,7 @@
 
 /** @typedef {Surface & {rolling_resistance: number, spin_friction: number, rolling_drag: number, spin_damping: number, spin_drag: number}} Floor */
 
-/** @typedef {Surface & {shape: string, stiffness_ratio: number, contact_time: number, law: string | null, name: string | null, [key: string]: any}} Wall */
+/** @typedef {Surface & {shape: string, stiffness_ratio: number, contact_time: number, yield_time: number, law: string | null, name: string | null, [key: string]: any}} Wall */
 
 /**
  * @typedef {object} Ball

@@ -223,9 +223,8 @@ class Scene(Model):
                 contact = contact._replace(beta=0.0 if self.floor is None else self.floor.contact.mu)
             gate = LEAVES if wall.encloses else GOES_ON
             for *shape, pocket in wall.features():
-                rows.append(
-                    (*shape, i, *contact, wall.contact_time, number, *((gate, 0) if pocket < 0 else (FALLS, pockets)))
-                )
+                times, ends = (wall.contact_time, wall.yield_time), (gate, 0) if pocket < 0 else (FALLS, pockets)
+                rows.append((*shape, i, *contact, *times, number, *ends))
                 pockets += pocket >= 0
         return np.array(rows, dtype=FEATURES)
 

@@ -354,6 +354,7 @@ Modulus = Annotated[float, BeforeValidator(Number("Young's modulus in Pa, > 0", 
 PoissonRatio = Annotated[float, BeforeValidator(Number("Poisson's ratio, from 0 to 0.5", least=0, most=0.5))]
 Time = Annotated[float, BeforeValidator(Number("a time in s, > 0", "s", least=0, above=True))]
 ContactTime = Annotated[float, BeforeValidator(Number("a time in s, from 0 to 1", "s", least=0, most=1))]
+YieldTime = Annotated[float, BeforeValidator(Number("a time in s, from 0 to 0.1", "s", least=0, most=0.1))]
 Speed = Annotated[float, BeforeValidator(Number("a speed in m/s", "m/s"))]
 Spin = Annotated[float, BeforeValidator(Number("a spin in rad/s", "rad/s"))]
 Acceleration = Annotated[float, BeforeValidator(Number("an acceleration in m/s^2", "m/s^2"))]

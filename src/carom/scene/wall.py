@@ -34,6 +34,7 @@ from carom.scene.schema import (
     PositiveNumber,
     Spring,
     Vector,
+    YieldTime,
     raise_faults,
     refused,
     runs_own_laws,
@@ -317,6 +318,8 @@ class WallShape(Model):
     stiffness_ratio : number > 0: tangential over normal stiffness of the contact; default: 14/17 (same material)
     contact_time : s, from 0 to 1: how long a ball alone touches the wall; default: 0.3 ms, of a hard wall, and of a table 3 ms, of
         rubber (estimates). It matters only where the ball touches something else meanwhile, another ball or another wall
+    yield_time : s, from 0 to 0.1: the wall yields, and a ball turns deeper by ``yield_time`` times its speed along the normal;
+        default: 0. Of a spring that a ball touches for the time T it is e T / (1 + e). No ball turns deeper than half its radius
     law : str or carom.Law, optional
         Law of this wall; default: the run's.
     name : str, optional
@@ -335,6 +338,7 @@ class WallShape(Model):
     tangential_restitution: Spring = 0.0
     stiffness_ratio: PositiveNumber = LIKE_SOLIDS
     contact_time: ContactTime = HARD
+    yield_time: YieldTime = 0.0
     law: LawChoice | None = None
     name: str | None = None
 

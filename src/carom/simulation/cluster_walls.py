@@ -16,7 +16,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.core.geometry.features import BEHIND, OVER, contact_normal, gap_to_feature, is_out_of_reach
+from carom.core.geometry.features import OVER, contact_normal, gap_to_feature, is_out_of_reach
+from carom.core.geometry.gaps import least_gap
 from carom.core.jit.kernel import Vec, cross, dot, kernel, vector
 from carom.core.motion.restitution import CONSTANT, restitution
 from carom.laws.hertz import damping
@@ -78,7 +79,7 @@ def _time_to_wall(f: Any, ball: Any, v: Vec, u: float) -> tuple[float, float, Ve
     """
     x, a, zero = vector(ball.cx), ball.radius, 0 * u
     gap = gap_to_feature(f, a, x) + zero
-    if -BEHIND * a <= gap <= NEAR * a:
+    if least_gap(f, a) <= gap <= NEAR * a:
         n = contact_normal(f, x, vector(ball.cv))
         c = -min(dot(vector(ball.cv), n), dot(v, n))
         if c > CLOSES * u:
@@ -162,7 +163,7 @@ def _add_wall(features: Any, ball: Any, k: int) -> None:
     """Write feature k to a ball's record, if it is near; of features of one wall only the nearest."""
     x, a = vector(ball.cx), ball.radius
     gap = gap_to_feature(features[k], a, x)
-    if not -BEHIND * a <= gap <= NEAR * a:
+    if not least_gap(features[k], a) <= gap <= NEAR * a:
         return
     n = contact_normal(features[k], x, vector(ball.cv))
     gap = max(gap, 0 * gap)

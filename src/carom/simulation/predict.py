@@ -9,7 +9,17 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.core.geometry.features import FALLS, OVER, SEAM, feature_hit, is_out_of_reach, never_closes
+from carom.core.geometry.features import (
+    FALLS,
+    OVER,
+    SEAM,
+    feature_hit,
+    gap_derivatives,
+    gap_to_feature,
+    is_out_of_reach,
+    never_closes,
+)
+from carom.core.geometry.gaps import contact_gap, contact_gap_rate, feature_gap, feature_gap_rate, least_gap
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, vector
 from carom.core.motion.bounces import bounces
 from carom.core.motion.decay import decay_integrals, time_of_path
@@ -32,6 +42,7 @@ __all__ = [
     "accelerations_of",
     "begin_phase",
     "is_on_floor",
+    "motion_in",
     "move_by",
     "pair_hit",
     "predict",
@@ -42,6 +53,7 @@ __all__ = [
 
 # Two balls so near, as a share of their distance, touch; the shortest and the longest step of the search for that, s, and how many.
 TOUCH, SHORTEST, LONGEST, MOST_STEPS = 4e-16, 1e-7, 1e6, 10_000
+MOST_ROUNDS = 60  # of Newton's steps
 STILL = 1e-12  # of the radius: a ball that moved by less is where it was
 
 
@@ -129,16 +141,68 @@ def _slows_down(ball: Any) -> bool:
 
 
 @kernel
-def _feature_time(f: Any, ball: Any, x: Vec, v: Vec, acc: Vec, until: float, slow: float) -> float:
-    """Return the time in [0, until] at which a ball touches feature f, or infinity."""
+def _touch_time(f: Any, ball: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: float) -> float:
+    """Return the time in [0, until] at which a ball, as if its radius were a, touches feature f, or infinity."""
     if not _slows_down(ball):
-        return feature_hit(f, ball.radius, x, v, acc, until, slow)
+        return feature_hit(f, a, x, v, acc, until, slow)
     # its path is straight: what it meets does not depend on how fast it goes along, and the way there is found first, as the
     # time that the ball would take at its first speed
     c, k = math.sqrt(dot(acc, acc) / dot(v, v)), ball.fade
     way = until - c * decay_integrals(k, until)[2] if until < math.inf else 1 / k
-    path = feature_hit(f, ball.radius, x, v, (0 * c, 0 * c, 0 * c), way, slow)
+    path = feature_hit(f, a, x, v, (0 * c, 0 * c, 0 * c), way, slow)
     return time_of_path(k, c, path, until) if path < math.inf else path
+
+
+@kernel
+def _time_when_deep(f: Any, ball: Any, begin: float, until: float) -> float:
+    """Return the time at which a ball that has touched feature f, which yields, at the time ``begin`` is so deep that it turns."""
+    a, low, high = ball.radius, begin, math.inf + 0 * begin
+    s = begin + f.yield_time
+    for _ in range(MOST_ROUNDS):
+        x, v, acc = motion_in(ball, s)
+        rate, bend = gap_derivatives(f, x, v, acc)
+        gap = contact_gap(f, a, feature_gap(f, a, x), rate)
+        if gap > 0:
+            low = s
+        else:
+            high = s
+        slope = contact_gap_rate(f, a, rate, bend)
+        after = s - gap / slope if slope < 0 else low
+        if not low <= after <= high or (after == low and gap > 0):
+            after = (low + high) / 2 if high < math.inf else s + f.yield_time
+        if abs(after - s) <= 2e-16 * s or gap == 0:
+            break
+        s = after
+    return float(s if s <= until else math.inf + 0 * s)
+
+
+@kernel
+def _feature_time(
+    features: Any, k: int, ball: Any, x: Vec, v: Vec, acc: Vec, until: float, slow: float
+) -> float:  # fmt: skip
+    """Return the time in [0, until] at which a ball meets feature k, or infinity: where it touches it, or deeper if that yields."""
+    f, a = features[k], ball.radius
+    if not f.yield_time > 0 or f.kind == OVER:
+        return _touch_time(f, ball, a, x, v, acc, until, slow)
+    gap, begin = gap_to_feature(f, a, x), 0 * until
+    if least_gap(f, a) <= gap < 0:
+        rate = feature_gap_rate(f, x, v)
+        if contact_gap(f, a, gap, rate) > 0:
+            return _time_when_deep(f, ball, begin, until)
+        # it has turned: it comes out, or something drives it back to the depth at which it is
+        if ball.turned_in == k + 1:
+            gap = min(gap, ball.turned_at)
+        back = _touch_time(f, ball, a + gap, x, v, acc, until, slow)
+        if not 0 < back < math.inf:
+            return back
+        begin = back / 2
+        y, u, b = motion_in(ball, begin)
+        if not feature_gap(f, a, y) > 0:
+            return back
+        touch = begin + _touch_time(f, ball, a, y, u, b, until - begin, slow)
+    else:
+        touch = _touch_time(f, ball, a, x, v, acc, until, slow)
+    return _time_when_deep(f, ball, touch, until) if touch < math.inf else touch
 
 
 @kernel
@@ -155,7 +219,7 @@ def _pair_polynomial(r: Vec, v: Vec, b: Vec, reach: float) -> tuple[float, float
 
 
 @kernel
-def _motion_in(ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
+def motion_in(ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
     """Return position, velocity and acceleration of a ball a time s after its clock."""
     x, v, _w = state_at(ball, s)
     c = decay_integrals(ball.fade, s)[0] if _slows_down(ball) else 1 + 0 * s
@@ -177,8 +241,8 @@ def _slowing_pair_hit(ball: Any, other: Any, now: float, until: float, slow: flo
         left = until - t
         if not left >= 0:
             break
-        x, v, b = _motion_in(ball, now - ball.clock + t)
-        y, u, c = _motion_in(other, now - other.clock + t)
+        x, v, b = motion_in(ball, now - ball.clock + t)
+        y, u, c = motion_in(other, now - other.clock + t)
         r, v = (x[0] - y[0], x[1] - y[1], x[2] - y[2]), (v[0] - u[0], v[1] - u[1], v[2] - u[2])
         p, q = ball.fade if _slows_down(ball) else 0 * t, other.fade if _slows_down(other) else 0 * t
         j = (p * b[0] - q * c[0], p * b[1] - q * c[1], p * b[2] - q * c[2])
@@ -263,7 +327,7 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
     if phase < REST:
         x, v, acc = vector(ball.x), vector(ball.v), vector(ball.acc)
         for f in range(0 if _lands_first(world, features, ball, slow) else features.shape[0]):
-            s = _feature_time(features[f], ball, x, v, acc, best, slow)
+            s = _feature_time(features, f, ball, x, v, acc, best, slow)
             if s < best or (s == best and kind == NOTHING and s < math.inf):
                 best, kind, who = s, _kind_of(features[f]), f
         if phase == FLIGHT and world.floor != 0:

@@ -93,6 +93,9 @@ BALLS = np.dtype(
         ("next_at", _NUMBER),
         ("next_kind", _WHOLE),
         ("next_who", _WHOLE),  # the feature, or the other ball
+        # the feature, counted from 1, of a wall that yields in which the ball has turned last, and its gap there
+        ("turned_in", _WHOLE),
+        ("turned_at", _NUMBER),
         ("repeats", _WHOLE),  # events in a row at one place
         ("energy", _NUMBER),  # a unit of mass, since nothing takes any: what rounding must not change; else NaN
         # In a cluster (carom.simulation.cluster). Record k also holds what is of its member k: the ball's number, and bits for the

@@ -63,7 +63,7 @@ FILLED = {
         "pair_drop",
         "pair_rate",
     ),
-    "features": ("e", "mu", "beta"),
+    "features": ("e", "mu", "beta", "yield_time"),
     "balls": ("mass", "kappa"),
 }
 EVENT_KINDS = {

@@ -54,6 +54,7 @@ FEATURES = np.dtype(
         ("mu", "f8"),
         ("beta", "f8"),
         ("contact_time", "f8"),  # s
+        ("yield_time", "f8"),  # s: how deep the ball turns, over its speed of approach (carom.core.geometry.gaps)
         ("law", "i8"),
         ("ends", "i8"),  # GOES_ON, LEAVES or FALLS
         (

@@ -69,8 +69,8 @@ class Plane(WallShape):
     ----------
     point : 3 lengths, m: a point of the plane
     normal : 3 numbers, of any length: its normal, towards the balls
-    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, law, name : see the guide on scenes; fields of
-        every wall
+    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : see the guide on scenes;
+        fields of every wall
 
     Raises CaromError, one line per problem.
 
@@ -123,8 +123,8 @@ class Strip(WallShape):
     point : 3 lengths, m: a point of the first plane
     normal : 3 numbers: its normal, towards the second plane
     width : m: distance of the planes
-    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, law, name : fields of every wall, as of
-        :class:`Plane`
+    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
+        of :class:`Plane`
 
     Raises CaromError, one line per problem.
 
@@ -206,8 +206,8 @@ class Wedge(WallShape):
     axis : 3 numbers: direction of the line; default: vertical
     from_angle, to_angle : degrees: the opening, counterclockwise from one to the other as seen against the axis, from x (from y, if
         the axis is along x). An opening of more than 180 degrees has an edge; one of 360 is a half-plane that begins at the line
-    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, law, name : fields of every wall, as of
-        :class:`Plane`
+    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
+        of :class:`Plane`
 
     Raises CaromError, one line per problem.
 
@@ -343,8 +343,8 @@ class Box(WallShape):
     corner : 3 lengths, m: the lowest corner in x, y and z
     size : 3 lengths, m: along x, y and z
     inside : whether the balls are inside; default: outside
-    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, law, name : fields of every wall, as of
-        :class:`Plane`
+    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
+        of :class:`Plane`
 
     Raises CaromError, one line per problem.
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from carom.core.contact import SLIDE, STICK, one_contact, slip_velocity
 from carom.core.geometry.features import OVER, contact_normal, feature_normal, gap_to_feature
+from carom.core.geometry.gaps import feature_gap
 from carom.core.jit.kernel import Vec, dot, kernel, vector
 from carom.core.motion.phases import FLIGHT, HELD, PIVOTING, REST, ROLLING, ROUNDING
 from carom.core.motion.restitution import restitution
@@ -105,16 +106,23 @@ def _collide_at_wall(world: Any, features: Any, balls: Any, i: int, who: int, n:
 
 
 @kernel
+def _note_depth(f: Any, ball: Any, who: int) -> None:
+    """Note how deep a ball has turned in feature ``who``, if that yields: what drives it back before it is out finds it there."""
+    if f.yield_time > 0:
+        ball.turned_in, ball.turned_at = who + 1, feature_gap(f, ball.radius, vector(ball.x))
+
+
+@kernel
 def meet_wall(world: Any, features: Any, balls: Any, i: int, who: int, users: Any) -> Outcome:
     """Resolve the impact of ball i on feature ``who`` by the law of its wall."""
     f, ball = features[who], balls[i]
-    a, kappa = ball.radius, ball.kappa
+    a, kappa, mu, beta, law = ball.radius, ball.kappa, f.mu, f.beta, f.law
     v, w = vector(ball.v), vector(ball.w)
     n = contact_normal(f, vector(ball.x), v)
     approach = -dot(v, n)
     pushed = is_driven_into_wall(world, f, ball, n, approach)
     e = 1.0 if pushed else restitution(f.form, vector(f.e), max(approach, 0.0))
-    mu, beta, law = f.mu, f.beta, f.law
+    _note_depth(f, ball, who)
     on_floor = is_on_floor(world, ball)
     energy = ball.energy
     if math.isnan(energy) or not keeps_energy(world, ball):

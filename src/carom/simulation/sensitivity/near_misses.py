@@ -17,12 +17,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.geometry.features import BEHIND, FALLS, FEATURES, OVER, SEAM, gap_to_feature
+from carom.core.geometry.gaps import feature_gap, pair_gap
 from carom.core.jit.compile import array_of, njit, signature
 from carom.core.jit.kernel import Vec, kernel
 from carom.core.jit.slices import block_slices
 from carom.core.motion.phases import BOUNCING, HELD, REST
 from carom.simulation.sensitivity.dual import Dual, derivative, value
-from carom.simulation.sensitivity.gaps import feature_gap, pair_gap
 from carom.simulation.sensitivity.interpreted import seeded
 from carom.simulation.sensitivity.lift import lifted
 from carom.simulation.sensitivity.parameters import Parameters

@@ -17,10 +17,11 @@ from typing import Any
 
 import numpy as np
 
-from carom.core.geometry.features import FALLS, OVER, gap_to_feature
+from carom.core.geometry.features import FALLS, OVER, gap_derivatives, gap_to_feature
+from carom.core.geometry.gaps import contact_gap, contact_gap_rate, feature_gap, feature_gap_rate, pair_gap
 from carom.core.jit.dual.numbers import as_dual, depends, scaled, value_of, with_value
 from carom.core.jit.kernel import Vec, dot, kernel, steepest, vector
-from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, SLIDING, grounded
+from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, SLIDING, acts, grounded
 from carom.simulation.contacts.kinds import resolve_event
 from carom.simulation.contacts.pair import line_of_centres, pair_friction
 from carom.simulation.predict import begin_phase, move_by, write_vector
@@ -37,7 +38,6 @@ from carom.simulation.records import (
     WALL_IN_CLUSTER,
 )  # fmt: skip
 from carom.simulation.resting_contact import stays_clear
-from carom.simulation.sensitivity.gaps import feature_gap, feature_gap_rate, pair_gap
 
 __all__ = ["PASSAGES", "follow_log", "met_feature", "state_at_time"]
 
@@ -136,9 +136,10 @@ def met_feature(walls: Any, row: Any, a: float) -> int:
             mine = gate and f.wall == who and f.ends != FALLS
         if mine:
             # (in a corner two are in touch: the ball has met the one that it approaches fastest)
-            gap = abs(feature_gap(f, a, x))
+            rate = feature_gap_rate(f, x, v)
+            gap = abs(contact_gap(f, a, feature_gap(f, a, x), rate) if f.yield_time > 0 else feature_gap(f, a, x))
             apart = gap > IN_TOUCH * a
-            score = gap if apart else feature_gap_rate(f, x, v)
+            score = gap if apart else rate
             if (far and not apart) or (far == apart and score < best):
                 far, best, found = apart, score, k
     return found
@@ -163,6 +164,10 @@ def _move_to_event(
     """Move ball i, and k if it is another, to the event, at the time that changes with the parameters; False at a graze."""
     ball, other = balls[i], balls[k]
     t = row.t
+    yields = f >= 0 and k == i and (acts(walls[f].yield_time) or acts(features[f].yield_time))
+    before = as_dual(0.0)
+    if yields:
+        before = ball.turned_at if ball.turned_in == f + 1 else feature_gap(features[f], ball.radius, vector(ball.x))
     move_by(world, ball, t - ball.clock, as_dual(t))
     if k != i:
         move_by(world, other, t - other.clock, as_dual(t))
@@ -180,6 +185,16 @@ def _move_to_event(
         gap, rate = ball.x[2] - ball.radius, v[2]
     else:
         gap, rate = feature_gap(features[f], ball.radius, vector(ball.x)), feature_gap_rate(walls[f], x, v)
+        if yields:
+            a = plain[i].radius
+            at_contact = contact_gap(
+                features[f], ball.radius, gap, feature_gap_rate(features[f], vector(ball.x), vector(ball.v))
+            )
+            if abs(value_of(at_contact)) <= IN_TOUCH * a:
+                gap = at_contact
+                rate = contact_gap_rate(walls[f], a, *gap_derivatives(walls[f], x, v, vector(plain[i].acc)))
+            else:  # it is back at the depth at which it was
+                gap = gap - before
     if depends(gap):
         if not abs(rate) > LEAST_APPROACH * speed:
             return False
