@@ -63,6 +63,7 @@ class Shot:
     walls: list[Wall]
     cloth: Cloth
     events: list[tuple[float, str, int, int]] = field(default_factory=list)
+    step: float = 0.02
 
     def run(self, until: float) -> None:
         """Follow the balls up to a time."""
@@ -119,7 +120,7 @@ class Shot:
             method="DOP853",
             rtol=1e-13,
             atol=1e-15,
-            max_step=0.02,
+            max_step=self.step,
             events=[one[-1] for one in checks],
         )
         for i, ball in enumerate(self.balls):
@@ -132,7 +133,10 @@ class Shot:
                 if kind != "spin":
                     self.events.append((end, kind, i, k))
                 for j in range(n):
+                    was = self.balls[j].phase
                     self._find_phase(self.balls[j])
+                    if (was, self.balls[j].phase) == (SLIDING, ROLLING) and (kind, i) != (ROLLING, j):
+                        self.events.append((end, ROLLING, j, -1))  # (at the same time)
         return end
 
     def _checks(self, start: Any) -> list[tuple[str, int, int, Any]]:

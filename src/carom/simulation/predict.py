@@ -134,7 +134,7 @@ def begin_phase(world: Any, ball: Any) -> None:
         ball.lasts = lasts
 
 
-@kernel
+@hot_kernel
 def _slows_down(ball: Any) -> bool:
     """Return whether the acceleration of a ball's centre decays: it rolls on a straight line."""
     return bool(ball.decays != 0 and ball.fade > 0)
@@ -205,7 +205,7 @@ def _feature_time(
     return _time_when_deep(f, ball, touch, until) if touch < math.inf else touch
 
 
-@kernel
+@hot_kernel
 def _pair_polynomial(r: Vec, v: Vec, b: Vec, reach: float) -> tuple[float, float, float, float, float]:
     """Return the coefficients of |r + v s + b s^2/2|^2 - reach^2."""
     far = math.sqrt(dot(r, r))
@@ -326,8 +326,12 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
         best = ball.lasts
     if phase < REST:
         x, v, acc = vector(ball.x), vector(ball.v), vector(ball.acc)
+        slows_down = _slows_down(ball)
         for f in range(0 if _lands_first(world, features, ball, slow) else features.shape[0]):
-            s = _feature_time(features, f, ball, x, v, acc, best, slow)
+            if slows_down or features[f].yield_time > 0:
+                s = _feature_time(features, f, ball, x, v, acc, best, slow)
+            else:
+                s = feature_hit(features[f], a, x, v, acc, best, slow)
             if s < best or (s == best and kind == NOTHING and s < math.inf):
                 best, kind, who = s, _kind_of(features[f]), f
         if phase == FLIGHT and world.floor != 0:

@@ -45,7 +45,7 @@ def sliding_friction(v: Vec, w: Vec, a: float, kappa: float, g: float, mu: float
     return -c * u[0], -c * u[1], slip / (mu * g * (1 + 1 / kappa)) if mu > 0 else math.inf
 
 
-@kernel
+@hot_kernel
 def acts(x: float) -> bool:
     """Return whether a number that is zero by default is another one, or has derivatives."""
     return bool(x > 0 or steepest(x) > 0)
