@@ -89,10 +89,10 @@ class CurvedWall:
         """Half the diagonal of its box, or its largest coordinate, m."""
         x = np.concatenate([piece.at(np.linspace(*piece.span(), 257))[0] for loop in self.outline for piece in loop])
         if not np.isfinite(x).all():
-            raise CaromError(Fault(self.name, "curve", "finite places", "some that are none"))
+            raise CaromError(Fault(self.name, "outline", "finite places", "some that are none"))
         size = float(np.linalg.norm(np.ptp(x, axis=0)) / 2)
         if not size > 0:
-            raise CaromError(Fault(self.name, "curve", "a curve of a length above 0", "one point"))
+            raise CaromError(Fault(self.name, "outline", "a curve of a length above 0", "one point"))
         return max(size, float(np.abs(x).max()))
 
     @functools.cached_property
@@ -132,7 +132,7 @@ class CurvedWall:
             if np.abs(x[1] - y[0]).max() > OPEN * size:
                 raise CaromError(
                     Fault(
-                        self.name, "curve", "a closed curve", f"one from ({y[0, 0]:.6g}, {y[0, 1]:.6g}) that ends at"
+                        self.name, "outline", "a closed curve", f"one from ({y[0, 0]:.6g}, {y[0, 1]:.6g}) that ends at"
                         f" ({x[1, 0]:.6g}, {x[1, 1]:.6g})", "its last place is its first one",
                     )
                 )  # fmt: skip
@@ -146,7 +146,7 @@ class CurvedWall:
         jump[np.abs(jump) < CORNER_TURN] = 0.0
         if (np.abs(jump) > math.pi - 1e-6).any():
             at = rows[np.argmax(np.abs(jump)), OX : OX + 2]
-            raise CaromError(Fault(self.name, "curve", "no cusp", f"one at ({at[0]:.6g}, {at[1]:.6g})"))
+            raise CaromError(Fault(self.name, "outline", "no cusp", f"one at ({at[0]:.6g}, {at[1]:.6g})"))
         return WallLoop(rows, owner, t, sign, turn, begin, jump)
 
     @staticmethod
@@ -224,6 +224,8 @@ class CurvedWall:
             x = loop.rows[:, OX : OX + 2]
             turn = float(loop.turn.sum() + loop.jump.sum())
             if outline_faults(x) or abs(abs(turn) - math.tau) > 1e-6:
-                raise CaromError(Fault(self.name, "curve", "a closed curve that does not meet itself", "one that does"))
+                raise CaromError(
+                    Fault(self.name, "outline", "a closed curve that does not meet itself", "one that does")
+                )
             if (turn > 0) != (number == 0):
-                raise CaromError(Fault(self.name, "curve", "the table on the left of the curve", "one on its right"))
+                raise CaromError(Fault(self.name, "outline", "the table on the left of the curve", "one on its right"))

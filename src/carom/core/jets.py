@@ -68,7 +68,8 @@ class Jet:
 
     def __rsub__(self, other: Any) -> Jet:
         """Return the difference from a number."""
-        return -self + other
+        found: Jet = -self + other
+        return found
 
     def __mul__(self, other: Any) -> Jet:
         """Return the product."""

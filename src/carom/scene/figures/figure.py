@@ -81,6 +81,8 @@ def _plain(value: Any) -> Any:
         return {"shape": value.kind(), **value.sizes}
     if isinstance(value, Mapping):
         return {name: _plain(one) for name, one in value.items()}
+    if callable(value):
+        return str(getattr(value, "__name__", value))
     return [_plain(one) for one in value] if isinstance(value, tuple) else value
 
 

@@ -7,6 +7,8 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
+
 from carom.core.jets import call
 from carom.errors import CaromError, Fault, did_you_mean, shown
 
@@ -63,12 +65,12 @@ def _read(node: ast.AST, name: str, depth: int) -> Callable[[Any], Any]:
             value = math.inf
         if not math.isfinite(value):
             raise _fault("numbers below 1e308", "a larger one")
-        return lambda _x: value
+        return lambda _x: np.float64(value)  # (which overflows to infinity, and has no complex powers)
     if isinstance(node, ast.Name):
         if node.id == name:
             return lambda x: x
         if node.id in CONSTANTS:
-            constant = CONSTANTS[node.id]
+            constant = np.float64(CONSTANTS[node.id])
             return lambda _x: constant
         known = [name, *CONSTANTS, *NAMES]
         raise _fault(f"{name}, {', '.join(CONSTANTS)} and functions", shown(node.id), did_you_mean(node.id, known))
