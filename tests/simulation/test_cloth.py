@@ -81,7 +81,11 @@ def in_small_steps(made: carom.Scene, until: float) -> Shot:
 def agrees(run: carom.Trajectory, shot: Shot, error: float) -> None:
     """Compare every contact and every final state."""
     kinds = ("wall", "ball", "rolling")
-    mine = [(one.t, one.kind) for one in run.events if one.kind in kinds and not (one.kind == "ball" and one.ball > one.other)]
+    mine = [
+        (one.t, one.kind)
+        for one in run.events
+        if one.kind in kinds and not (one.kind == "ball" and one.ball > one.other)
+    ]
     theirs = [(t, kind) for t, kind, _i, _k in shot.events if kind in kinds]
     assert [kind for _t, kind in mine] == [kind for _t, kind in theirs]
     np.testing.assert_allclose([t for t, _k in mine], [t for t, _k in theirs], atol=error)

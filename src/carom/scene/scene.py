@@ -283,8 +283,8 @@ def _floor_faults(scene: Scene) -> list[Fault]:
         found.add(f"walls[{tables[0]}]", "a floor, as there is a table", "none", advice)
     if scene.floor is not None and (gx != 0 or gy != 0 or gz > 0):
         advice = (
-            "on a tilted floor a sliding ball has no path in closed form; leave the floor out and use a wall of shape"
-            " 'plane', on which the ball flies and bounces"
+            "balls on a tilted floor are not simulated; leave the floor out and use a wall of shape 'plane', on which the"
+            " ball flies and bounces"
         )
         got = format_vector(scene.gravity)
         found.add("gravity", "gravity along -z, as there is a floor", got, advice if gx or gy else "")
