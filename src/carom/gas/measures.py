@@ -7,7 +7,6 @@ is in :func:`carom.gas.channels` and :class:`carom.gas.GasRun`.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -21,9 +20,16 @@ from carom.gas.edmd.driver import synchronized
 from carom.gas.gas import Gas
 from carom.gas.histograms import add_component_histograms, add_pair_histograms, species_sums
 from carom.gas.spatial_profiles import Profile, Profiles, layers, volume_within
-from carom.gas.state import require_same_form
 
-__all__ = ["SERIES", "Displacement", "Distribution", "Measures", "PairCorrelation", "mean_square_displacement"]
+__all__ = [
+    "MAX_FOLLOWED",
+    "SERIES",
+    "Displacement",
+    "Distribution",
+    "Measures",
+    "PairCorrelation",
+    "mean_square_displacement",
+]
 
 Array = NDArray[np.float64]
 BIN_WIDTH, BINS = 0.1, 120  # of the components, in standard deviations
@@ -33,10 +39,6 @@ MAX_CENTERS = 8192  # balls around which pairs are counted in one sample
 LAGS = 24  # at which the mean square displacement is given
 # What a sample adds to the series: time, collisions so far, temperatures, and the potential energy per ball.
 SERIES = ("time", "collisions", "translational", "rotational", "height")
-STATE = (
-    "velocity_counts", "spin_counts", "fourth_moments", "temperatures", "pair_counts", "expected_pairs", "samples",
-    "pair_samples", "rows", "followed",
-)  # fmt: skip
 
 
 class Measures:
@@ -311,39 +313,6 @@ class Measures:
         count = np.bincount(place, minlength=LAGS)
         sums = [np.bincount(place, table[:, k], LAGS)[count > 0] / count[count > 0] for k in range(2)]
         return Displacement(sums[0], sums[1], self.dimensions)
-
-    # --- state -------------------------------------------------------------------------------------------------
-
-    def state(self) -> dict[str, NDArray[Any]]:
-        """Return all that was counted, as arrays."""
-        own = {name: np.array(getattr(self, name)) for name in STATE}
-        return own | (self.profiles.state() if self.profiles is not None else {})
-
-    @classmethod
-    def restore(
-        cls, gas: Gas, names: tuple[str, ...], container: Container | None, state: Mapping[str, NDArray[Any]]
-    ) -> Measures:
-        """Return the measures with a :meth:`state`, to continue."""
-        found = cls(gas, names, container)
-        samples = len(state["rows"])
-        free = {"rows": (samples, len(SERIES)), "temperatures": (samples, len(found.names), 2)}
-        if samples == 0:
-            free = dict.fromkeys(free, (0,))
-        free["followed"] = state["followed"].shape
-        for name in STATE:
-            fresh = np.array(getattr(found, name))
-            require_same_form(name, state[name], fresh.dtype, free.get(name, fresh.shape))
-        moved = (samples, min(len(gas.arrays.balls.motions), MAX_FOLLOWED), found.dimensions)
-        if state["followed"].shape != (moved if found.has_diffusion and samples else (0,)):
-            raise ValueError(f"'followed' of shape {state['followed'].shape}, not {moved}")
-        for name in STATE:
-            setattr(found, name, state[name].copy())
-        found.samples, found.pair_samples = int(state["samples"]), int(state["pair_samples"])
-        found.rows = [tuple(row) for row in state["rows"].reshape(-1, len(SERIES)).tolist()]
-        found.followed, found.temperatures = list(state["followed"]), list(state["temperatures"])
-        if found.profiles is not None:
-            found.profiles.restore(state)
-        return found
 
 
 def _scale_to_unit(records: Any, names: tuple[str, ...]) -> float:

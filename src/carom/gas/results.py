@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any, NamedTuple
 
@@ -58,18 +57,6 @@ class Mark(NamedTuple):
     energy: tuple[float, float, float]
     time: float
     cpu: float
-
-    def state(self) -> dict[str, NDArray[Any]]:
-        """Return the mark as arrays; :meth:`restore` makes it again."""
-        numbers = np.array([*self.energy, self.time, self.cpu])
-        return {"system": np.array([self.system]), "numbers": numbers} | {name: getattr(self, name) for name in TOTALS}
-
-    @classmethod
-    def restore(cls, state: Mapping[str, NDArray[Any]]) -> Mark:
-        """Return the mark with a :meth:`state`."""
-        *energy, time, cpu = map(float, state["numbers"])
-        pairs, contacts, faces = (state[name] for name in TOTALS)
-        return cls(state["system"][0], pairs, contacts, faces, (energy[0], energy[1], energy[2]), time, cpu)
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -17,7 +17,7 @@ from carom.gas.measures import Measures
 from carom.gas.results import GasRun, Mark
 from carom.gas.sampling import spread_time
 from carom.gas.scene import GasScene
-from carom.gas.state import require_state
+from carom.gas.state import State, course_as_arrays, gas_as_arrays, gas_of_arrays, require_state, set_course
 from carom.public.progress import Progress, loop_callback
 
 __all__ = ["SAMPLES", "Session"]
@@ -26,12 +26,6 @@ SAMPLES = 50  # of the gas while it is measured
 PAIR_SAMPLING = 5  # every fifth sample counts pairs
 RATE_SAMPLES = 8  # over which the rate of collisions is taken where walls oscillate: over one it varies with the phase
 CHUNK = 100_000  # collisions between two checks for progress and interrupts: a tenth of a second
-
-# What a session keeps of its course, beside the gas and its measures: whole numbers, and times.
-COUNTS = ("first_collision", "last_sample_collisions", "sample_interval", "snapshots_taken", "snapshots_by_time")
-CLOCK = ("sample_due", "last_sample_time", "snapshot_due")
-
-State = dict[str, NDArray[Any]]
 
 
 class Session:
@@ -293,19 +287,11 @@ class Session:
 
     def state(self) -> State:
         """Return all that a later session needs to continue with the same bits."""
-        return {f"gas.{name}": array for name, array in self.gas.state().items()} | self.own_state()
+        return gas_as_arrays(self.gas) | self.own_state()
 
     def own_state(self) -> State:
         """Return the :meth:`state` without the large arrays of the gas."""
-        found: State = {f"gas.{name}": array for name, array in self.gas.own_state().items()}
-        found["session"] = np.array([getattr(self, name) for name in COUNTS], np.int64)
-        found["clock"] = np.array([getattr(self, name) for name in CLOCK])
-        if self.mark is not None and self.measures is not None:
-            # (the processor time that the measurement has taken so far)
-            mark = self.mark._replace(cpu=self.result.cpu_seconds)
-            found |= {f"mark.{name}": array for name, array in mark.state().items()}
-            found |= {f"measures.{name}": array for name, array in self.measures.state().items()}
-        return found
+        return course_as_arrays(self)
 
     @classmethod
     def restore(
@@ -316,15 +302,8 @@ class Session:
         if compiling is not None:
             compiling()
         found = object.__new__(cls)
-        found._set(scene, Gas.restore(_Part(state, "gas.")))
-        for names, kind in ((COUNTS, int), (CLOCK, float)):
-            for name, value in zip(names, state["session" if kind is int else "clock"], strict=True):
-                setattr(found, name, kind(value))
-        found.mark, found.measures = None, None
-        if (kept := _Part(state, "mark.")) and (measures := _Part(state, "measures.")):
-            mark = Mark.restore(kept)
-            found.mark = mark._replace(cpu=found.gas.cpu_seconds - mark.cpu)
-            found.measures = Measures.restore(found.gas, found.names, scene.container.geometry, measures)
+        found._set(scene, gas_of_arrays(state))
+        set_course(found, state)
         found.next_sample = found._time_in_interval()
         return found
 
@@ -343,19 +322,3 @@ def _max_wait(scene: GasScene, gas: Gas) -> float:
         speed += math.sqrt(scene.thermostat.temperature * scene.count / mass)
     collides = scene.count > 1 or bool(container.faces)
     return 30 * side / speed if speed > 0 and collides else math.inf
-
-
-class _Part(Mapping[str, NDArray[Any]]):
-    """The arrays whose names have a prefix, by the rest of the name; none is read before it is asked for."""
-
-    def __init__(self, state: Mapping[str, NDArray[Any]], prefix: str) -> None:
-        self._state, self._prefix = state, prefix
-
-    def __getitem__(self, name: str) -> NDArray[Any]:
-        return self._state[self._prefix + name]
-
-    def __iter__(self) -> Iterator[str]:
-        return (name.removeprefix(self._prefix) for name in self._state if name.startswith(self._prefix))
-
-    def __len__(self) -> int:
-        return sum(1 for _ in self)

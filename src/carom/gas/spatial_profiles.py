@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from carom.gas.containers import Container
 from carom.gas.edmd.gas_records import PLANE
-from carom.gas.state import require_same_form
 
 __all__ = ["Profile", "Profiles", "layers", "volume_within"]
 
@@ -20,9 +19,6 @@ Array = NDArray[np.float64]
 MIN_SLICES, MAX_SLICES = 16, 120
 LATTICE_POINTS = 61  # across a slice whose volume is found by counting (a prime: slanted walls pass through few points)
 DIRECTIONS = 32  # in which balls around another one are looked for
-STATE = (
-    "profile_counts", "profile_heat", "profile_centers", "profile_inner", "profile_samples", "profile_pair_samples",
-)  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -175,23 +171,6 @@ class Profiles:
         places = middle[None, :, None] + distance[:, None, None] * cosine
         found: Array = np.interp(places, middle, density).mean(axis=2) @ centers
         return found
-
-    # --- state -------------------------------------------------------------------------------------------------
-
-    def state(self) -> dict[str, NDArray[Any]]:
-        """Return all that was counted, as arrays."""
-        return {name: np.array(getattr(self, name)) for name in STATE}
-
-    def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
-        """Continue with a :meth:`state`; that of an earlier version has none, and the counts begin anew."""
-        if not any(name in state for name in STATE):
-            return
-        for name in STATE:
-            fresh = np.array(getattr(self, name))
-            require_same_form(name, state[name], fresh.dtype, fresh.shape)
-        for name in STATE[:4]:
-            setattr(self, name, state[name].copy())
-        self.profile_samples, self.profile_pair_samples = (int(state[name]) for name in STATE[4:])
 
 
 def volume_within(container: Container, depth: float) -> float:

@@ -1,8 +1,11 @@
-"""Requirements on the arrays of a checkpoint, checked before compiled loops use them: these check no type, length or index."""
+"""States: a gas, its session and what was measured, as arrays, of which each is made again with the same bits.
+
+Of arrays that come from a file, all types, lengths and contents are checked before compiled loops use them: these check none.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -11,18 +14,133 @@ from numpy.typing import NDArray
 from carom.gas.edmd.driver import BINS_PER_BALL, STATE
 from carom.gas.edmd.gas_records import MOTION, NO_BALL
 from carom.gas.edmd.walls import FIRST_WALL, PREDICT_AGAIN
-from carom.gas.results import TOTALS
+from carom.gas.gas import Gas
+from carom.gas.measures import MAX_FOLLOWED, SERIES, Measures
+from carom.gas.results import TOTALS, Mark
 from carom.gas.scene import GasScene
 from carom.gas.sizes import cells_at_most
 
-__all__ = ["require_same_form", "require_state"]
+__all__ = ["State", "course_as_arrays", "gas_as_arrays", "gas_of_arrays", "require_state", "set_course"]
 
-State = Mapping[str, NDArray[Any]]
+State = dict[str, NDArray[Any]]
+Arrays = Mapping[str, NDArray[Any]]
+# What a session keeps of its course, beside the gas and its measures: whole numbers, and times.
+COUNTS = ("first_collision", "last_sample_collisions", "sample_interval", "snapshots_taken", "snapshots_by_time")
+CLOCK = ("sample_due", "last_sample_time", "snapshot_due")
+# What measures count, and what their profiles count.
+MEASURED = (
+    "velocity_counts", "spin_counts", "fourth_moments", "temperatures", "pair_counts", "expected_pairs", "samples",
+    "pair_samples", "rows", "followed",
+)  # fmt: skip
+PROFILED = (
+    "profile_counts", "profile_heat", "profile_centers", "profile_inner", "profile_samples", "profile_pair_samples",
+)  # fmt: skip
 # Of the gas when the measurement began: the arrays that have the form of the gas's own.
 MARKED = ("system", *TOTALS)
 
 
-def require_state(scene: GasScene, state: State) -> None:
+# --- as arrays -----------------------------------------------------------------------------------------------------
+
+
+def gas_as_arrays(gas: Gas) -> State:
+    """Return all of a gas, as it stands in the state of its session."""
+    return _named("gas.", gas.state())
+
+
+def course_as_arrays(session: Any) -> State:
+    """Return the state of a :class:`carom.gas.Session` without the large arrays of its gas."""
+    found = _named("gas.", session.gas.own_state())
+    found["session"] = np.array([getattr(session, name) for name in COUNTS], np.int64)
+    found["clock"] = np.array([getattr(session, name) for name in CLOCK])
+    if session.mark is not None and session.measures is not None:
+        mark, measures = session.mark, session.measures
+        # (the processor time that the measurement has taken so far)
+        numbers = np.array([*mark.energy, mark.time, session.result.cpu_seconds])
+        begun = {"system": np.array([mark.system]), "numbers": numbers} | {name: getattr(mark, name) for name in TOTALS}
+        found |= _named("mark.", begun) | _named("measures.", _counted(measures, MEASURED))
+        if measures.profiles is not None:
+            found |= _named("measures.", _counted(measures.profiles, PROFILED))
+    return found
+
+
+def _named(prefix: str, arrays: Arrays) -> State:
+    return {prefix + name: array for name, array in arrays.items()}
+
+
+def _counted(one: Any, names: tuple[str, ...]) -> State:
+    return {name: np.array(getattr(one, name)) for name in names}
+
+
+# --- from arrays ---------------------------------------------------------------------------------------------------
+
+
+class _Part(Mapping[str, NDArray[Any]]):
+    """The arrays whose names have a prefix, by the rest of the name; none is read before it is asked for."""
+
+    def __init__(self, state: Arrays, prefix: str) -> None:
+        self._state, self._prefix = state, prefix
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        return self._state[self._prefix + name]
+
+    def __iter__(self) -> Iterator[str]:
+        return (name.removeprefix(self._prefix) for name in self._state if name.startswith(self._prefix))
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+
+def gas_of_arrays(state: Arrays) -> Gas:
+    """Return the gas in the state of a session."""
+    return Gas.restore(_Part(state, "gas."))
+
+
+def set_course(session: Any, state: Arrays) -> None:
+    """Give a :class:`carom.gas.Session` that has its scene and its gas the rest of a state."""
+    for names, kind in ((COUNTS, int), (CLOCK, float)):
+        for name, value in zip(names, state["session" if kind is int else "clock"], strict=True):
+            setattr(session, name, kind(value))
+    session.mark, session.measures = None, None
+    if (begun := _Part(state, "mark.")) and (counted := _Part(state, "measures.")):
+        *energy, time, cpu = map(float, begun["numbers"])
+        pairs, contacts, faces = (begun[name] for name in TOTALS)
+        whole = (energy[0], energy[1], energy[2])
+        session.mark = Mark(begun["system"][0], pairs, contacts, faces, whole, time, session.gas.cpu_seconds - cpu)
+        session.measures = Measures(session.gas, session.names, session.scene.container.geometry)
+        _set_measures(session.measures, session.gas, counted)
+
+
+def _set_measures(measures: Measures, gas: Gas, state: Arrays) -> None:
+    """Let measures continue from what was counted."""
+    samples = len(state["rows"])
+    free = {"rows": (samples, len(SERIES)), "temperatures": (samples, len(measures.names), 2)}
+    if samples == 0:
+        free = dict.fromkeys(free, (0,))
+    free["followed"] = state["followed"].shape
+    _take(measures, MEASURED, state, free)
+    moved = (samples, min(len(gas.arrays.balls.motions), MAX_FOLLOWED), measures.dimensions)
+    if state["followed"].shape != (moved if measures.has_diffusion and samples else (0,)):
+        raise ValueError(f"'followed' of shape {state['followed'].shape}, not {moved}")
+    measures.rows = [tuple(row) for row in state["rows"].reshape(-1, len(SERIES)).tolist()]
+    measures.followed, measures.temperatures = list(state["followed"]), list(state["temperatures"])
+    # (the state of an earlier version has no profiles: their counts begin anew)
+    if measures.profiles is not None and any(name in state for name in PROFILED):
+        _take(measures.profiles, PROFILED, state, {})
+
+
+def _take(one: Any, names: tuple[str, ...], state: Arrays, free: Mapping[str, tuple[int, ...]]) -> None:
+    """Set attributes from arrays of the form that they have, or that ``free`` gives: numbers as whole numbers."""
+    for name in names:
+        fresh = np.array(getattr(one, name))
+        require_same_form(name, state[name], fresh.dtype, free.get(name, fresh.shape))
+    for name in names:
+        setattr(one, name, int(state[name]) if isinstance(getattr(one, name), int) else state[name].copy())
+
+
+# --- requirements --------------------------------------------------------------------------------------------------
+
+
+def require_state(scene: GasScene, state: Arrays) -> None:
     """Raise KeyError, TypeError or ValueError where an array of a session is missing, or has another form or other contents."""
     forms = _forms(scene)
     if any(name.startswith("mark.") for name in state):
@@ -71,7 +189,7 @@ def _require_no_nan(name: str, array: NDArray[Any]) -> None:
             raise ValueError(f"NaN in {name.removeprefix('gas.')!r}")
 
 
-def _require_contents(scene: GasScene, state: State) -> None:
+def _require_contents(scene: GasScene, state: Arrays) -> None:
     """Raise ValueError for indices out of range, places that are not finite, counts that disagree, and another container."""
     motions, plans, bodies = (state[f"gas.{name}"] for name in ("motions", "plans", "bodies"))
     one, count = state["gas.system"][0], scene.count
