@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.common import require_outputs, tell, write_report_page
+from carom.cli.fit_shots import show_shots, write_shots_page
 from carom.cli.fit_tracks import show_whole, write_whole_page
 from carom.cli.option_names import with_options
 from carom.cli.options import (
@@ -142,6 +143,23 @@ def fit(
     cushions: Annotated[
         int, typer.Option(help="With --whole: largest number of contacts followed per ball.", rich_help_panel=DATA)
     ] = CUSHIONS,
+    shot: Annotated[
+        bool,
+        typer.Option(
+            "--shot",
+            help="Fit whole shots from the stroke to rest, all balls and cushions; --fit, --fix and --bound take paths of a scene.",
+            rich_help_panel=DATA,
+        ),
+    ] = False,
+    table: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="SCENE.toml",
+            help="With --shot: the table with which the fit begins.",
+            show_default="a carom table between the cushions of the films",
+            rich_help_panel=DATA,
+        ),
+    ] = None,
     noise: Annotated[str | None, shared("noise", default="estimated; only with --whole")] = None,
     where: Annotated[
         list[str] | None,
@@ -226,7 +244,7 @@ def fit(
         "bound": bounds, "robust": robust, "contact_height": contact_height, "floor_friction": floor_friction,
         "floor_restitution": floor_restitution, "roll": roll, "kind": kind, "stage": stage, "rate": rate,
         "scale": faults.attempt(parse_length, "scale", scale), "view": view, "balls": balls, "whole": whole,
-        "cushions": cushions,
+        "cushions": cushions, "shot": shot, "table": table,
         "noise": faults.attempt(parse_length, "noise", noise), "where": where or (), "sigma_v": sigma_v,
         "sigma_spin": sigma_spin, "spin": spin, "every_contact": every_contact, "scatter": scatter, "bootstrap": bootstrap,
         "profiles": profiles, "seed": seed,
@@ -243,7 +261,7 @@ def fit(
             written = write_report_page(
                 lambda: _page(with_options(ranking), files, report), lambda text, done: progress(done, 1.0, text)
             )
-    tell(ranking, show_whole if whole else show, as_json, console, written)
+    tell(ranking, show_shots if shot else show_whole if whole else show, as_json, console, written)
 
 
 def _held(
@@ -276,6 +294,9 @@ def _bar(console: Console) -> Iterator[Any]:
 
 def _page(ranking: Any, files: list[Path], path: Path) -> Path:
     from carom.fitting import Ranking
+    from carom.fitting.shots import ShotsRanking
     from carom.plot.fit import write_report
 
+    if isinstance(ranking, ShotsRanking):
+        return write_shots_page(ranking, files, path)
     return write_report(ranking, path) if isinstance(ranking, Ranking) else write_whole_page(ranking, files, path)

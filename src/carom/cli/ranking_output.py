@@ -11,6 +11,7 @@ from carom.formatting import counted
 if TYPE_CHECKING:
     from carom.fitting import Fit, Ranked, Ranking
     from carom.fitting.form_choice import FormChoice
+    from carom.fitting.shots import ShotsRanking
     from carom.fitting.tracks import TrackRanking
 
 __all__ = ["print_ranking", "show"]
@@ -65,7 +66,10 @@ def _print_forms(choice: FormChoice) -> None:
 
 
 def print_ranking(
-    ranking: Ranking | TrackRanking, heads: Sequence[str], cells: Callable[[Any], Sequence[str]], more: str = ""
+    ranking: Ranking | TrackRanking | ShotsRanking,
+    heads: Sequence[str],
+    cells: Callable[[Any], Sequence[str]],
+    more: str = "",
 ) -> None:
     """Print the laws as a table, best first, and the sentences below it.
 

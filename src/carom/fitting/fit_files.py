@@ -22,10 +22,13 @@ from carom.fitting.laws import unknown_laws
 from carom.fitting.parameters import ALONG, INDEX
 from carom.fitting.ranking import Ranking, fit_laws
 from carom.fitting.setting import FORM_PARAMETERS, Setting, require_settings
+from carom.fitting.shots.asked import check_asked, fit_asked
+from carom.fitting.shots.result import ShotsRanking
 from carom.fitting.tracks.ranking import TrackRanking, fit_tracks
 from carom.fitting.usable_rows import require_error_bars, spin_of_rows
 from carom.public.defaults import CUSHIONS
 from carom.public.progress import Progress
+from carom.scene.scene import Scene
 from carom.tracks.contact import Settings
 from carom.tracks.film_files import MeasuredFilms, are_films, is_track, rebounds_of_files, tracks_of_films
 from carom.tracks.formats.text_table import Calibration
@@ -64,6 +67,8 @@ def fit(
     balls: bool = False,
     whole: bool = False,
     cushions: int = CUSHIONS,
+    shot: bool = False,
+    table: str | Path | Scene | None = None,
     noise: float | None = None,
     where: Where = (),
     sigma_v: float | None = None,
@@ -75,8 +80,8 @@ def fit(
     profiles: bool | None = None,
     seed: int | None = None,
     progress: Progress | None = None,
-) -> Ranking | TrackRanking:
-    """Fit the laws of impact to measured rebounds or whole tracks: ``carom fit``, for files and for arrays.
+) -> Ranking | TrackRanking | ShotsRanking:
+    """Fit the laws of impact to measured rebounds, whole tracks or whole shots: ``carom fit``, for files and for arrays.
 
     Parameters
     ----------
@@ -110,6 +115,9 @@ def fit(
     whole : bool
         Whether whole tracks are fitted, each simulated from its own initial state, with at most ``cushions`` contacts per ball and
         the ``noise`` of one coordinate, m.
+    shot, table : bool, and a Scene or its file, optional
+        Whether whole shots are fitted, from the stroke to rest, with all balls: :func:`carom.fit_shots`. ``fit``, ``fix`` and
+        ``bound`` then take paths of the scene.
     where, sigma_v, sigma_spin, spin, every_contact
         As for :func:`carom.fitting.usable_rows`.
     scatter : "share" or "absolute", optional
@@ -120,7 +128,7 @@ def fit(
 
     Returns
     -------
-    Ranking, with ``whole`` TrackRanking
+    Ranking, with ``whole`` TrackRanking, with ``shot`` ShotsRanking
 
     Raises
     ------
@@ -138,6 +146,10 @@ def fit(
     """
     options = SimpleNamespace(**locals())
     require_library("scipy", "fit")
+    if shot:
+        return fit_asked(options, _defaults())
+    if table is not None:
+        raise CaromError("`table`: expected `shot` as well, which fits whole shots on a table; omit it")
     ready = _checked(options)
     film = Calibration(scale=scale, rate=rate)
     if whole:
@@ -160,7 +172,14 @@ def check_fit(**options: Any) -> None:
     """Raise CaromError, one line per problem, for arguments of :func:`fit` that it refuses before it reads the data."""
     bound = inspect.signature(fit).bind(**options)
     bound.apply_defaults()
-    _checked(SimpleNamespace(**bound.arguments))
+    if bound.arguments["shot"]:
+        check_asked(SimpleNamespace(**bound.arguments), _defaults())
+    else:
+        _checked(SimpleNamespace(**bound.arguments))
+
+
+def _defaults() -> dict[str, Any]:
+    return {name: one.default for name, one in inspect.signature(fit).parameters.items()}
 
 
 class _Request(NamedTuple):

@@ -18,6 +18,8 @@ from .portrait import plot_boundary as plot_boundary
 from .portrait import plot_portrait as plot_portrait
 from .rolling import plot_putts as plot_putts
 from .rolling import plot_roll as plot_roll
+from .shots import plot_shot as plot_shot
+from .shots import plot_shots as plot_shots
 from .style import require_matplotlib as require_matplotlib
 from .style import require_writable as require_writable
 from .style import save as save

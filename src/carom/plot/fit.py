@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from carom.fitting import Fit, Ranked, Ranking
+    from carom.fitting.shots import ShotsRanking
     from carom.fitting.tracks import TrackRanking
 
 
@@ -250,7 +251,9 @@ def _cell(text: str, number: bool = True) -> str:
     return f'<td class="n">{text}</td>' if number else f"<td>{text}</td>"
 
 
-def table_of_laws(ranking: Ranking | TrackRanking, heads: Sequence[str], cells: Callable[[Any], Sequence[str]]) -> str:
+def table_of_laws(
+    ranking: Ranking | TrackRanking | ShotsRanking, heads: Sequence[str], cells: Callable[[Any], Sequence[str]]
+) -> str:
     """Return the table of laws, best first; ``cells`` of a ranked fit: one for each of ``heads``, and the parameters."""
     rows = []
     for one in ranking.ranked:

@@ -13,13 +13,29 @@ from carom.fitting.result import Estimate, without_estimate
 from carom.fitting.tracks.objective import BestStarts, descend, projected, settle, shared_slope
 from carom.fitting.tracks.result import TrackFit
 
-__all__ = ["ERROR_TOO_SMALL", "ambiguous", "with_errors"]
+__all__ = ["ERROR_TOO_SMALL", "ambiguous", "covariance_by_shot", "with_errors"]
 
 Array = NDArray[np.float64]
 ERROR_TOO_SMALL = "error bar too small: the law does not follow the frames"
 LEAST_SHOTS = 5  # for error bars from the scatter of shots
 NOTHING_LEFT = 1e-9  # share of the information that the other shots have
 FOLLOWING_STEPS = 5  # of the starts after a parameter has been changed
+
+
+def covariance_by_shot(information: Array, scores: Array, by_shot: Array) -> Array:
+    """Return the covariance (P, P) from the scatter of shots: their scores (N, P) and information (N, P, P), whose sum is given.
+
+    Each score is corrected for how much of the information is the shot's own (CR2 of Bell & McCaffrey 2002).
+    """
+    root = np.linalg.inv(np.linalg.cholesky(information))
+    moved = []
+    for score, own in zip(scores, by_shot, strict=True):
+        share, along = np.linalg.eigh(root @ own @ root.T)
+        left = 1 - np.clip(share, 0.0, 1.0)
+        # (a wall that only this shot meets: nothing is left, and the score of the other shots is zero)
+        factor = np.divide(1.0, np.sqrt(left), out=np.zeros_like(left), where=left > NOTHING_LEFT)
+        moved.append(root.T @ (along @ (factor * (along.T @ (root @ score)))))
+    return np.asarray(np.array(moved).T @ np.array(moved))
 
 
 class _Subject:
@@ -50,21 +66,11 @@ class _Subject:
         self.by_shots = not self.fit.follows and len(self.scores) >= LEAST_SHOTS
         if not self.by_shots:
             return np.asarray(independent)
-        found = self._covariance_by_shot(inside)
+        both = np.ix_(inside, inside)
+        by_shot = np.array([one[both] for one in self.by_shot])
+        found = covariance_by_shot(self.information[both], self.scores[:, inside], by_shot)
         self.design_effect = float(max(np.median(np.diag(found) / np.diag(independent)), 1.0))
         return found
-
-    def _covariance_by_shot(self, inside: NDArray[np.int64]) -> Array:
-        both = np.ix_(inside, inside)
-        root = np.linalg.inv(np.linalg.cholesky(self.information[both]))
-        moved = []
-        for score, information in zip(self.scores[:, inside], self.by_shot, strict=True):
-            share, along = np.linalg.eigh(root @ information[both] @ root.T)
-            left = 1 - np.clip(share, 0.0, 1.0)
-            # (a wall that only this shot meets: nothing is left, and the score of the other shots is zero)
-            factor = np.divide(1.0, np.sqrt(left), out=np.zeros_like(left), where=left > NOTHING_LEFT)
-            moved.append(root.T @ (along @ (factor * (along.T @ (root @ score)))))
-        return np.asarray(np.array(moved).T @ np.array(moved))
 
     def rise(self, i: int, value: float) -> float:
         """Return the deviance above its minimum with one shared parameter changed and the starts fitted again."""

@@ -1,0 +1,260 @@
+"""The result of a fit to whole shots: each shot beside its film, the table's numbers with their errors, and all laws ranked."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.errors import CaromError
+from carom.fitting.evidence import RankedLaws
+from carom.fitting.laws import FittedLaw
+from carom.fitting.result import Estimate, common_dict, with_error_bar
+from carom.fitting.shots.film import FilmedEvent, FilmedShot
+from carom.fitting.shots.start import FIRST_PLACE, SPIN, TIME, VELOCITY
+from carom.fitting.shots.table import table_of
+from carom.formatting import counted, json_value
+from carom.scene.scene import Scene
+from carom.simulation.simulate import simulate
+from carom.simulation.trajectory import Trajectory
+
+__all__ = ["HORIZONS", "EventMatch", "FittedShot", "ShotsFit", "ShotsRanking"]
+
+Array = NDArray[np.float64]
+HORIZONS = ("ball", "cushion 1", "cushion 2", "cushion 3", "whole")
+"""To the first event after the first ball; to the cue ball's cushions after the first one; to rest."""
+TOLERANCE_S, TOLERANCE_SHARE = 0.06, 0.02  # between an event of the film and one of the model, of the time
+TOO_LATE_S = 0.15  # before the last frame, in which a film does not show that a ball has turned
+FAILED = 0.1  # m: a shot whose distance (rms) is larger is not followed
+
+
+class EventMatch(NamedTuple):
+    """Events that only the film has, and events that only the model has, in words."""
+
+    film_only: list[str]
+    model_only: list[str]
+
+
+@dataclass(frozen=True, eq=False)
+class FittedShot:
+    """One shot beside its film; made by :func:`carom.fit_shots`."""
+
+    film: FilmedShot
+    start: Array
+    """(K,): time at which the cue ball sets off (s), velocity (m/s), spin times radius (m/s), first places of the balls (m)."""
+    scene: Scene
+    """The table with the balls as they start; its time begins when the cue ball sets off."""
+    distance: Array
+    """(T, B) m, from film to model; NaN where the film has no row of a ball."""
+    by_horizon: dict[str, float]
+    """m: distance (rms) up to each horizon of HORIZONS that the shot reaches, with the start fitted to these frames."""
+
+    @property
+    def name(self) -> str:
+        """Name of the shot."""
+        return self.film.name or "film"
+
+    @property
+    def velocity(self) -> Array:
+        """(2,) m/s, with which the cue ball sets off."""
+        return np.array(self.start[VELOCITY])
+
+    @property
+    def spin(self) -> Array:
+        """(3,) rad/s, with which the cue ball sets off."""
+        return np.array(self.start[SPIN] / self.scene.balls[0].radius)
+
+    @property
+    def time(self) -> float:
+        """When the cue ball sets off, s of the film."""
+        return float(self.start[TIME])
+
+    @property
+    def rms(self) -> float:
+        """Root mean square distance over all frames of all balls, m."""
+        return float(np.sqrt(np.nanmean(np.square(self.distance))))
+
+    @property
+    def followed(self) -> bool:
+        """Whether the model follows the shot at all."""
+        return self.rms < FAILED
+
+    def simulate(self) -> Trajectory:
+        """Simulate the shot; its time 0 is the film's :attr:`time`."""
+        return simulate(self.scene)
+
+    def events(self) -> EventMatch:
+        """Compare the events of film and model: kisses and cushions that only one of them has, in order of time."""
+        last = float(self.film.time[-1]) - TOO_LATE_S
+        film = [one for one in self.film.events if one.high < last]
+        model = self._model_events()
+        lonely: list[tuple[float, str]] = []
+        for time, kind, ball, other in model:
+            match = next((one for one in self.film.events if self._same(one, time, kind, ball, other)), None)
+            if match is None:
+                lonely.append((time, self._words(time, kind, ball, other)))
+            elif match in film:
+                film.remove(match)
+        names = self.film.balls
+        return EventMatch(
+            [self._words((one.low + one.high) / 2, one.kind, names[one.ball], one.other) for one in film],
+            [words for _time, words in sorted(lonely)],
+        )
+
+    @staticmethod
+    def _words(time: float, kind: str, ball: str, other: str) -> str:
+        met = f"ball {other}" if kind == "ball" else f"the {other} cushion"
+        return f"ball {ball} meets {met} at {time:.2f} s"
+
+    def _same(self, one: FilmedEvent, time: float, kind: str, ball: str, other: str) -> bool:
+        names = self.film.balls
+        near = TOLERANCE_S + TOLERANCE_SHARE * time
+        both = {names[one.ball], one.other} == {ball, other}
+        return one.kind == kind and both and one.low - near <= time <= one.high + near
+
+    def _model_events(self) -> list[tuple[float, str, str, str]]:
+        """Return the model's events on the film's clock: time, kind, ball, and the other ball or side."""
+        run = self.simulate()
+        names, last, found = self.film.balls, float(self.film.time[-1]) - TOO_LATE_S, []
+        table = table_of(self.scene)
+        half = np.array([table.length, table.width]) / 2
+        pairs: set[tuple[float, int]] = set()
+        for event in run.events.of("wall", "ball"):
+            time = float(event.t) + self.time
+            if time > last:
+                continue
+            k = run.index(event.ball)
+            if event.kind == "wall":
+                x = np.asarray(event.after.position)[:2] - table.center
+                gaps = [half[0] + x[0], half[0] - x[0], half[1] + x[1], half[1] - x[1]]
+                found.append((time, "wall", names[k], ("left", "right", "bottom", "top")[int(np.argmin(gaps))]))
+            elif (event.t, k) not in pairs:
+                other = run.index(event.other)
+                pairs.add((event.t, other))
+                found.append((time, "ball", names[k], names[other]))
+        return found
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ShotsFit:
+    """A law of the cushions fitted to whole shots; made by :func:`carom.fit_shots`, with an example there."""
+
+    law: FittedLaw
+    scene: Scene
+    """The table with the fitted numbers."""
+    shots: tuple[FittedShot, ...]
+    estimates: dict[str, Estimate]
+    """The numbers that all shots share, by their path in the scene."""
+    covariance: Array
+    """(P, P)"""
+    deviance: float
+    """Sum over shots of n log(mean square distance up to the joint horizon), n: two for each ball and stretch between events."""
+    count: int
+    """The sum of these n."""
+    events: int
+    """The joint horizon: events of each shot up to which the shared numbers were fitted."""
+    noise: float
+    """m, of one coordinate of one frame, estimated."""
+    by_shots: bool = False
+    """Whether the errors are from the scatter of shots (sandwich), not from the noise of frames."""
+    degenerate: tuple[str, ...] = ()
+    untold: tuple[str, ...] = ()
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Paths of the shared numbers."""
+        return tuple(self.estimates)
+
+    @property
+    def k(self) -> int:
+        """Number of adjusted numbers that differ between laws: shared ones, and the scatter of each shot."""
+        return len(self.estimates) + len(self.shots)
+
+    @property
+    def aicc(self) -> float:
+        """Akaike's criterion for few data (Hurvich & Tsai 1989); the starts, which all laws have, are not counted."""
+        k, n = self.k, self.count
+        return self.deviance + 2 * k + 2 * k * (k + 1) / (n - k - 1) if n > k + 1 else float("inf")
+
+    @property
+    def chi2(self) -> float:
+        """NaN: no law follows whole shots to the noise of their frames."""
+        return float("nan")
+
+    @property
+    def dof(self) -> int:
+        """Independent numbers beyond those that are fitted."""
+        return max(self.count - self.k, 0)
+
+    def horizon(self, name: str) -> Array:
+        """Return the distances (rms, m) of the shots that reach a horizon of HORIZONS."""
+        if name not in HORIZONS:
+            raise CaromError(f"ShotsFit.horizon: expected one of {', '.join(HORIZONS)}, got {name!r:.60}")
+        return np.array([one.by_horizon[name] for one in self.shots if name in one.by_horizon])
+
+    def median(self, name: str = "whole") -> float:
+        """Return the median over the shots of the distance (rms, m) up to a horizon; NaN where no shot reaches it."""
+        found = self.horizon(name)
+        return float(np.median(found)) if len(found) else float("nan")
+
+    def describe(self) -> list[str]:
+        """Return sentences: the distances by horizon, shots that are not followed, and events that film and model do not share."""
+        heads = {"ball": "to the first ball", "whole": "to rest"}
+        parts = [
+            f"{heads.get(name, 'through ' + name)} {1e3 * self.median(name):.1f} mm ({len(self.horizon(name))})"
+            for name in HORIZONS
+            if len(self.horizon(name))
+        ]
+        found = [f"Distance from film to model, median of the shots (their number): {', '.join(parts)}."]
+        lost = [one for one in self.shots if not one.followed]
+        if lost:
+            each = ", ".join(f"{one.name} ({1e3 * one.rms:.0f} mm)" for one in lost)
+            found.append(f"Not followed: {each}.")
+        for one in self.shots:
+            match = one.events()
+            for who, words in (("film", match.film_only), ("model", match.model_only)):
+                if words and one.followed:
+                    more = f" and {counted(len(words) - 2, 'more event')}" if len(words) > 2 else ""
+                    found.append(f"{one.name}: only the {who} has: {'; '.join(words[:2])}{more}.")
+        return found
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the fit for JSON."""
+        return common_dict(self) | {
+            "joint_horizon_events": self.events,
+            "median_rms": {name: json_value(self.median(name)) for name in HORIZONS},
+            "shots": [
+                {
+                    "shot": one.name, "balls": list(one.film.balls), "rms": one.rms, "rms_by_horizon": one.by_horizon,
+                    "followed": one.followed, "time": one.time, "velocity": one.velocity.tolist(), "spin": one.spin.tolist(),
+                    "places": one.start[FIRST_PLACE:].reshape(-1, 2).tolist(),
+                    "events_of_film_only": one.events().film_only, "events_of_model_only": one.events().model_only,
+                }
+                for one in self.shots
+            ],
+        }  # fmt: skip
+
+    def __repr__(self) -> str:
+        """Return one line."""
+        return (
+            f"<ShotsFit: {self.law.name}, {counted(len(self.shots), 'shot')}, whole {1e3 * self.median():.1f} mm,"
+            f" {', '.join(f'{name} {with_error_bar(one)}' for name, one in list(self.estimates.items())[:2])}, ...>"
+        )
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ShotsRanking(RankedLaws[ShotsFit]):
+    """Laws of the cushions fitted to whole shots, best first, with a verdict; made by :func:`carom.fit_shots`."""
+
+    closer: tuple[int, int] | None = None
+    """Shots that the best law is nearer to than the next, and shots in all."""
+    chance: float = field(default=float("nan"))
+    """Probability of such a difference between equally good laws (Wilcoxon's signed ranks)."""
+    decisive: bool = False
+    """Whether the verdict is a decision."""
+
+    def describe(self) -> list[str]:
+        """Return the sentences of the best fit, after the verdict."""
+        return [self.verdict, *self.best.describe()]

@@ -1,0 +1,283 @@
+"""Search for the start of one shot: the horizon grows from event to event, with a few starts kept and others drawn at each.
+
+A small error of a start is a hundred times as large after three cushions, and a wrong start has local minima everywhere. So the
+frames up to the first ball come first, then those up to the next event, and so on. At each event the starts that are kept descend
+(soft-L1 loss, exact derivatives), together with the best of others, drawn about them from the region that the frames leave open.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.fitting.shots.film import FilmedShot
+from carom.fitting.shots.start import FIRST_PLACE, SPIN, TIME, VELOCITY, Prior, distances, residuals, start_size
+from carom.fitting.shots.table import TableNumbers
+
+__all__ = [
+    "Refined",
+    "SearchSettings",
+    "ShotStart",
+    "error_of_a_frame",
+    "horizons",
+    "refined",
+    "rms",
+    "search_start",
+    "soft",
+]
+
+Array = NDArray[np.float64]
+FIRST_FRAMES = 6  # of the cue ball, from which its velocity is guessed
+LEAST_SIGMA = 1e-3  # m: residuals below this count as noise
+SIGMA_SHARE = 0.5  # of the distance so far: the error that a frame is taken to have
+SOFT = 3.0  # of these, beyond which a residual counts in proportion
+ALIKE = 1e-3  # m between the places of two starts, below which they are one
+FAILED = 0.06  # m of distance (rms) at a horizon, from which on more starts are drawn
+
+
+@dataclass(frozen=True)
+class SearchSettings:
+    """How wide a search is."""
+
+    beam: int = 3
+    """Starts that are kept at each horizon."""
+    draws: int = 120
+    descents: int = 4
+    evaluations: int = 9
+    """Of a descent."""
+
+
+@dataclass(eq=False)
+class ShotStart:
+    """The starts of a shot that fit it up to its horizons."""
+
+    shot: FilmedShot
+    prior: Prior
+    best: dict[int, Array] = field(default_factory=dict)
+    """The best start (K,) by the number of frames of a horizon."""
+    pool: list[Array] = field(default_factory=list)
+    """Other starts that are worth a try."""
+
+
+def _guess(shot: FilmedShot) -> Array:
+    """Return the velocity (2,) with which the cue ball leaves, by a line through its first frames."""
+    begin = shot.frames_until(shot.set_off[1] - 1e-9)
+    met = [one.low for one in shot.events]
+    rows = np.flatnonzero(shot.known[:, 0] & (np.arange(len(shot.time)) >= begin))
+    if met:
+        before = rows[shot.time[rows] < met[0] + 1e-9]
+        rows = before if len(before) >= 2 else rows[:2]
+    rows = rows[:FIRST_FRAMES]
+    x = shot.position[rows, 0]
+    if len(rows) < 2 or np.hypot(*(x[-1] - x[0])) < 1e-3:
+        step = shot.position[rows[0], 0] - shot.first[0]
+        return np.asarray(step / max(shot.time[rows[0]] - shot.set_off[0], 1e-3))
+    return np.asarray(np.polyfit(shot.time[rows], x, 1)[0])
+
+
+def horizons(shot: FilmedShot) -> list[int]:
+    """Return the numbers of frames at which a search stops: before each event, beginning with the first after the first ball."""
+    named = shot.horizons
+    first = named.get("ball") or next(iter(named.values()))
+    found = {*(n for n in named.values()), *(shot.frames_until(one.low) for one in shot.events)}
+    inside = sorted(n for n in found if n >= first)
+    kept: list[int] = []
+    for n in inside:
+        if not kept or n >= kept[-1] + 3 or n in named.values():
+            kept.append(n)
+    return kept
+
+
+def _first_draws(shot: FilmedShot, prior: Prior, velocity: Array, count: int, rng: np.random.Generator) -> Array:
+    """Return starts (N, K) about the guess."""
+    k, speed = start_size(len(shot.balls)), float(np.hypot(*velocity))
+    found = np.tile(prior.center, (count, 1))
+    turn, size = rng.normal(0, 0.012, count), rng.normal(1, 0.03, count)
+    c, s = np.cos(turn) * size, np.sin(turn) * size
+    found[:, 1], found[:, 2] = c * velocity[0] - s * velocity[1], s * velocity[0] + c * velocity[1]
+    along = velocity / max(speed, 1e-9)
+    follow, swerve = rng.normal(0.4, 0.8, count), rng.normal(0, 0.1, count)
+    rolling = np.array([-along[1], along[0]])
+    found[:, 3:5] = speed * (follow[:, None] * rolling + swerve[:, None] * along)
+    found[:, 5] = speed * rng.normal(0, 0.5, count)
+    low, high = shot.set_off
+    found[:, TIME] = rng.uniform(low, high, count)
+    found[:, FIRST_PLACE:] += rng.normal(0, 3e-4, (count, k - FIRST_PLACE))
+    return found
+
+
+def _cost(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int, prior: Prior, sigma: float) -> Array:
+    """Return the soft-L1 costs (N,) of starts (N, K)."""
+    z = distances(table, shot, starts, frames) / (SOFT * sigma) ** 2
+    unlikely = np.square((starts - prior.center) @ prior.rows.T).sum(axis=1)
+    return np.asarray(2 * SOFT**2 * (np.sqrt(1 + z) - 1).sum(axis=1) + unlikely)
+
+
+def rms(table: TableNumbers, shot: FilmedShot, start: Array, frames: int) -> float:
+    """Return the root mean square distance over the frames that the film has (not those of balls at rest), m."""
+    known = shot.known[:frames]
+    far = np.zeros(known.shape)
+    far[known] = distances(table, shot, start[None], frames)[0]
+    return float(np.sqrt(far[shot.measured[:frames]].mean()))
+
+
+def descend(
+    table: TableNumbers, shot: FilmedShot, start: Array, frames: int, prior: Prior, sigma: float, evaluations: int
+) -> tuple[Array, float, Array]:
+    """Return the nearest minimum of the soft-L1 cost from a start, its cost, and the information (K, K) on it there."""
+    from scipy.optimize import least_squares
+
+    scale = _scales(start)
+    kept: dict[bytes, tuple[Array, Array]] = {}
+
+    def evaluated(u: Array) -> tuple[Array, Array]:
+        key = u.tobytes()
+        if key not in kept:
+            kept.clear()
+            at = start + scale * u
+            found = residuals(table, shot, at, frames)
+            gap, (jac,) = soft(found.gap, [found.by_start * scale], sigma)
+            kept[key] = (
+                np.concatenate([gap, prior.rows @ (at - prior.center)]),
+                np.concatenate([jac, prior.rows * scale]),
+            )
+        return kept[key]
+
+    found = least_squares(
+        lambda u: evaluated(u)[0], np.zeros(len(start)), lambda u: evaluated(u)[1], method="trf",
+        max_nfev=evaluations, x_scale="jac", ftol=1e-4, xtol=1e-6, gtol=1e-8,
+    )  # fmt: skip
+    jac = found.jac / scale
+    return start + scale * found.x, float(2 * found.cost), jac.T @ jac
+
+
+def _scales(start: Array) -> Array:
+    scale = np.full(len(start), 1e-3)
+    speed = max(float(np.hypot(*start[VELOCITY])), 0.1)
+    scale[VELOCITY], scale[SPIN], scale[TIME] = 0.01 * speed, 0.1 * speed, 2e-3
+    return scale
+
+
+def _drawn(start: Array, information: Array, count: int, rng: np.random.Generator, wide: float) -> Array:
+    """Return starts (N, K) from the region that the frames so far leave open, and wider."""
+    size = 1 / np.sqrt(np.maximum(np.diag(information), 1e-300))
+    matrix = information * size[:, None] * size
+    value, vector = np.linalg.eigh(matrix)
+    root = (size[:, None] * vector) / np.sqrt(np.maximum(value, 1e-9))
+    width = wide * rng.choice([1.0, 3.0, 10.0], (count, 1))
+    found = start + width * (rng.normal(size=(count, len(start))) @ root.T)
+    speed = float(np.hypot(*start[VELOCITY]))
+    some = rng.random(count) < 0.3
+    found[some, 5] = start[5] + speed * rng.normal(0, 0.3, int(some.sum()))
+    return np.asarray(found)
+
+
+def _distinct(
+    found: list[tuple[Array, float, Array]], most: int, shot: FilmedShot, table: TableNumbers, frames: int
+) -> list[int]:
+    """Return the numbers of the best starts whose places differ."""
+    order = sorted(range(len(found)), key=lambda i: found[i][1])
+    far = np.sqrt(distances(table, shot, np.array([one[0] for one in found]), frames))
+    kept: list[int] = []
+    for i in order:
+        if all(np.sqrt(np.square(far[i] - far[j]).mean()) > ALIKE for j in kept):
+            kept.append(i)
+        if len(kept) == most:
+            break
+    return kept
+
+
+def search_start(
+    table: TableNumbers, shot: FilmedShot, noise: float, rng: np.random.Generator, settings: SearchSettings,
+    before: Sequence[Array] = (),
+    last: int | None = None,
+) -> ShotStart:  # fmt: skip
+    """Search for the starts of a shot, from horizon to horizon, up to the ``last`` number of frames.
+
+    ``before``: starts found at other numbers of the table.
+    """
+    velocity = _guess(shot)
+    prior = Prior.of(shot, velocity, noise)
+    result, old = ShotStart(shot, prior), np.array(before).reshape(-1, start_size(len(shot.balls)))
+    sigma, kept = LEAST_SIGMA, list[tuple[Array, float, Array]]()
+    every = horizons(shot)
+    for stage, frames in enumerate(n for n in every if last is None or n <= max(last, every[0])):
+        if stage == 0:
+            tries = _first_draws(shot, prior, velocity, 4 * settings.draws, rng)
+            descents = 2 * settings.descents
+        else:
+            far = rms(table, shot, kept[0][0], frames)
+            wide = 1.0 if far < FAILED else 2.0
+            count = settings.draws if far < FAILED else 4 * settings.draws
+            each = -(-count // len(kept))
+            tries = np.concatenate(
+                [np.array([one[0] for one in kept]), *(_drawn(one[0], one[2], each, rng, wide) for one in kept)]
+            )
+            descents = settings.descents if far < FAILED else 2 * settings.descents
+            sigma = error_of_a_frame(far)
+        tries = np.concatenate([tries, old])
+        cost = _cost(table, shot, tries, frames, prior, sigma)
+        order = np.argsort(cost, kind="stable")[:descents].tolist()
+        if stage:
+            order = list(dict.fromkeys([*range(len(kept)), *order]))[: descents + len(kept)]
+        found = [descend(table, shot, tries[i], frames, prior, sigma, settings.evaluations) for i in order]
+        kept = [found[i] for i in _distinct(found, settings.beam, shot, table, frames)]
+        result.best[frames] = kept[0][0]
+        result.pool += [one[0] for one in kept]
+    return result
+
+
+class Refined(NamedTuple):
+    """A start that fits up to a horizon."""
+
+    start: Array
+    cost: float
+    """Soft-L1, in units of sigma."""
+    sigma: float
+    """m: the error that a frame is taken to have."""
+
+
+def refined(
+    table: TableNumbers, start: ShotStart, frames: int, evaluations: int, others: int = 3, sigma: float | None = None,
+    first: Array | None = None,
+) -> Refined:  # fmt: skip
+    """Return the best start up to a horizon at other numbers of the table, from ``first``, the best so far, and others."""
+    shot = start.shot
+    own = [one for one in (first, start.best.get(frames)) if one is not None]
+    tries = np.array([*own, *start.pool])
+    cost = _cost(table, shot, tries, frames, start.prior, sigma or 3 * LEAST_SIGMA)
+    order = list(dict.fromkeys([0, *np.argsort(cost, kind="stable")[:others].tolist()]))
+    if sigma is None:
+        sigma = error_of_a_frame(min(rms(table, shot, tries[i], frames) for i in order))
+    found = [descend(table, shot, tries[i], frames, start.prior, sigma, evaluations) for i in order]
+    best = min(found, key=lambda one: one[1])
+    return Refined(best[0], best[1], sigma)
+
+
+def error_of_a_frame(far: float) -> float:
+    """Return the error that a frame is taken to have where the distance (rms) is ``far``, m."""
+    return max(LEAST_SIGMA, SIGMA_SHARE * min(far, FAILED))
+
+
+def soft(gap: Array, by: Sequence[Array], sigma: float) -> tuple[Array, list[Array]]:
+    """Return gaps (M,) and their derivatives (M, K) such that the sum of squares is the soft-L1 loss of each frame and ball.
+
+    f(z) = 2 SOFT^2 (sqrt(1 + z) - 1) with z = |gap|^2 / (SOFT sigma)^2 is |h gap|^2 / sigma^2 with h^2 = 2 / (sqrt(1 + z) + 1).
+    """
+    flat = gap.reshape(-1, 2) / sigma
+    z = np.square(flat).sum(axis=1) / SOFT**2
+    root = np.sqrt(1 + z)
+    h = np.sqrt(2 / (root + 1))
+    turned = (-0.5 / SOFT**2) * h**3 / root
+    found = []
+    for one in by:
+        d = one.reshape(-1, 2, one.shape[1]) / sigma
+        inner = np.einsum("mi,mik->mk", flat, d)
+        found.append(
+            (h[:, None, None] * d + (turned[:, None] * flat)[:, :, None] * inner[:, None, :]).reshape(one.shape)
+        )
+    return (h[:, None] * flat).ravel(), found

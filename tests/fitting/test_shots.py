@@ -1,0 +1,144 @@
+"""Whole shots: simulated films give their numbers back; derivatives; events; bad films."""
+
+import json
+import pickle
+
+import numpy as np
+import pytest
+
+import carom
+from carom.fitting.shots import drawn_films
+from carom.fitting.shots.film import filmed_shots
+from carom.fitting.shots.start import residuals
+from carom.fitting.shots.table import FREE, TableModel, scene_of_films
+from carom.tracks import Track
+
+RADIUS = 0.03075
+TRUTH = {"walls.0.restitution": 0.85, "floor.friction": 0.19, "ball_contact.friction": 0.06}
+
+
+@pytest.fixture(scope="module")
+def films():
+    return drawn_films(2, seed=5, until=2.5)
+
+
+@pytest.fixture(scope="module")
+def ranking(films):
+    tracks, scenes = films
+    begin = {
+        "walls.0.restitution": 0.82,
+        "walls.0.friction": 0.22,
+        "floor.friction": 0.2,
+        "ball_contact.friction": 0.05,
+    }
+    table = carom.replaced(scenes[0], begin)
+    return carom.fit_shots(tracks, table, free=list(TRUTH), seed=1)
+
+
+def test_the_numbers_of_the_table_come_back(ranking, films):
+    for name, true in TRUTH.items():
+        found = ranking.best.estimates[name]
+        assert abs(found.value - true) < 4 * found.stderr, name
+        assert found.stderr < 0.05 * true + 0.002, name
+
+
+def test_the_starts_come_back_and_the_film_is_followed(ranking, films):
+    _tracks, scenes = films
+    for one, scene in zip(ranking.best.shots, scenes, strict=True):
+        assert one.followed
+        assert one.rms < 1.2 * np.sqrt(2) * 1.5e-3
+        assert np.abs(one.velocity - scene.balls[0].state.velocity[:2]).max() < 0.08
+        match = one.events()
+        assert (match.model_only, match.film_only) == ([], [])
+    assert ranking.best.median("ball") < 2.5e-3
+    assert "are described by two-step" in ranking.verdict
+    assert any("to rest" in line for line in ranking.describe())
+
+
+def test_the_result_pickles_prints_and_goes_to_json(ranking):
+    again = pickle.loads(pickle.dumps(ranking))
+    assert again.best.shots[0].rms == ranking.best.shots[0].rms
+    assert "2 shots" in repr(ranking.best)
+    text = json.dumps(ranking.as_dict())
+    assert len(json.loads(text)["ranking"][0]["shots"]) == 2
+    with pytest.raises(carom.CaromError, match="one of ball"):
+        ranking.best.horizon("cushion 9")
+
+
+def test_derivatives_are_central_differences(films):
+    tracks, scenes = films
+    found = filmed_shots(tracks, RADIUS)
+    model = TableModel(scene_of_films(scenes[0], found.walls, None, 3, 60.0, "test"), FREE, {})
+    shot, values = found.shots[1], np.array([one.value for one in model.shared])
+    table, frames = model.at(values), len(found.shots[1].time)
+    start = np.array(
+        [
+            0.01,
+            *scenes[1].balls[0].state.velocity[:2],
+            *RADIUS * np.array(scenes[1].balls[0].state.spin),
+            *shot.first.ravel(),
+        ]
+    )
+    at = residuals(table, shot, start, frames, shared=True)
+    for k in range(len(start)):
+        h = 1e-6 * np.eye(len(start))[k]
+        ends = [residuals(table, shot, start + sign * h, frames).gap for sign in (1, -1)]
+        by = at.by_start[:, k]
+        assert np.abs((ends[0] - ends[1]) / 2e-6 - by).max() < 1e-3 * max(1.0, np.abs(by).max())
+    for k in (0, 2, 6, 7):
+        h = 1e-6 * np.eye(len(values))[k]
+        ends = [residuals(model.at(values + sign * h), shot, start, frames).gap for sign in (1, -1)]
+        by = at.by_shared[:, k]
+        assert np.abs((ends[0] - ends[1]) / 2e-6 - by).max() < 1e-4 * max(1.0, np.abs(by).max())
+
+
+def still(name, place, count=40):
+    return Track(name, np.arange(count) / 50, np.tile(place, (count, 1)), group="s")
+
+
+def moving(name, place, velocity, count=40):
+    t = np.arange(count) / 50
+    return Track(name, t, np.array(place) + t[:, None] * np.array(velocity), group="s")
+
+
+@pytest.mark.parametrize(
+    ("tracks", "said"),
+    [
+        ([still("1", (0.5, 0.5)), still("2", (1.5, 0.5))], "expected a stroke, got 2 balls at rest"),
+        ([moving("1", (0.5, 0.5), (1, 0)), moving("2", (2.0, 1.0), (-1, 0.2))], "in the middle of a shot"),
+    ],
+)
+def test_films_that_show_no_shot_are_refused_in_one_line(tracks, said):
+    with pytest.raises(carom.CaromError, match=said) as caught:
+        carom.fit_shots(tracks, radius=RADIUS)
+    assert "\n" not in str(caught.value)
+
+
+def test_films_of_different_tables_are_refused(films):
+    tracks, _scenes = films
+    far = [Track(one.name, one.time, 1.5 * one.position, group="other table") for one in tracks[:3]]
+    with pytest.raises(carom.CaromError, match="other table: expected balls on the table of the other films"):
+        carom.fit_shots([*tracks, *far], radius=RADIUS)
+
+
+def test_a_ball_that_never_moves_is_noted(films):
+    tracks, _scenes = films
+    lies = Track("4", tracks[0].time, np.tile([2.5, 1.2], (len(tracks[0]), 1)), group="shot 1")
+    found = filmed_shots([*tracks[:3], lies], RADIUS)
+    assert "shot 1: 4 is never seen to move: taken to lie at rest" in found.notes
+    assert found.shots[0].known[:, 3].all()
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"free": ["walls.0.restitutoin"]}, "restitution"),
+        ({"free": ["balls.0.velocity"]}, "the start of each shot is fitted anyway"),
+        ({"seed": -1}, "seed: expected a whole number"),
+        ({"laws": "two-stp"}, "two-step"),
+    ],
+)
+def test_wrong_arguments_are_refused(films, given, said):
+    tracks, scenes = films
+    with pytest.raises(carom.CaromError, match=said):
+        carom.fit_shots(tracks, scenes[0], **given)
