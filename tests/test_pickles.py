@@ -17,6 +17,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import carom
 from carom import billiards, data, derive, fitting, gas, scene, sweeps, tracks
+from carom.fitting.shots import drawn_films
 from carom.fitting.tracks import fit_tracks
 from carom.interop import pooltool
 from carom.plot import path_after_wall
@@ -124,6 +125,13 @@ def sinai_of_radius(radius: float) -> dict[str, Any]:
     return {"table": billiards.sinai(radius)}
 
 
+def a_whole_shot() -> Any:
+    """A drawn film of a shot, fitted with the numbers of its table held."""
+    films, scenes = drawn_films(1, seed=5, until=1.0)
+    ranking = carom.fit_shots(films, scenes[0], free=[])
+    return [ranking, ranking.best.shots[0].events()]
+
+
 EXAMPLES: dict[str, Callable[[], list[Any]]] = {
     "rolling": lambda: [run := billiards.putt(1.2, 0.03), run.at([0.0, 0.1]), billiards.putts([1.0, 2.0], [0.0, 0.03])],
     "periodic orbits": lambda: [
@@ -153,6 +161,7 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
         *carom.LAWS.values(),
         path_after_wall(m, carom.LAWS["maw"].answer(m)),
     ],
+    "whole shots": a_whole_shot,
     "scenes": lambda: [
         a_scene(),
         carom.load_scene("pool-9ft"),

@@ -41,7 +41,7 @@ __all__ = [
     "MeasuredFilms",
     "Progress",
     "are_films",
-    "films_of",
+    "chosen_tracks",
     "is_track",
     "measure_films",
     "read_films",
@@ -353,36 +353,23 @@ def tracks_of_films(
     found = read_films(paths, calibration)
     films = MeasuredFilms(found, ())
     with noting(films.reading_notes):
-        kept = _chosen_tracks(films, where)
+        kept = chosen_tracks(films, where)
         measured = measure(
             kept, settings, lambda done, total: progress(done, max(total, 1), "contacts") if progress else None
         )
     return replace(measured, notes=(*films.reading_notes, *measured.notes))
 
 
-def _chosen_tracks(films: MeasuredFilms, where: Where) -> list[Track]:
+def chosen_tracks(films: MeasuredFilms, where: Where) -> list[Track]:
     """Return the tracks that enter, of all films: each film is a shot, or has several."""
     tracks = [
         replace(track, group=f"{name} {track.group}".strip())
         for name, film in zip(films.names, films.files, strict=True)
         for track in film.tracks
     ]
-    names = {"shot": [track.group for track in tracks], "ball": [track.name for track in tracks]}
+    names = {name: [getattr(one, of) for one in tracks] for name, of in (("shot", "group"), ("ball", "name"))}
     chosen = rows_where(names, where, len(tracks), "the name of a shot or ball")
     return [track for track, keep in zip(tracks, chosen.tolist(), strict=True) if keep]
-
-
-def films_of(
-    files: Any, *, scale: float | None = None, rate: float | None = None, where: Where = ()
-) -> tuple[list[Track], list[str]]:
-    """Return the tracks in films of one table, as :func:`measure_tracks` takes them, and notes of reading: each film is a shot."""
-    calibration = Calibration(scale, rate)
-    several = isinstance(files, list | tuple) and not all(isinstance(one, Track) for one in files)
-    each: Any = files if several else [files]
-    found = read_films([film_of(one, number + 1, calibration) for number, one in enumerate(each)], calibration)
-    films = MeasuredFilms(found, ())
-    with noting(films.reading_notes):
-        return _chosen_tracks(films, where), films.reading_notes
 
 
 def rebounds_of_files(

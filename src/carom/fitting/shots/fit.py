@@ -27,7 +27,7 @@ from carom.laws.registry import one_or_several
 from carom.public.progress import Progress
 from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
-from carom.tracks.film_files import films_of
+from carom.tracks.film_tracks import films_of
 
 __all__ = ["fit_shots"]
 
@@ -56,7 +56,7 @@ def fit_shots(
     seed: int = 0,
     progress: Progress | None = None,
 ) -> ShotsRanking:
-    """Fit whole filmed shots, from the stroke to rest, with all balls and all their contacts: ``carom fit FILES --shot``.
+    """Fit whole filmed shots, from the stroke to rest, with all balls and all their contacts, as ``carom fit`` with ``shot``.
 
     Each shot has an unknown start: when the cue ball sets off, its velocity and spin, and the places of all balls (known to a
     millimetre). All shots share the numbers of the table. The horizon grows from event to event; starts descend with exact

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.shots.film import FilmedShot
-from carom.fitting.shots.start import FIRST_PLACE, SPIN, TIME, VELOCITY, Prior, distances, residuals, start_size
+from carom.fitting.shots.start import FIRST_PLACE, SPIN, TIME, VELOCITY, StartPrior, distances, residuals, start_size
 from carom.fitting.shots.table import TableNumbers
 
 __all__ = [
@@ -36,6 +36,7 @@ LEAST_SIGMA = 1e-3  # m: residuals below this count as noise
 SIGMA_SHARE = 0.5  # of the distance so far: the error that a frame is taken to have
 SOFT = 3.0  # of these, beyond which a residual counts in proportion
 ALIKE = 1e-3  # m between the places of two starts, below which they are one
+AGAIN = 4  # descents with a smaller error of a frame, after the distance has become smaller
 FAILED = 0.06  # m of distance (rms) at a horizon, from which on more starts are drawn
 
 
@@ -56,7 +57,7 @@ class ShotStart:
     """The starts of a shot that fit it up to its horizons."""
 
     shot: FilmedShot
-    prior: Prior
+    prior: StartPrior
     best: dict[int, Array] = field(default_factory=dict)
     """The best start (K,) by the number of frames of a horizon."""
     pool: list[Array] = field(default_factory=list)
@@ -92,7 +93,7 @@ def horizons(shot: FilmedShot) -> list[int]:
     return kept
 
 
-def _first_draws(shot: FilmedShot, prior: Prior, velocity: Array, count: int, rng: np.random.Generator) -> Array:
+def _first_draws(shot: FilmedShot, prior: StartPrior, velocity: Array, count: int, rng: np.random.Generator) -> Array:
     """Return starts (N, K) about the guess."""
     k, speed = start_size(len(shot.balls)), float(np.hypot(*velocity))
     found = np.tile(prior.center, (count, 1))
@@ -110,7 +111,7 @@ def _first_draws(shot: FilmedShot, prior: Prior, velocity: Array, count: int, rn
     return found
 
 
-def _cost(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int, prior: Prior, sigma: float) -> Array:
+def _cost(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int, prior: StartPrior, sigma: float) -> Array:
     """Return the soft-L1 costs (N,) of starts (N, K)."""
     z = distances(table, shot, starts, frames) / (SOFT * sigma) ** 2
     unlikely = np.square((starts - prior.center) @ prior.rows.T).sum(axis=1)
@@ -126,7 +127,7 @@ def rms(table: TableNumbers, shot: FilmedShot, start: Array, frames: int) -> flo
 
 
 def descend(
-    table: TableNumbers, shot: FilmedShot, start: Array, frames: int, prior: Prior, sigma: float, evaluations: int
+    table: TableNumbers, shot: FilmedShot, start: Array, frames: int, prior: StartPrior, sigma: float, evaluations: int
 ) -> tuple[Array, float, Array]:
     """Return the nearest minimum of the soft-L1 cost from a start, its cost, and the information (K, K) on it there."""
     from scipy.optimize import least_squares
@@ -201,7 +202,7 @@ def search_start(
     ``before``: starts found at other numbers of the table.
     """
     velocity = _guess(shot)
-    prior = Prior.of(shot, velocity, noise)
+    prior = StartPrior.of(shot, velocity, noise)
     result, old = ShotStart(shot, prior), np.array(before).reshape(-1, start_size(len(shot.balls)))
     sigma, kept = LEAST_SIGMA, list[tuple[Array, float, Array]]()
     every = horizons(shot)
@@ -251,10 +252,17 @@ def refined(
     tries = np.array([*own, *start.pool])
     cost = _cost(table, shot, tries, frames, start.prior, sigma or 3 * LEAST_SIGMA)
     order = list(dict.fromkeys([0, *np.argsort(cost, kind="stable")[:others].tolist()]))
+    given = sigma is not None
     if sigma is None:
         sigma = error_of_a_frame(min(rms(table, shot, tries[i], frames) for i in order))
     found = [descend(table, shot, tries[i], frames, start.prior, sigma, evaluations) for i in order]
     best = min(found, key=lambda one: one[1])
+    for _ in range(0 if given else AGAIN):  # (with a larger error than there is, the prior would weigh too much)
+        nearer = error_of_a_frame(rms(table, shot, best[0], frames))
+        if not nearer < 0.8 * sigma:
+            break
+        sigma = nearer
+        best = descend(table, shot, best[0], frames, start.prior, sigma, evaluations)
     return Refined(best[0], best[1], sigma)
 
 

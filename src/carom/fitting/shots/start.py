@@ -14,7 +14,7 @@ from carom.fitting.shots.table import TableNumbers
 from carom.simulation.records import BALLS
 from carom.simulation.sensitivity.at_times import Limits, states_and_slopes, states_at
 
-__all__ = ["FIRST_PLACE", "SPIN", "Prior", "Residuals", "distances", "residuals", "start_size"]
+__all__ = ["FIRST_PLACE", "SPIN", "Residuals", "StartPrior", "distances", "residuals", "start_size"]
 
 Array = NDArray[np.float64]
 TIME, VELOCITY, SPIN, FIRST_PLACE = 0, slice(1, 3), slice(3, 6), 6
@@ -30,14 +30,14 @@ def start_size(balls: int) -> int:
     return FIRST_PLACE + 2 * balls
 
 
-class Prior(NamedTuple):
+class StartPrior(NamedTuple):
     """A normal prior of a start: rows times (start - centre) are of unit width."""
 
     center: Array
     rows: Array
 
     @classmethod
-    def of(cls, shot: FilmedShot, velocity: Array, noise: float) -> Prior:
+    def of(cls, shot: FilmedShot, velocity: Array, noise: float) -> StartPrior:
         """Return the prior for a ball that leaves about with a velocity (2,)."""
         n = start_size(len(shot.balls))
         center, rows = np.zeros(n), np.zeros((n, n))
