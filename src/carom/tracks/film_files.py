@@ -350,8 +350,7 @@ def tracks_of_films(
     CaromError
         As :func:`measure_films`, and where no track has the given names.
     """
-    found = read_films(paths, calibration)
-    films = MeasuredFilms(found, ())
+    films = MeasuredFilms(read_films(paths, calibration), ())
     with noting(films.reading_notes):
         kept = chosen_tracks(films, where)
         measured = measure(
@@ -361,13 +360,13 @@ def tracks_of_films(
 
 
 def chosen_tracks(films: MeasuredFilms, where: Where) -> list[Track]:
-    """Return the tracks that enter, of all films: each film is a shot, or has several."""
+    """Return the tracks that enter: each film is a shot, or has several."""
     tracks = [
         replace(track, group=f"{name} {track.group}".strip())
         for name, film in zip(films.names, films.files, strict=True)
         for track in film.tracks
     ]
-    names = {name: [getattr(one, of) for one in tracks] for name, of in (("shot", "group"), ("ball", "name"))}
+    names = {"shot": [one.group for one in tracks], "ball": [one.name for one in tracks]}
     chosen = rows_where(names, where, len(tracks), "the name of a shot or ball")
     return [track for track, keep in zip(tracks, chosen.tolist(), strict=True) if keep]
 

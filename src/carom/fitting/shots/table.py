@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 
 from carom.core.motion.phases import REST
 from carom.errors import CaromError
+from carom.scene.floor import Floor
 from carom.scene.paths import path_match, replaced
-from carom.scene.scene import Floor, Run, Scene
+from carom.scene.scene import Run, Scene
 from carom.scene.shapes import Table
 from carom.simulation.sensitivity.compiled import dual_users
 from carom.simulation.sensitivity.parameters import parameters_of
