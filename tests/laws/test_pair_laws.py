@@ -260,3 +260,17 @@ def test_a_law_of_pairs_that_creates_energy_is_told() -> None:
     (told,) = law_notes(carom.simulate(scene(carom.wall_law(card, passes), restitution=1.0), max_events=1))
     assert told.startswith("law mine leaves two balls moving into each other: first at t = 0.1")
     assert law_notes(carom.simulate(scene("alciatore"))) == []
+
+
+def test_a_run_says_where_a_law_of_the_pair_did_not_act() -> None:
+    row = [{"radius": 0.03, "mass": 0.2, "position": (x, y, 0.03)} for x, y in ((0.5, 0.0), (0.552, 0.03))]
+    row.append({"radius": 0.03, "mass": 0.2, "position": (0.3, 0.0, 0.03), "velocity": (1.0, 0.0, 0.0)})
+    for contact, what in (
+        ({"law": "maw"}, "law maw"),
+        ({"tangential_restitution": 0.3}, "tangential restitution"),
+        ({}, ""),
+    ):
+        between = {"restitution": 0.95, "friction": 0.1, **contact}
+        told = law_notes(carom.simulate(carom.Scene(balls=row, gravity=0, ball_contact=between, run={"duration": 0.2})))
+        assert len(told) == (1 if what else 0)
+        assert all(line.startswith(f"{what} did not act in 1 event in which contacts overlap in time") for line in told)

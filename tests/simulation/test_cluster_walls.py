@@ -238,3 +238,19 @@ def test_a_contact_time_is_a_time() -> None:
     with pytest.raises(carom.CaromError, match="contact_time: expected a time in s, from 0 to 1, got -1"):
         carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), contact_time=-1)
     assert carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), contact_time="3 ms").contact_time == 3e-3
+
+
+@pytest.mark.parametrize("degrees", [2, 4, 7])
+def test_a_ball_in_a_flat_corner_meets_both_faces(degrees: float) -> None:
+    half = math.radians(degrees) / 2
+    normals = [np.array([math.cos(half), side * math.sin(half), 0.0]) for side in (1, -1)]
+    walls = [Wall(-RADIUS * n, n, 3e-4) for n in normals]
+    case = Case(np.array([[0.0, 0.0, RADIUS]]), np.array([[-0.95, 0.3, 0.0]]), np.zeros((1, 3)), walls=tuple(walls))
+    _x, v, _w = integrate(case, 1e-3, 1e-6)
+    planes = [{"shape": "plane", "point": wall.point.tolist(), "normal": wall.normal.tolist(), "contact_time": 3e-4,
+               "restitution": 0.85, "friction": 0.0} for wall in walls]  # fmt: skip
+    ball = {"radius": RADIUS, "mass": MASS, "position": (0.0, 0.0, RADIUS), "velocity": (-0.95, 0.3, 0.0)}
+    scene = carom.Scene(balls=[ball], walls=planes, gravity=0, run={"law": "contact", "duration": 1e-6})
+    _rows, balls = by_python(scene)
+    # (one wall after the other, or the nearer one alone, is 0.05 to 0.12 off)
+    assert np.abs(np.array(balls[0].v) - v[0]).max() < 1e-3

@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.core.geometry.features import OVER, contact_normal, gap_to_feature, is_out_of_reach
+from carom.core.geometry.features import FACE, OVER, contact_normal, gap_to_feature, is_out_of_reach
 from carom.core.geometry.gaps import least_gap
 from carom.core.jit.kernel import Vec, cross, dot, kernel, vector
 from carom.core.motion.restitution import CONSTANT, restitution
@@ -36,6 +36,7 @@ NEAR = 0.15  # of the radius: a wall with such a gap to a ball can act on it
 SLACK = 1e-7  # of the radius: a ball that overlaps by less, as by the digits of a file, touches
 CLOSES = 1e-9  # of the speed of approach: a slower ball does not approach
 SQUARE = 1e-6  # cosine of two normals: smooth walls at right angles do not act on each other
+FLAT = 1 - 1e-4  # cosine of the normals of two faces, 0.8 degrees: flatter corners are one wall
 FRONT = 1e-2  # of the radius: a point so little before a plane is of the same wall
 ROOT_5 = math.sqrt(5)
 
@@ -88,12 +89,15 @@ def _time_to_wall(f: Any, ball: Any, v: Vec, u: float) -> tuple[float, float, Ve
 
 
 @kernel
-def _is_apart(a: float, n: Vec, gap: float, other: Vec, other_gap: float) -> bool:
+def _is_apart(f: Any, g: Any, a: float, n: Vec, gap: float, other: Vec, other_gap: float) -> bool:
     """Return whether the points of two walls that are nearest to a ball of radius a lie before each other's planes.
 
-    Else they are of one wall, such as a face and its edge, and only the nearer one can touch the ball.
+    Else they are of one wall, such as a face and its edge, and only the nearer one can touch the ball. The ball lies over two
+    faces only in a corner, where it can touch both.
     """
     c, one, two = dot(n, other), a + gap, a + other_gap
+    if f.kind == FACE and g.kind == FACE:
+        return bool(c < FLAT)
     return bool(one - two * c > FRONT * a and two - one * c > FRONT * a)
 
 
@@ -128,7 +132,7 @@ def walls_in_time(world: Any, features: Any, ball: Any, f: Any, n: Vec, v: Vec, 
         g = features[k]
         if not _is_ideal(g) and _can_touch(g, ball):
             time, gap, other = _time_to_wall(g, ball, v, u)
-            if time <= f.contact_time and _is_apart(ball.radius, n, 0 * u, other, gap):
+            if time <= f.contact_time and _is_apart(f, g, ball.radius, n, 0 * u, other, gap):
                 c = n[0] * other[0] + n[1] * other[1]
                 if not (rests and n[2] < 0 and other[2] < 0):
                     c += n[2] * other[2]
@@ -171,7 +175,7 @@ def _add_wall(features: Any, ball: Any, k: int) -> None:
     for s in range(ball.walls):
         other = _normal(ball, s)
         other_gap = dot(other, x) - ball.wall_at[s]
-        if not _is_apart(a, n, gap, other, other_gap):
+        if not _is_apart(features[k], features[wall_of(ball, s)], a, n, gap, other, other_gap):
             if gap >= other_gap or at < ball.walls:
                 return
             at = s

@@ -23,8 +23,8 @@ from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, grounded
 from carom.simulation.predict import accelerations_of, write_vector
 
 __all__ = [
-    "continue_ball_contact", "continue_wall_contact", "is_driven_into_wall", "is_pressed_on_ball", "stays_clear",
-    "sum_bounces",
+    "continue_ball_contact", "continue_wall_contact", "is_driven_into_wall", "is_pressed_on_ball", "keep_on_floor",
+    "stays_clear", "sum_bounces",
 ]  # fmt: skip
 
 # Bounces lower than this share of the radius are no longer events of their own where they can be summed ...
@@ -76,6 +76,17 @@ def sum_bounces(world: Any, features: Any, balls: Any, i: int) -> bool:
         ball.phase = BOUNCING
         return False
     return bool(height < MIN_HEIGHT * ball.radius)
+
+
+@kernel
+def keep_on_floor(world: Any, ball: Any, v: Vec, on_floor: bool) -> Vec:
+    """Return the velocity v of a ball without its upward part, if the ball lies on the floor and would not leave it visibly.
+
+    The friction of a ball pressed against it, whose low bounces have hardly an impulse, lifts it by some 1e-9 to 1e-5 m/s: it
+    would hop and land after each of them.
+    """
+    low = on_floor and v[2] * v[2] < 2 * world.g * MAX_SUMMED_HEIGHT * ball.radius
+    return (v[0], v[1], 0 * v[2]) if low else v
 
 
 # Heights of bounces under a lasting force, as shares of the radius: below the first they are elastic; below the last a new one
@@ -132,16 +143,20 @@ def is_driven_into_wall(world: Any, f: Any, ball: Any, n: Vec, approach: float) 
 
 
 @kernel
-def continue_wall_contact(world: Any, f: Any, ball: Any, n: Vec, approach: float, keeps_rolling: bool) -> None:
-    """Continue the contact of a ball with feature f, if a force lasts: hold a ball that rests there, let any other bounce low."""
+def continue_wall_contact(world: Any, f: Any, ball: Any, n: Vec, approach: float, keeps_rolling: bool) -> Vec:
+    """Continue the contact of a ball with feature f, if a force lasts: hold a ball that rests there, let any other bounce low.
+
+    Return the impulse that begins a bounce: as far as it moves the ball, if the floor takes the rest.
+    """
+    none = (0 * approach, 0 * approach, 0 * approach)
     rate, bend = gap_derivatives(f, vector(ball.x), vector(ball.v), accelerations_of(world, ball)[0])
     if not (bend < 0 and rate * rate <= -2 * bend * LEAST_HEIGHT * ball.radius):
-        return
+        return none
     if _bears_weight(world, ball, n):
         # (one that comes back with all its speed goes on hopping, however low; one that does not come in lies there)
         if rate <= 0.999999 * approach:
             ball.phase = HELD
-        return
+        return none
     # (the floor lets a ball that comes down on it be lifted: held to the floor, it would be given what it is yet to lose there)
     lies = _on_floor(world, ball) and not (ball.phase == FLIGHT and ball.v[2] < 0 and n[2] > 0)
     ease = _free_share(n, lies) / ball.mass
@@ -151,6 +166,9 @@ def continue_wall_contact(world: Any, f: Any, ball: Any, n: Vec, approach: float
         c = math.sqrt(1 - speed * speed / (ease * energy))
         p = (speed - c * rate) / (ease * ball.mass)
         _change_velocity(world, ball, (p * n[0], p * n[1], p * n[2]), lies, c, keeps_rolling)
+        j = ball.mass * p
+        return (j * n[0], j * n[1], none[2] if lies else j * n[2])
+    return none
 
 
 @kernel
@@ -197,8 +215,8 @@ def is_pressed_on_ball(world: Any, ball: Any, other: Any, n: Vec, approach: floa
 
 
 @kernel
-def _separate(world: Any, ball: Any, other: Any, n: Vec, rate: float, bend: float) -> None:
-    """Separate two balls that are pressed together in a low bounce, whose energy is taken from their motion."""
+def _separate(world: Any, ball: Any, other: Any, n: Vec, rate: float, bend: float) -> float:
+    """Separate two balls that are pressed together in a low bounce, whose energy is taken from their motion; return its impulse."""
     m, k = ball.mass, other.mass
     one_lies, other_lies = _on_floor(world, ball), _on_floor(world, other)
     ease = _free_share(n, one_lies) / m + _free_share(n, other_lies) / k
@@ -210,14 +228,20 @@ def _separate(world: Any, ball: Any, other: Any, n: Vec, rate: float, bend: floa
         p = (speed - c * rate) / ease
         _change_velocity(world, ball, (p * n[0] / m, p * n[1] / m, p * n[2] / m), one_lies, c, False)
         _change_velocity(world, other, (-p * n[0] / k, -p * n[1] / k, -p * n[2] / k), other_lies, c, False)
+        return float(p)
+    return 0 * rate
 
 
 @kernel
-def continue_ball_contact(world: Any, ball: Any, other: Any, n: Vec, approach: float) -> None:
-    """Continue the contact of two balls, if a force presses them together: hold one that rests on the other, else separate them."""
+def continue_ball_contact(world: Any, ball: Any, other: Any, n: Vec, approach: float) -> float:
+    """Continue the contact of two balls, if a force presses them together: hold one that rests on the other, else separate them.
+
+    Return the impulse along n that begins a bounce.
+    """
     rate, bend, lies = _pair_contact(world, ball, other, n)
     if bend < 0 and rate * rate <= -2 * bend * LEAST_HEIGHT * min(ball.radius, other.radius):
         if not lies:
-            _separate(world, ball, other, n, rate, bend)
-        elif rate <= 0.999999 * approach:
+            return _separate(world, ball, other, n, rate, bend)
+        if rate <= 0.999999 * approach:
             ball.phase = other.phase = HELD
+    return 0 * rate

@@ -21,7 +21,7 @@ from carom.simulation.contacts.contact import DONE, NO_IMPULSE, ContactKind, Out
 from carom.simulation.phrases import at, direction, speed
 from carom.simulation.predict import is_on_floor
 from carom.simulation.records import BALL, IN_CLUSTER, MEETINGS, NO_REGIME
-from carom.simulation.resting_contact import continue_ball_contact, is_pressed_on_ball
+from carom.simulation.resting_contact import continue_ball_contact, is_pressed_on_ball, keep_on_floor
 
 if TYPE_CHECKING:
     from carom.simulation.run_record import RunRecord
@@ -78,9 +78,14 @@ def meet_ball(world: Any, features: Any, balls: Any, i: int, k: int, users: Any)
                 v = vector(ball.v)
                 j = (m * (v[0] - c[0]), m * (v[1] - c[1]), m * (v[2] - c[2]))
                 return j, NO_IMPULSE, 0 * required, NO_REGIME, DONE, count
-    leave(world, ball, v, w, is_on_floor(world, ball))
-    leave(world, other, v2, w2, is_on_floor(world, other))
-    continue_ball_contact(world, ball, other, n, approach)
+    one_lies, other_lies = is_on_floor(world, ball), is_on_floor(world, other)
+    if driven:
+        v, v2 = keep_on_floor(world, ball, v, one_lies), keep_on_floor(world, other, v2, other_lies)
+    leave(world, ball, v, w, one_lies)
+    leave(world, other, v2, w2, other_lies)
+    p = continue_ball_contact(world, ball, other, n, approach)
+    if p != 0:
+        j = (j[0] + p * n[0], j[1] + p * n[1], j[2] + p * n[2])
     return j, NO_IMPULSE, required, regime, DONE, 0
 
 

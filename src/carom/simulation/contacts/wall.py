@@ -113,6 +113,14 @@ def _note_depth(f: Any, ball: Any, who: int) -> None:
 
 
 @kernel
+def _with_kick(j: Vec, kick: Vec, m: float) -> Vec:
+    """Return an impulse per mass with that of the bounce that follows; unchanged to the last bit, and sign, if there is none."""
+    if kick[0] == 0 and kick[1] == 0 and kick[2] == 0:
+        return j
+    return (j[0] + kick[0] / m, j[1] + kick[1] / m, j[2] + kick[2] / m)
+
+
+@kernel
 def meet_wall(world: Any, features: Any, balls: Any, i: int, who: int, users: Any) -> Outcome:
     """Resolve the impact of ball i on feature ``who`` by the law of its wall."""
     f, ball = features[who], balls[i]
@@ -161,7 +169,7 @@ def meet_wall(world: Any, features: Any, balls: Any, i: int, who: int, users: An
         return none, none, 0 * approach, NO_REGIME, DONE, many
     if refusal == DONE:
         leave(world, ball, v1, w1, on_floor)
-        continue_wall_contact(world, f, ball, n, approach, law == ROLLING_WALL)
+        j = _with_kick(j, continue_wall_contact(world, f, ball, n, approach, law == ROLLING_WALL), ball.mass)
         # two-step keeps it where friction does not act, or turns all of the slip round
         one = law == CONTACT_WALL or (law == TWO_STEP_WALL and not on_floor)
         elastic = e == 1 and (law == MIRROR_WALL or (one and (mu == 0 or beta == -1)))
