@@ -144,7 +144,7 @@ def choose_forms(
     >>> ranking = fit_laws(rows, Setting(radius=0.02, kappa=2 / 3), "contact", where="racket=10_antispin", bootstrap=0)
     >>> choice = choose_forms(ranking.best)
     >>> choice.tried[choice.chosen[1]].words
-    'friction linear'
+    'friction exponential'
     """
     problem = fit.problem
     varying_model(fit)  # (says what is missing)

@@ -64,7 +64,17 @@ class SurfaceFit:
 
 @dataclass(frozen=True, eq=False)
 class Population:
-    """Several surfaces under one law, and their common distribution; made by :func:`fit_population`."""
+    """Several surfaces under one law, and their common distribution; made by :func:`fit_population`.
+
+    Examples
+    --------
+    >>> from carom.data import published_rebounds
+    >>> from carom.fitting import Setting, fit_population
+    >>> rackets = published_rebounds("tt_rackets").rebounds
+    >>> both = fit_population(rackets, Setting(radius=0.02, kappa=2 / 3), by="racket")
+    >>> both.names[:3], both.predict([[6.0, 1.0, 0.0]]).mean.shape
+    (('restitution', 'friction', 'tangential_restitution'), (1, 3))
+    """
 
     law: str
     names: tuple[str, ...]

@@ -19,7 +19,7 @@ SPLINES, ROWS_PER_SPLINE, DEGREE = 8, 6, 3
 
 
 def impact_variable(name: str, x: Array, radius: float) -> Array:
-    """Return v_n, slip, slip/v_n or speed (N,) of rebounds x (N, 3)."""
+    """Return v_n, slip, slip/v_n or speed (N,) of rebounds x (N, 3); of balls on a table the slip by sidespin along the wall."""
     slip = np.abs(x[:, 1] - radius * x[:, 2])
     found = {"v_n": x[:, 0], "slip": slip, "slip/v_n": slip / x[:, 0], "speed": np.hypot(x[:, 0], x[:, 1])}
     return np.asarray(found[name])
