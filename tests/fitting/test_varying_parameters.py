@@ -144,3 +144,12 @@ def test_densities_of_errors_have_the_integral_one(errors: str) -> None:
     r = np.linspace(-60, 60, 400_001)
     rho = Noise(errors).rho(r * r, r, np.ones(len(r), int), np.array([0.7]))[0]
     assert np.trapezoid(np.exp(-rho / 2) / math.sqrt(2 * math.pi), r) == pytest.approx(1.0, abs=0.02)
+
+
+def test_forms_of_rows_without_spins_are_not_tried_and_a_note_says_so() -> None:
+    columns = drawn_table(12, 4, **CONSTANT)
+    columns["spin_in"] = np.full(12, np.nan)
+    options: dict[str, Any] = {"inertia": "hollow", "laws": ["sticking"], "bootstrap": 0, "profiles": False}
+    found = carom.fit(columns, RADIUS, forms=True, **options)
+    assert not found.forms
+    assert any(note.startswith("`forms`: spins before the wall were not measured") for note in found.notes)

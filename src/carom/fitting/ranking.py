@@ -100,6 +100,9 @@ class Ranking(RankedLaws[Fit]):
 
     def with_forms(self, progress: Progress | None = None) -> Ranking:
         """Return the ranking with functions of the impact for the parameters, chosen by held-out rows."""
+        if self.best.problem.spins is not None:
+            said = "`forms`: spins before the wall were not measured in all rows, so functions of the impact were not tried"
+            return replace(self, notes=(*self.notes, said))
         laws = dict.fromkeys([self.best, *(one.fit for one in self.ranked if one.fit.law.name == "contact")])
         found = [choose_forms(fit, progress=progress) for fit in laws]
         return replace(self, forms=tuple(sorted(found, key=lambda one: -one.best.score)))
