@@ -359,3 +359,35 @@ def test_a_ball_between_a_ball_and_a_wall_that_yields_is_in_contact_with_both() 
         assert run.log["x"][:, 0].min() > 0.3 * A
         moved = run.final.velocity[0, 0]
         assert moved > 0
+
+
+def test_a_nose_that_yields_goes_with_the_ball() -> None:
+    """Deeper, the ball leaves with what it would leave with: the nose, above its centre, touches it where it did."""
+    after = []
+    for c in (0.0, 0.002, 0.006):
+        cushions = {"shape": "table", "length": 2.84, "width": 1.42, "nose_height": 0.037, "yield_time": c}
+        ball = {
+            "radius": A,
+            "mass": 0.21,
+            "position": (0.9, 0.1),
+            "velocity": (2.0, 1.0),
+            "rolling": True,
+            "spin_z": 20.0,
+        }
+        made = carom.Scene(
+            floor={"friction": 0.2},
+            walls=[{**cushions, "restitution": 0.85, "friction": 0.2}],
+            balls=[ball],
+            run={"max_events": 1},
+        )
+        run = carom.simulate(made)
+        row = run.log[1]
+        after.append([*row["v"], *row["w"] * A])
+        assert (row["x"][0] > 1.42 - 0.97 * A) == (c > 0)
+        slope = run.sensitivity("walls.0.nose_height").events[0].velocity[:, 0]
+        h = 1e-7
+        ends = [
+            carom.simulate(carom.replaced(made, {"walls.0.nose_height": 0.037 + s * h})).log[1]["v"] for s in (-1, 1)
+        ]
+        np.testing.assert_allclose(slope, (ends[1] - ends[0]) / (2 * h), atol=1e-5 * abs(slope).max())
+    np.testing.assert_allclose(after[1:], [after[0]] * 2, atol=1e-12)

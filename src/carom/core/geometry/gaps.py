@@ -14,8 +14,11 @@ from carom.core.geometry.circles import rim_gap
 from carom.core.geometry.features import BEHIND, LINE, OVER, POINT, RIM, contact_normal
 from carom.core.jit.kernel import Vec, dot, kernel, vector
 
-__all__ = ["contact_gap", "contact_gap_rate", "feature_gap", "feature_gap_rate", "least_gap", "pair_gap"]
+__all__ = [
+    "contact_gap", "contact_gap_rate", "feature_gap", "feature_gap_rate", "impact_normal", "least_gap", "pair_gap",
+]  # fmt: skip
 
+MOST_ROUNDS = 7  # of Newton's steps, of second order
 DEEPEST = 0.5  # of the radius: a ball gets no deeper into a wall that yields
 
 
@@ -63,6 +66,25 @@ def contact_gap_rate(f: Any, a: float, rate: float, bend: float) -> float:
 def least_gap(f: Any, a: float) -> float:
     """Return the least gap at which a ball is in front of a feature: a ball in a wall that yields is."""
     return -(BEHIND + DEEPEST) * a if f.yield_time > 0 else -BEHIND * a
+
+
+@kernel
+def impact_normal(f: Any, a: float, x: Vec, v: Vec) -> Vec:
+    """Return the unit normal at which a ball of radius a at x strikes feature f.
+
+    A wall that yields moves along the floor with the ball, so that they touch as they did at first: over a nose the normal is that
+    of a ball moved back, level, to where it touches.
+    """
+    n = contact_normal(f, x, v)
+    if f.yield_time > 0:
+        for _ in range(MOST_ROUNDS):
+            level = n[0] * n[0] + n[1] * n[1]
+            if not level > 0:
+                break
+            c = -feature_gap(f, a, x) / level
+            x = (x[0] + c * n[0], x[1] + c * n[1], x[2])
+            n = contact_normal(f, x, v)
+    return n
 
 
 @kernel

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from carom.core.contact import SLIDE, STICK, one_contact, slip_velocity
-from carom.core.geometry.features import OVER, contact_normal, feature_normal, gap_to_feature
-from carom.core.geometry.gaps import feature_gap
+from carom.core.geometry.features import OVER, feature_normal, gap_to_feature
+from carom.core.geometry.gaps import feature_gap, impact_normal
 from carom.core.jit.kernel import Vec, dot, kernel, vector
 from carom.core.motion.phases import FLIGHT, HELD, PIVOTING, REST, ROLLING, ROUNDING
 from carom.core.motion.restitution import restitution
@@ -126,7 +126,7 @@ def meet_wall(world: Any, features: Any, balls: Any, i: int, who: int, users: An
     f, ball = features[who], balls[i]
     a, kappa, mu, beta, law = ball.radius, ball.kappa, f.mu, f.beta, f.law
     v, w = vector(ball.v), vector(ball.w)
-    n = contact_normal(f, vector(ball.x), v)
+    n = impact_normal(f, a, vector(ball.x), v)
     approach = -dot(v, n)
     pushed = is_driven_into_wall(world, f, ball, n, approach)
     e = 1.0 if pushed else restitution(f.form, vector(f.e), max(approach, 0.0))

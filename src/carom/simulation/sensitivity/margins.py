@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.geometry.features import contact_normal
+from carom.core.geometry.gaps import impact_normal
 from carom.core.jit.compile import is_cached
 from carom.core.jit.objects import as_objects
 from carom.core.motion.phases import SLIDING
@@ -159,7 +159,7 @@ class _JointImpacts:
     def _numbers(self, row: Any, one: Passage) -> list[Any]:
         """Return the arguments of the impact, with derivatives: v, w, n, a, kappa, e, mu, beta, the floor's e, mu, beta."""
         ball, f, world = self.balls[row["ball"]], self.features[self._feature(row)], self.world[0]
-        n = lifted(contact_normal)(f, one.ball.x, one.before.v)
+        n = lifted(impact_normal)(f, ball.radius, one.ball.x, one.before.v)
         e = lifted(restitution)(f.form, f.e, one.approach)
         ef = lifted(restitution)(world.floor_form, world.floor_p, 0.0)
         return [
