@@ -303,3 +303,40 @@ def test_harder_balls_touch_for_a_shorter_time() -> None:
         assert (
             carom.simulate(scene_of(row(3, gap=1e-4), 0.01, young=young)).log["kind"] == IN_CLUSTER
         ).any() == together
+
+
+@pytest.mark.parametrize("seed", [0, 4, 8, 9, 13, 18])
+def test_drawn_layouts_with_gaps_and_double_strikes_keep_what_they_must(seed: int) -> None:
+    rng, a = np.random.default_rng(seed), RADIUS
+    centres = [np.zeros(2)]
+    while len(centres) < 4:
+        turn, gap = rng.uniform(0, 2 * np.pi), rng.choice([0, 1e-5, 1e-4, 5e-4])
+        there = centres[rng.integers(len(centres))] + (2 * a + gap) * np.array([np.cos(turn), np.sin(turn)])
+        if all(np.hypot(*(there - one)) >= 2 * a for one in centres):
+            centres.append(there)
+    turn = rng.uniform(0, 2 * np.pi)
+    way = np.array([np.cos(turn), np.sin(turn)])
+    start = -way * (max(float(-way @ one) for one in centres) + 4 * a) + rng.uniform(-a, a) * np.array(
+        [-way[1], way[0]]
+    )
+    # (of every fourth, another ball comes from the other side at the same instant)
+    strikers = [(start, way), *([(-start, -way)] if seed % 4 == 0 else [])]
+    given = [*((one, np.zeros(2)) for one in centres), *strikers]
+    e, mu = (1.0, 0.0) if seed % 2 else (0.9, 0.3)
+
+    def after(order: Any) -> tuple[Any, Any]:
+        balls = [
+            {"radius": a, "mass": 0.17, "position": (*given[i][0], a), "velocity": (*given[i][1], 0.0)} for i in order
+        ]
+        contact = {"restitution": e, "friction": mu}
+        scene = carom.Scene(gravity=0, balls=balls, walls=[], ball_contact=contact, run={"duration": 0.2})
+        state, back = carom.simulate(scene).final, np.argsort(order)
+        return np.array(state.velocity)[back], np.array(state.spin)[back]
+
+    v, w = after(np.arange(len(given)))
+    other, _spin = after(rng.permutation(len(given)))
+    before = np.array([one[1] for one in given])
+    assert np.abs(other - v).max() < 1e-9
+    assert np.abs(v[:, :2].sum(axis=0) - before.sum(axis=0)).max() < 1e-12
+    kept = (np.square(v).sum() + 0.4 * a * a * np.square(w).sum()) / np.square(before).sum()
+    assert kept == pytest.approx(1, abs=1e-12) if e == 1 else kept < 1
