@@ -445,7 +445,7 @@ def room(t: Throw, *, upright: bool) -> list[dict[str, Any]]:
     normal = [*t.vector(axes=2), 0.0 if upright or t.chance(0.5) else t.number(-0.5, 0.5)]
     size = math.sqrt(sum(c * c for c in normal))
     known: dict[str, list[dict[str, Any]]] = {
-        "stadium": [{"shape": "stadium", "length": 1.0, "radius": 0.8, "angle": t.number(0, 180)}],
+        "stadium": [{"shape": "stadium", "straight": 1.0, "radius": 0.8, "angle": t.number(0, 180)}],
         "polygon": [{"shape": "polygon", "points": corners[:: t.pick(1, -1)], **tall}],
         "tube": [{"shape": "cylinder", "point": [0, 0, 0], "axis": axis, "radius": 1.0, "inside": True}],
         "strip": [{"shape": "strip", "point": [-0.8 * c / size for c in normal], "normal": normal, "width": 1.6}],

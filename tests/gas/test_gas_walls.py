@@ -194,7 +194,7 @@ CASES = {
         container("polygon", height=4.0, points=ELBOW), [outline(*ELBOW), *FLAT_ENDS], (1.0, -0.5, -2.0), {},
     ),
     "sector": (
-        container("sector", angle=sector_angle(8.0, 7.0), radius=7.0),
+        container("sector", opening=sector_angle(8.0, 7.0), radius=7.0),
         [*(plane_through((4.0, 0.0), (way * math.sqrt(33), 4)) for way in (1, -1)), inside((4.0, 0, 0), 7.0, 2)],
         (0.3, -2.0), {},
     ),
@@ -304,7 +304,7 @@ STAR = [
         (container("polygon", points=STAR), (0.3, -1.0)),
         (container("polygon", points=STAR, bounds="centre"), (0.0, 0.0)),
         (container("polygon", height=5.0, points=STAR), (0.2, -0.3, -1.0)),
-        (container("sector", angle=sector_angle(12.0, 14.0), radius=14.0), (0.0, -1.0)),
+        (container("sector", opening=sector_angle(12.0, 14.0), radius=14.0), (0.0, -1.0)),
         (container("ellipse", half_axes=(8.0, 5.0)), (0.0, -1.0)),
         (container("ellipse", half_axes=(15.0, 2.5)), (-0.5, 0.0)),  # sharper than the balls at its ends
         (container("ellipse", half_axes=(3.5, 5.0), height=6.0, periodic=(False, False, True)), (0.2, -0.3, 0.0)),
@@ -329,7 +329,7 @@ def test_no_ball_gets_out_and_none_loses_energy(room, pull):
     "room",
     [
         container("polygon", points=STAR),
-        container("sector", angle=sector_angle(12.0, 14.0), radius=14.0),
+        container("sector", opening=sector_angle(12.0, 14.0), radius=14.0),
         container("ellipse", half_axes=(8.0, 5.0)),
     ],
 )
@@ -500,7 +500,7 @@ def test_thermostat_holds_an_inelastic_gas_below_its_temperature():
         (container("box", (6.0,) * 3), (0, 0, -1.0)),
         (container("ellipse", half_axes=(4.5, 3.0)), (0.1, -1.0)),
         (container("ellipse", half_axes=(4.5, 3.0)), (0, 0)),
-        (container("sector", angle=sector_angle(6.0, 8.0), radius=8.0), (0, -1.0)),
+        (container("sector", opening=sector_angle(6.0, 8.0), radius=8.0), (0, -1.0)),
     ],
 )
 def test_balls_that_walls_would_hold_go_on_in_hops(restitution, room, gravity):
@@ -576,7 +576,7 @@ def test_saved_and_restored_with_everything_on():
         ({"shape": "polygon", "points": [(0, 0), (4, 4), (4, 0), (0, 5)]}, "do not cross"),
         ({"shape": "polygon", "points": [(0, 0), (4, 0), (4, 4), (4, 1), (0, 1)]}, "do not run back"),
         ({"shape": "polygon", "points": [(0, 0), (4, 0), (4, 0), (0, 5)]}, "corners 2 and 3 both"),
-        ({"shape": "sector", "angle": 180, "radius": 4.0}, "> 0 and < 180"),
+        ({"shape": "sector", "opening": 180, "radius": 4.0}, "> 0 and < 180"),
         ({"shape": "polygon", "points": [(0, 0), (4, 0)]}, "3 or more"),
         ({"shape": "circle", "radius": 2.0, "periodic": True}, "periodic"),
         ({"shape": "periodic", "size": (4.0, 4.0), "obstacles": [(1, 1)]}, "x, y, radius"),
@@ -624,7 +624,7 @@ def test_faults_of_drives():
 
 
 @pytest.mark.parametrize("room", [
-    container("box", (7, 5, 3)), container("circle", radius=3.0), container("sector", angle=sector_angle(6, 5), radius=5),
+    container("box", (7, 5, 3)), container("circle", radius=3.0), container("sector", opening=sector_angle(6, 5), radius=5),
     container("sphere", radius=2.0),
     container("polygon", points=[[0, 0], [6, 0], [6, 4], [3, 1], [0, 4]]),
     container("periodic", (6, 6), obstacles=[[3, 3, 2]]),
@@ -672,7 +672,7 @@ def test_containers_by_the_names_of_the_release_before(shape):
         old = container(shape, size, **given)
     new = container(shape, **sizes)
     assert (old.size, old.faces, old.volume) == (new.size, new.faces, new.volume)
-    with pytest.warns(DeprecationWarning, match="of shape wedge. is called angle and radius now"):
+    with pytest.warns(DeprecationWarning, match="of shape wedge. is called opening and radius now"):
         assert container("wedge", (8.0, 7.0)).shape == "sector"
 
 

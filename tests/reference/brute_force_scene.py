@@ -96,7 +96,7 @@ def solids(scene: carom.Scene) -> Any:
             rows[-1] += [w.low, w.height]
         elif kind == "stadium":
             turn = math.radians(w.angle)
-            rows.append([STADIUM, i, *w.center, math.cos(turn), math.sin(turn), w.length / 2, w.radius])
+            rows.append([STADIUM, i, *w.center, math.cos(turn), math.sin(turn), w.straight / 2, w.radius])
         elif kind == "wedge":
             axis = unit(w.axis)
             first = np.array((0, 1, 0) if abs(axis[0]) > 1 - 1e-9 else (1, 0, 0), float)
@@ -644,7 +644,7 @@ def random_scene(seed: int) -> carom.Scene:
         if not upright and rng.random() < 0.4:
             walls[-1]["height"] = float(rng.uniform(0.13, 0.3))
     elif around == "stadium":
-        walls.append({"shape": "stadium", "length": 1.0, "radius": 0.8, "angle": float(rng.uniform(0, 180))})
+        walls.append({"shape": "stadium", "straight": 1.0, "radius": 0.8, "angle": float(rng.uniform(0, 180))})
     elif around == "polygon":
         points = [[-1.0, -0.9], [0.2, -0.2], [1.0, -0.8], [0.9, 0.9], [0.0, 0.4], [-0.9, 1.0]]
         if rng.random() < 0.5:

@@ -113,7 +113,7 @@ def _fields(shape: str, rng: np.random.Generator) -> dict[str, Any]:
         },
         "sphere": lambda: {"center": _numbers(rng, 3), "radius": radius, "inside": inside},
         "arc": lambda: {"center": _numbers(rng, 2), "radius": radius, **_span(rng), **_heights(rng)},
-        "stadium": lambda: {"length": length, "radius": radius, "center": _numbers(rng, 2), "angle": _angle(rng)},
+        "stadium": lambda: {"straight": length, "radius": radius, "center": _numbers(rng, 2), "angle": _angle(rng)},
     }  # fmt: skip
     found: dict[str, Any] = of_shapes[shape]()
     return found

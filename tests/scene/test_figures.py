@@ -96,3 +96,9 @@ def test_faults_of_sizes_are_one_line_each() -> None:
     with pytest.raises(carom.CaromError) as caught:
         FIGURES["stadium"](straight=-1, radius="2 s", angle=3)
     assert len(str(caught.value).splitlines()) == 3
+
+
+def test_a_stadium_of_the_release_before_is_read_with_a_note() -> None:
+    with pytest.warns(DeprecationWarning, match="stadium: length is called straight now"):
+        old = carom.scene.Stadium.model_validate({"length": 2.0, "radius": 1.0, "angle": 30})
+    assert old == carom.scene.Stadium(straight=2.0, radius=1.0, angle=30)

@@ -57,5 +57,5 @@ def _sizes(where: str, shape: str, size: list[float]) -> dict[str, Any]:
         if width >= 2 * depth:
             expected = "a wedge less than twice as wide as deep"
             raise CaromError(Fault("container", "size", expected, f"{tuple(size)}"))
-        return {"shape": "sector", "angle": math.degrees(2 * math.asin(width / 2 / depth)), "radius": depth, **height}
+        return {"shape": "sector", "opening": math.degrees(2 * math.asin(width / 2 / depth)), "radius": depth, **height}
     return {"radius": width / 2, **height}

@@ -97,7 +97,7 @@ class GasContainer(Model):
         sides = " x ".join(format_number(x, 6) for x in made.size)
         what = {"periodic": "periodic"}.get(made.shape, f"{'an' if made.shape == 'ellipse' else 'a'} {made.shape}")
         if isinstance(self, SectorFigure):
-            what += f" of {format_number(self.angle, 4)}°,"
+            what += f" of {format_number(self.opening, 4)}°,"
         along = f", periodic along {' and '.join(self.periodic)}" if self.periodic else ""
         count = len(self.obstacles)
         around = f" with {count} obstacle{'s' if count > 1 else ''}" if count else ""

@@ -20,26 +20,26 @@ class SectorFigure(PlaneFigure):
 
     Parameters
     ----------
-    angle : degrees, above 0 and below 180: between the sides
+    opening : degrees, above 0 and below 180: the angle between the sides
     radius : m
     """
 
-    usual: ClassVar = {"angle": 60.0, "radius": 1.0}
+    usual: ClassVar = {"opening": 60.0, "radius": 1.0}
     shape: Literal["sector"] = "sector"
-    angle: Angle
+    opening: Angle
     radius: Size
 
     @model_validator(mode="after")
     def _opens(self) -> SectorFigure:
-        if not 0 < self.angle < 180:
-            raise_faults([Fault("", "angle", "degrees > 0 and < 180", f"{self.angle:g}")])
+        if not 0 < self.opening < 180:
+            raise_faults([Fault("", "opening", "degrees > 0 and < 180", f"{self.opening:g}")])
         return self
 
     def outline(self) -> list[Loop]:
         """Return the left side, the right side, the arc."""
-        half = math.radians(self.angle) / 2
+        half = math.radians(self.opening) / 2
         x, y = self.radius * math.sin(half), self.radius * math.cos(half)
-        arc = ArcPiece((0.0, 0.0), self.radius, 90 - self.angle / 2, 90 + self.angle / 2)
+        arc = ArcPiece((0.0, 0.0), self.radius, 90 - self.opening / 2, 90 + self.opening / 2)
         return [[SegmentPiece((-x, y), (0.0, 0.0)), SegmentPiece((0.0, 0.0), (x, y)), arc]]
 
     def piece_names(self) -> list[str]:
@@ -49,4 +49,4 @@ class SectorFigure(PlaneFigure):
     @property
     def area(self) -> float:
         """Its area, m^2."""
-        return math.radians(self.angle) * self.radius * self.radius / 2
+        return math.radians(self.opening) * self.radius * self.radius / 2

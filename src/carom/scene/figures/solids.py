@@ -9,7 +9,7 @@ from pydantic import PlainValidator, model_validator
 from carom.errors import Fault, shown
 from carom.scene.figures.circle import CircleFigure
 from carom.scene.figures.figure import FIGURES, Figure
-from carom.scene.schema import Size, Sizes, raise_faults, refused
+from carom.scene.schema import Size, Sizes, checked_part, raise_faults, refused
 
 __all__ = ["BoxFigure", "CylinderFigure", "SphereFigure"]
 
@@ -44,7 +44,7 @@ class BoxFigure(Figure):
 
 def _section(value: Any) -> Figure:
     if isinstance(value, dict) and FIGURES.get(str(value.get("shape")), SphereFigure).dimension == 2:
-        return FIGURES[value["shape"]].model_validate(value)
+        return checked_part(FIGURES[value["shape"]], value)
     if isinstance(value, Figure) and value.dimension == 2:
         return value
     flat = [name for name, one in FIGURES.items() if one.dimension == 2]

@@ -7,12 +7,19 @@ from typing import ClassVar, Literal
 
 from carom.scene.figures.figure import Loop, PlaneFigure
 from carom.scene.figures.pieces import ArcPiece, SegmentPiece
-from carom.scene.schema import Size
+from carom.scene.schema import Model, Size
 
-__all__ = ["StadiumFigure"]
+__all__ = ["StadiumFigure", "StadiumSizes"]
 
 
-class StadiumFigure(PlaneFigure):
+class StadiumSizes(Model):
+    """The sizes of a stadium, as a figure and as a wall."""
+
+    straight: Size
+    radius: Size
+
+
+class StadiumFigure(StadiumSizes, PlaneFigure):
     """A stadium: two straight sides along x, joined by half circles.
 
     Source: L. A. Bunimovich, Commun. Math. Phys. 65, 295 (1979), https://doi.org/10.1007/BF01197884.
@@ -25,8 +32,6 @@ class StadiumFigure(PlaneFigure):
 
     usual: ClassVar = {"straight": 2.0, "radius": 1.0}
     shape: Literal["stadium"] = "stadium"
-    straight: Size
-    radius: Size
 
     def outline(self) -> list[Loop]:
         """Return the lower side, the right end, the upper side, the left end."""

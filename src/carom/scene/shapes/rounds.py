@@ -7,12 +7,13 @@ from collections.abc import Sequence
 from typing import Any, ClassVar, Literal
 
 import numpy as np
+from pydantic import model_validator
 
 from carom.core.geometry.angles import direction
 from carom.core.geometry.features import FACE, LINE, OVER
 from carom.core.jit.kernel import dot, kernel
 from carom.formatting import format_length
-from carom.public.renamed import renamed_attribute
+from carom.public.renamed import renamed_attribute, with_new_names
 from carom.scene.feature_builders import (
     UP,
     Flat,
@@ -32,6 +33,7 @@ from carom.scene.feature_builders import (
     put_round,
     unit,
 )
+from carom.scene.figures.stadium import StadiumSizes
 from carom.scene.schema import Angle, Direction, Extent, Flag, Place, Point, Size, Vector
 from carom.scene.shapes.planes import FAR, LEVEL
 from carom.scene.shapes.segments import LEVELS, Standing, level_faults, stands
@@ -337,14 +339,14 @@ def _room_in_stadium(p: Numbers) -> float:
     return p[1]
 
 
-class Stadium(WallShape):
+class Stadium(StadiumSizes, WallShape):
     """Two parallel walls joined by half circles, with the balls inside: Bunimovich's stadium.
 
     Source: L. A. Bunimovich, Commun. Math. Phys. 65, 295 (1979), https://doi.org/10.1007/BF01197884.
 
     Parameters
     ----------
-    length : m: of the straight walls
+    straight : m: length of the straight walls
     radius : m: of the half circles
     center : 2 lengths, m, as seen from above; default: the origin
     angle : degrees from x: direction of the straight walls; default: 0
@@ -356,16 +358,19 @@ class Stadium(WallShape):
     Examples
     --------
     >>> import carom
-    >>> carom.scene.Stadium(length=1, radius=0.5).room
+    >>> carom.scene.Stadium(straight=1, radius=0.5).room
     0.5
     """
 
     kernels: ClassVar = ShapeKernels(_stadium_features, _outside_stadium, always, room=_room_in_stadium)
     shape: Literal["stadium"] = "stadium"
-    length: Size
-    radius: Size
     center: Place = (0.0, 0.0)
     angle: Angle = 0.0
+
+    @model_validator(mode="before")
+    @classmethod
+    def _with_new_names(cls, given: Any) -> Any:
+        return with_new_names("stadium", given, {"length": "straight"}) if isinstance(given, dict) else given
 
     def _point(self, along: float) -> Flat:
         c, s = direction(self.angle)
@@ -373,11 +378,13 @@ class Stadium(WallShape):
 
     def outline(self) -> Outline:
         """Return its closed outline."""
-        turn, half = math.radians(self.angle), self.length / 2
+        turn, half = math.radians(self.angle), self.straight / 2
         right = circle(self._point(half), self.radius, turn - math.pi / 2, turn + math.pi / 2)
         left = circle(self._point(-half), self.radius, turn + math.pi / 2, turn + 3 * math.pi / 2)
         return [np.concatenate((right, left, right[:1]))]
 
     def describe(self) -> str:
         """Return a description of a few words."""
-        return f"a stadium of {format_length(self.length)} between half circles of radius {format_length(self.radius)}"
+        return (
+            f"a stadium of {format_length(self.straight)} between half circles of radius {format_length(self.radius)}"
+        )
