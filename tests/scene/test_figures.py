@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from typing import Any
 
@@ -9,7 +10,8 @@ import numpy as np
 import pytest
 
 import carom
-from carom.scene.figures import FIGURES, ArcPiece, EllipsePiece, ParallelPiece, Piece, PlaneFigure, SegmentPiece
+from carom.scene.figures import FIGURES, ArcPiece, EllipsePiece, ParallelPiece, Piece, PlaneFigure, SegmentPiece, figure
+from carom.scene.shapes.outline import OutlineWall, placed_pieces
 
 
 class General(Piece):
@@ -102,3 +104,61 @@ def test_a_stadium_of_the_release_before_is_read_with_a_note() -> None:
     with pytest.warns(DeprecationWarning, match="stadium: length is called straight now"):
         old = carom.scene.Stadium.model_validate({"length": 2.0, "radius": 1.0, "angle": 30})
     assert old == carom.scene.Stadium(straight=2.0, radius=1.0, angle=30)
+
+
+class NotchFigure(PlaneFigure):
+    """A square with a half circle cut out above and a notch below, for tests: arcs both ways, and re-entrant corners."""
+
+    side: Any = 2.0
+
+    def outline(self) -> Any:
+        points = [(-1.0, -1.0), (-0.2, -1.0), (0.0, -0.6), (0.2, -1.0), (1.0, -1.0), (1.0, 1.0), (0.5, 1.0)]
+        sides = [SegmentPiece(one, two) for one, two in itertools.pairwise(points)]
+        arc = ArcPiece((0.0, 1.0), 0.5, 360.0, 180.0)
+        return [[*sides, arc, SegmentPiece((-0.5, 1.0), (-1.0, 1.0)), SegmentPiece((-1.0, 1.0), (-1.0, -1.0))]]
+
+
+def wall_of(made: PlaneFigure, center: tuple[float, float] = (0.0, 0.0), angle: float = 0.0) -> OutlineWall:
+    """The wall of a figure."""
+    return OutlineWall(pieces=placed_pieces("notch", made.outline()[0], center, angle), restitution=1.0, friction=0.0)
+
+
+@pytest.mark.parametrize(
+    "text", ["rectangle:size=2,1.2", "regular:sides=5,radius=1.2", "circle:radius=0.8", "stadium:straight=1,radius=0.7"]
+)
+def test_a_ball_in_a_wall_of_a_figure_is_where_the_billiard_has_it(text: str) -> None:
+    """Bounces of a mirror ball, under no force, as of the table that bounds its surface."""
+    made = figure(text)
+    assert isinstance(made, PlaneFigure)
+    start, velocity = (0.11, 0.07), (0.8, 0.37)
+    found = carom.orbit(made, 12, bounds="surface", law="mirror", ball_radius=0.05, position=start, velocity=velocity)
+    ball = {"radius": 0.05, "mass": 0.2, "position": (*start, 0.0), "velocity": (*velocity, 0.0)}
+    for wall in (wall_of(made), {"shape": made.kind(), **made.sizes, "restitution": 1.0, "friction": 0.0}):
+        scene = carom.Scene(
+            gravity=0, walls=[wall], balls=[ball], run={"max_events": 12, "law": "mirror", "duration": 100}
+        )
+        run = carom.simulate(scene)
+        places = np.array([run.at(float(t)).position[0, :2] for t in found.t[:10]])
+        assert places == pytest.approx(found.position[:10], abs=1e-9)
+
+
+def test_a_ball_stays_in_a_figure_with_arcs_and_corners_both_ways() -> None:
+    """The gap to every piece, from points along it, and the places that are blocked, turned and moved."""
+    made, center, angle = NotchFigure(), (0.3, -0.2), 25.0
+    wall = wall_of(made, center, angle)
+    c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    turn = np.array([[c, s], [-s, c]])
+    edge = np.concatenate([p.place(np.linspace(0, p.length, 4001)) for p in made.outline()[0]]) @ turn + center
+    ball = {"radius": 0.06, "mass": 0.2, "position": (0.5, 0.1, 0.0), "velocity": (1.3, 0.71, 0.0), "spin": (0, 0, 5)}
+    rough = wall.model_copy(update={"friction": 0.2})
+    scene = carom.Scene(gravity=0, walls=[rough], balls=[ball], run={"law": "no-slip", "duration": 30.0})
+    run = carom.simulate(scene)
+    assert len(run.events) > 20
+    places = np.array([run.at(t).position[0, :2] for t in np.linspace(0, 30, 400)])
+    gaps = np.linalg.norm(places[:, None] - edge, axis=-1).min(axis=1)
+    assert gaps.min() > 0.06 - 1e-5
+    assert not any(wall.blocked((*place, 0.0)) for place in places)
+    outside = np.array([(0.0, -0.9), (0.0, 0.8), (1.2, 0.0), (-1.1, -1.1), (0.0, 1.5)]) @ turn + center
+    assert all(wall.blocked((*place, 0.0)) for place in outside)
+    ends = wall.outline()[0]
+    assert np.abs(ends[:, None] - edge).sum(-1).min(axis=1).max() < 2e-3

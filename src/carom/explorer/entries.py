@@ -20,7 +20,7 @@ from carom.laws.landing import second_impact
 from carom.laws.registry import laws
 from carom.laws.rules import Case, Conditions, Objections, Predicted, Rule
 from carom.laws.two_step import first_impact
-from carom.scene.shapes import SHAPES
+from carom.scene.shapes import PAGE_SHAPES
 from carom.scene.wall import ShapeKernels
 from carom.simulation.loop import run
 from carom.simulation.predict import begin_phase
@@ -54,7 +54,7 @@ def entries() -> list[ModuleFunction]:
         ModuleFunction("restitution", restitution_row, None, (floats, floats)),
         ModuleFunction("first_impact", first_impact_row, None, (floats, floats)),
         ModuleFunction("second_impact", second_impact_row, None, (floats, floats)),
-        *(one for name, shape in SHAPES.items() for one in _of_shape(name, shape.kernels)),
+        *(one for name, shape in PAGE_SHAPES.items() for one in _of_shape(name, shape.kernels)),
         *_rules(),
         ModuleFunction("rim", rim_entry, None, (), RIM_NUMBERS),
         *(ModuleFunction(f"law_{law.name.replace('-', '_')}", law_entry(law.kernel), None, (), LAW_NUMBERS)

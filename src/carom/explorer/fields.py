@@ -19,7 +19,7 @@ from carom.scene.pockets import Pockets
 from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, Power, Viscoelastic
 from carom.scene.scene import Run, Scene
 from carom.scene.schema import Components, Model, Number
-from carom.scene.shapes import SHAPES
+from carom.scene.shapes import PAGE_SHAPES
 
 __all__ = ["scene_fields"]
 
@@ -41,7 +41,7 @@ def scene_fields() -> dict[str, Any]:
         "ball": _fields(SceneBall),
         "ball_contact": _pair_fields(),
         "run": _fields(Run),
-        "walls": {name: _fields(shape) for name, shape in SHAPES.items()},
+        "walls": {name: _fields(shape) for name, shape in PAGE_SHAPES.items()},
         "pockets": _fields(Pockets),
         "restitution": {model.model_fields["form"].default: _fields(model) for model in FORMS},
     }

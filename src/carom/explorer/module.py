@@ -27,7 +27,7 @@ from carom.laws.registry import laws
 from carom.laws.results import REGIME_NAMES
 from carom.laws.wall_and_floor.solver import LEAST_FIRM
 from carom.scene.restitution import Han2005
-from carom.scene.shapes import SHAPES
+from carom.scene.shapes import PAGE_SHAPES
 from carom.scene.wall import WallShape, number_fields
 from carom.simulation.contacts.contact import DONE
 from carom.simulation.contacts.kinds import REFUSALS
@@ -84,7 +84,7 @@ def _described() -> dict[str, Any]:
         },
         "limits": {"least_firm": LEAST_FIRM},
         "laws": [_law(law) for law in laws().values() if law.kernel is not None],
-        "shapes": {name: _shape(shape) for name, shape in SHAPES.items()},
+        "shapes": {name: _shape(shape) for name, shape in PAGE_SHAPES.items()},
         "fields": scene_fields(),
     }  # fmt: skip
 

@@ -25,6 +25,7 @@ from carom.laws.registry import law_named, law_styles, one_or_several
 from carom.laws.registry import laws as all_laws
 from carom.scene.as_json import scene_dict
 from carom.scene.scene import Scene
+from carom.scene.shapes import FigureWall
 from carom.scene.shapes.planes import Plane
 from carom.scene.toml import load_scene
 from carom.scene.wall import WallShape, law_name
@@ -127,8 +128,17 @@ def _scene(scene: Scene | str | os.PathLike[str], faults: FaultList) -> Scene | 
     except CaromError as error:
         faults += error.records
         return None
+    found = with_outlines(found)
     faults += not_shown(found, str(scene) if isinstance(scene, str | os.PathLike) else "explore")
     return found
+
+
+def with_outlines(scene: Scene) -> Scene:
+    """Return a scene whose walls of figures are outlines: the page has their pieces, not their sizes."""
+    if not any(isinstance(wall, FigureWall) for wall in scene.walls):
+        return scene
+    walls = tuple(wall.as_outline if isinstance(wall, FigureWall) else wall for wall in scene.walls)
+    return scene.model_copy(update={"walls": walls})
 
 
 def not_shown(scene: Scene, where: str) -> FaultList:

@@ -327,6 +327,8 @@ class WallShape(Model):
     """
 
     tag: ClassVar[str] = "shape"
+    in_page: ClassVar[bool] = True
+    """Whether the explorer's page knows its fields; other walls are outlines there."""
     kernels: ClassVar[ShapeKernels]
     shape_faults: ClassVar[tuple[ShapeFault, ...]] = ()
     """Texts of the faults that ``kernels.faults`` reports, by their codes."""

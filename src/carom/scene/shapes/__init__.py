@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Union
 from pydantic import Field
 
 from carom.scene.by_file import modules_of
+from carom.scene.shapes.outline import FigureWall, OutlineWall, figure_walls
 from carom.scene.shapes.planes import Box, Plane, Strip, Wedge
 from carom.scene.shapes.rounds import Arc, Cylinder, Sphere, Stadium
 from carom.scene.shapes.segments import Polygon, Segment
@@ -18,7 +19,8 @@ from carom.scene.shapes.table import Table
 from carom.scene.wall import WallShape
 
 __all__ = [
-    "SHAPES", "AnyWall", "Arc", "Box", "Cylinder", "Plane", "Polygon", "Segment", "Sphere", "Stadium", "Strip", "Table", "Wedge",
+    "PAGE_SHAPES", "SHAPES", "AnyWall", "Arc", "Box", "Cylinder", "FigureWall", "OutlineWall", "Plane", "Polygon", "Segment",
+    "Sphere", "Stadium", "Strip", "Table", "Wedge",
 ]  # fmt: skip
 
 FIRST = (Plane, Segment, Polygon, Table, Box, Strip, Wedge, Cylinder, Arc, Sphere, Stadium)
@@ -28,10 +30,12 @@ def _found() -> dict[str, type[WallShape]]:
     """Return the shapes by name: in the order in which messages list them, then those of further files."""
     others: list[Any] = [x for one in modules_of(__name__, __path__) for x in vars(one).values() if isinstance(x, type)]
     walls = [one for one in others if issubclass(one, WallShape) and "shape" in one.model_fields]
-    return {one.model_fields["shape"].default: one for one in dict.fromkeys((*FIRST, *walls))}
+    own = {one.model_fields["shape"].default: one for one in dict.fromkeys((*FIRST, *walls))}
+    return own | figure_walls(tuple(own))
 
 
 SHAPES = _found()
+PAGE_SHAPES = {name: shape for name, shape in SHAPES.items() if shape.in_page}
 if TYPE_CHECKING:
     AnyWall = WallShape
 else:
