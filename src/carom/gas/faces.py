@@ -148,7 +148,12 @@ def _chain(
     for piece in loop:
         if not isinstance(piece, SegmentPiece | ArcPiece):
             raise CaromError(
-                Fault("container", "", "a figure of segments, arcs or a whole ellipse", f"{figure.kind()}, {piece}")
+                Fault(
+                    "container",
+                    "",
+                    "a figure of segments, arcs or a whole ellipse",
+                    f"{figure.kind()}, with a {type(piece).__name__}",
+                )
             )
     tangents = np.array([piece.tangent(np.array([0.0, piece.length])) for piece in loop])
     after = np.roll(tangents[:, 0], -1, axis=0)
@@ -197,7 +202,7 @@ def _arc(figure: PlaneFigure, name: str, piece: ArcPiece, centre: Array, places:
         return face
     if abs(piece.to_angle_deg - piece.from_angle_deg) != 180:
         expected = "arcs that are half circles, or parts of a circle around the whole figure"
-        raise CaromError(Fault("container", "", expected, f"{figure.kind()}, {piece}"))
+        raise CaromError(Fault("container", "", expected, f"{figure.kind()}, with a {type(piece).__name__}"))
     middle = math.radians((piece.from_angle_deg + piece.to_angle_deg) / 2)
     u = np.round((math.cos(middle), math.sin(middle)), 15) + 0.0
     edge = float(u @ centre) - 2 * r * JOINT_OVERLAP

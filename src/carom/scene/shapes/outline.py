@@ -122,15 +122,16 @@ class FigureWall(WallShape):
     @model_validator(mode="before")
     @classmethod
     def _sound_figure(cls, given: Any) -> Any:
-        own = {name: given[name] for name in cls.of.model_fields if name in given} if isinstance(given, dict) else None
-        if own is not None and cls.of.model_fields.keys() - {"shape"} <= own.keys():
-            with_faults_of_part(lambda: cls.of(**own))
+        fields = cls.of.model_fields
+        if isinstance(given, dict) and all(name in given for name, info in fields.items() if info.is_required()):
+            with_faults_of_part(lambda: cls.of(**{name: given[name] for name in fields if given.get(name) is not None}))
         return given
 
     @functools.cached_property
     def figure(self) -> PlaneFigure:
         """The figure."""
-        return self.of(**{name: getattr(self, name) for name in self.of.model_fields})
+        fields = {name: getattr(self, name) for name in self.of.model_fields}
+        return self.of(**{name: value for name, value in fields.items() if value is not None})
 
     @functools.cached_property
     def as_outline(self) -> OutlineWall:
