@@ -38,7 +38,7 @@ def check_asked(asked: SimpleNamespace, defaults: Mapping[str, Any]) -> None:
     faults = FaultList()
     for name, default in defaults.items():
         if name not in TAKEN and getattr(asked, name) != default:
-            faults.add(f"`{name}`", "no `shot`, which fits whole shots", "it", "omit it")
+            faults.add("", "", advice=f"`{name}` has no effect with `shot`, which fits whole shots; omit it")
     if asked.radius is None and asked.table is None:
         faults.add("`radius`", "the balls' radius in m", "none", "a carom ball has `radius` 0.03075")
     faults.raise_if_any()
