@@ -58,17 +58,13 @@ def law_of_speed(train: Problem, test: Problem) -> Answer:
 
 
 def law_and_functions(train: Problem, test: Problem) -> Answer:
-    """Forms, splines and tails for the law with the least AICc and for ``contact``, chosen by rows held out of those that train."""
-    laws = laws_for(train.rebounds.kind, train.setting.contact_height == 1.0)
-    contact = [fit_law(one, train) for one in laws if one.name == "contact"]
-    fits = {fit.law.name: fit for fit in (best_law(train, train.setting), *contact)}
-    choices = [choose_forms(fit) for fit in fits.values()]
-    return answer(max(choices, key=lambda one: one.best.score).best.fit, test)
+    """Forms and splines of the impact, chosen by rows held out of those that train."""
+    choice = choose_forms(best_law(train, train.setting), noise=False)
+    return answer(choice.best.fit, test)
 
 
 def _inputs(problem: Problem) -> Any:
-    x = problem.x * (1, 1, problem.setting.radius)
-    return x[:, x.std(axis=0) > 0]
+    return problem.x * (1, 1, problem.setting.radius)
 
 
 def _outputs(problem: Problem) -> Any:
@@ -77,12 +73,12 @@ def _outputs(problem: Problem) -> Any:
 
 def _learnt(learner: Callable[[], Any], train: Problem, test: Problem) -> Answer:
     """Return mean and density of one learner for each output; ``learner()`` has fit(x, y) and predict(x) -> mean, error."""
-    y, seen = _outputs(train), np.isfinite(train.y).all(axis=0)
+    y, seen, moving = _outputs(train), np.isfinite(train.y).all(axis=0), train.x.std(axis=0) > 0
     mean, logs = np.full(test.y.shape, np.nan), np.zeros(len(test.y))
     for i in np.flatnonzero(seen):
         one = learner()
-        one.fit(_inputs(train), y[:, i])
-        said, error = one.predict(_inputs(test))
+        one.fit(_inputs(train)[:, moving], y[:, i])
+        said, error = one.predict(_inputs(test)[:, moving])
         off = (_outputs(test)[:, i] - said) / error
         logs += -0.5 * off**2 - np.log(error) - 0.5 * math.log(2 * math.pi)
         mean[:, i] = said / (train.setting.radius if i == 2 else 1.0)
