@@ -19,7 +19,7 @@ from campaign import campaign, shares
 from reference.synthetic_bounces import SETTING, TRUTH, bounces
 
 from carom.data import make_rebounds
-from carom.fitting import fit_law, make_problem, with_profiles
+from carom.fitting import fit_law, fit_laws, make_problem, with_profiles
 from carom.fitting.laws import laws_named
 
 
@@ -36,6 +36,10 @@ class Kind:
     spin_seen: bool = False
     """Whether those after it were, then."""
     profiles: bool = False
+    bars: bool = True
+    """Whether error bars are given."""
+    outliers: float = 0.0
+    """Share of rows whose velocity along the wall is off by ten error bars; then laws are ranked, as carom fit does."""
 
 
 KINDS = {
@@ -44,6 +48,11 @@ KINDS = {
     "60 bounces, no spin measured": Kind("sliding", 60, 0.03, 2.0, unknown=True),
     "40 bounces, ten times the noise": Kind("contact", 40, 0.2, 20.0),
     "40 bounces, ten times the noise, by profiles": Kind("contact", 40, 0.2, 20.0, profiles=True),
+}
+KINDS |= {
+    "8 bounces without error bars, by profiles": Kind("contact", 8, 0.02, 2.0, profiles=True, bars=False),
+    "12 bounces without error bars, by profiles": Kind("contact", 12, 0.02, 2.0, profiles=True, bars=False),
+    "40 bounces, 5 % outliers": Kind("contact", 40, 0.02, 2.0, outliers=0.05),
 }
 KINDS |= {
     f"{name}, by profiles": replace(KINDS[name], profiles=True)
@@ -55,8 +64,18 @@ def one(kind: Kind, seed: int) -> dict[str, Any]:
     """A table, fitted: of each number (fitted - true) / error, or whether profiles hold it; None where it got no error bar."""
     law = laws_named([kind.law], "planar", True)[0][0]
     made = bounces(seed, kind.rows, kind.sigma_v, kind.sigma_spin, kind.unknown, kind.spin_seen)
+    if not kind.bars:
+        made = {name: column for name, column in made.items() if not name.startswith("sigma_")}
+    if kind.outliers:
+        rng = np.random.default_rng(seed + 10_000)
+        off = rng.random(kind.rows) < kind.outliers
+        made["v_t_out"] = made["v_t_out"] + np.where(off, 10 * kind.sigma_v * rng.choice([-1.0, 1.0], kind.rows), 0.0)
     took = time.process_time()
-    fit = fit_law(law, make_problem(make_rebounds("planar", made), SETTING)[0])
+    rows = make_rebounds("planar", made)
+    if kind.outliers:
+        fit = fit_laws(rows, SETTING, [kind.law], bootstrap=0, profiles=False).best
+    else:
+        fit = fit_law(law, make_problem(rows, SETTING)[0])
     fit = with_profiles(fit) if kind.profiles else fit
     found: dict[str, Any] = {"seconds": time.process_time() - took}
     for name, estimate in fit.estimates.items():

@@ -108,6 +108,7 @@ ROWS = {
         Quantity("restitution at rest", "", "1", "walls[].restitution.at_rest restitution_at_rest"),
         Quantity("restitution at high speed", "", "1", "walls[].restitution.at_speed restitution_at_speed"),
         Quantity("speed over which it falls", "", "m/s", "walls[].restitution.speed restitution_speed"),
+        Quantity("exponent of a power law", "", "1", "walls[].restitution.exponent restitution_exponent"),
         Quantity("friction", "μ", "1", "walls[].friction friction"),
         Quantity("tangential restitution", "β", "1", "walls[].tangential_restitution tangential_restitution"),
         Quantity("tangential over normal stiffness", "", "1", "walls[].stiffness_ratio stiffness_ratio"),

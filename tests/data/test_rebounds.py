@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from carom.data.rebounds import COLUMNS, Rebounds, make_rebounds, read_rebounds
+from carom.data.rebound_files import read_rebounds
+from carom.data.rebounds import COLUMNS, Rebounds, make_rebounds
 from carom.errors import CaromError
 from carom.fitting import Setting, fit_laws
 

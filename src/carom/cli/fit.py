@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
@@ -24,7 +24,7 @@ from carom.cli.options import (
     shared,
 )
 from carom.cli.progress import working
-from carom.cli.ranking_output import show
+from carom.cli.ranking_output import show, show_each
 from carom.errors import CaromError, FaultList
 from carom.public.defaults import CUSHIONS
 
@@ -56,7 +56,7 @@ def fit(
     restitution: Annotated[
         str,
         typer.Option(
-            help="Restitution as a function of speed: constant, line, polynomial, viscoelastic, exponential.",
+            help="Restitution as a function of speed: constant, line, polynomial, power, viscoelastic, exponential.",
             rich_help_panel=LAWS,
         ),
     ] = "constant",
@@ -169,6 +169,12 @@ def fit(
             rich_help_panel=DATA,
         ),
     ] = None,
+    by: Annotated[
+        str | None,
+        typer.Option(
+            metavar="COLUMN", help="Fit the rows of each value of this column, such as surface.", rich_help_panel=DATA
+        ),
+    ] = None,
     sigma_v: Annotated[float | None, shared("sigma_v", default="of the table")] = None,
     sigma_spin: Annotated[float | None, shared("sigma_spin", default="of the table")] = None,
     spin: Annotated[
@@ -217,6 +223,7 @@ def fit(
         Path | None,
         typer.Option(metavar="FILE.html", help="Write a report with figures to this file.", rich_help_panel=OUTPUT),
     ] = None,
+    plot: Annotated[Path | None, shared("plot", help="Draw which rows slide or grip, and which decide.")] = None,
     no_report: Annotated[bool, typer.Option("--no-report", help="The default.", hidden=True)] = False,
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
@@ -235,7 +242,13 @@ def fit(
 
     faults = FaultList()
     fixed, bounds = _held(faults, fix, bound)
-    _pages(faults, report, no_report)
+    _pages(faults, report, no_report, plot)
+    if by is not None and (report is not None or plot is not None):
+        faults.add(
+            "", "", advice=f"--{'plot' if report is None else 'report'} has no effect with --by; omit one of them"
+        )
+    if whole and plot is not None:
+        faults.add("", "", advice="--plot has no effect with --whole; omit one of them")
     options: dict[str, Any] = {
         "radius": radius, "inertia": inertia, "laws": [name for text in laws for name in comma_separated(text)] if laws else None,
         "restitution": restitution, "friction": friction, "tangential_restitution": tangential_restitution,
@@ -245,7 +258,7 @@ def fit(
         "floor_restitution": floor_restitution, "roll": roll, "kind": kind, "stage": stage, "rate": rate,
         "scale": faults.attempt(parse_length, "scale", scale), "view": view, "balls": balls, "whole": whole,
         "cushions": cushions, "shot": shot, "table": table,
-        "noise": faults.attempt(parse_length, "noise", noise), "where": where or (), "sigma_v": sigma_v,
+        "noise": faults.attempt(parse_length, "noise", noise), "where": where or (), "by": by, "sigma_v": sigma_v,
         "sigma_spin": sigma_spin, "spin": spin, "every_contact": every_contact, "scatter": scatter, "bootstrap": bootstrap,
         "profiles": profiles, "seed": seed,
     }  # fmt: skip
@@ -261,7 +274,14 @@ def fit(
             written = write_report_page(
                 lambda: _page(with_options(ranking), files, report), lambda text, done: progress(done, 1.0, text)
             )
-    tell(ranking, show_shots if shot else show_whole if whole else show, as_json, console, written)
+        if plot is not None:
+            from carom.fitting import Ranking
+            from carom.plot.friction import plot_friction
+            from carom.plot.style import save
+
+            save(plot_friction(cast(Ranking, ranking)), plot)
+    shows = [(shot, show_shots), (whole, show_whole), (by is not None, show_each)]
+    tell(ranking, next((one for wanted, one in shows if wanted), show), as_json, console, written)
 
 
 def _held(
@@ -279,8 +299,8 @@ def _held(
             {name: x for name, x in bounds.items() if x is not None})  # fmt: skip
 
 
-def _pages(faults: FaultList, report: Path | None, no_report: bool) -> None:
-    require_outputs(faults, {"--report": report}, {"--report": (".html", ".htm")})
+def _pages(faults: FaultList, report: Path | None, no_report: bool, plot: Path | None) -> None:
+    require_outputs(faults, {"--report": report, "--plot": plot}, {"--report": (".html", ".htm")})
     if report is not None and no_report:
         faults.add("", "", advice="--no-report has no effect with --report; omit one of them")
 

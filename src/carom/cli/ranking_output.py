@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 from carom.formatting import counted
 
 if TYPE_CHECKING:
-    from carom.fitting import Fit, Ranked, Ranking
+    from carom.fitting import Fit, Ranked, Ranking, RankingsBy
     from carom.fitting.form_choice import FormChoice
     from carom.fitting.shots import ShotsRanking
     from carom.fitting.tracks import TrackRanking
 
-__all__ = ["print_ranking", "show"]
+__all__ = ["print_ranking", "show", "show_each"]
 
 MAX_OUTLIERS = 10
 
@@ -63,6 +63,17 @@ def _print_forms(choice: FormChoice) -> None:
         table.add_row(*cells, style="bold" if i in choice.chosen else None)
     out().print(table)
     out().print(Text(f"{choice.sentence}."), soft_wrap=True)
+
+
+def show_each(rankings: RankingsBy) -> None:
+    """Print the rankings of the values of a column, one after the other."""
+    from rich.text import Text
+
+    from carom.cli.console import out
+
+    for value, ranking in rankings.items():
+        out().print(Text(f"{rankings.column} {value}", style="bold"))
+        show(ranking)
 
 
 def print_ranking(

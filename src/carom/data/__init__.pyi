@@ -6,6 +6,6 @@ from .predict import PredictSummary as PredictSummary
 from .predict import predict_table as predict_table
 from .published import Published as Published
 from .published import published_rebounds as published_rebounds
+from .rebound_files import read_rebounds as read_rebounds
 from .rebounds import Rebounds as Rebounds
 from .rebounds import make_rebounds as make_rebounds
-from .rebounds import read_rebounds as read_rebounds

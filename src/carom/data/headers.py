@@ -19,6 +19,7 @@ __all__ = [
     "BRACKETS",
     "OLD_COLUMNS",
     "STATE_COLUMNS",
+    "WRITTEN_COLUMNS",
     "ColumnNames",
     "Heading",
     "header_with_unit",
@@ -50,6 +51,42 @@ STATE_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
     "floor_tangential_restitution": ("number", ()),
     "height": ("length", ()),
     **{f"normal_{k}": ("number", ()) for k in "xyz"},
+}
+# Columns of rebounds in other forms than components, before (in) and after (out) the contact: name -> dimension, other names.
+WRITTEN_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
+    "speed_in": ("speed", ("speed", "v_in", "v1", "impact_speed", "velocity_in")),
+    "speed_out": ("speed", ("v_out", "v2", "rebound_speed", "velocity_out")),
+    "incidence": ("angle", (*STATE_COLUMNS["incidence"][1], "angle_in_from_normal", "angle_of_incidence")),
+    "reflection": (
+        "angle",
+        (
+            "reflection_from_normal",
+            "reflection_angle",
+            "theta_out",
+            "angle_out",
+            "angle_out_from_normal",
+            "rebound_angle",
+        ),
+    ),
+    "incidence_from_surface": ("angle", ("angle_in_from_surface", "grazing_angle_in", "impact_angle_from_surface")),
+    "reflection_from_surface": ("angle", ("angle_out_from_surface", "grazing_angle_out", "rebound_angle_from_surface")),
+    "e_n": ("number", ("en", "e_y", "e", "cor", "restitution", "coefficient_of_restitution", "normal_restitution")),
+    "e_t": ("number", ("et", "tangential_speed_ratio", "v_t_ratio")),
+    "e_x": ("number", ("ex", "e_t_cross", "e_x_cross")),
+    "beta": ("number", ("beta_walton", "beta_0", "beta0", "rotational_restitution", "tangential_restitution")),
+    "drop_height": ("length", ("h_drop", "h1", "height_in", "initial_height")),
+    "rebound_height": ("length", ("bounce_height", "h_rebound", "h2", "height_out")),
+    "time_before": ("time", ("flight_time_in", "t_before", "time_in")),
+    "time_after": ("time", ("flight_time_out", "t_after", "time_out")),
+    "flight_time": ("time", ("time_between_bounces", "bounce_interval", "interval")),
+    **{f"v{k}_{side}": ("speed", (f"v_{k}_{side}", f"velocity_{k}_{side}")) for k in "xy" for side in ("in", "out")},
+    **{
+        f"normalised_spin_{side}": (
+            "number",
+            tuple(f"{name}_{side}" for name in ("normalized_spin", "spin_factor", "spin_parameter", "spin_ratio", "s")),
+        )
+        for side in ("in", "out")
+    },
 }
 # Names of other columns in tables of the release before: new -> old. They are read as the new ones.
 OLD_COLUMNS = {"floor_friction": "cloth_friction", "sigma_floor_friction": "sigma_cloth_friction"}

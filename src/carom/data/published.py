@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from carom.data.datasets import Dataset, load, names
-from carom.data.rebounds import Rebounds, make_rebounds, read_rebounds
+from carom.data.rebound_files import read_rebounds
+from carom.data.rebounds import Rebounds, make_rebounds
 from carom.errors import CaromError
 
 __all__ = ["Published", "published_at", "published_name", "published_rebounds"]

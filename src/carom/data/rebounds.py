@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -22,17 +22,16 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.data.csv import CsvTable
-from carom.data.headers import BRACKETS, ColumnNames, missing_unit, with_units_below
+from carom.data.headers import ColumnNames
 from carom.data.remarks import speed_remarks, which_rows
-from carom.data.table_cells import decimal_commas, number_advice, parse_numbers
+from carom.data.table_cells import parse_numbers
 from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, shortened_list, suggestion
-from carom.files import as_path, atomic_file, import_optional, require_unpacked_size
+from carom.files import as_path, atomic_file, import_optional
 
 if TYPE_CHECKING:
     import pandas as pd
 
-__all__ = ["COLUMNS", "KINDS", "STAGES", "Kind", "Rebounds", "make_rebounds", "read_rebounds"]
+__all__ = ["COLUMNS", "KINDS", "STAGES", "Kind", "Rebounds", "make_rebounds", "rows_of_stage", "stages_of_column"]
 
 Array = NDArray[np.float64]
 Kind = Literal["planar", "table"]
@@ -285,6 +284,23 @@ def _stages(kind: Kind, stage: Any, count: int, rows: Sequence[str], faults: Fau
     return found
 
 
+def stages_of_column(cells: Sequence[str], stage: str | None) -> NDArray[np.str_]:
+    """Return the stages of a column, with the one of ``stage`` in empty cells."""
+    return np.array([cell if cell.strip() or stage is None else stage for cell in cells], dtype=str)
+
+
+def rows_of_stage(found: Rebounds, stage: str | None) -> Rebounds:
+    """Return the rows of one stage, with a note where others are left out. Raises CaromError where there is none."""
+    if stage is None or found.stage is None or (keep := found.stage == stage).all():
+        return found
+    if not keep.any():
+        raise CaromError(
+            f"{found.source}: stage: expected rows with stage {stage}, got {found.stage[0]} in all; omit `stage`"
+        )
+    note = f"stage: {keep.sum()} of {len(found)} rows are of stage {stage}; the others are left out"
+    return replace(found.select(keep), notes=(*found.notes, note))
+
+
 def _remarks(found: Rebounds) -> list[str]:
     """Return notes on what can be read but looks wrong."""
     covariance = found.extra.get("covariance_v_n")
@@ -293,135 +309,3 @@ def _remarks(found: Rebounds) -> list[str]:
     if not found.sigma:
         remarks.append("no sigma_ columns: the error bars are unknown, and a fit has to estimate them")
     return remarks
-
-
-def read_rebounds(path: str | Path, *, kind: Kind | None = None, stage: str | None = None) -> Rebounds:
-    """Read a table of rebounds from a CSV or Parquet file.
-
-    Parameters
-    ----------
-    path : path
-        Columns in any order, with units in their headers (SI without); other columns are kept as ``extra``.
-    kind : "planar" or "table", optional
-        By default recognised from the columns: spin_in or spin_out is planar, spin_z_in, spin_z_out or stage is a table.
-    stage : "after_wall" or "rolling", optional
-        For all rows of a file without that column.
-
-    Returns
-    -------
-    Rebounds. Raises CaromError with all problems of the file.
-
-    Examples
-    --------
-    >>> import pathlib, tempfile
-    >>> from carom.data import read_rebounds
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     path = pathlib.Path(folder) / "bounces.csv"
-    ...     _ = path.write_text("v_n_in [mm/s],v_t_in,v_n_out,v_t_out,stage\\n1500,0.5,1.2,0.4,rolling\\n")
-    ...     table = read_rebounds(path)
-    >>> table.kind, table["v_n_in"], table.rows
-    ('table', array([1.5]), ('line 2',))
-    """
-    path = as_path("read_rebounds", path)
-    if not path.is_file():
-        raise CaromError(f"{path}: expected a table of rebounds, got {'a folder' if path.is_dir() else 'no such file'}")
-    faults = FaultList(str(path))
-    read = _read_parquet if path.suffix.lower() in (".parquet", ".pq") else _read_csv
-    headers, cells, rows, number = read(path, faults)
-    measured: dict[str, Array] = {}
-    extra: dict[str, NDArray[Any]] = {}
-    stages: Any = stage
-    for i, header in enumerate(headers):
-        name = header.strip().lower()
-        meaning = NAMED.parse(header)
-        if name == "stage":
-            stages = np.array([str(cell) for cell in cells(i)]) if stage is None else stage
-        elif meaning is None:
-            if header.strip():
-                extra[header.strip()] = np.array(["" if cell is None else str(cell) for cell in cells(i)])
-        elif meaning.unit is None:
-            faults.append(missing_unit(str(path), header, meaning))
-        elif meaning.quantity in measured:
-            faults.add(f"column {header!r}", f"one column for {meaning.quantity}", "two")
-        else:
-            measured[meaning.quantity] = meaning.unit.to_si(number(i, header))
-    kind = kind or kind_of_columns(measured, stages is not None, headers, faults)
-    if faults:
-        # check the columns as well, to report all problems at once
-        more = FaultList()
-        more.attempt(make_rebounds, kind, measured, stage=stages, extra=extra, rows=rows, source=str(path))
-        faults += [fault for fault in more if not faults.has(fault.field)]
-        faults.raise_if_any()
-    if kind == "planar" and stage is None:
-        stages = None
-    return make_rebounds(kind, measured, stage=stages, extra=extra, rows=rows, source=str(path))
-
-
-def kind_of_columns(measured: Mapping[str, Array], staged: bool, headers: Sequence[str], faults: FaultList) -> Kind:
-    """Return the kind of bounces that the names of columns say; a table by default, with a fault if they do not say it."""
-    bare = {name.removeprefix("sigma_") for name in measured}
-    planar, table = bare & {"spin_in", "spin_out"}, bare & {"spin_z_in", "spin_z_out"}
-    if planar and table:
-        got = ", ".join(sorted(planar | table))
-        faults.add("columns", "spin (a planar bounce) or spin_z (a ball on a table)", got)
-    elif not planar and not table and not staged:
-        wanted = "v_n_in" if "v_n_in" in measured or not headers else suggestion("v_n_in", headers)
-        faults.add(
-            "columns",
-            "a spin_in or spin_out column (a planar bounce), or spin_z_in, spin_z_out or stage (a ball on a table)",
-            ", ".join(map(repr, headers)),
-            "say which with `kind` planar or table" + ("" if wanted == "v_n_in" else f"; v_n_in: {wanted}"),
-        )
-    return "table" if (table or staged) and not planar else "planar"
-
-
-Reader = tuple[list[str], Callable[[int], list[Any]], list[str], Callable[[int, str], Array]]
-
-
-def _read_csv(path: Path, faults: FaultList) -> Reader:
-    with CsvTable(path) as table:
-        headers = table.headers
-        records = list(table.records())
-        semicolons = table.delimiter != ","
-    units = with_units_below(NAMED, headers, records[0][2]) if records else None
-    if units is not None:
-        headers, records = units, records[1:]
-    lines = [f"line {number}" for number, _text, _fields in records]
-    width = len(headers)
-    wrong = np.array([len(fields) > width or len(fields) < width for _n, _t, fields in records], bool)
-    rows = [fields[:width] + [""] * (width - len(fields)) for _n, _t, fields in records]
-    spare = [fields[width:] for _n, _t, fields in records]
-    if wrong.any() and any(any(cell.strip() for cell in cells) for cells in spare):
-        got = len(records[np.flatnonzero(wrong)[0]][2])
-        faults.add("rows", f"{width} fields, as the header has", f"{got} {which_rows(wrong, lines)}")
-
-    commas = semicolons or decimal_commas([cell for row in rows for cell in row])
-
-    def number(i: int, header: str) -> Array:
-        cells = [row[i] for row in rows]
-        values, bad = parse_numbers(cells, decimal_comma=commas)
-        if bad:
-            unit, got = BRACKETS.match(header), cells[bad[0]].strip()
-            field = header if unit else header.strip()
-            faults.add(field, "a number", f"{got!r} {which_rows(bad, lines)}", number_advice(got))
-        return values
-
-    return headers, lambda i: [row[i] for row in rows], lines, number
-
-
-def _read_parquet(path: Path, faults: FaultList) -> Reader:
-    from carom.data.parquet import ParquetTable
-
-    with ParquetTable(path) as table:
-        require_unpacked_size(path, CELL_BYTES * table.file.metadata.num_rows * len(table.headers))
-        arrow = table.file.read()
-    lines = [f"row {i + 1}" for i in range(arrow.num_rows)]
-
-    def number(i: int, header: str) -> Array:
-        values = arrow.column(i).to_pylist()
-        if all(value is None or isinstance(value, int | float) for value in values):
-            return np.array([np.nan if value is None else float(value) for value in values])
-        faults.add(f"column {header!r}", "numbers", str(arrow.column(i).type))
-        return np.full(len(values), np.nan)
-
-    return list(table.headers), lambda i: arrow.column(i).to_pylist(), lines, number

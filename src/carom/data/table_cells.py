@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
-    "EMPTY", "MISSING", "SIGNS", "ParsedCells", "decimal_commas", "number_advice", "parse_numbers", "plain_number",
+    "EMPTY", "MISSING", "SIGNS", "ParsedCells", "decimal_commas", "header_error", "number_advice", "parse_numbers", "plain_number",
+    "relative_header", "split_errors",
 ]  # fmt: skip
 
 EMPTY = frozenset({""})
@@ -32,6 +33,12 @@ EXPONENT = re.compile(r"\s*(?:[\u00d7\u00b7*]\s*10\s*\^|\u0623\u0633|\u0627\u063
 SPREADSHEET = re.compile(r"sep=(.)\s*\n", re.IGNORECASE)  # the first line with which spreadsheets name the delimiter
 GROUPED = re.compile(r"[-+]?\d{1,3}(?:([ ',.])\d{3})(?:\1\d{3})*(?!\d)")
 COMMA = re.compile(r"[-+]?(\d*),(\d+)(?:[eE][-+]?\d+)?")
+
+
+_PLUS_MINUS = re.compile(r"^(.*?)\s*(?:±|\+/-|\+-)\s*([\d.,]+(?:[eE][-+]?\d+)?)\s*(%?)$")
+_LAST_DIGITS = re.compile(r"^([-+]?\d*[.,]?\d+)\((\d+)\)$")
+_HEADER_ERROR = re.compile(r"^(.*?\S)\s*[\[(]?\s*(?:±|\+/-|\+-)\s*([\d.,]+(?:[eE][-+]?\d+)?)\s*(%?)[^%]*$")
+_RELATIVE = re.compile(r"^(.*?\S)\s*(?:[\[(]\s*%\s*[\])]|_percent|_pct|\s%)$", re.IGNORECASE)
 
 
 class ParsedCells(NamedTuple):
@@ -82,6 +89,54 @@ def parse_numbers(
             if cell.strip().lower() not in missing and plain_number(cell, decimal_comma).lower() not in missing:
                 bad.append(k)
     return ParsedCells(values, bad)
+
+
+def split_errors(
+    cells: Sequence[str], *, decimal_comma: bool = False
+) -> tuple[list[str], tuple[NDArray[np.float64], NDArray[np.bool_]] | None]:
+    """Return cells without their error bars; and the error bars, NaN where there is none, with which of them are in per cent.
+
+    Examples
+    --------
+    >>> cells, errors = split_errors(["7.83 ± 0.10", "5.2(3)", "4.1 +- 2 %", "3"])
+    >>> cells, errors[0].round(3).tolist(), errors[1].tolist()
+    (['7.83', '5.2', '4.1', '3'], [0.1, 0.3, 2.0, nan], [False, False, True, False])
+    """
+    plain, errors, percent = list(cells), np.full(len(cells), np.nan), np.zeros(len(cells), bool)
+    for k, cell in enumerate(cells):
+        if not cell or not any(sign in cell for sign in ("±", "+-", "+/-", "(")):
+            continue
+        text = cell.strip()
+        if found := _PLUS_MINUS.match(text):
+            plain[k], percent[k] = found[1], found[3] == "%"
+            errors[k] = parse_numbers([found[2]], decimal_comma=decimal_comma).values[0]
+        elif found := _LAST_DIGITS.match(text):
+            plain[k] = found[1]
+            places = len(re.split("[.,]", found[1])[1]) if re.search("[.,]", found[1]) else 0
+            errors[k] = int(found[2]) / 10**places
+    return plain, (errors, percent) if np.isfinite(errors).any() else None
+
+
+def header_error(header: str) -> tuple[float, bool, str] | None:
+    """Return the error bar that a header states for its column, whether it is in per cent, and the header without it.
+
+    >>> header_error("v_n_out [m/s] ± 0.10"), header_error("v_n_out ± 2 %"), header_error("v_n_out")
+    ((0.1, False, 'v_n_out [m/s]'), (2.0, True, 'v_n_out'), None)
+    """
+    found = _HEADER_ERROR.match(header.strip())
+    if found is None:
+        return None
+    return float(found[2].replace(",", ".")), found[3] == "%", found[1]
+
+
+def relative_header(header: str) -> str:
+    """Return the header of a column in per cent without the sign; empty where it is in a unit.
+
+    >>> relative_header("sigma_v_n_out [%]"), relative_header("sigma_v_n_out")
+    ('sigma_v_n_out', '')
+    """
+    found = _RELATIVE.match(header.strip())
+    return "" if found is None else found[1]
 
 
 def _strict(cell: str) -> float:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.errors import FaultList, did_you_mean, shortened_list, suggestion
 
-__all__ = ["Where", "kinds_note", "rows_where"]
+__all__ = ["Where", "is_of_words", "kinds_note", "rows_where"]
 
 Where = str | Sequence[str] | Mapping[str, Any]
 """Conditions that a row has to meet, all of them: ``"racket=smooth"``, several of these, or ``{"racket": "smooth"}``."""
@@ -58,7 +58,7 @@ def kinds_note(columns: Mapping[str, NDArray[Any]], count: int) -> list[str]:
     notes = []
     for name, column in columns.items():
         values = sorted(set(column.tolist()))
-        if 1 < len(values) <= count // 5 and _words(values):
+        if 1 < len(values) <= count // 5 and is_of_words(values):
             named = ", ".join(map(str, values[:4])) + (", ..." if len(values) > 4 else "")
             notes.append(
                 f"{name}: {len(values)} kinds of rows are fitted together ({named}); `where` {name}={values[0]} selects one"
@@ -67,7 +67,7 @@ def kinds_note(columns: Mapping[str, NDArray[Any]], count: int) -> list[str]:
     return notes
 
 
-def _words(cells: Sequence[Any]) -> bool:
+def is_of_words(cells: Sequence[Any]) -> bool:
     """Return whether a column holds names, not numbers; empty cells are neither."""
     try:
         _numbers = [float(cell) for cell in cells if str(cell).strip()]

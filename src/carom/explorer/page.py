@@ -16,7 +16,8 @@ from typing import Any
 
 import numpy as np
 
-from carom.data.rebounds import Rebounds, read_rebounds
+from carom.data.rebound_files import read_rebounds
+from carom.data.rebounds import Rebounds
 from carom.errors import CaromError, Fault, FaultList, require_type
 from carom.explorer.module import engine_bytes, engine_layout
 from carom.files import as_path, require_writable, write_text

@@ -1,6 +1,6 @@
 """Laws fitted to measured rebounds and tracks: estimates with uncertainties, ranking, and which shot to film next.
 
-ranking = fitting.fit_laws(carom.data.rebounds.read_rebounds("bounces.csv"), fitting.Setting(radius=0.02, kappa=2 / 3))
+ranking = fitting.fit_laws(carom.data.read_rebounds("bounces.csv"), fitting.Setting(radius=0.02, kappa=2 / 3))
 ranking.verdict, ranking.best.estimates["friction"]
 """
 

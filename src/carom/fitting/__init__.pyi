@@ -1,7 +1,9 @@
+from .by_column import RankingsBy as RankingsBy
 from .data import Problem as Problem
 from .data import make_problem as make_problem
 from .evidence import Ranked as Ranked
 from .fit import fit_law as fit_law
+from .friction_used import friction_used as friction_used
 from .laws import FITTED as FITTED
 from .laws import FittedLaw as FittedLaw
 from .outliers import Outlier as Outlier

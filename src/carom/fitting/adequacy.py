@@ -46,6 +46,8 @@ class Adequacy:
     """Whether scatter between contacts was fitted in addition to the error bars."""
     enlarge: float
     """Factor on the error bars for which chi^2 equals the degrees of freedom; 1 if chi^2 is likely."""
+    heavy: bool = False
+    """Whether errors have heavy tails, so that chi^2 has no known distribution."""
 
     @property
     def chi2_likely(self) -> bool:
@@ -72,7 +74,7 @@ class Adequacy:
             chi2 = f"its chi^2 is large, but not large enough to reject it (p = {self.chi2_probability:.2g})"
         if not math.isnan(self.chi2_probability):
             return chi2
-        why = "with a fitted scatter" if self.scattered else "without error bars"
+        why = "with heavy tails" if self.heavy else "with a fitted scatter" if self.scattered else "without error bars"
         if math.isnan(self.pattern_probability):
             return f"its goodness of fit cannot be tested {why}"
         return (
@@ -165,7 +167,7 @@ def adequacy(fit: Fit) -> Adequacy:
         probability = float(distribution.sf(fit.chi2, fit.dof))
         enlarge = max(math.sqrt(fit.chi2 / fit.dof), 1.0) if probability <= UNLIKELY else 1.0
     least, words = _pattern(fit)
-    return Adequacy(probability, least, words, fit.contact_scatter is not None, enlarge)
+    return Adequacy(probability, least, words, fit.contact_scatter is not None, enlarge, fit.problem.nu > 0)
 
 
 def _pattern(fit: Fit) -> tuple[float, str]:

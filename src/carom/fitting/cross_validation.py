@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.data import Problem
-from carom.fitting.likelihood import evaluate
 from carom.fitting.model import STEPS
 from carom.fitting.optimizer import damped_step
 from carom.fitting.parameters import NUMBERS
@@ -60,7 +59,7 @@ def one_step_without(fit: Fit, problem: Problem, left_out: Array) -> Array:
     free, p = model.free, np.tile(fit.numbers, (len(left_out), 1))
     if not len(free):
         return p
-    own = evaluate(model.likelihood(), p, left_out)
+    own = model.evaluate(p, left_out)
     shared = free >= NUMBERS
     score, information = own.scores.sum(axis=0), own.information.sum(axis=0) + np.diag(shared.astype(float))
     score[shared] -= fit.numbers[free[shared]]

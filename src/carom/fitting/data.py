@@ -13,6 +13,7 @@ from carom.data.rebounds import COLUMNS, STAGES, Rebounds
 from carom.errors import CaromError
 from carom.fitting.setting import Setting
 from carom.fitting.shared_errors import SHARED, Shared, film_says, numbers_of, shared_errors, shared_in_words
+from carom.fitting.spin_mixture import SpinMixture
 from carom.fitting.spin_quadrature import SpinGrid, sigma_grid
 
 __all__ = ["Problem", "make_problem", "prior_in_words"]
@@ -57,6 +58,8 @@ class Problem:
     """(3,) whether an output has no error bars, so that its scatter is estimated."""
     shared: tuple[Shared, ...] = ()
     """Errors common to the rows of a film."""
+    mixture: SpinMixture | None = None
+    """The prior of unmeasured spins, where it is a mixture; None: normal or uniform."""
 
     @property
     def count(self) -> int:
@@ -113,7 +116,7 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
     names = COLUMNS[rebounds.kind]
     x = np.stack([rebounds[name] for name in names[:3]], axis=-1)
     y = np.stack([rebounds[name] for name in names[3:]], axis=-1)
-    notes = _without_tangential(rebounds, x, y)
+    notes = _without_tangential(rebounds, x, y) or _without_spins(rebounds, setting, x, y)
     spins = names[5]
     seen = np.isfinite(y)
 
@@ -155,7 +158,8 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
         notes.append(f"the table has no error bars {bars}: these are assumed to be exact before the wall")
     stages = None if rebounds.stage is None else np.array([STAGES.index(str(s)) for s in rebounds.stage])
     setting, floor, error = _with_floor(rebounds, setting.with_height())
-    notes += floor
+    setting, held = _with_least_speed(setting, x[:, 0])
+    notes += [*floor, *held]
     shared = () if estimated.any() else shared_errors(rebounds, names, error)
     if shared:  # each row keeps the rest of its variance
         square = np.sum([np.square(one.rows) for one in shared], axis=0)
@@ -185,6 +189,21 @@ def _without_tangential(rebounds: Rebounds, x: Array, y: Array) -> list[str]:
         return []
     x[:, 2] = np.nan_to_num(x[:, 2])
     return ["spin_in: not measured; taken as 0, since nothing along the wall was measured either"]
+
+
+def _without_spins(rebounds: Rebounds, setting: Setting, x: Array, y: Array) -> list[str]:
+    """Leave out of x and y (N, 3) what lies along the wall where no spin before it was measured and no error bar is known, and
+    return a note on it: an unknown spin cannot be distinguished from scatter there. Not where spins after it were measured."""
+    names = COLUMNS[rebounds.kind]
+    bare = not rebounds.sigma and np.isnan(x[:, 2]).all() and np.isfinite(y[:, 0]).any() and not setting.robust
+    if rebounds.kind != "planar" or not bare or np.isnan(y[:, 1]).all() or np.isfinite(y[:, 2]).any():
+        return []
+    x[:, 1], x[:, 2], y[:, 1:] = 0.0, 0.0, np.nan
+    return [
+        f"{names[2]} was not measured, and there are no error bars: what lies along the wall is left out, since a spin cannot be"
+        " distinguished from scatter there; the restitution remains. Give `spin` (0: thrown without spin), or `sigma_v` and"
+        " `sigma_spin`, to fit friction"
+    ]
 
 
 def _no_scatter(rebounds: Rebounds, setting: Setting, lacks: str) -> list[str]:
@@ -244,6 +263,21 @@ def _with_floor(rebounds: Rebounds, setting: Setting) -> tuple[Setting, list[str
     of = "from the film" if films == 1 else f"mean of {films} films"
     said = f"`floor_friction` is {value:.4g}{bar}, {of} (column floor_friction)"
     return replace(setting, floor_friction=value), [] if fitted else [said], 0.0 if fitted else error
+
+
+def _with_least_speed(setting: Setting, v_n: Array) -> tuple[Setting, list[str]]:
+    """Return the setting with the speed of a power law held at the least one measured, and a note: above it only the product
+    at_rest speed^exponent enters, and a wall that is elastic below some speed has to be seen there."""
+    name = "restitution_speed"
+    if setting.restitution != "power" or name in setting.fixed or name in setting.bounds:
+        return setting, []
+    up = 1 - (setting.contact_height or 1.0)
+    least = float(v_n.min() * np.sqrt(1 - up * up))
+    said = (
+        f"{name} is held at {least:.4g} m/s, the least normal speed, so that restitution_at_rest is the value there; to fit it as"
+        " well, give it bounds (`bound`)"
+    )
+    return replace(setting, fixed=setting.fixed | {name: least}), [said]
 
 
 def prior_in_words(setting: Setting) -> str:

@@ -9,7 +9,8 @@ from typing import Any
 
 from carom.bodies import inertia_number
 from carom.data.rebound_columns import as_rebounds
-from carom.data.rebounds import KINDS, STAGES, Rebounds, read_rebounds
+from carom.data.rebound_files import read_rebounds
+from carom.data.rebounds import KINDS, STAGES, Rebounds
 from carom.errors import FaultList
 from carom.fitting.design import Plan, Shots, require_plan
 from carom.fitting.design import design as plan_shots

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Generic, Protocol, TypeVar
 
 import numpy as np
@@ -19,7 +19,7 @@ from carom.fitting.laws import FittedLaw
 
 __all__ = [
     "DECIDED", "LEANS", "UNLIKELY", "Evidence", "OneFit", "Ranked", "RankedLaws", "decisive", "odds_in_words", "verdict_words",
-    "weigh",
+    "weigh", "widened",
 ]  # fmt: skip
 
 DECIDED, LEANS = 20.0, 3.0  # odds
@@ -153,6 +153,21 @@ def weigh(fits: Sequence[FittedModel], enlarge: float = 1.0) -> Evidence:
         weights / weights.sum(), math.inf if rival is None else math.exp(min(log_odds, MOST_LOG_ODDS)), rival,
         tuple(fit.law.name for fit in containing if fit.aicc < aicc[0] + 2 * math.log(DECIDED)), tuple(near),
     )  # fmt: skip
+
+
+def widened(
+    evidence: Evidence, fits: Sequence[FittedModel], others: Sequence[FittedModel], enlarge: float = 1.0
+) -> Evidence:
+    """Return the evidence with odds no larger than under other assumptions: ``others`` are fits of the same laws."""
+    if evidence.rival is None or not others:
+        return evidence
+    under = {fit.law.name: fit for fit in others}
+    if any(fit.law.name not in under for fit in (fits[0], evidence.rival)):
+        return evidence
+    best, rival = under[fits[0].law.name], under[evidence.rival.law.name]
+    ahead = (rival.deviance - best.deviance) / enlarge**2 + (rival.aicc - rival.deviance) - (best.aicc - best.deviance)
+    odds = math.exp(min(ahead / 2, MOST_LOG_ODDS))
+    return replace(evidence, odds=min(evidence.odds, odds))
 
 
 def verdict_words(

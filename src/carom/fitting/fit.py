@@ -16,17 +16,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.data import Problem
+from carom.fitting.form_starts import form_starts
 from carom.fitting.identifiability import identified_covariance, identify, parameter_ranges
 from carom.fitting.laws import FittedLaw
+from carom.fitting.likelihood import TabulatedLaw
 from carom.fitting.model import STEPS, FitModel, feels_spins, model_of, predict_law
 from carom.fitting.optimizer import EVERYWHERE, cross_kinks
-from carom.fitting.parameters import INDEX, NUMBERS
-from carom.fitting.result import Fit, refit, working_model
+from carom.fitting.parameters import FORMS, INDEX, NUMBERS
+from carom.fitting.result import Estimate, Fit, refit, working_model
 from carom.fitting.scatter import with_contact_scatter, with_estimated_scatter
 from carom.fitting.tabulated import LawTable, coarse_table, fine_table
 from carom.fitting.uncertainty import with_marginal_errors, with_profiled_friction
 
-__all__ = ["fit_law", "kinked_rows_warning"]
+__all__ = ["Place", "fit_at", "fit_law", "kinked_rows_warning", "own_information"]
 
 Array = NDArray[np.float64]
 FEW_STEPS, HELD_STEPS = 40, 12
@@ -44,7 +46,7 @@ KINKED_SIGMA, KINKED_SHARE = 0.3, 0.06  # of an error bar by which the predictio
 STUDENT_NU = 4
 
 
-class _Place(NamedTuple):
+class Place(NamedTuple):
     """End point of a descent."""
 
     p: Array
@@ -52,11 +54,11 @@ class _Place(NamedTuple):
     information: Array
 
 
-def _descend(model: FitModel, p: Array) -> _Place:
+def _descend(model: FitModel, p: Array) -> Place:
     """Descend from each of p (B, K), and return the best end point."""
     found = model.minimize(p, STEPS)
     best = int(np.argmin(found.value))
-    return _Place(found.p[best], float(found.value[best]), found.information[best])
+    return Place(found.p[best], float(found.value[best]), found.information[best])
 
 
 def _search(model: FitModel) -> Array:
@@ -100,8 +102,20 @@ def _search_grid(model: FitModel) -> Array:
 
 
 def _grid(model: FitModel) -> Array:
-    """Return all combinations (B, K) of the values that the parameters try."""
-    grid = np.array(list(itertools.product(*(parameter.starts for parameter in model.parameters.values()))))
+    """Return all combinations (B, K) of the values that the parameters try, and those of a restitution's form from the data."""
+    tried = [one.starts for one in model.parameters.values()]
+    grid = np.array(list(itertools.product(*tried)))
+    problem = model.problem
+    name = problem.setting.restitution if "restitution" in model.law.free else "constant"
+    x = problem.x[:, 0]
+    held = np.sqrt(1 - (1 - (problem.setting.contact_height or 1.0)) ** 2)  # (the normal's component along v_n)
+    for start in form_starts(name, x * held, problem.y[:, 0] / x):
+        values = dict(zip((one.name for one in FORMS[name].parameters), start, strict=True))
+        own = [
+            (min(max(values[one.name], one.low), one.high),) if one.name in values else choice
+            for one, choice in zip(model.parameters.values(), tried, strict=True)
+        ]
+        grid = np.concatenate([grid, np.array(list(itertools.product(*own)))])
     p = np.tile(model.start, (max(len(grid), 1), 1))
     if model.parameters:
         p[:, model.without_shared().free] = grid
@@ -150,7 +164,7 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     coarse = coarse_table(model)
     model = model.using(coarse)
     scatter: dict[str, float] = {}
-    extra, n_by, contacts = 0.0, np.isfinite(problem.y).sum(axis=0), None
+    extra, contacts = 0.0, None
     if problem.estimated.any() or problem.setting.scatter:
         fits_scatter = with_estimated_scatter if problem.estimated.any() else with_contact_scatter
         p, model, extra, scatter, contacts = fits_scatter(model, _search, lambda at, p: _descend(at, p).p)
@@ -171,34 +185,45 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     table = None
     if coarse is not None:
         best, table = _refined(model if problem.shared else own, best, coarse)
-        own = own.using(None)
-    names = tuple(model.parameters)
-    k = len(names) + len(scatter)
+    return fit_at(model, best, scatter, extra, contacts, table)
+
+
+def fit_at(
+    model: FitModel, best: Place, scatter: dict[str, float], extra: float, contacts: Estimate | None, table: TabulatedLaw | None,
+) -> Fit:  # fmt: skip
+    """Return the fit that ends at a place: estimates, their covariance, and the parameters that are not identifiable.
+
+    ``extra``: the contribution of the scatter to the deviance; ``contacts``: the estimated scatter between contacts; ``table``: it
+    stands in for the law near the place.
+    """
+    law, problem, names, own = model.law, model.problem, tuple(model.parameters), model.without_shared().using(None)
     _deviance, chi2_by_row = replace(own, free=own.free[:0]).row_deviances(best.p)
-    # an unmeasured spin is an additional parameter, and its prior an additional datum, unless it is uniform
-    dof = problem.count - k
-    if problem.spins is not None and problem.spins.uniform and feels_spins(law, problem):
-        dof -= int(problem.unknown.sum())
-    # Student's errors widen the error bars: their information is (nu + d)/(nu + d + 2) of the curvature
-    d = np.isfinite(problem.y).sum(axis=1).mean()
-    information = _own_information(best.information, len(names))
-    information = information * ((STUDENT_NU + d) / (STUDENT_NU + d + 2) if problem.nu else 1.0)
-    if scatter:
-        counted = int(n_by[problem.estimated].sum()) if problem.estimated.any() else problem.count
-        information = information * max(problem.count - k, 1) / max(counted, 1)
     # an error shared by all rows is an additional parameter, and its value from the film an additional datum
     chi2 = float(chi2_by_row.sum() + np.square(best.p[NUMBERS:]).sum())
     fit = Fit(
-        law, problem, names, {}, best.p, best.deviance + extra, chi2, dof, np.zeros((0, 0)), chi2_by_row, scatter=scatter,
+        law, problem, names, {}, best.p, best.deviance + extra, chi2, 0, np.zeros((0, 0)), chi2_by_row, scatter=scatter,
         contact_scatter=contacts, determinants=0.0 if contacts is None else extra, tabulated=table,
     )  # fmt: skip
+    # an unmeasured spin is an additional parameter, and its prior an additional datum, unless it is uniform
+    dof = problem.count - fit.k
+    if problem.spins is not None and problem.spins.uniform and feels_spins(law, problem):
+        dof -= int(problem.unknown.sum())
+    fit = replace(fit, dof=dof)
+    # Student's errors widen the error bars: their information is (nu + d)/(nu + d + 2) of the curvature
+    d = np.isfinite(problem.y).sum(axis=1).mean()
+    information = own_information(best.information, len(names))
+    information = information * ((STUDENT_NU + d) / (STUDENT_NU + d + 2) if problem.nu else 1.0)
+    if scatter:
+        estimated = problem.estimated
+        counted = int(np.isfinite(problem.y).sum(axis=0)[estimated].sum()) if estimated.any() else problem.count
+        information = information * max(problem.count - fit.k, 1) / max(counted, 1)
     done = _identified(fit, information)
     if problem.spins is not None and "friction" in done.untold:
         done = _identified(fit, with_profiled_friction(fit, information, extra))
     return done if problem.spins is None else with_marginal_errors(done, extra)
 
 
-def _own_information(h: Array, k: int) -> Array:
+def own_information(h: Array, k: int) -> Array:
     """Return the information on the law's k parameters, with the shared errors profiled out."""
     if len(h) == k:
         return h
@@ -210,7 +235,7 @@ def _own_information(h: Array, k: int) -> Array:
     return np.asarray(plain - cross @ np.linalg.solve(left + through, cross.T))
 
 
-def _across_kinks(model: FitModel, best: _Place) -> _Place:
+def _across_kinks(model: FitModel, best: Place) -> Place:
     """Continue the search with the friction held at other values, and then freed."""
     i, problem = INDEX["friction"], model.problem
     # in many rows the search is among some of them
@@ -218,7 +243,7 @@ def _across_kinks(model: FitModel, best: _Place) -> _Place:
     some = model if len(few) == len(problem.x) else replace(model, problem=problem.select(few))
     held = some.holding("friction")
 
-    def explore(best: _Place, nearby: list[float], everywhere: list[float]) -> _Place:
+    def explore(best: Place, nearby: list[float], everywhere: list[float]) -> Place:
         others = np.tile(best.p, (len(nearby) + len(everywhere), 1))
         others[:, i] = np.clip(nearby + everywhere, model.low[i], model.high[i])
         found = held.minimize(others, HELD_STEPS)
@@ -254,7 +279,7 @@ def _annealed(model: FitModel, p: Array) -> Array:
     return p[_distinct(p[:, model.free], found.value, math.inf, FREED)]
 
 
-def _refined(model: FitModel, best: _Place, coarse: LawTable) -> tuple[_Place, LawTable]:
+def _refined(model: FitModel, best: Place, coarse: LawTable) -> tuple[Place, LawTable]:
     """Descend with a fine table, across the kinks nearby, and then with the law itself. Return the place and the table."""
     bars = np.sqrt(np.abs(np.diag(np.linalg.pinv(best.information, hermitian=True))))
     e, mu = (float(bars[model.free == INDEX[name]].sum()) for name in ("restitution", "friction"))

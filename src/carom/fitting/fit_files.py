@@ -18,6 +18,7 @@ from carom.data.rebounds import KINDS, STAGES, Rebounds
 from carom.data.where import Where
 from carom.errors import CaromError, Fault, FaultList, noting, suggestion
 from carom.files import as_path, require_library
+from carom.fitting.by_column import RankingsBy, fit_by
 from carom.fitting.laws import unknown_laws
 from carom.fitting.parameters import ALONG, INDEX
 from carom.fitting.ranking import Ranking, fit_laws
@@ -71,6 +72,7 @@ def fit(
     table: str | Path | Scene | None = None,
     noise: float | None = None,
     where: Where = (),
+    by: str | None = None,
     sigma_v: float | None = None,
     sigma_spin: float | None = None,
     spin: float | str | None = None,
@@ -80,7 +82,7 @@ def fit(
     profiles: bool | None = None,
     seed: int | None = None,
     progress: Progress | None = None,
-) -> Ranking | TrackRanking | ShotsRanking:
+) -> Ranking | TrackRanking | ShotsRanking | RankingsBy:
     """Fit the laws of impact to measured rebounds, whole tracks or whole shots: ``carom fit``, for files and for arrays.
 
     Parameters
@@ -94,7 +96,7 @@ def fit(
     laws : str or sequence of str, optional
         Names. Default: all laws for this kind of rebound.
     restitution : str
-        As a function of speed: constant, line, polynomial, viscoelastic, exponential.
+        As a function of speed: constant, line, polynomial, power, viscoelastic, exponential.
     friction, tangential_restitution, stiffness_ratio : str
         Constant, linear or exponential in the slip (the last two: in slip/v_n), or in what a colon precedes: v_n, slip, slip/v_n,
         speed.
@@ -120,6 +122,8 @@ def fit(
         ``bound`` then take paths of the scene.
     where, sigma_v, sigma_spin, spin, every_contact
         As for :func:`carom.fitting.usable_rows`.
+    by : str, optional
+        A column of the table, such as surface: laws are fitted to the rows of each of its values.
     scatter : "share" or "absolute", optional
         Of contacts beyond the error bars.
     bootstrap, profiles, seed
@@ -128,7 +132,7 @@ def fit(
 
     Returns
     -------
-    Ranking, with ``whole`` TrackRanking, with ``shot`` ShotsRanking
+    Ranking, with ``whole`` TrackRanking, with ``shot`` ShotsRanking, with ``by`` a RankingsBy: a Ranking for each value
 
     Raises
     ------
@@ -160,11 +164,14 @@ def fit(
         {"contact_height": contact_height, "floor_friction": floor_friction, "floor_restitution": floor_restitution or None,
          "roll": None if roll == 1 else roll},
     )  # fmt: skip
-    ranking = fit_laws(
-        rebounds, ready.setting, ready.laws or None, where=where, sigma_v=sigma_v, sigma_spin=sigma_spin, spin=spin,
-        every_contact=every_contact, shifted=ready.published.shifted if ready.published else (), profiles=profiles,
-        bootstrap=bootstrap, seed=seed or 0, progress=progress,
-    )  # fmt: skip
+    how: dict[str, Any] = {
+        "where": where, "sigma_v": sigma_v, "sigma_spin": sigma_spin, "spin": spin, "every_contact": every_contact,
+        "profiles": profiles, "bootstrap": bootstrap, "seed": seed or 0, "progress": progress,
+    }  # fmt: skip
+    if by is not None:
+        return fit_by(rebounds, ready.setting, ready.laws or None, by, forms=forms, **how)
+    shifted = ready.published.shifted if ready.published else ()
+    ranking = fit_laws(rebounds, ready.setting, ready.laws or None, shifted=shifted, **how)
     return ranking.with_forms(progress) if forms else ranking
 
 
@@ -215,7 +222,7 @@ def _checked(asked: SimpleNamespace) -> _Request:
     faults.attempt(require_error_bars, asked.sigma_v, asked.sigma_spin)
     of_contacts = {
         "sigma_v": asked.sigma_v, "sigma_spin": asked.sigma_spin, "bootstrap": asked.bootstrap, "profiles": asked.profiles,
-        "every_contact": asked.every_contact or None, "kind": asked.kind, "stage": asked.stage, "seed": asked.seed,
+        "every_contact": asked.every_contact or None, "by": asked.by, "kind": asked.kind, "stage": asked.stage, "seed": asked.seed,
         "robust": asked.robust or None, "forms": asked.forms or None, "scatter": asked.scatter or None,
         "balls": asked.balls or None, "roll": None if asked.roll == 1 else asked.roll,
     }  # fmt: skip
@@ -337,7 +344,7 @@ def _rebounds(
     if isinstance(ready.data, MeasuredFilms):
         return ready.data.rebounds(stage or "best", balls=balls)
     if ready.data is not None:
-        return as_rebounds(ready.data, kind, stage)
+        return as_rebounds(ready.data, kind, stage, (ready.setting.radius, ready.setting.kappa))
     about = Settings(radius=ready.setting.radius, kappa=ready.setting.kappa, view=view)
     return rebounds_of_files(ready.paths, film, about, kind=kind, stage=stage, balls=balls, progress=progress)
 

@@ -161,9 +161,10 @@ def unknown_laws(names: Sequence[str], kind: Kind | None = None) -> list[Fault]:
 
 def laws_named(names: list[str] | None, kind: Kind, upright: bool) -> tuple[list[FittedLaw], list[str]]:
     """Return the named laws (all by default) and notes; CaromError with the nearest name for an unknown one."""
-    all_laws = laws_for(kind, upright)
     if not names:
-        return all_laws, []
+        others = [law.name for law in FITTED if law.kind == kind and law.on_request]
+        said = f"laws that were not fitted, as they take long and are for comparison: {', '.join(others)}; name them in `laws`"
+        return laws_for(kind, upright), [said] if others else []
     known = {law.name: law for law in FITTED if law.kind == kind}
     found: dict[str, FittedLaw] = {}
     notes, faults = [], unknown_laws(names, kind)

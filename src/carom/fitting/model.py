@@ -14,10 +14,11 @@ from carom.fitting.data import Problem
 from carom.fitting.deviance import RowData
 from carom.fitting.kernels import TABULATED
 from carom.fitting.laws import FittedLaw
-from carom.fitting.likelihood import LikelihoodModel, TabulatedLaw, evaluate, predictions
+from carom.fitting.likelihood import Evaluation, LikelihoodModel, TabulatedLaw, evaluate, predictions
 from carom.fitting.optimizer import Minimum, minimize
 from carom.fitting.parameters import ALONG, INDEX, NUMBERS, PARAMETERS, PLACES, Parameter
 from carom.fitting.setting import Setting, code_of, decided, forms_of
+from carom.fitting.spin_mixture import evaluate_mixture
 
 __all__ = ["SETTING_NUMBERS", "STEPS", "FitModel", "feels_spins", "model_of", "predict_law"]
 
@@ -113,7 +114,7 @@ class FitModel:
             some = weights if weights is None or len(weights) == 1 else weights[which]
             every = p[which]
             every[:, self.free] = at
-            seen = evaluate(self.likelihood(derivatives), every, some)
+            seen = self.evaluate(every, some, derivatives)
             rows = seen.deviance if some is None else seen.deviance * some
             off = every[:, NUMBERS:] - centers[which]
             if derivatives:
@@ -131,9 +132,16 @@ class FitModel:
         p[:, self.free] = found.p
         return replace(found, p=p)
 
+    def evaluate(self, p: Array, weights: Array | None = None, derivatives: bool = True) -> Evaluation:
+        """Evaluate the likelihood at B sets of numbers p (B, K), with weights (B or 1, N) of the rows."""
+        mixture = self.problem.mixture
+        if mixture is None or not feels_spins(self.law, self.problem):
+            return evaluate(self.likelihood(derivatives), p, weights)
+        return evaluate_mixture(self.likelihood, mixture, p, weights, derivatives)
+
     def row_deviances(self, p: Array) -> tuple[Array, Array]:
         """Return deviance and chi^2 (N,) of each row at p."""
-        seen = evaluate(self.likelihood(derivatives=False), p[None])
+        seen = self.evaluate(p[None], derivatives=False)
         return seen.deviance[0], seen.chi2[0]
 
 
@@ -157,7 +165,7 @@ def model_of(law: FittedLaw, problem: Problem) -> FitModel:
         at.update(zip(PLACES[name], form.parameters))  # noqa: B905 (a form has one to three)
     known = [_given(one, setting) for one in at.values()]
     also = [name for name in setting.fit if name in INDEX and _matters(name, law)]
-    if feels_spins(law, problem):
+    if feels_spins(law, problem) and problem.mixture is None:
         also += ["spin_mean"] if setting.spin_mean is None and setting.spin_prior == "normal" else []
         also += ["spin_width"] if setting.spin_width is None else []
     every = decided(law, setting, known, also)

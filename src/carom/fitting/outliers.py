@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
 
+from carom.fitting.data import Problem
+from carom.fitting.evidence import DECIDED, UNLIKELY
 from carom.fitting.fit import fit_law
 from carom.fitting.model import predict_law
 from carom.fitting.result import Fit, rows_of_fit
 
-__all__ = ["Outlier", "outliers_of"]
+__all__ = ["Outlier", "OutlierSearch", "heavy_tails", "outliers_of"]
 
 FALSE_ALARM = 0.05  # probability of an outlier by chance among all rows
 STEADY_ROWS = 150  # of many, to which the robust fit is made
 LEAST_ROWS = 8  # for the search of outliers
+MOST_OUTLIERS = 0.1  # of the rows: with more, errors are not those of a law that fits but for a few rows
 MOVED_SIGMA = 3.0  # shift of a parameter, in error bars, that is reported
 
 
@@ -37,8 +41,19 @@ class Outlier:
     """Which measurement is off, and by how much."""
 
 
-def outliers_of(fit: Fit) -> tuple[list[Outlier], list[str]]:
-    """Return the rows whose chi^2 occurs by chance in fewer than one of twenty such tables, worst first, and notes.
+@dataclass(frozen=True)
+class OutlierSearch:
+    """The outliers of a fit, worst first."""
+
+    rows: tuple[Outlier, ...] = ()
+    notes: tuple[str, ...] = ()
+    """On parameters that the outliers have changed."""
+    rest_fits: bool = False
+    """Whether the outliers are few, and the law fits the other rows."""
+
+
+def outliers_of(fit: Fit) -> OutlierSearch:
+    """Return the rows whose chi^2 occurs by chance in fewer than one of twenty such tables.
 
     chi^2 is computed with the parameters of a robust fit (Student's t): an ordinary fit is biased by the outliers, and finds none
     if a single row determines a parameter. If the robust fit has other parameters, a note lists them.
@@ -48,7 +63,7 @@ def outliers_of(fit: Fit) -> tuple[list[Outlier], list[str]]:
     problem = fit.problem
     d = np.isfinite(problem.y).sum(axis=1)
     if len(d) < LEAST_ROWS or not d.any():
-        return [], []
+        return OutlierSearch()
     steady = fit
     if not problem.estimated.any() and not problem.nu and fit.names:
         # (the scatter between contacts, if it was fitted, is in the error bars; of many rows some tell the parameters well enough)
@@ -74,7 +89,27 @@ def outliers_of(fit: Fit) -> tuple[list[Outlier], list[str]]:
             else f"{what[worst]} after the wall is off by {gap[i][worst]:.3g}"
         )
         rows.append(Outlier(names[i], float(chi2[i]), why))
-    return rows, _moved(fit, steady, rows) if found else []
+    if not found:
+        return OutlierSearch()
+    rest = float(np.delete(chi2, found).sum()), int(np.delete(d, found).sum()) - len(fit.names)
+    fits = len(found) <= max(1, MOST_OUTLIERS * len(d)) and rest[1] > 0 and distribution.sf(*rest) > UNLIKELY
+    return OutlierSearch(tuple(rows), tuple(_moved(fit, steady, rows)), bool(fits))
+
+
+def heavy_tails(fit: Fit, problem: Problem) -> bool:
+    """Return whether Student's t describes the errors better than a normal distribution by odds of 20 to 1, under the fit's law.
+
+    ``problem``: the rows, with error bars. The constants of the two densities are included, which deviances omit.
+    """
+    if problem.nu or problem.estimated.any() or problem.setting.scatter:
+        return False
+    rows = replace(problem, mixture=fit.problem.mixture, setting=replace(problem.setting, robust=True))
+    steady, nu = fit_law(fit.law, rows), rows.nu
+    d = np.isfinite(problem.y).sum(axis=1)
+    constants = sum(
+        d_i * math.log(nu / 2) - 2 * (math.lgamma((nu + d_i) / 2) - math.lgamma(nu / 2)) for d_i in d.tolist()
+    )
+    return bool(steady.deviance + constants < fit.deviance - 2 * math.log(DECIDED))
 
 
 def _moved(fit: Fit, steady: Fit, rows: list[Outlier]) -> list[str]:

@@ -97,6 +97,8 @@ class Form:
             return constant, constant, 1.0
         if [one.name for one in self.parameters] == ["restitution_c"]:  # 1/e = 1 + c + 2/5 c^2
             return (math.sqrt(1 + 1.6 * (1 / max(constant, 0.05) - 1)) - 1) / 0.8 / speed**0.2, 0.0, 0.0
+        if "restitution_exponent" in [one.name for one in self.parameters]:
+            return constant, speed, 0.0
         return constant, 0.0, 0.0
 
     def for_scene(self, name: str, values: Sequence[float]) -> float | dict[str, Any] | None:
@@ -137,6 +139,15 @@ FORMS = {
             _e("restitution_2", -1.0, 1.0, -0.02, 0.02),
         ),
         "e = r0 + r1 v_n + r2 v_n^2, constant beyond its vertex (Han 2005, eq. 26)",
+    ),
+    "power": Form(
+        2,
+        (
+            _e("restitution_at_rest", 0.0, 1.0, 0.6, 0.8, 0.95),
+            Parameter("restitution_speed", 0.01, 100.0, (0.5, 2.0), 1.0, "m/s"),
+            _e("restitution_exponent", 0.0, 2.0, 0.1, 0.25),
+        ),
+        "e = at_rest (v_n / speed)^-exponent, at_rest below the speed (Johnson 1985, 11.5)",
     ),
     "viscoelastic": Form(
         3,

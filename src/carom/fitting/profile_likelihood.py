@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.model import FitModel, model_of
+from carom.fitting.model import FitModel, model_of, predict_law
 from carom.fitting.result import Estimate, Fit, refit, scaled, without_estimate
 
 __all__ = ["LEVELS", "half_width", "profile_ends", "profile_rises", "with_estimate", "with_profiles"]
@@ -23,7 +23,8 @@ CLOSE, HALF_WIDTH_CLOSE = 1e-3, 0.04  # of a level: an end whose deviance is thi
 TIGHT = 1e-9  # of the parameter: a bracket of this width is closed
 LEAST_SHARE = 0.1  # of a bracket: no step is shorter, so that both of its ends converge
 GROWTH = 2.5  # of a distance in one step, if no bracket is known
-WIDE = 1.5  # error bars: a half-interval of 95 %, over 1.96, that is larger replaces the error bar
+WIDE = 1.1  # error bars: a half-interval, over its number of them, that is larger replaces the error bar
+SLOPE_STEP = 0.1  # of an error bar: the step of a numerical derivative
 PROFILE_START = 6.0  # error bars from the minimum, where a profile begins
 
 
@@ -117,7 +118,8 @@ def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:
             continue
         place, parameter = model.places[name], model.parameters[name]
         best = float(fit.numbers[place])
-        goals, up = np.repeat(LEVELS, 2), np.tile([False, True], 2)
+        levels, larger = _levels(fit, name)
+        goals, up = np.repeat(levels, 2), np.tile([False, True], 2)
         edge = np.where(up, parameter.high, parameter.low)
         reach = PROFILE_START * estimate.stderr if estimate.stderr else np.inf
         far = np.where(up, np.minimum(best + reach, edge), np.maximum(best - reach, edge))
@@ -132,10 +134,48 @@ def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:
             said = f"{fit.law.name}: {name}: only a limit is identifiable, {least} (95 %); values beyond fit as well"
             fit = without_estimate(fit, name, Estimate(None, None, f"{least} (95 %)", one, two), said)
         elif estimate.stderr:
-            bar = (two[1] - two[0]) / 2 / math.sqrt(LEVELS[1])
+            bars = [
+                larger * (high - low) / 2 / math.sqrt(level)
+                for (low, high), level in zip((one, two), levels, strict=True)
+            ]
+            bar = max(bars)
             if bar > WIDE * estimate.stderr:
                 fit = scaled(fit, name, bar / estimate.stderr)
     return fit
+
+
+def _levels(fit: Fit, name: str) -> tuple[tuple[float, float], float]:
+    """Return the rises of the deviance at the ends of the intervals of 68.3 and 95 %, and the factor on an error bar that is due
+    to estimated scatter.
+
+    Where scatter is estimated from n_j numbers of an output, the intervals are those of Student's t: with n_j - p_j degrees of
+    freedom, p_j the parameters that the output determines (its leverage); of several outputs by Satterthwaite's sum, each with its
+    part of the parameter's variance (Biometrics Bull. 2, 110 (1946)).
+    """
+    from scipy.stats import t as student
+
+    problem = fit.problem
+    inside = [i for i in range(len(fit.names)) if np.isfinite(fit.covariance[i, i]) and fit.covariance[i, i] > 0]
+    if not problem.estimated.any() or problem.spins is not None or fit.names.index(name) not in inside:
+        return LEVELS, 1.0
+    model, slopes = model_of(fit.law, problem), []
+    for i in inside:
+        step, ends = np.zeros(len(fit.numbers)), []
+        step[model.places[fit.names[i]]] = SLOPE_STEP * math.sqrt(fit.covariance[i, i])
+        ends = [predict_law(fit.law, problem, fit.numbers + sign * step) for sign in (1, -1)]
+        slopes.append((ends[0] - ends[1]) / (2 * step.max()))
+    slope = np.where(np.isfinite(problem.y), np.stack(slopes), 0.0)
+    information = np.einsum("anj,bnj,nj->jab", slope, slope, 1 / np.where(problem.vy > 0, problem.vy, np.inf))
+    inverse = np.linalg.pinv(information.sum(axis=0), hermitian=True)
+    along = inverse[:, inside.index(fit.names.index(name))]
+    part = np.einsum("a,jab,b->j", along, information, along)
+    part = part / part.sum() if part.sum() > 0 else np.full(3, 1 / 3)
+    count = np.isfinite(problem.y).sum(axis=0)
+    free = np.maximum(count - np.einsum("ab,jba->j", inverse, information), 1.0)
+    share = np.where(problem.estimated, part * count / free, part)
+    degrees = share.sum() ** 2 / max(float((np.square(share) / free)[problem.estimated].sum()), 1e-12)
+    one, two = (float(share.sum() * student.ppf((1 + p) / 2, degrees) ** 2) for p in (0.6827, 0.95))
+    return (one, two), math.sqrt(share.sum())
 
 
 def profile_rises(

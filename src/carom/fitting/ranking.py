@@ -13,21 +13,34 @@ from carom.data.where import Where
 from carom.errors import CaromError, noting, require_type
 from carom.files import require_library
 from carom.fitting.adequacy import Adequacy, Coverage, adequacy, coverage, nothing_along_the_wall
+from carom.fitting.conditions import assumptions_in_words, odds_note, restitution_gain, unsettled
 from carom.fitting.cross_validation import cross_validated_score, score_warnings
-from carom.fitting.data import make_problem
-from carom.fitting.evidence import Evidence, Ranked, RankedLaws, decisive, odds_in_words, verdict_words, weigh
+from carom.fitting.data import Problem, make_problem
+from carom.fitting.evidence import (
+    DECIDED,
+    Evidence,
+    Ranked,
+    RankedLaws,
+    decisive,
+    odds_in_words,
+    verdict_words,
+    weigh,
+    widened,
+)
 from carom.fitting.fit import fit_law, kinked_rows_warning
 from carom.fitting.form_choice import FormChoice, choose_forms
-from carom.fitting.laws import laws_named
+from carom.fitting.groups import with_group_scatter
+from carom.fitting.laws import FittedLaw, laws_named
+from carom.fitting.mixture_fit import may_mix, with_flexible_prior
 from carom.fitting.model import SETTING_NUMBERS
-from carom.fitting.outliers import Outlier, outliers_of
+from carom.fitting.outliers import Outlier, heavy_tails, outliers_of
 from carom.fitting.parameters import FORMS
 from carom.fitting.predictive import Prediction
 from carom.fitting.profile_likelihood import with_profiles
 from carom.fitting.result import Fit, with_error_bar
 from carom.fitting.setting import Setting, require_settings
 from carom.fitting.uncertainty import with_bootstrap, with_shared
-from carom.fitting.usable_rows import usable_rows
+from carom.fitting.usable_rows import second_rows, usable_rows
 from carom.formatting import json_value
 from carom.laws.registry import one_or_several
 from carom.public.progress import Progress, loop_callback
@@ -40,6 +53,7 @@ LEAST_DATA = 4  # measured numbers for each fitted one, where the scatter is est
 # Law evaluations (carom.fitting.data.Problem.work) up to which these are done by default
 PROFILE_WORK, MARGINAL_PROFILE_WORK, BOOTSTRAP_WORK = 3e3, 5e3, 3e3
 DRAWS = 200
+LEAST_OF_STAGE, CONTRADICTION = 5, 4.0  # rows; error bars between the stages of a film
 FIT_SHARE = 0.6  # of the progress bar
 RESTITUTIONS = tuple(dict.fromkeys(p.name for form in FORMS.values() for p in form.parameters))
 Say = Callable[[str, float], None]
@@ -78,6 +92,9 @@ class Ranking(RankedLaws[Fit]):
     """Whether outliers have moved the best law's parameters by several error bars."""
     forms: tuple[FormChoice, ...] = ()
     """Functions of the impact for the parameters of the best law, and of ``contact``, best first; where they were asked for."""
+    held_back: str = ""
+    """Why the best law's numbers forbid a decision for it, in words: one is at a bound, or none is identifiable, or the stages of
+    one film contradict each other under it."""
 
     @property
     def fits(self) -> bool:
@@ -92,7 +109,7 @@ class Ranking(RankedLaws[Fit]):
     @property
     def decisive(self) -> bool:
         """Whether the data decide for a law that fits, whatever the outliers, and not only for a small range of contacts."""
-        return decisive(self.fits, self.odds) and not self.swayed and not self.coverage.narrow
+        return decisive(self.fits, self.odds) and not (self.swayed or self.coverage.narrow or self.held_back)
 
     def predict(self, before: Any) -> Prediction:
         """Return what the best law predicts (:meth:`carom.fitting.Fit.predict`), with the functions that were chosen, if any."""
@@ -136,6 +153,7 @@ class Ranking(RankedLaws[Fit]):
             "decisive": self.decisive,
             "outliers": [vars(outlier) for outlier in self.outliers],
             "swayed_by_outliers": self.swayed,
+            "held_back": self.held_back or None,
             "rows": len(problem.x),
             "forms": [one.as_dict() for one in self.forms],
             "setting": {name: getattr(problem.setting, name) for name in ("radius", *SETTING_NUMBERS)},
@@ -164,7 +182,7 @@ def fit_laws(
     Parameters
     ----------
     rebounds : Rebounds
-        Measured before and after a wall (:func:`carom.data.rebounds.read_rebounds`).
+        Measured before and after a wall (:func:`carom.data.read_rebounds`).
     setting : Setting
         The ball, the wall's height, what to fit.
     laws : str or sequence of str, optional
@@ -221,10 +239,60 @@ def fit_laws(
         "every_contact": every_contact,
     }
     others = [(words, usable_rows(rows, setting, **choice)[0]) for words, rows in shifted]
-    rebounds, setting = usable_rows(rebounds, setting, **choice)
+    later, plain = second_rows(rebounds), setting
+    rebounds, setting = usable_rows(every := rebounds, setting, **choice)
     with noting(rebounds.notes):
         ranking = _fit_rows(rebounds, setting, laws, profiles, bootstrap, seed, step_callback(progress))
+        if later.any():  # (both stages of a film: the second is compared)
+            ranking = _with_other_stage(ranking, usable_rows(every.select(later), plain, **choice)[0])
     return ranking.with_shared_errors(others)
+
+
+def _with_other_stage(ranking: Ranking, rows: Rebounds) -> Ranking:
+    """Return the ranking, held back where the best law's numbers from the rows of the other stage contradict it."""
+    if len(rows) < LEAST_OF_STAGE:
+        return ranking
+    best = ranking.best
+    other = fit_law(best.law, make_problem(rows, best.problem.setting)[0])
+    apart = []
+    for name, one in best.estimates.items():
+        two = other.estimates[name]
+        if one.value is None or two.value is None or not (one.stderr and two.stderr) or name.startswith("spin_"):
+            continue
+        if abs(one.value - two.value) > CONTRADICTION * math.hypot(one.stderr, two.stderr):
+            apart.append(
+                f"{name} {with_error_bar(one)} as balls leave the wall and {with_error_bar(two)} once they roll"
+            )
+    if not apart:
+        return ranking
+    said = f"the two stages of the film contradict each other under {best.law.name} ({'; '.join(apart)}): do not rely on it"
+    return replace(ranking, verdict=f"{ranking.verdict} But {said}.", held_back=said)
+
+
+def _fits_of(
+    chosen: Sequence[FittedLaw], problem: Problem, notes: Sequence[str], tell: Say
+) -> tuple[list[Fit], list[str]]:
+    """Return the fits of laws, best first, and notes on laws for which the measured numbers are too few."""
+    fits: list[Fit] = []
+    needed: dict[str, int] = {}
+    said: list[str] = []
+    for i, law in enumerate(chosen):
+        tell(f"fit {law.name}", i / len(chosen) * FIT_SHARE)
+        fit = fit_law(law, problem)
+        if not math.isfinite(fit.aicc):  # (AICc divides by count - k - 1)
+            needed[law.name] = fit.k + 2
+            said.append(f"{law.name}: left out, {fit.k} parameters for {problem.count} measured numbers; film more")
+            continue
+        fits.append(fit)
+    if not fits and needed:
+        name = min(needed, key=needed.__getitem__)
+        raise CaromError(
+            f"{problem.rebounds.source}: expected {needed[name]} measured numbers or more, which {name} needs, got {problem.count};"
+            " film more"
+        )
+    if not fits:
+        raise CaromError(*(f"{problem.rebounds.source}: {note}" for note in (*notes, *said)))
+    return sorted(fits, key=lambda fit: fit.aicc), said
 
 
 def _fit_rows(
@@ -235,35 +303,34 @@ def _fit_rows(
     bootstrap: int | None,
     seed: int,
     tell: Say,
+    before: Sequence[str] = (),
 ) -> Ranking:
-    """Fit laws to all rows of a table, and rank them."""
+    """Fit laws to all rows of a table, and rank them; ``before``: notes."""
     chosen, notes = laws_named(
         one_or_several("fit_laws", laws) if laws else None, rebounds.kind, setting.contact_height == 1.0
     )
     problem, remarks = make_problem(rebounds, setting)
-    notes = [*rebounds.notes, *notes, *remarks]
+    notes = [*before, *rebounds.notes, *notes, *remarks]
     notes = [note for note in notes if not note.startswith("no sigma_ columns")]
-    fits, needed = [], {}
-    for i, law in enumerate(chosen):
-        tell(f"fit {law.name}", i / len(chosen) * FIT_SHARE)
-        fit = fit_law(law, problem)
-        if not math.isfinite(fit.aicc):  # (AICc divides by count - k - 1)
-            needed[law.name] = fit.k + 2
-            notes.append(f"{law.name}: left out, {fit.k} parameters for {problem.count} measured numbers; film more")
-            continue
-        fits.append(fit)
-    if not fits and needed:
-        name = min(needed, key=needed.__getitem__)
-        raise CaromError(
-            f"{rebounds.source}: expected {needed[name]} measured numbers or more, which {name} needs, got {problem.count};"
-            " film more"
+    fits, few_numbers = _fits_of(chosen, problem, notes, tell)
+    notes += few_numbers
+    found, covers, others = adequacy(fits[0]), coverage(problem), list[Fit]()
+    if may_mix(setting, problem):
+        fits, others, said = with_flexible_prior(
+            fits, problem, found.enlarge, lambda law: tell(f"shape of the spins, {law}", FIT_SHARE)
         )
-    if not fits:
-        raise CaromError(*(f"{rebounds.source}: {note}" for note in notes))
-    fits.sort(key=lambda fit: fit.aicc)
-    best = fits[0]
-    found, covers = adequacy(best), coverage(problem)
+        found, notes = (adequacy(fits[0]), [*notes, *said]) if said else (found, notes)
+    best, searched = fits[0], outliers_of(fits[0])
+    if searched.rest_fits and heavy_tails(best, problem):
+        notes = [
+            f"{len(searched.rows)} of {len(problem.x)} rows ({searched.rows[0].row} first) are outliers, and {best.law.name} fits"
+            " the others: all laws are fitted with errors of heavy tails (`robust`), in which such rows count little"
+        ]
+        return _fit_rows(rebounds, replace(setting, robust=True), laws, profiles, bootstrap, seed, tell, notes)
     evidence = weigh(fits, found.enlarge)
+    odds = evidence.odds
+    if best.problem.mixture is None:  # (else the normal prior is refuted)
+        evidence = widened(evidence, fits, others, found.enlarge)
     ranked = []
     for i, (fit, weight) in enumerate(zip(fits, evidence.weights.tolist(), strict=True)):
         tell(f"error bars of {fit.law.name}", FIT_SHARE + (1 - FIT_SHARE) * i / len(fits))
@@ -272,11 +339,26 @@ def _fit_rows(
         )
     best, rival = ranked[0].fit, evidence.rival
     scores = {one.fit.law.name: one.score for one in ranked}
+    if evidence.odds < min(odds, DECIDED):
+        notes.append(
+            f"unmeasured spins: with a prior of another shape (a mixture) the odds over {evidence.rival.law.name} are"
+            f" {odds_in_words(evidence.odds)} instead of {odds_in_words(odds)}: the assumed shape decides, and the smaller odds"
+            " are given"
+        )
     few = rival is not None and any(_too_few(fit) for fit in (best, rival))
-    tell("outliers", 1.0)
-    outliers, said = outliers_of(best)
+    tell("assumptions", 1.0)
+    fit, different, contradiction = with_group_scatter(best)
+    ranked[0], best = replace(ranked[0], fit=fit), fit
+    notes += different
     straight = nothing_along_the_wall(problem)
-    verdict = _straight_verdict(best, found, covers) if straight else _verdict(best, evidence, few, found, covers)
+    held_back = "; ".join(filter(None, (unsettled(best), contradiction)))
+    gain = restitution_gain(best, problem)
+    said, outliers = list(searched.notes), searched.rows
+    verdict = (
+        _straight_verdict(best, found, covers) if straight else _verdict(best, evidence, few, found, covers, held_back)
+    )
+    verdict = f"{verdict[:-1]}{assumptions_in_words(best, gain)}."
+    notes += [] if few or straight else odds_note(len(problem.x), evidence.odds)
     swayed = bool(said)
     if swayed:
         which = f"{outliers[0].row} alone sways" if len(outliers) == 1 else f"{len(outliers)} outliers sway"
@@ -286,7 +368,7 @@ def _fit_rows(
         said += [warning for warning in (kinked_rows_warning(best),) if warning]
     return Ranking(
         tuple(ranked), verdict, math.nan if few or straight else evidence.odds, rival.law.name if rival else "",
-        tuple(dict.fromkeys([*notes, *said])), found, covers, tuple(outliers), swayed,
+        tuple(dict.fromkeys([*notes, *said])), found, covers, tuple(outliers), swayed, held_back=held_back,
     )  # fmt: skip
 
 
@@ -331,16 +413,22 @@ def _straight_verdict(best: Fit, found: Adequacy, covers: Coverage) -> str:
     numbers = ", ".join(
         f"{name} {with_error_bar(best.estimates[name])}" for name in RESTITUTIONS if name in best.estimates
     )
+    why = "within the error bars the ball has no velocity along the wall and no spin, so all laws predict the same"
+    more = "Throw the ball at an angle to the wall to measure friction"
+    if best.problem.rebounds["v_t_in"].any():
+        why, more = (
+            "what lies along the wall depends on spins that were not measured",
+            "Give spins, or error bars, to measure friction",
+        )
     said = (
-        "the rebounds say nothing about friction or which law holds: within the error bars the ball has no velocity along the wall"
-        f" and no spin, so all laws predict the same. Only the restitution is measured{': ' + numbers if numbers else ''}. Throw"
-        " the ball at an angle to the wall to measure friction"
+        f"the rebounds say nothing about friction or which law holds: {why}. Only the restitution is"
+        f" measured{': ' + numbers if numbers else ''}. {more}"
     )
     first = _misfit(best, found)
     return f"{first + said if first else said[0].upper() + said[1:]}. This is for contacts like these: {covers.in_words()}."
 
 
-def _verdict(best: Fit, evidence: Evidence, few: bool, found: Adequacy, covers: Coverage) -> str:
+def _verdict(best: Fit, evidence: Evidence, few: bool, found: Adequacy, covers: Coverage, held_back: str) -> str:
     """Return the verdict in one sentence: which law, by what odds, how well it fits, and for which contacts."""
     name, first = best.law.called, _misfit(best, found)
     if few:
@@ -352,8 +440,9 @@ def _verdict(best: Fit, evidence: Evidence, few: bool, found: Adequacy, covers: 
     else:
         reason = f"{odds_in_words(evidence.odds)} over {evidence.rival.law.name}" if evidence.rival else ""
         said = verdict_words(
-            name, evidence, "the data", evidence.odds, reason, nearest=not found.fits, narrow=covers.narrow
-        )
+            name, evidence, "the data", evidence.odds, reason, nearest=not found.fits,
+            narrow=" and ".join(filter(None, (covers.narrow, held_back))),
+        )  # fmt: skip
         said += "" if first else f"; {found.in_words()}"
     said = first + said if first else said[0].upper() + said[1:]
     return f"{said}. This is for contacts like these: {covers.in_words()}."

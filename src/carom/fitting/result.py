@@ -13,7 +13,7 @@ from carom.bodies import Surface
 from carom.fitting.data import Problem
 from carom.fitting.laws import FittedLaw
 from carom.fitting.likelihood import TabulatedLaw
-from carom.fitting.model import STEPS, FitModel, model_of, predict_law
+from carom.fitting.model import STEPS, FitModel, feels_spins, model_of, predict_law
 from carom.fitting.parameters import FORMS, INDEX, NUMBERS, PLACES, RENAMED
 from carom.fitting.predictive import Prediction, impacts, predictive_of
 from carom.fitting.setting import forms_of
@@ -105,8 +105,14 @@ class Fit:
 
     @property
     def k(self) -> int:
-        """Number of adjusted parameters."""
-        return len(self.names) + len(self.scatter)
+        """Number of adjusted parameters, with those of a mixture of spins."""
+        return len(self.names) + len(self.scatter) + self.prior_parameters
+
+    @property
+    def prior_parameters(self) -> int:
+        """Number of adjusted parameters of a mixture of spins, where the law depends on unmeasured ones."""
+        mixture = self.problem.mixture
+        return mixture.parameters if mixture is not None and feels_spins(self.law, self.problem) else 0
 
     @property
     def aicc(self) -> float:
@@ -188,7 +194,17 @@ class Fit:
 
     def as_dict(self) -> dict[str, Any]:
         """Return the fit for JSON."""
-        return common_dict(self) | {
+        found = common_dict(self)
+        mixture = self.problem.mixture if self.prior_parameters else None
+        if mixture is not None:
+            for name in ("spin_mean", "spin_width"):
+                found["parameters"][name] = {
+                    "value": float(self.numbers[INDEX[name]]),
+                    "stderr": None,
+                    "note": "of a mixture",
+                }
+        return found | {
+            "spin_mixture": None if mixture is None else {name: x.tolist() for name, x in mixture._asdict().items()},
             "bic": json_value(self.bic),
             "restitution": self.restitution,
             "forms": self.forms,

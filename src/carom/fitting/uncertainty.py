@@ -102,7 +102,9 @@ def with_marginal_errors(fit: Fit, extra: float = 0.0) -> Fit:
     if estimate is None or not estimate.stderr:
         return fit
     half, _rise = _friction_profile(fit, extra, estimate.stderr)
-    found: Fit = scaled(fit, "friction", half / estimate.stderr)
+    by = half / estimate.stderr
+    # (the profile holds a mixture of spins, with which the friction is correlated)
+    found: Fit = scaled(fit, "friction", max(by, 1.0) if fit.problem.mixture is not None else by)
     return found
 
 

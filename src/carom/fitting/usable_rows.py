@@ -9,15 +9,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.rebounds import Kind, Rebounds
+from carom.data.rebounds import STAGES, Kind, Rebounds
 from carom.data.where import Where, kinds_note, rows_where
 from carom.errors import CaromError, FaultList, float_or_nan
 from carom.fitting.setting import Setting
 from carom.tracks.rebounds import first_contacts
 
-__all__ = ["assumed_height", "require_error_bars", "spin_of_rows", "usable_rows"]
+__all__ = ["assumed_height", "require_error_bars", "second_rows", "spin_of_rows", "usable_rows"]
 
 Rows = NDArray[np.bool_]
+CONTACT = ("film", "shot", "ball", "contact")  # columns by which rows of one contact are known
 MIN_FIRST_CONTACTS = 4  # so many are fitted without the later ones, whose spin follows from them
 
 
@@ -72,12 +73,14 @@ def usable_rows(
     faults = FaultList()
     faults.attempt(require_error_bars, sigma_v, sigma_spin)
     known_spin, prior = faults.attempt(spin_of_rows, spin) or (None, {})
-    keep = faults.attempt(rows_where, rebounds.extra, where, len(rebounds))
+    columns: dict[str, Any] = dict(rebounds.extra) | ({} if rebounds.stage is None else {"stage": rebounds.stage})
+    keep = faults.attempt(rows_where, columns, where, len(rebounds))
     faults.raise_if_any()
     rows, height_note = rebounds.select(keep), assumed_height(rebounds.kind, setting)
     rows = replace(rows, notes=(*kinds_note(rows.extra, len(rows)), *height_note, *rows.notes))
     if spin is None and setting.spin_width is None and not every_contact:
         rows = _without_later_contacts(rows)
+    rows = _with_one_stage(rows)
     rows = _with_defaults(rows, sigma_v, sigma_spin, known_spin)
     return rows, replace(setting, **prior).with_height()
 
@@ -125,6 +128,29 @@ def spin_of_rows(spin: float | str | None) -> tuple[float | None, dict[str, Any]
     raise CaromError(
         f"`spin`: expected a spin in rad/s, normal, normal:WIDTH or uniform:WIDTH (in v/a), got {str(spin)!r}"
     )
+
+
+def second_rows(rows: Rebounds) -> Rows:
+    """Return which rows (N,) are the second of a contact, once the ball rolls: one that has a row as it leaves the wall as well."""
+    if rows.stage is None:
+        return np.zeros(len(rows), bool)
+    same = [rows.extra[name].tolist() for name in CONTACT if name in rows.extra]
+    key = list(zip(rows["v_n_in"].tolist(), rows["v_t_in"].tolist(), *same, strict=True))
+    first = {one for one, stage in zip(key, rows.stage.tolist(), strict=True) if stage == STAGES[0]}
+    return np.array([stage != STAGES[0] and one in first for one, stage in zip(key, rows.stage.tolist(), strict=True)])
+
+
+def _with_one_stage(rows: Rebounds) -> Rebounds:
+    """Leave out the second rows of contacts that were measured at both stages, whose errors are not independent; with a note."""
+    second = second_rows(rows)
+    if not second.any():
+        return rows
+    note = (
+        f"stage: {second.sum()} contacts have a row as the ball leaves the wall and one once it rolls, whose errors are not"
+        " independent: the first is fitted (`stage` rolling: the others)"
+    )
+    rest = rows.select(~second)
+    return replace(rest, notes=(*rest.notes, note))
 
 
 def _with_defaults(rows: Rebounds, sigma_v: float | None, sigma_spin: float | None, spin: float | None) -> Rebounds:

@@ -202,7 +202,7 @@ LAW = wall_law(
     in_flight=True,
     # (fitted only on request, because its predictions are close to those of maw)
     fits=(
-        FitSpec("planar", "two springs (Stronge)", on_request=True),
+        FitSpec("planar", "two springs (Stronge)"),
         FitSpec("table", "two springs (Stronge), then the floor", on_request=True),
     ),
     line=("#E69F00", (0, (8, 2, 2, 2))),

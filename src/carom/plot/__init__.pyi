@@ -5,6 +5,7 @@ from .billiards import plot_orbit as plot_orbit
 from .comparison import PathAfterWall as PathAfterWall
 from .comparison import compare as compare
 from .comparison import path_after_wall as path_after_wall
+from .friction import plot_friction as plot_friction
 from .gas import plot_gas as plot_gas
 from .gas_ensemble import plot_ensemble as plot_ensemble
 from .paper import collision as collision

@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from carom.bodies import inertia_number
-from carom.data.rebounds import Kind, Rebounds, read_rebounds
+from carom.data.rebound_files import read_rebounds
+from carom.data.rebounds import Kind, Rebounds
 from carom.data.where import Where, rows_where
 from carom.errors import CaromError, FaultList, collected, noting
 from carom.files import text_encoding
@@ -407,7 +408,8 @@ def rebounds_of_files(
     """
     if are_films(paths):
         return rebounds_of_films(paths, calibration, settings, stage=stage or "best", balls=balls, progress=progress)
-    return read_rebounds(paths[0], kind=kind, stage=stage)
+    ball = None if settings is None or settings.radius is None else (settings.radius, settings.kappa)
+    return read_rebounds(paths[0], kind=kind, stage=stage, ball=ball)
 
 
 def are_films(paths: Sequence[Path]) -> bool:

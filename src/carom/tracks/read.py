@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.data.columns import as_columns, is_columns
+from carom.data.rebound_files import heads_rebounds
 from carom.errors import CaromError, Fault, FaultList, suggestion
 from carom.files import as_path, read_text
 from carom.laws.results import GRAVITY
@@ -249,7 +250,7 @@ def is_table_of_rebounds(text: str) -> bool:
     >>> is_table_of_rebounds("v_n_in,v_t_in,v_n_out,v_t_out,spin_in\\n1,1,0.8,1,0\\n"), is_table_of_rebounds("t,x,y\\n")
     (True, False)
     """
-    return any(name in text[:START].lower() for name in OF_REBOUNDS)
+    return any(name in text[:START].lower() for name in OF_REBOUNDS) or heads_rebounds(text[:START])
 
 
 def got_instead(text: str) -> str:

@@ -1,0 +1,265 @@
+"""Tables of rebounds read from files: names, units and error bars of columns, components from what people write.
+
+A header is a name of :data:`carom.data.rebounds.NAMED` or of :mod:`carom.data.written_forms`, with a unit. An error bar is a column
+``sigma_...`` (in the same units, or ``[%]`` of the value), stands in the cell (``7.83 ± 0.10``, ``7.83(10)``, ``7.83 ± 2 %``), or
+in the header, for the whole column (``v_n_out [m/s] ± 0.10``, ``± 2 %``).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.data.csv import CsvTable
+from carom.data.headers import BRACKETS, Heading, missing_unit, with_units_below
+from carom.data.rebounds import CELL_BYTES, NAMED, Kind, Rebounds, make_rebounds, rows_of_stage, stages_of_column
+from carom.data.remarks import which_rows
+from carom.data.table_cells import (
+    SPREADSHEET,
+    decimal_commas,
+    header_error,
+    number_advice,
+    parse_numbers,
+    relative_header,
+    split_errors,
+)
+from carom.data.written_forms import TARGETS, WRITTEN, components
+from carom.errors import CaromError, FaultList, suggestion
+from carom.files import as_path, require_unpacked_size
+
+__all__ = ["heads_rebounds", "read_rebounds", "rebounds_of_columns"]
+
+Array = NDArray[np.float64]
+Errors = tuple[Array, NDArray[np.bool_]]
+"""Error bars (N,), NaN where there is none, and which are in per cent."""
+Numbers = tuple[Array, Errors | None]
+PERCENT = 100.0
+LEAST_SHARE = 0.05  # of the median size: error bars in per cent do not shrink below this where a value is nearly 0
+
+
+def read_rebounds(
+    path: str | Path, *, kind: Kind | None = None, stage: str | None = None, ball: tuple[float, float] | None = None
+) -> Rebounds:
+    """Read a table of rebounds from a CSV or Parquet file.
+
+    Parameters
+    ----------
+    path : path
+        Columns in any order, with units in their headers (SI without); other columns are kept as ``extra``.
+    kind : "planar" or "table", optional
+        By default recognised from the columns: spin_in or spin_out is planar, spin_z_in, spin_z_out or stage is a table.
+    stage : "after_wall" or "rolling", optional
+        Of all rows of a file without that column; of a file with it, the rows of that stage are read.
+
+    ball : (radius, kappa), optional
+        m and I/(m a^2): needed where spins are given as multiples of v/a, or ratios of the slip.
+
+    Returns
+    -------
+    Rebounds. Raises CaromError with all problems of the file.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> from carom.data import read_rebounds
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = pathlib.Path(folder) / "bounces.csv"
+    ...     _ = path.write_text("v_n_in [mm/s],v_t_in,v_n_out,v_t_out,stage\\n1500,0.5,1.2,0.4,rolling\\n")
+    ...     table = read_rebounds(path)
+    >>> table.kind, table["v_n_in"], table.rows
+    ('table', array([1.5]), ('line 2',))
+    """
+    path = as_path("read_rebounds", path)
+    if not path.is_file():
+        raise CaromError(f"{path}: expected a table of rebounds, got {'a folder' if path.is_dir() else 'no such file'}")
+    faults = FaultList(str(path))
+    read = _read_parquet if path.suffix.lower() in (".parquet", ".pq") else _read_csv
+    headers, cells, rows, number = read(path, faults)
+    return rebounds_of_columns(headers, cells, number, rows, kind, stage, faults, str(path), ball)
+
+
+def heads_rebounds(text: str) -> bool:
+    """Return whether a text begins with a header of a table of rebounds: two columns that such a table has, one of them after the
+    contact or a ratio, or times between bounces.
+
+    >>> heads_rebounds("incidence_deg;e_n\\n30;0,8\\n"), heads_rebounds("t [s],x [cm],y [cm]\\n0,1,2\\n")
+    (True, False)
+    """
+    first = next((line for line in text.splitlines() if line.strip() and not SPREADSHEET.match(f"{line}\n")), "")
+    plain = [_plain(cell.strip().strip('"')) for cell in re.split(r"[;\t|,]", first)]
+    found = {meaning.quantity for cell in plain if (meaning := NAMED.parse(cell) or WRITTEN.parse(cell)) is not None}
+    after = any(
+        "out" in name or name.startswith(("e_", "beta", "reflection", "rebound", "time_after")) for name in found
+    )
+    return "flight_time" in found or (after and len(found) > 1)
+
+
+def rebounds_of_columns(
+    headers: Sequence[str], cells: Callable[[int], Sequence[Any]], number: Callable[[int, str], Numbers], rows: Sequence[str],
+    kind: Kind | None, stage: str | None, faults: FaultList, source: str, ball: tuple[float, float] | None = None,
+) -> Rebounds:  # fmt: skip
+    """Return rebounds of the columns of a table, from their headers, and their cells as text and as numbers.
+
+    ``ball``: radius and kappa, for spins that are given as multiples of v/a, and for ratios of slips. ``faults`` has those of
+    the cells. Raises CaromError with all problems.
+    """
+    measured: dict[str, Array] = {}
+    extra: dict[str, NDArray[Any]] = {}
+    stages: Any = stage
+    meanings = _meanings(headers, source, faults)
+    relative: dict[str, Array] = {}
+    for i, header in enumerate(headers):
+        name = header.strip().lower()
+        meaning = meanings.get(i)
+        if name == "stage":
+            stages = stages_of_column([str(cell) for cell in cells(i)], stage)
+        elif meaning is None:
+            if header.strip():
+                extra[header.strip()] = np.array(["" if cell is None else str(cell) for cell in cells(i)])
+        elif meaning.unit is None:
+            faults.append(missing_unit(source, header, meaning))
+        elif meaning.quantity in measured or meaning.quantity in relative:
+            faults.add(f"column {header!r}", f"one column for {meaning.quantity}", "two")
+        else:
+            values, errors = number(i, header)
+            if (shared := header_error(header)) is not None and errors is None:
+                errors = np.full(len(values), shared[0]), np.full(len(values), shared[1])
+            if meaning.quantity.startswith("sigma_") and relative_header(header):
+                relative[meaning.quantity] = values
+                continue
+            value = meaning.unit.to_si(values / PERCENT if relative_header(header) else values)
+            measured[meaning.quantity] = value
+            if errors is not None:
+                sigma = np.where(errors[1], _share_of(value, errors[0]), np.abs(meaning.unit.to_si(errors[0])))
+                known = np.isfinite(sigma) & (sigma > 0)
+                filled = np.where(known, sigma, np.median(sigma[known]) if known.any() else np.nan)
+                measured[f"sigma_{meaning.quantity}"] = np.where(np.isnan(value), np.nan, filled)
+    for name, share in relative.items():
+        if (of := measured.get(name.removeprefix("sigma_"))) is not None:
+            measured[name] = np.where(np.isnan(of), np.nan, _share_of(of, share))
+    found = components(measured, ball, extra, faults)
+    measured = found.columns
+    if found.rows is not None:
+        extra, rows = (
+            {name: column[found.rows] for name, column in extra.items()},
+            [rows[i] for i in found.rows.tolist()],
+        )
+    planar = (
+        found.planar
+        and not any(name.removeprefix("sigma_").startswith("spin_z") for name in measured)
+        and stages is None
+    )
+    kind = kind or ("planar" if planar else _kind_of_columns(measured, stages is not None, headers, faults))
+    if faults:
+        # check the columns as well, to report all problems at once
+        more = FaultList()
+        more.attempt(make_rebounds, kind, measured, stage=stages, extra=extra, rows=rows, source=source)
+        faults += [fault for fault in more if not faults.has(fault.field)]
+        faults.raise_if_any()
+    if kind == "planar" and stage is None:
+        stages = None
+    made = make_rebounds(kind, measured, stage=stages, extra=extra, rows=rows, source=source)
+    return rows_of_stage(replace(made, notes=(*found.notes, *made.notes)), stage)
+
+
+def _share_of(value: Array, percent: Array) -> Array:
+    """Return error bars in per cent of values, which do not vanish where a value nearly does."""
+    size = np.abs(value)
+    return np.asarray(percent / PERCENT * np.maximum(size, LEAST_SHARE * np.nanmedian(size)))
+
+
+def _meanings(headers: Sequence[str], source: str, faults: FaultList) -> dict[int, Heading]:
+    """Return the meaning of each column that is read. A column of another form is read only for what has no column of its own."""
+    plain = [_plain(header) for header in headers]
+    found = {i: meaning for i, header in enumerate(plain) if (meaning := NAMED.parse(header)) is not None}
+    own = {meaning.quantity for meaning in found.values()}
+    for i, header in enumerate(plain):
+        if i in found or (meaning := WRITTEN.parse(header)) is None:
+            continue
+        targets = TARGETS[meaning.quantity.removeprefix("sigma_")]
+        if not own.intersection(targets):
+            found[i] = meaning
+    return found
+
+
+def _plain(header: str) -> str:
+    """Return a header without an error bar, and without the per cent of a relative one."""
+    error = header_error(header)
+    return relative_header(header) or (header if error is None else error[2])
+
+
+def _kind_of_columns(measured: Mapping[str, Array], staged: bool, headers: Sequence[str], faults: FaultList) -> Kind:
+    """Return the kind of bounces that the names of columns say; a table by default, with a fault if they do not say it."""
+    bare = {name.removeprefix("sigma_") for name in measured}
+    planar, table = bare & {"spin_in", "spin_out"}, bare & {"spin_z_in", "spin_z_out"}
+    if planar and table:
+        got = ", ".join(sorted(planar | table))
+        faults.add("columns", "spin (a planar bounce) or spin_z (a ball on a table)", got)
+    elif not planar and not table and not staged:
+        wanted = "v_n_in" if "v_n_in" in measured or not headers else suggestion("v_n_in", headers)
+        faults.add(
+            "columns",
+            "a spin_in or spin_out column (a planar bounce), or spin_z_in, spin_z_out or stage (a ball on a table)",
+            ", ".join(map(repr, headers)),
+            "say which with `kind` planar or table" + ("" if wanted == "v_n_in" else f"; v_n_in: {wanted}"),
+        )
+    return "table" if (table or staged) and not planar else "planar"
+
+
+Reader = tuple[list[str], Callable[[int], list[Any]], list[str], Callable[[int, str], Numbers]]
+
+
+def _read_csv(path: Path, faults: FaultList) -> Reader:
+    with CsvTable(path) as table:
+        headers = table.headers
+        records = list(table.records())
+        semicolons = table.delimiter != ","
+    units = with_units_below(NAMED, headers, records[0][2]) if records else None
+    if units is not None:
+        headers, records = units, records[1:]
+    lines = [f"line {number}" for number, _text, _fields in records]
+    width = len(headers)
+    wrong = np.array([len(fields) > width or len(fields) < width for _n, _t, fields in records], bool)
+    rows = [fields[:width] + [""] * (width - len(fields)) for _n, _t, fields in records]
+    spare = [fields[width:] for _n, _t, fields in records]
+    if wrong.any() and any(any(cell.strip() for cell in cells) for cells in spare):
+        got = len(records[np.flatnonzero(wrong)[0]][2])
+        faults.add("rows", f"{width} fields, as the header has", f"{got} {which_rows(wrong, lines)}")
+
+    commas = semicolons or decimal_commas([cell for row in rows for cell in row])
+
+    def number(i: int, header: str) -> Numbers:
+        cells = [row[i] for row in rows]
+        cells, errors = split_errors(cells, decimal_comma=commas)
+        values, bad = parse_numbers(cells, decimal_comma=commas)
+        if bad:
+            unit, got = BRACKETS.match(header), cells[bad[0]].strip()
+            field = header if unit else header.strip()
+            faults.add(field, "a number", f"{got!r} {which_rows(bad, lines)}", number_advice(got))
+        return values, errors
+
+    return headers, lambda i: [row[i] for row in rows], lines, number
+
+
+def _read_parquet(path: Path, faults: FaultList) -> Reader:
+    from carom.data.parquet import ParquetTable
+
+    with ParquetTable(path) as table:
+        require_unpacked_size(path, CELL_BYTES * table.file.metadata.num_rows * len(table.headers))
+        arrow = table.file.read()
+    lines = [f"row {i + 1}" for i in range(arrow.num_rows)]
+
+    def number(i: int, header: str) -> Numbers:
+        values = arrow.column(i).to_pylist()
+        if all(value is None or isinstance(value, int | float) for value in values):
+            return np.array([np.nan if value is None else float(value) for value in values]), None
+        faults.add(f"column {header!r}", "numbers", str(arrow.column(i).type))
+        return np.full(len(values), np.nan), None
+
+    return list(table.headers), lambda i: arrow.column(i).to_pylist(), lines, number

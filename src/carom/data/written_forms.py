@@ -1,0 +1,293 @@
+"""Tables of rebounds as people write them, as components: speed and angle, ratios, heights, times, x and y, normalised spin.
+
+Each quantity has a name, with other names that are in use (:data:`WRITTEN`); an error bar is a column ``sigma_...`` of it, or
+stands in the cell. What a form says is converted to components before and after the contact. A form that says only the ratio of
+speeds, as laws with constants need no more, gets a speed of 1 m/s before the wall. Spins have the sign of carom: slip is
+v_t - a spin.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.data.headers import WRITTEN_COLUMNS, ColumnNames
+from carom.errors import FaultList, shortened_list
+
+__all__ = ["TARGETS", "WRITTEN", "WrittenComponents", "components"]
+
+Array = NDArray[np.float64]
+Measured = Mapping[str, Array]
+GRAVITY = 9.80665  # m/s^2
+WRITTEN = ColumnNames(
+    WRITTEN_COLUMNS | {f"sigma_{name}": (kind, tuple(f"{prefix}_{other}" for other in (name, *others) for prefix in ("sigma", "u")
+                                                 if (prefix, other) != ("sigma", name)))
+                   for name, (kind, others) in WRITTEN_COLUMNS.items()}
+)  # fmt: skip
+_FORMS = (
+    ("speed_in", "speed_out", "incidence", "reflection", "incidence_from_surface", "reflection_from_surface"),
+    ("e_n", "e_t", "e_x", "beta"), ("drop_height", "rebound_height"), ("time_before", "time_after", "flight_time"),
+    ("vx_in", "vy_in", "vx_out", "vy_out"), ("normalised_spin_in", "normalised_spin_out"),
+)  # fmt: skip
+# The components that a quantity gives: where one of these has a column, the quantity is passed on unread
+TARGETS = {
+    **dict.fromkeys(("speed_in", "drop_height", "time_before", "flight_time", "vx_in", "vy_in"), ("v_n_in",)),
+    **dict.fromkeys(("speed_out", "e_n", "rebound_height", "time_after", "vx_out", "vy_out"), ("v_n_out",)),
+    **dict.fromkeys(("incidence", "incidence_from_surface"), ("v_t_in",)),
+    **dict.fromkeys(("reflection", "reflection_from_surface", "e_t", "e_x", "beta"), ("v_t_out",)),
+    "normalised_spin_in": ("spin_in", "spin_z_in"), "normalised_spin_out": ("spin_out", "spin_z_out"),
+}  # fmt: skip
+SEQUENCE = ("ball", "drop", "film", "shot", "surface")  # columns that divide times in a row into sequences
+
+
+@dataclass
+class WrittenComponents:
+    """Columns of :func:`carom.data.make_rebounds`, with what was assumed."""
+
+    columns: dict[str, Array]
+    notes: list[str] = field(default_factory=list)
+    planar: bool = False
+    """Whether the form alone says that the ball was in flight."""
+    rows: NDArray[np.int64] | None = None
+    """Rows of the table from which the rebounds come, if they are not all."""
+
+
+def components(
+    measured: Measured, ball: tuple[float, float] | None, extra: Mapping[str, Any], faults: FaultList
+) -> WrittenComponents:
+    """Return measured quantities as components.
+
+    Parameters
+    ----------
+    measured : mapping
+        (N,) by name, SI: columns of rebounds, and those of :data:`WRITTEN`, ``sigma_...`` among them.
+    ball : (radius, kappa), optional
+        Which normalised spins and ratios of slips need.
+    extra : mapping
+        Other columns, as text.
+    faults : FaultList
+        Takes what is missing or contradicts itself.
+    """
+    found = _Conversion(dict(measured), ball, faults, WrittenComponents({}))
+    if not any(name in measured for form in _FORMS for name in form):
+        if measured and not any(name.removeprefix("sigma_").startswith("v_") for name in measured):
+            faults.add(
+                "columns", "a velocity before the wall", "spins alone",
+                "where a ball slides its spin changes by friction (1 + restitution) v_n_in / (kappa a): with v_n_in and v_t_in"
+                " spins identify that product, without them nothing",
+            )  # fmt: skip
+        return WrittenComponents(dict(measured))
+    for step in (
+        found.surface_angles,
+        found.plane,
+        found.heights,
+        lambda: found.times(extra),
+        found.polar,
+        found.ratios,
+        found.spins,
+    ):
+        step()
+    columns = {
+        name: column for name, column in found.have.items() if name.removeprefix("sigma_") not in WRITTEN_COLUMNS
+    }
+    if not any(name in columns for name in ("v_n_in", "v_t_in")):
+        given = shortened_list([name for name in measured if not name.startswith("sigma_")])
+        faults.add(
+            "columns",
+            "a velocity before the wall (v_n_in, or speed_in and incidence, or a ratio e_n with incidence)",
+            given,
+        )
+    found.result.columns = columns
+    return found.result
+
+
+class _Conversion:
+    """Quantities so far, each with its error bar; a step takes those of a form away and adds components."""
+
+    def __init__(
+        self, have: dict[str, Array], ball: tuple[float, float] | None, faults: FaultList, result: WrittenComponents
+    ) -> None:
+        self.have, self.ball, self.faults, self.result = have, ball, faults, result
+
+    def take(self, name: str) -> tuple[Array, Array] | None:
+        """Return a quantity with its error bar (NaN: none), and remove it; None where it was not measured."""
+        if name not in self.have:
+            return None
+        value = self.have.pop(name)
+        return value, self.have.pop(f"sigma_{name}", np.full(len(value), np.nan))
+
+    def put(self, name: str, value: Array, sigma: Array) -> None:
+        """Add a component, with an error bar where one is known."""
+        if name in self.have:
+            self.faults.add(f"column {name!r}", f"one way to {name}", "two", "leave one of them out")
+            return
+        self.have[name] = value
+        known = np.isfinite(sigma) & (sigma > 0)
+        if known.any():
+            self.have[f"sigma_{name}"] = np.where(
+                np.isnan(value), np.nan, np.where(known, sigma, np.median(sigma[known]))
+            )
+
+    def surface_angles(self) -> None:
+        """Take angles from the surface as 90 degrees less those from the normal."""
+        for name in ("incidence", "reflection"):
+            if (angle := self.take(f"{name}_from_surface")) is not None:
+                self.put(name, math.pi / 2 - angle[0], angle[1])
+
+    def plane(self) -> None:
+        """Take x and y: the wall is normal to the component that changes its sign in all rows (y = 0 where neither or both do)."""
+        parts = {name: self.take(name) for name in _FORMS[4]}
+        if all(part is None for part in parts.values()):
+            return
+        if any(part is None for part in parts.values()):
+            missing = ", ".join(name for name, part in parts.items() if part is None)
+            self.faults.add(f"columns {missing}", "vx_in, vy_in, vx_out and vy_out", "only some of them")
+            return
+        turns = {k: bool((parts[f"v{k}_in"][0] * parts[f"v{k}_out"][0] < 0).all()) for k in "xy"}  # type: ignore[index]
+        normal = "x" if turns["x"] and not turns["y"] else "y"
+        along = "y" if normal == "x" else "x"
+        into, away = parts[f"v{normal}_in"], parts[f"v{normal}_out"]
+        assert into is not None
+        assert away is not None
+        toward = np.where(into[0] < 0, -1.0, 1.0)
+        self.put("v_n_in", toward * into[0], into[1])
+        self.put("v_n_out", -toward * away[0], away[1])
+        for side in ("in", "out"):
+            part = parts[f"v{along}_{side}"]
+            assert part is not None
+            self.put(f"v_t_{side}", *part)
+        self.result.notes.append(
+            f"the wall is taken as {normal} = 0: v{normal} is normal to it, v{along} is along it; slip is v_t - a spin"
+        )
+
+    def heights(self) -> None:
+        """Take the heights from which a ball fell and to which it rose: v = (2 g h)^(1/2), without air."""
+        for name, to in (("drop_height", "v_n_in"), ("rebound_height", "v_n_out")):
+            if (height := self.take(name)) is not None:
+                speed = np.sqrt(2 * GRAVITY * np.maximum(height[0], 0.0))
+                self.put(to, speed, GRAVITY * height[1] / np.where(speed > 0, speed, 1.0))
+                self._straight("heights")
+
+    def times(self, extra: Mapping[str, Any]) -> None:
+        """Take times of flight before and after a bounce, or times between bounces in a row: v = g t / 2, without air."""
+        if (each := self.take("flight_time")) is not None:
+            labels = [tuple(extra[name][i] for name in SEQUENCE if name in extra) for i in range(len(each[0]))]
+            pairs = np.array([i for i in range(len(labels) - 1) if labels[i] == labels[i + 1]], dtype=int)
+            self.result.rows = pairs
+            self.have = {name: column[pairs] for name, column in self.have.items()}
+            for name, rows in (("time_before", pairs), ("time_after", pairs + 1)):
+                self.have[name], self.have[f"sigma_{name}"] = each[0][rows], each[1][rows]
+            self.result.notes.append(
+                f"flight_time: {len(each[0])} times between bounces in a row are {len(pairs)} bounces"
+            )
+        for name, to in (("time_before", "v_n_in"), ("time_after", "v_n_out")):
+            if (time := self.take(name)) is not None:
+                self.put(to, GRAVITY * time[0] / 2, GRAVITY * time[1] / 2)
+                self._straight("times of flight")
+
+    def _straight(self, what: str) -> None:
+        self.result.planar = True
+        note = f"{what}: taken as those of a ball that falls straight down on a level floor, without air"
+        if note not in self.result.notes:
+            self.result.notes.append(note)
+
+    def polar(self) -> None:
+        """Take speeds and angles from the normal."""
+        angles = {side: self.take(name) for side, name in (("in", "incidence"), ("out", "reflection"))}
+        for side, angle in angles.items():
+            name = "incidence" if side == "in" else "reflection"
+            speed = self.take(f"speed_{side}")
+            if angle is None:
+                if speed is not None:
+                    self._speed_alone(side, speed)
+                continue
+            self._check_angles(name, angle[0])
+            cosine, sine = np.cos(angle[0]), np.sin(angle[0])
+            if speed is None and f"v_n_{side}" in self.have:
+                v_n = self.have[f"v_n_{side}"]
+                self.put(f"v_t_{side}", v_n * sine / cosine, np.abs(v_n) / cosine**2 * angle[1])
+            elif speed is None and side == "in":
+                speed = np.ones(len(cosine)), np.full(len(cosine), np.nan)
+                self.result.notes.append(
+                    "no speed is given: taken as 1 m/s before the wall, which laws with constants do not depend on"
+                )
+            if speed is None and f"v_t_{side}" not in self.have:
+                self.faults.add(
+                    f"column {name!r}", "a speed beside the angle (speed_out), or the ratio e_n", "neither",
+                    "angles alone give one number per row, in which restitution and friction cannot be told apart row by row",
+                )  # fmt: skip
+            if speed is None:
+                continue
+            v, sigma_v, sigma_angle = speed[0], np.nan_to_num(speed[1]), np.nan_to_num(angle[1])
+            unknown = np.isnan(speed[1]) & np.isnan(angle[1])
+            for part, to, turn in ((cosine, "n", sine), (sine, "t", cosine)):
+                sigma = np.hypot(part * sigma_v, v * turn * sigma_angle)
+                self.put(f"v_{to}_{side}", v * part, np.where(unknown, np.nan, sigma))
+
+    def _speed_alone(self, side: str, speed: tuple[Array, Array]) -> None:
+        if side == "in" or "v_n_in" in self.have:
+            self.put(f"v_n_{side}", *speed)
+            if side == "in":
+                self.result.notes.append("speed_in without an angle: taken as normal to the wall")
+            return
+        self.faults.add("column 'speed_out'", "an angle beside it (reflection_deg)", "none")
+
+    def _check_angles(self, name: str, angle: Array) -> None:
+        most = math.pi / 2 if name == "incidence" else math.pi / 2 + 0.2
+        if (np.abs(angle) > most).any():
+            worst = math.degrees(float(np.nanmax(np.abs(angle))))
+            self.faults.add(f"column {name!r}", "angles from the normal, below 90 degrees", f"{worst:.4g}",
+                            f"angles from the surface are called {name}_from_surface")  # fmt: skip
+
+    def ratios(self) -> None:
+        """Take ratios of speeds after and before: e_n and e_t of the centre, e_x (Cross) and beta (Walton) of the slip."""
+        normal = self.take("e_n")
+        if normal is not None and "v_n_in" not in self.have:
+            count = len(normal[0])
+            self.put("v_n_in", np.ones(count), np.full(count, np.nan))
+            self.result.notes.append("no speed is given: taken as 1 m/s, normal to the wall, before it")
+        if normal is not None:
+            self.put("v_n_out", normal[0] * self.have["v_n_in"], normal[1] * self.have["v_n_in"])
+            self.result.planar = True
+        along = self.take("e_t")
+        if along is not None and "v_t_in" in self.have:
+            # (v_t_out is 0 where v_t_in is)
+            v_t = self.have["v_t_in"]
+            self.put("v_t_out", along[0] * v_t, along[1] * np.abs(v_t))
+            self.result.notes.append(
+                "e_t: taken as v_t_out / v_t_in of the ball's centre; e_x and beta are ratios of the slip"
+            )
+        for name, who in (
+            ("e_x", "Cross, Am. J. Phys. 70, 482 (2002)"),
+            ("beta", "Walton & Braun, J. Rheol. 30, 949 (1986)"),
+        ):
+            if (ratio := self.take(name)) is None:
+                continue
+            if self.ball is None or "v_t_in" not in self.have:
+                self.faults.add(f"column {name!r}", "the ball's radius and v_t_in, from which the slip follows", "none")
+                continue
+            # both: -(slip after) / (slip before), 1 for a superball; v_t + kappa a spin is conserved
+            a, kappa = self.ball
+            spin = a * self.have.get("spin_in", np.zeros(len(ratio[0])))
+            slip = self.have["v_t_in"] - spin
+            after = (self.have["v_t_in"] + kappa * spin - kappa * ratio[0] * slip) / (1 + kappa)
+            self.put("v_t_out", after, np.abs(kappa / (1 + kappa) * slip) * ratio[1])
+            self.result.notes.append(
+                f"{name}: taken as -(slip after) / (slip before) ({who}): -1 is no friction, 0 sticks, 1 is a superball"
+            )
+
+    def spins(self) -> None:
+        """Take spins as multiples of v/a, v the speed at the same side of the contact."""
+        for side in ("in", "out"):
+            if (spin := self.take(f"normalised_spin_{side}")) is None:
+                continue
+            if self.ball is None or f"v_n_{side}" not in self.have or f"v_t_{side}" not in self.have:
+                self.faults.add(f"column 'normalised_spin_{side}'", "the ball's radius and its speed there", "none")
+                continue
+            unit = np.hypot(self.have[f"v_n_{side}"], self.have[f"v_t_{side}"]) / self.ball[0]
+            self.put(f"spin_{side}", spin[0] * unit, spin[1] * unit)

@@ -1,0 +1,99 @@
+"""Tables as people write them: each layout gives the components, and the fit gives the numbers, that a simulator of its own had."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from reference.commands import fails
+from reference.written_tables import BETA, KAPPA, LAYOUTS, MU, RADIUS, STRAIGHT, E, bounces, drops, layout
+
+from carom.data import read_rebounds
+from carom.data.rebound_files import heads_rebounds
+from carom.fitting import Setting, fit_laws
+
+ALL = ("speed_and_angle", "from_surface", "x_and_y", "errors_in_cells", "missing_cells", "normalised_spin")
+EXAMPLES = Path(__file__).parents[2] / "docs" / "data" / "tables"
+
+
+def table(tmp_path: Path, text: str, **options):
+    path = tmp_path / "table.csv"
+    path.write_text(text, encoding="utf-8")
+    return read_rebounds(path, ball=(RADIUS, KAPPA), **options)
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_a_layout_has_the_components_that_were_written(tmp_path: Path, name: str) -> None:
+    found, true = table(tmp_path, layout(name)), bounces(1)
+    for column, expected in true.items():
+        seen = np.isfinite(found[column])
+        assert seen.sum() >= 20
+        # (as many digits as are written)
+        assert np.abs(found[column] - expected)[seen].max() < (0.05 if "spin" in column else 0.006)
+
+
+@pytest.mark.parametrize("name", LAYOUTS)
+def test_the_examples_in_the_documentation_are_these(name: str) -> None:
+    assert (EXAMPLES / f"{name}.csv").read_text(encoding="utf-8") == layout(name)
+
+
+@pytest.mark.parametrize("name", [*ALL, "cross", "walton", "errors_in_per_cent"])
+def test_the_fit_of_a_layout_gives_what_the_simulator_had(tmp_path: Path, name: str) -> None:
+    fit = fit_laws(table(tmp_path, layout(name)), Setting(RADIUS, KAPPA), ["contact"], bootstrap=0, profiles=False).best
+    for parameter, true in (("restitution", E), ("friction", MU), ("tangential_restitution", BETA)):
+        one = fit.estimates[parameter]
+        assert abs(one.value - true) < 3 * one.stderr, parameter
+        assert one.stderr < 0.02
+
+
+@pytest.mark.parametrize("name", [*STRAIGHT, "angle_and_ratios"])
+def test_heights_times_and_ratios_without_spins_give_the_restitution_alone(tmp_path: Path, name: str) -> None:
+    ranking = fit_laws(table(tmp_path, layout(name)), Setting(RADIUS, KAPPA), ["contact"], bootstrap=0, profiles=False)
+    one = ranking.best.estimates["restitution"]
+    assert abs(one.value - E) < 3 * one.stderr < 0.01
+    assert "Only the restitution is measured" in ranking.verdict
+
+
+def test_heights_are_speeds(tmp_path: Path) -> None:
+    assert table(tmp_path, layout("heights"))["v_n_in"] == pytest.approx(drops(1)["v_n_in"], rel=1e-5)
+
+
+def test_times_in_a_row_are_pairs_within_a_ball(tmp_path: Path) -> None:
+    found = table(tmp_path, "ball,flight_time_s\n1,1.0\n1,0.8\n1,0.64\n2,0.5\n2,0.4\n")
+    assert found["v_n_out"] / found["v_n_in"] == pytest.approx([0.8, 0.8, 0.8])
+    assert found.extra["ball"].tolist() == ["1", "1", "2"]
+
+
+def test_error_bars_in_cells_in_headers_and_in_per_cent(tmp_path: Path) -> None:
+    text = "v_n_in,v_t_in,spin_in,v_n_out [m/s] ± 0.10,v_t_out,spin_out\n2,1,0,1.6,0.7 ± 2 %,10(2)\n3,1,0,2.4,0.8±0.05,20\n"
+    found = table(tmp_path, text)
+    assert found["sigma_v_n_out"] == pytest.approx([0.1, 0.1])
+    assert found["sigma_v_t_out"] == pytest.approx([0.014, 0.05])
+    assert found["sigma_spin_out"] == pytest.approx([2, 2])
+
+
+def test_spins_alone_are_refused_with_what_they_lack(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "spins.csv"
+    path.write_text("spin_in,spin_out\n10,20\n20,30\n0,12\n")
+    said = " ".join(fails(capsys, "fit", str(path), "--radius", "0.033"))
+    assert "friction (1 + restitution)" in said
+    assert "v_n_in" in said
+
+
+def test_a_column_of_ratios_beside_components_is_passed_on(tmp_path: Path) -> None:
+    found = table(tmp_path, "v_n_in,v_t_in,spin_in,v_n_out,e\n2,1,0,1.6,0.8\n3,1,0,2.4,0.8\n")
+    assert found.extra["e"].tolist() == ["0.8", "0.8"]
+
+
+def test_a_header_tells_a_table_of_rebounds_from_a_track() -> None:
+    assert heads_rebounds("drop_height_cm;rebound_height_cm\n")
+    assert not heads_rebounds("t,x,y\n")
+    assert not heads_rebounds("frame,vx,vy,speed\n")
+
+
+def test_a_stage_is_chosen_and_not_put_on_other_rows(tmp_path: Path) -> None:
+    text = "v_n_in,v_t_in,v_n_out,v_t_out,stage\n1,0.5,0.9,0.4,after_wall\n1,0.5,0.6,0.4,rolling\n"
+    found = table(tmp_path, text, stage="rolling")
+    assert found["v_n_out"].tolist() == [0.6]
+    assert any("others are left out" in note for note in found.notes)
