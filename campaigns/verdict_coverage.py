@@ -14,22 +14,25 @@ from collections.abc import Sequence
 
 import numpy as np
 from campaign import campaign
-from reference.synthetic_verdicts import TRUTHS, verdict
+from reference.synthetic_verdicts import ROWS, TRUTHS, verdict
 
+SIZES = (8, 200)  # rows, beside the 30 of most counts
 NOISES = {"small": 1.0, "ten times": 10.0}
 
 
 def main(words: Sequence[str] | None = None) -> None:
-    """A line a law and noise."""
+    """A line a law and noise; and for the small noise of other numbers of rows."""
+    kinds = {
+        f"{name}, {size}": (truth, noise, ROWS) for name, truth in TRUTHS.items() for size, noise in NOISES.items()
+    }
+    kinds |= {f"{name}, {count} rows": (truth, 1.0, count) for count in SIZES for name, truth in TRUTHS.items()}
     with campaign("verdict_coverage", __doc__, words, count=300, small=2) as run:
-        for name, truth in TRUTHS.items():
-            for size, noise in NOISES.items():
-                if not run.wants(f"{name}, {size}", [f"{one}, {two}" for one in TRUTHS for two in NOISES]):
-                    continue
+        for name, (truth, noise, count) in kinds.items():
+            if run.wants(name, kinds):
                 rows = run.rows.fill(
-                    f"{name}, {size}",
+                    name,
                     range(run.count),
-                    lambda seed, truth=truth, noise=noise: verdict(truth, noise, seed),
+                    lambda seed, truth=truth, noise=noise, count=count: verdict(truth, noise, seed, count),
                 )
                 share = {
                     what: sum(row["verdict"] == what for row in rows) / len(rows)
@@ -42,7 +45,7 @@ def main(words: Sequence[str] | None = None) -> None:
                 wrong = Counter(row["best"] for row in rows if row["verdict"] == "wrong")
                 ahead = np.mean([row["right"] for row in rows])
                 odds = np.median([row["odds"] for row in rows])
-                run.say(f"{name}, {size}: {said} of {len(rows)}; ahead in {100 * ahead:.1f} %; median odds {odds:.3g}"
+                run.say(f"{name}: {said} of {len(rows)}; ahead in {100 * ahead:.1f} %; median odds {odds:.3g}"
                         f"{'; wrong: ' + str(dict(wrong)) if wrong else ''}")  # fmt: skip
 
 

@@ -42,11 +42,11 @@ TRUTHS = {
 ROWS, SIGMA_V, SIGMA_SPIN = 30, 0.02, 1.0
 
 
-def table(truth: Truth, noise: float, seed: int) -> Rebounds:
+def table(truth: Truth, noise: float, seed: int, count: int = ROWS) -> Rebounds:
     """Bounces by a law, with noise."""
     rng = np.random.default_rng(seed)
-    vn, vt = rng.uniform(1, 4, ROWS), rng.uniform(-3, 3, ROWS)
-    spin = rng.normal(0, 0.35, ROWS) * np.hypot(vn, vt) / A
+    vn, vt = rng.uniform(1, 4, count), rng.uniform(-3, 3, count)
+    spin = rng.normal(0, 0.35, count) * np.hypot(vn, vt) / A
     if truth.law == "maw":
         said = [
             maw_contact(
@@ -56,20 +56,20 @@ def table(truth: Truth, noise: float, seed: int) -> Rebounds:
         ]
         after = np.array([[v[0], v[1], w[2]] for v, w in said])
     else:
-        zero = np.zeros(ROWS)
+        zero = np.zeros(count)
         state = carom.State(np.stack([-vn, vt, zero], -1), np.stack([zero, zero, spin], -1))
         hit = carom.impact(BALL, state, surface=carom.Surface(0.8, truth.friction, truth.tangential_restitution)).after
         after = np.stack([hit.velocity[:, 0], hit.velocity[:, 1], hit.spin[:, 2]], -1)
     columns = {}
     for name, values in zip(NAMES, (vn, vt, spin, *after.T), strict=True):
         sigma = noise * (SIGMA_SPIN if "spin" in name else SIGMA_V)
-        columns |= {name: values + sigma * rng.normal(size=ROWS), f"sigma_{name}": np.full(ROWS, sigma)}
+        columns |= {name: values + sigma * rng.normal(size=count), f"sigma_{name}": np.full(count, sigma)}
     return make_rebounds("planar", columns)
 
 
-def verdict(truth: Truth, noise: float, seed: int) -> dict[str, Any]:
+def verdict(truth: Truth, noise: float, seed: int, count: int = ROWS) -> dict[str, Any]:
     """The verdict on a table: ``true`` (or a law that contains the true one and is no worse), ``cannot``, ``wrong``."""
-    ranking = fit_laws(table(truth, noise, seed), SETTING, profiles=False, bootstrap=0)
+    ranking = fit_laws(table(truth, noise, seed, count), SETTING, profiles=False, bootstrap=0)
     best = ranking.best.law.name
     # a winner that contains the true law is not wrong: it says the same with a number more
     right = best == truth.law or best in WITHIN[truth.law]

@@ -45,7 +45,9 @@ class RankingsBy(dict[str, Ranking]):
 def fit_by(
     rebounds: Rebounds, setting: Setting, laws: Any, column: str, *, forms: bool = False, **options: Any
 ) -> RankingsBy:
-    """Fit laws to the rows of each value of a column, with functions of the impact where ``forms`` asks for them; ``options`` as for :func:`carom.fitting.fit_laws`.
+    """Fit laws to the rows of each value of a column; ``options`` as for :func:`carom.fitting.fit_laws`.
+
+    ``forms``: whether functions of the impact are chosen for the parameters.
 
     Raises CaromError where the table has no such column, and where no value has rows that can be fitted.
     """
