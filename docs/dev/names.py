@@ -48,8 +48,8 @@ FUNCTIONS = (
 )  # fmt: skip
 # Scenes' parts, and arguments that are no quantities: files, choices, counts, and how to run.
 _CHOICES = (
-    "after angles_deg ball_contact balls bootstrap bound bounds center corner_pockets cue cushions down duration "
-    "every_contact file files fine fit fix fixed floor floor_contact form format hard hops kind law laws max_events name "
+    "after angles_deg ball_contact balls bootstrap bound bounds by center corner_pockets cue cushions down duration "
+    "every_contact file files fine fit fix fixed floor floor_contact form format forms hard hops kind law laws max_events name "
     "odds out overlap preset profiles progress rack rate robust rolling run say scale scatter seed shape side_pockets "
     "shot sliding speeds spin_prior spins stage strict strike suffix table truth view wall walls where whole "
 )
@@ -108,7 +108,7 @@ ROWS = {
         Quantity("restitution at rest", "", "1", "walls[].restitution.at_rest restitution_at_rest"),
         Quantity("restitution at high speed", "", "1", "walls[].restitution.at_speed restitution_at_speed"),
         Quantity("speed over which it falls", "", "m/s", "walls[].restitution.speed restitution_speed"),
-        Quantity("exponent of a power law", "", "1", "walls[].restitution.exponent restitution_exponent"),
+        Quantity("exponent of a power law", "", "1", "restitution_exponent"),
         Quantity("friction", "μ", "1", "walls[].friction friction"),
         Quantity("tangential restitution", "β", "1", "walls[].tangential_restitution tangential_restitution"),
         Quantity("tangential over normal stiffness", "", "1", "walls[].stiffness_ratio stiffness_ratio"),

@@ -394,8 +394,10 @@ def test_kharaz_s_friction_at_large_angles():
 def test_kharaz_needs_compliance_at_middle_angles():
     kharaz = published_rebounds("kharaz2001")
     ranking = fit_laws(kharaz.rebounds, Setting(**kharaz.setting))
-    assert ranking.best.law.name == "maw"
-    assert ranking.odds > 20
+    # two compliant laws, between which these spheres hardly decide; those without compliance are ruled out
+    assert [one.fit.law.name for one in ranking.ranked[:2]] == ["maw", "stronge"]
+    assert ranking.odds == pytest.approx(5.6, abs=0.1)
+    assert ranking.ranked[2].fit.aicc > ranking.best.aicc + 20
     # and the stiffness is that of alumina on glass as solids: 2 (1 - nu)/(2 - nu) is 0.82 to 0.88 for nu from 0.2 to 0.3
     assert 0.7 < ranking.best.estimates["stiffness_ratio"].value < 1.0
 
@@ -447,7 +449,7 @@ def test_table_tennis_rubber_gives_slip_back_and_antispin_slides():
     racket = rebounds.extra["racket"]
     sticky = fit_laws(rebounds.select(racket == "01_inverted"), SETTING, bootstrap=0)
     smooth = fit_laws(rebounds.select(racket == "10_antispin"), SETTING, bootstrap=0)
-    assert sticky.best.law.name == "maw"
+    assert [one.fit.law.name for one in sticky.ranked[:2]] == ["stronge", "maw"]
     assert smooth.best.law.name == "contact"
     assert smooth.best.estimates["friction"].value == pytest.approx(0.217, abs=0.003)
     kept = {one.fit.law.name: one for one in sticky.ranked}

@@ -45,8 +45,10 @@ def test_fourteen_rows_of_one_rubber_do_not_speak_for_all():
     rebounds = read_rebounds(load("tt_rackets").path)
     rubber = rebounds.select(rebounds.extra["racket"] == "01_inverted")
     ranking = fit_laws(rubber, Setting(radius=0.02, kappa=2 / 3), bootstrap=0, profiles=False)
-    assert (ranking.best.law.name, len(rubber)) == ("maw", 14)
-    assert 40 < ranking.odds < 60
+    assert (ranking.best.law.name, len(rubber)) == ("stronge", 14)
+    assert 300 < ranking.odds < 330
+    kept = {one.fit.law.name: one.fit.aicc for one in ranking.ranked}
+    assert 40 < np.exp((kept["contact"] - kept["maw"]) / 2) < 60
     assert not ranking.decisive
     assert "lean to" in ranking.verdict
     assert "14 rows are few and they cover a small range of incidence" in ranking.verdict

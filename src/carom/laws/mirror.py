@@ -127,7 +127,7 @@ LAW = Law(
     response=MIRROR_WALL,
     pinned={"friction": 0.0, "tangential_restitution": -1.0},
     fits=(
-        FitSpec("planar", "no friction (mirror)", nested_in=("sliding", "contact", "maw")),
+        FitSpec("planar", "no friction (mirror)", nested_in=("sliding", "contact", "maw", "stronge")),
         FitSpec("table", "no friction (mirror)", upright=True),
     ),
     line=("#8a8a8a", (0, (1, 1.6))),

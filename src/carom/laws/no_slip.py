@@ -140,7 +140,7 @@ LAW = wall_law(
     response=NO_SLIP_WALL,
     pinned={"restitution": 1.0, "friction": math.inf, "tangential_restitution": 1.0},
     fits=(
-        FitSpec("planar", "no-slip, all slip returned", free=("restitution",), nested_in=("contact", "maw")),
+        FitSpec("planar", "no-slip, all slip returned", free=("restitution",), nested_in=("contact", "maw", "stronge")),
         FitSpec("table", "no-slip wall, then the floor", free=("restitution",), nested_in=("contact",), upright=True),
     ),
     line=("#009E73", (0, (4, 1.5, 1, 1.5))),

@@ -39,7 +39,7 @@ LAW = wall_law(
     in_flight=True,
     variant_of="contact",
     fits=(
-        FitSpec("planar", "sticking (the paper's wall)", nested_in=("sliding", "contact", "maw")),
+        FitSpec("planar", "sticking (the paper's wall)", nested_in=("sliding", "contact", "maw", "stronge")),
         FitSpec("table", same_as="two-step-paper"),
     ),
     order=72,
