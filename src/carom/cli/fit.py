@@ -280,7 +280,7 @@ def fit(
             from carom.plot.style import save
 
             save(plot_friction(cast(Ranking, ranking)), plot)
-    shows = [(shot, show_shots), (whole, show_whole), (by is not None, show_each)]
+    shows: list[tuple[bool, Any]] = [(shot, show_shots), (whole, show_whole), (by is not None, show_each)]
     tell(ranking, next((one for wanted, one in shows if wanted), show), as_json, console, written)
 
 
