@@ -26,15 +26,8 @@ from carom.tracks.formats.text_table import Calibration
 from carom.tracks.measurement import Measured, measure
 from carom.tracks.pair_contacts import PairContact, measure_pairs, pair_rebounds
 from carom.tracks.read import (
-    TrackFile,
-    film_of,
-    format_of,
-    got_instead,
-    is_table_of_rebounds,
-    read_tracks,
-    require_text,
-    track_text,
-)
+    TrackFile, film_of, format_of, got_instead, is_table_of_rebounds, read_tracks, require_text, track_text,
+)  # fmt: skip
 from carom.tracks.rebounds import Stage, to_rebounds
 from carom.tracks.track import Track
 
