@@ -26,23 +26,22 @@ from carom.tracks.formats.text_table import Calibration
 from carom.tracks.measurement import Measured, measure
 from carom.tracks.pair_contacts import PairContact, measure_pairs, pair_rebounds
 from carom.tracks.read import (
-    TrackFile, film_of, format_of, got_instead, is_table_of_rebounds, read_tracks, require_text, track_text,
+    TrackFile,
+    film_of,
+    format_of,
+    got_instead,
+    is_table_of_rebounds,
+    read_tracks,
+    require_text,
+    track_text,
 )  # fmt: skip
 from carom.tracks.rebounds import Stage, to_rebounds
 from carom.tracks.track import Track
 
 __all__ = [
-    "MeasuredFilms",
-    "Progress",
-    "are_films",
-    "chosen_tracks",
-    "is_track",
-    "measure_films",
-    "read_films",
-    "rebounds_of_files",
-    "rebounds_of_films",
-    "tracks_of_films",
-]
+    "MeasuredFilms", "Progress", "are_films", "chosen_tracks", "is_track", "measure_films", "read_films", "rebounds_of_files",
+    "rebounds_of_films", "tracks_of_films",
+]  # fmt: skip
 
 START_BYTES = 4096  # in which the header of a table shows
 REBOUND_COLUMNS = (
