@@ -15,6 +15,7 @@ __all__ = ["StadiumFigure", "StadiumSizes"]
 class StadiumSizes(Model):
     """The sizes of a stadium, as a figure and as a wall."""
 
+    shape: Literal["stadium"] = "stadium"
     straight: Size
     radius: Size
 
