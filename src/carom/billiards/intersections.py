@@ -131,11 +131,11 @@ def straight_hit(  # noqa: PLR0915  (one loop per kind of piece)
             best = t
             which = i
     if world.ellipses < world.curves:
-        behind = -world.corner_tolerance / math.sqrt(v[0] * v[0] + v[1] * v[1])
+        near, squared = world.corner_tolerance * world.corner_tolerance, v[0] * v[0] + v[1] * v[1]
         for i in range(world.ellipses, world.curves):
             p = pieces[i]
             t = curve_line(panels, int(p.c), int(p.r), world.inset, NOISE * world.extent, x[0], x[1], v[0], v[1])
-            if behind < t < best:
+            if t < best and (t >= 0.0 or t * t * squared < near):
                 best = t
                 which = i
     for i in range(world.curves, world.spheres):

@@ -56,6 +56,7 @@ X, TX, OX, CX, HALF, W0, W1, FIRST_XI, LAST_XI, LOW, HIGH, SLOPE, BEND, COEFFICI
 Y, TY, OY, CY = X + 1, TX + 1, OX + 1, CX + 1
 ROW = COEFFICIENTS + DEGREE + 1
 PAIRS = (DEGREE + 1) // 2
+NEAR, TINY = 2e-5, 1e-15  # a step in w after which the second order gives the root, and so much of it is rounding
 CLOSE = 1e-8  # Newton's step in w after which the tangent gives the root: what is left out is of second order
 
 
@@ -118,6 +119,31 @@ def _crossing(
     panels: Any, j: int, a: float, x: float, y: float, u: float, v: float, low: float, high: float, w: float
 ) -> float:
     """Return v.(P - x) where c rises through zero between low and high, in the chord's frame; Newton's method begins at w."""
+    h = panels[j, HALF]
+    for _ in range(200 if a == 0.0 else 0):
+        f, f1, f2 = _graph(panels, j, w)
+        dx, dy = h * (1.0 + w) - x, f - y
+        c = u * dy - v * dx
+        if c < 0.0:
+            low = w
+        else:
+            high = w
+        d = h * (u * f1 - v)
+        step = -c / d if d > 0.0 else NEVER
+        new = w + step
+        if not low <= new <= high:
+            new = 0.5 * (low + high)
+        elif abs(step) <= NEAR:
+            # the step of second order; the third is below rounding
+            bend = u * f2 * (h * h) * step / d
+            if bend * bend * abs(step) <= TINY:
+                step = step - 0.5 * bend * step
+                path: float = u * dx + v * dy + step * h * (u + v * f1) + 0.5 * (step * step) * (h * h) * (v * f2)
+                return path
+        if new == w:
+            path = u * dx + v * dy
+            return path
+        w = new
     for _ in range(200):
         px, py, slope, rate = offset_point(panels, j, a, w)
         dx, dy = px - x, py - y
