@@ -39,6 +39,7 @@ from carom.scene import (
     scene_text,
 )
 from carom.scene.restitution import Exponential, Han2005, Polynomial, Power, Viscoelastic
+from carom.scene.shapes import SHAPES
 
 
 def load(tmp_path: Path, text: str, **options: bool) -> Scene:
@@ -297,13 +298,11 @@ WRONG = {
     ),
     "unknown shape": (
         SOUND.replace("'plane'", "'plnae'"),
-        "walls[0].shape: expected one of plane, segment, polygon, table, box, strip, wedge, cylinder, arc, sphere, stadium,"
-        " got 'plnae'; did you mean 'plane'?",
+        f"walls[0].shape: expected one of {', '.join(SHAPES)}, got 'plnae'; did you mean 'plane'?",
     ),
     "no shape": (
         SOUND.replace("shape", "shpe"),
-        "walls[0].shape: expected one of plane, segment, polygon, table, box, strip, wedge, cylinder, arc, sphere, stadium,"
-        " got nothing; is 'shpe' meant to be 'shape'?",
+        f"walls[0].shape: expected one of {', '.join(SHAPES)}, got nothing; is 'shpe' meant to be 'shape'?",
     ),
     "one bracket": (
         SOUND.replace("[[walls]]", "[walls]"),
