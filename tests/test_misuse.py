@@ -48,7 +48,7 @@ NAMES = [
     (package, name)
     for package, name in public_names()
     if callable(found := getattr(importlib.import_module(package), name))
-    and not (inspect.isclass(found) and issubclass(found, Exception))
+    and not (inspect.isclass(found) and (issubclass(found, Exception) or inspect.isabstract(found)))
 ]
 
 

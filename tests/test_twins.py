@@ -13,6 +13,7 @@ import pytest
 import typer
 
 import carom
+from carom.billiards.old_sizes import OLD_SIZES
 from carom.cli import app
 from carom.fitting import Ranking
 
@@ -21,7 +22,11 @@ OUTPUT = {"as_json", "json_", "quiet", "plot", "portrait", "boundary", "lyapunov
 TWINS: dict[str, tuple[Callable[..., Any], set[str], set[str]]] = {
     # verb: its function; parameters of the command alone; parameters of the function alone
     "predict": (carom.predict, OUTPUT, {"progress", "say"}),
-    "orbit": (carom.orbit, OUTPUT, {"progress"}),
+    "orbit": (
+        carom.orbit,
+        OUTPUT | {"table_file", *OLD_SIZES},
+        {"progress"},
+    ),  # (a figure from a file is carom.billiards.table)
     "design": (carom.design, OUTPUT, {"fine"}),
     "fit": (carom.fit, OUTPUT, {"progress"}),
     "tracks show": (

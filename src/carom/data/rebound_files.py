@@ -160,7 +160,8 @@ def rebounds_of_columns(
         # check the columns as well, to report all problems at once
         more = FaultList()
         more.attempt(make_rebounds, kind, measured, stage=stages, extra=extra, rows=rows, source=source)
-        faults += [fault for fault in more if not faults.has(fault.field)]
+        headed = {meaning.quantity: f"column {headers[i]!r}" for i, meaning in meanings.items()}
+        faults += [one for one in more if not (faults.has(one.field) or faults.has(headed.get(one.field, one.field)))]
         faults.raise_if_any()
     if kind == "planar" and stage is None:
         stages = None

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError
+from carom.errors import Fault, FaultList
 from carom.formatting import counted
 from carom.tracks.events import (
     TOUCH_DISTANCE_M,
@@ -110,7 +110,7 @@ def filmed_shots(tracks: Sequence[Track], radius: float) -> Films:
     groups: dict[str, list[Track]] = {}
     for track in seen:
         groups.setdefault(track.group, []).append(track)
-    faults: list[str] = []
+    faults = FaultList()
     _require_one_table(groups, noise, faults)
     walls = tuple(find_walls(seen, noise))
     shots = []
@@ -118,12 +118,11 @@ def filmed_shots(tracks: Sequence[Track], radius: float) -> Films:
         shot = _shot(name, members, walls, noise, radius, interval, notes, faults)
         if shot is not None:
             shots.append(shot)
-    if faults:
-        raise CaromError(*faults)
+    faults.raise_if_any()
     return Films(shots, walls, noise, notes)
 
 
-def _require_one_table(groups: dict[str, list[Track]], noise: float, faults: list[str]) -> None:
+def _require_one_table(groups: dict[str, list[Track]], noise: float, faults: FaultList) -> None:
     """Report films that go on where the balls of all other films turn back: they are of another table, or scale.
 
     The other films have a cushion where their balls turn at least twice at the farthest places that they reach.
@@ -136,10 +135,8 @@ def _require_one_table(groups: dict[str, list[Track]], noise: float, faults: lis
             edge = max(float((sign * one.position[:, axis]).max()) for one in others)
             far = max(float((sign * one.position[:, axis]).max()) for one in members) - edge
             if far > OFF_TABLE and sum(_turns_at(one, axis, sign, edge, noise) for one in others) > 1:
-                faults.append(
-                    f"{name or 'film'}: expected balls on the table of the other films, got places {far:.2f} m beyond its {side}"
-                    " cushion: is it another table, or another scale?"
-                )
+                places = f"places {far:.2f} m beyond its {side} cushion: is it another table, or another scale?"
+                faults.append(Fault(name or "film", "", "balls on the table of the other films", places))
                 break
 
 
@@ -151,24 +148,23 @@ def _turns_at(track: Track, axis: int, sign: int, edge: float, noise: float) -> 
 
 def _shot(
     name: str, members: list[Track], walls: Sequence[WallLine], noise: float, radius: float, interval: float, notes: list[str],
-    faults: list[str],
+    faults: FaultList,
 ) -> FilmedShot | None:  # fmt: skip
     label = name or "film"
     onset = {one.name: _onset(one, noise) for one in members}
     moving = [one for one in members if onset[one.name] is not None]
     if not moving:
-        faults.append(f"{label}: expected a stroke, got {counted(len(members), 'ball')} at rest in all frames")
+        faults.append(Fault(label, "", "a stroke", f"{counted(len(members), 'ball')} at rest in all frames"))
         return None
     order = sorted(moving, key=lambda one: (one.time[onset[one.name]], -_first_way(one, onset[one.name])))
     cue = order[0]
     begins = float(cue.time[onset[cue.name] or 0])
     for other in order[1:]:
         if other.time[onset[other.name]] < begins + 0.5 * interval and not _touches(cue, other, radius):
-            faults.append(
-                f"{label}: expected one ball that sets off first, got {cue.name} and {other.name} in motion from the first frame"
-                f" on, {np.hypot(*(cue.position[0] - other.position[0])):.2f} m apart: the film begins in the middle of a shot;"
-                " begin it before the stroke"
-            )
+            apart = f"{np.hypot(*(cue.position[0] - other.position[0])):.2f} m apart"
+            moving_both = f"{cue.name} and {other.name} in motion from the first frame on, {apart}"
+            got = f"{moving_both}: the film begins in the middle of a shot"
+            faults.append(Fault(label, "", "one ball that sets off first", got, "begin it before the stroke"))
             return None
     still = [one for one in members if onset[one.name] is None]
     notes += [f"{label}: {one.name} is never seen to move: taken to lie at rest" for one in still]

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, did_you_mean
+from carom.errors import CaromError, FaultList, did_you_mean
 from carom.files import require_library
 from carom.fitting.evidence import DECIDED, LEANS, Ranked, verdict_words, weigh
 from carom.fitting.laws import FittedLaw, track_laws_named
@@ -138,28 +138,23 @@ def fit_shots(
 
 def _paths(scene: Scene, free: Sequence[str], fixed: Mapping[str, float]) -> tuple[str, ...]:
     """Return the paths that are fitted; CaromError for one that leads nowhere, or a ball's."""
-    faults = []
+    faults = FaultList("fit_shots")
     kept = []
     for path in dict.fromkeys([free] if isinstance(free, str) else free):
         if path in fixed:
             continue
-        try:
-            path_match(scene, path, "fit_shots: free")
-        except CaromError as error:
-            faults.append(str(error))
+        match = faults.attempt(path_match, scene, path, "fit_shots: free")
+        if match is None:
             continue
         if path.startswith("balls."):
-            faults.append(
-                f"fit_shots: free: expected a number of the table, got {path}: the start of each shot is fitted anyway"
-            )
-        value = path_match(scene, path).values[0]
+            faults.add("free", "a number of the table", f"{path}: the start of each shot is fitted anyway")
+        value = match.values[0]
         form = getattr(value, "form", "constant")
         if form == "constant":
             kept.append(path)
         else:
             kept += [f"{path}.{name}" for name in type(value).model_fields if name != "form"]
-    if faults:
-        raise CaromError(*faults)
+    faults.raise_if_any()
     return tuple(kept)
 
 
