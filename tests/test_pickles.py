@@ -114,7 +114,7 @@ SHAPES: dict[str, dict[str, Any]] = {
     "Polygon": {"points": [(0, 0), (1, 0), (0, 1)]},
     "Segment": {"start": (0, 0), "end": (1, 0)},
     "Sphere": {"center": (0, 0, 0), "radius": 1},
-    "Stadium": {"length": 1, "radius": 1},
+    "Stadium": {"straight": 1, "radius": 1},
     "Strip": {"point": (0, 0, 0), "normal": (1, 0, 0), "width": 1},
     "Wedge": {"apex": (0, 0, 0), "from_angle": 0, "to_angle": 60},
 }

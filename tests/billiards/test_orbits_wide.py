@@ -74,7 +74,7 @@ def test_the_gas_of_one_disc_goes_the_same_way(pull):
     begin = ((0.2, 0.05), (1.0, 0.4), 0.7)
     found = billiards.orbit(table, begin, 25, ball=BALL)
     gas = Gas(
-        [Species(BALL, 1)], container("ellipse", (2 * P, 2 * Q)), contacts=carom.Surface(1, math.inf, 1), gravity=pull,
+        [Species(BALL, 1)], container("ellipse", half_axes=(P, Q)), contacts=carom.Surface(1, math.inf, 1), gravity=pull,
         position=[(0.2 + P, 0.05 + Q)], velocity=[begin[1]], spin=[begin[2]],
     )  # fmt: skip
     for k in range(25):

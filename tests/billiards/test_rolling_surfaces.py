@@ -186,7 +186,7 @@ def test_a_free_ball_is_caught_by_golfs_hole_below_the_known_speed():
 
 
 def test_a_ball_goes_around_the_rim_at_a_constant_height():
-    # steady rolling on the rim, from (1) to (5) with d(height)/dt = 0 ("golf balls of death", Hogan & Antali 2025)
+    # steady rolling on the rim, from (R1) to (R5) with d(height)/dt = 0 ("golf balls of death", Hogan & Antali 2025)
     ring, r, kappa, angle, rate = 0.054, 0.02135, 0.4, 0.6, 9.0
     rho = ring - r * math.sin(angle)
     spin = (G * math.sin(angle) - (1 + kappa) * rho * rate**2 * math.cos(angle)) / (kappa * r * rate * math.sin(angle))

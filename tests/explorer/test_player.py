@@ -95,7 +95,7 @@ def test_a_law_of_ones_own_is_played(open_page: Any, tmp_path: Path) -> None:
 
 
 def test_a_part_of_a_long_run(open_page: Any, tmp_path: Path) -> None:
-    walls = (Stadium(length=1.0, radius=0.5, law="mirror", restitution=1.0),)
+    walls = (Stadium(straight=1.0, radius=0.5, law="mirror", restitution=1.0),)
     ball = SceneBall(radius=0.02, mass=0.1, position=(0.1, 0.05), velocity=(1.2, 0.9), spin=(0, 0, 9))
     run = carom.simulate(Scene(gravity=0, walls=walls, balls=(ball,), run=Run(max_events=4000)))
     whole = run.animate(tmp_path / "whole.html")

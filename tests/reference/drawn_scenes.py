@@ -44,7 +44,7 @@ def gallery() -> Scene:
     return Scene(
         gravity=0,
         walls=(
-            Stadium(length=1.0, radius=0.5, law="mirror", restitution=1.0),
+            Stadium(straight=1.0, radius=0.5, law="mirror", restitution=1.0),
             Sphere(center=(0.5, 0.2, 0.0), radius=0.1, law="mirror", restitution=1.0),
         ),
         balls=(SceneBall(radius=0.02, mass=0.1, position=(0.1, 0.05), velocity=(1.2, 0.9), spin=(0, 0, 9)),),

@@ -173,11 +173,8 @@ class Boundary:
         if self.sphere is not None:
             rows.append(((0.0, 0.0, 0.0), 1 / self.sphere, self.sphere, 0.0, 0.0, -INF, INF))
         world["spheres"] = len(rows)
-        world["finite_faces"], world["corner_tolerance"], world["extent"] = (
-            self.finite_faces,
-            1e-12 * self.size,
-            self.size,
-        )
+        world["finite_faces"], world["corner_tolerance"] = self.finite_faces, 1e-12 * self.size
+        world["extent"] = self.size
         return world, np.array(rows, PIECES)
 
     def crossed_by(self, acceleration: Sequence[float]) -> bool:

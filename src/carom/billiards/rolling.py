@@ -3,13 +3,13 @@
 In space of any number of dimensions, with the ball's angular velocity as an antisymmetric matrix W (W y = omega x y in three), the
 normal n from the contact point to the centre x, and the ball's radius r:
 
-    v = r W n                                            no slip at the contact point                            (1)
-    T = W - (v n' - n v')/r                              the spin about the normal: T n = 0                       (2)
-    (1 + kappa) dv/dt = a + kappa r T dn/dt              along the surface, a the force's acceleration there      (3)
-    kappa r dW/dt = -(f n' - n f'),  f = dv/dt - a       the torque of the friction, f its acceleration           (4)
-    N/m = -v . dn/dt - g . n                             the surface's force; the ball leaves where it is 0       (5)
+    v = r W n                                            no slip at the contact point                            (R1)
+    T = W - (v n' - n v')/r                              the spin about the normal: T n = 0                       (R2)
+    (1 + kappa) dv/dt = a + kappa r T dn/dt              along the surface, a the force's acceleration there      (R3)
+    kappa r dW/dt = -(f n' - n f'),  f = dv/dt - a       the torque of the friction, f its acceleration           (R4)
+    N/m = -v . dn/dt - g . n                             the surface's force; the ball leaves where it is 0       (R5)
 
-(3) is (4) applied to n, with (1) and (2); Borisov, Mamaev & Kilin, Regul. Chaotic Dyn. 7, 201 (2002) and Cox, Feres & Zhao,
+(R3) is (R4) applied to n, with (R1) and (R2); Borisov, Mamaev & Kilin, Regul. Chaotic Dyn. 7, 201 (2002) and Cox, Feres & Zhao,
 arXiv 2009.05890, have the same equations. SciPy's DOP853 integrates x and W.
 """
 
@@ -46,7 +46,7 @@ class Rolling(NamedTuple):
 
 
 class RollingMotion:
-    """Equations (1) to (5) for one ball on one smooth piece of a surface; the state is x and W in one vector."""
+    """Equations (R1) to (R5) for one ball on one smooth piece of a surface; the state is x and W in one vector."""
 
     def __init__(self, piece: SmoothPiece, ball: Ball, gravity: Array) -> None:
         self.piece, self.gravity = piece, gravity
@@ -57,22 +57,22 @@ class RollingMotion:
         """Return the velocity, the acceleration and the forces of a state."""
         x, w = self.place_and_spin(state)
         n = self.piece.normal(x)
-        # (1)
+        # (R1)
         v = self.radius * (w @ n)
         turn = self.piece.turn(x, n, v)
-        # (2)
+        # (R2)
         about = w - (np.outer(v, n) - np.outer(n, v)) / self.radius
         along = self.gravity - n * (n @ self.gravity)
-        # (3)
+        # (R3)
         acceleration = (along + self.kappa * self.radius * (about @ turn)) / (1.0 + self.kappa)
-        # (5)
+        # (R5)
         pressure = float(-(v @ turn) - self.gravity @ n)
         return Rolling(n, v, turn, acceleration, acceleration - along, pressure)
 
     def rates(self, _: float, state: Array) -> Array:
         """Return the time derivative of a state."""
         now = self.forces(state)
-        # (4)
+        # (R4)
         turning = np.outer(now.normal, now.friction)
         return np.concatenate([now.velocity, ((turning - turning.T) / (self.kappa * self.radius)).ravel()])
 

@@ -120,7 +120,7 @@ def roll(
 ) -> RollingRun:
     """Follow a ball that rolls without slipping on a surface, leaves it, flies and lands.
 
-    Source: equations (1) to (5) of the module `carom.billiards.rolling`.
+    Source: equations (R1) to (R5) of the module `carom.billiards.rolling`.
 
     Parameters
     ----------
@@ -172,7 +172,7 @@ def roll(
 
     n = surface.normal(x)
     v = v - n * (v @ n)
-    # (1) and (2)
+    # (R1) and (R2)
     w = (np.outer(v, n) - np.outer(n, v)) / setting.radius + about
     return _follow(setting, np.concatenate([x, w.ravel()]))
 
