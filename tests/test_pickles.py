@@ -216,6 +216,7 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
     "fits": lambda: [
         fitting.fit_laws(rebounds(), fitting.Setting(radius=0.02), ["sticking", "mirror"], bootstrap=0),
         fitting.Setting(0.03),
+        fitting.RankingsBy("surface"),
         fitting.Outlier("line 7", 3.0, "far"),
         population := fitting.fit_population(
             data.published_rebounds("tt_rackets").rebounds, fitting.Setting(0.02, 2 / 3), by="racket"

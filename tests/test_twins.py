@@ -25,7 +25,7 @@ TWINS: dict[str, tuple[Callable[..., Any], set[str], set[str]]] = {
     "orbit": (
         carom.orbit,
         OUTPUT | {"table_file", *OLD_SIZES},
-        {"progress"},
+        {"progress", "sizes"},
     ),  # (a figure from a file is carom.billiards.table)
     "design": (carom.design, OUTPUT, {"fine"}),
     "fit": (carom.fit, OUTPUT, {"progress"}),

@@ -128,8 +128,8 @@ def test_the_gas_of_one_disc_goes_the_same_way():
     begin = ((0.5, 0.2), (1.0, 0.4), 0.7)
     found = billiards.orbit(table, begin, 20, ball=carom.Disc(0.5, 1.0))
     gas = Gas(
-        [Species(carom.Disc(0.5, 1.0), 1)], container("ellipse", half_axes=(4.0, 2.5)), contacts=carom.Surface(1, math.inf, 1), gravity=FALL,
-        position=[(4.5, 2.7)], velocity=[begin[1]], spin=[begin[2]],
+        [Species(carom.Disc(0.5, 1.0), 1)], container("ellipse", half_axes=(4, 2.5)), contacts=carom.Surface(1, math.inf, 1),
+        gravity=FALL, position=[(4.5, 2.7)], velocity=[begin[1]], spin=[begin[2]],
     )  # fmt: skip
     for k in range(20):
         gas.run(1)

@@ -228,7 +228,8 @@ def test_a_slide_after_the_wall_that_was_found_once_is_found_again():
     ("tangential compliance", 10.0, {"cannot"}),
 ])  # fmt: skip
 def test_the_true_law_wins_when_it_can(name, noise, says):
-    # cannot: a law that contains the true one is a hair ahead, by chance; else it must be the true one that wins
+    # cannot: a law that contains the true one is a hair ahead, by chance (so is stronge, another law of tangential compliance);
+    # else it must be the true one that wins
     found = [verdict(TRUTHS[name], noise, seed) for seed in range(4)]
     assert {one["verdict"] for one in found} <= says
     if "true" in says:
