@@ -97,3 +97,11 @@ def test_a_stage_is_chosen_and_not_put_on_other_rows(tmp_path: Path) -> None:
     found = table(tmp_path, text, stage="rolling")
     assert found["v_n_out"].tolist() == [0.6]
     assert any("others are left out" in note for note in found.notes)
+
+
+def test_a_height_below_the_floor_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "heights.csv"
+    path.write_text("drop_height_cm,rebound_height_cm\n100,50\n200,-10\n300,150\n400,200\n")
+    assert "column 'rebound_height': expected heights of at least 0, got -0.1 m" in " ".join(
+        fails(capsys, "fit", str(path), "--radius", "0.033")
+    )

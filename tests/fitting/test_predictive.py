@@ -11,7 +11,7 @@ import pytest
 import carom
 from carom.data.rebounds import make_rebounds
 from carom.fitting import FITTED, Prediction, Setting, fit_law, make_problem
-from carom.fitting.predictive import predictive_of
+from carom.fitting.predictive import impacts, predictive_of
 from tests.reference.varying_bounces import RADIUS, bounce, drawn_table
 
 TRUTH: dict[str, Any] = {"e": lambda v: 0.7 + 0 * v, "mu": lambda s: 0.3 + 0 * s, "beta": lambda s: 0.3 + 0 * s}
@@ -84,3 +84,10 @@ def test_fitted_forms_go_back_into_a_scene() -> None:
     assert np.allclose(surface.friction, truth["mu"](np.array([6.0, 1.0])), atol=0.03)
     with pytest.raises(carom.CaromError, match="a form that scenes have, got line"):
         carom.fit(drawn_table(60, 1, **truth), **OPTIONS | {"laws": ["contact"]}, restitution="line").to_scene()
+
+
+@pytest.mark.parametrize("state", [(2.0, 1.0), "a", None])
+def test_a_state_that_is_none_is_refused(state: Any) -> None:
+    problem = make_problem(make_rebounds("planar", drawn_table(12, 1, sigma=0.1, bars=True, **TRUTH)), SETTING)[0]
+    with pytest.raises(carom.CaromError, match="predict: state: expected v_n_in, v_t_in, spin_in, or an array"):
+        impacts(problem, state)

@@ -12,6 +12,7 @@ from carom import Ball, CaromError, Disc, Surface
 from carom.gas import Drive, Gas, Species, Thermostat, container
 from carom.gas.edmd.gas_records import ELLIPSE
 from carom.gas.edmd.walls import _is_present, _release_speed
+from carom.gas.old_containers import with_new_container
 from carom.gas.spatial_profiles import Profiles
 
 ROUGH, SMOOTH = Surface(1, math.inf, 1), Surface(1, 0, -1)
@@ -683,3 +684,8 @@ def test_any_figure_of_straight_sides_is_a_container():
     assert hexagon.clearance(0.5, np.array([[4.0, 2 * math.sqrt(3), 1.0]])) == pytest.approx(0.5)
     with pytest.raises(CaromError, match=r"shape: expected one of periodic, box, .*, got 'strip'"):
         container("strip", width=1.0)
+
+
+def test_the_old_size_beside_a_new_one_is_refused() -> None:
+    with pytest.raises(CaromError, match="size: expected radius alone, got both"):
+        with_new_container({"shape": "stadium", "size": [14, 8], "radius": 3})

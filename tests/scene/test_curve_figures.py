@@ -112,3 +112,8 @@ def test_the_command_takes_formulas(tmp_path: Path) -> None:
     file.write_text('shape = "curve"\nr = "1 + 0.1*cos(3*theta)"\n')
     found = [carom.orbit(what, 20, seed=1).position for what in (file, "curve:r=1 + 0.1*cos(3*theta)")]
     np.testing.assert_array_equal(*found)
+
+
+def test_a_function_without_its_argument_is_said() -> None:
+    with pytest.raises(carom.CaromError, match="expected cos of something, such as cos\\(theta\\), got cos alone"):
+        figure("curve:r=1+0.1*cos")

@@ -169,6 +169,8 @@ class _Conversion:
         """Take the heights from which a ball fell and to which it rose: v = (2 g h)^(1/2), without air."""
         for name, to in (("drop_height", "v_n_in"), ("rebound_height", "v_n_out")):
             if (height := self.take(name)) is not None:
+                if (height[0] < 0).any():
+                    self.faults.add(f"column {name!r}", "heights of at least 0", f"{np.nanmin(height[0]):.4g} m")
                 speed = np.sqrt(2 * GRAVITY * np.maximum(height[0], 0.0))
                 self.put(to, speed, GRAVITY * height[1] / np.where(speed > 0, speed, 1.0))
                 self._straight("heights")

@@ -199,7 +199,10 @@ def impacts(problem: Problem, before: State | Mapping[str, Any] | Rebounds | Any
         v, w = before.velocity, before.spin
         return np.stack([-v[..., 0], v[..., 1], w[..., 2]], axis=-1).reshape(-1, 3)
     if not isinstance(before, Mapping | Rebounds):
-        return np.asarray(before, float).reshape(-1, 3)
+        try:
+            return np.asarray(before, float).reshape(-1, 3)
+        except (TypeError, ValueError):
+            raise CaromError(f"predict: state: expected {', '.join(names[:3])}, or an array (N, 3) of them") from None
     try:
         columns = [np.atleast_1d(np.asarray(before[name], float)) for name in names[:3]]
     except KeyError as error:

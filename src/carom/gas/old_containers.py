@@ -32,6 +32,8 @@ def with_new_container(given: Mapping[str, Any], where: str = "container") -> di
         return found
     del found["size"]
     new = _sizes(where, str(shape), lengths)
+    if both := [one for one in new if one in found and one != "shape"]:
+        raise CaromError(Fault(where, "size", f"{both[0]} alone", "both", f"size of shape {shape} is its old name"))
     if new:
         warn_of_rename(f"{where}: size (of shape {shape})", " and ".join(one for one in new if one != "shape"), 6)
     return {**found, **new}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import math
+import warnings
 from collections.abc import Callable
 from typing import Any
 
@@ -44,7 +45,8 @@ def formula(text: str, name: str) -> Callable[[Any], Any]:
     if len(text) > LONGEST:
         raise _fault(f"a formula of at most {LONGEST:,} characters", f"{len(text):,}")
     try:
-        tree = ast.parse(text.strip(), mode="eval").body
+        with warnings.catch_warnings(action="ignore"):  # (Python's about a text that is refused anyway)
+            tree = ast.parse(text.strip(), mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         raise _fault(f"a formula of {name}, such as 1 + 0.3*cos(2*{name})", shown(text)) from None
     return _read(tree, name, DEEPEST)
@@ -72,6 +74,8 @@ def _read(node: ast.AST, name: str, depth: int) -> Callable[[Any], Any]:
         if node.id in CONSTANTS:
             constant = np.float64(CONSTANTS[node.id])
             return lambda _x: constant
+        if node.id in NAMES:
+            raise _fault(f"{node.id} of something, such as {node.id}({name})", f"{node.id} alone")
         known = [name, *CONSTANTS, *NAMES]
         raise _fault(f"{name}, {', '.join(CONSTANTS)} and functions", shown(node.id), did_you_mean(node.id, known))
     if isinstance(node, ast.BinOp | ast.UnaryOp) and type(node.op) in OPERATORS:

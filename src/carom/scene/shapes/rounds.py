@@ -34,7 +34,7 @@ from carom.scene.feature_builders import (
     unit,
 )
 from carom.scene.figures.stadium import StadiumSizes
-from carom.scene.schema import Angle, Direction, Extent, Flag, Place, Point, Size, Vector
+from carom.scene.schema import Angle, Direction, Extent, Flag, Place, Point, Size, Vector, refused
 from carom.scene.shapes.planes import FAR, LEVEL
 from carom.scene.shapes.segments import LEVELS, Standing, level_faults, stands
 from carom.scene.wall import Outline, ShapeFault, ShapeKernels, WallShape, always, format_vector, put_fault
@@ -370,7 +370,11 @@ class Stadium(StadiumSizes, WallShape):
     @model_validator(mode="before")
     @classmethod
     def _with_new_names(cls, given: Any) -> Any:
-        return with_new_names("stadium", given, {"length": "straight"}) if isinstance(given, dict) else given
+        if not isinstance(given, dict):
+            return given
+        if given.keys() >= {"length", "straight"}:
+            raise refused("straight alone", "both", "length is its old name", "length")
+        return with_new_names("stadium", given, {"length": "straight"})
 
     def _point(self, along: float) -> Flat:
         c, s = direction(self.angle)
