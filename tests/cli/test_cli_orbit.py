@@ -400,3 +400,13 @@ def test_a_wedge_without_a_force_names_one_that_runs():
         in str(done.exception)
     )
     assert runner.invoke(app, ["orbit", "wedge", "--acceleration=-9.81,0", "--bounces", "5"]).exit_code == 0
+
+
+def test_the_legend_of_a_portrait_is_no_wider_than_its_axes() -> None:
+    """Two entries in one line were wider: the axes shrank, and the last number was cut off."""
+    figure = plot_portrait(carom.orbit("curve:r=1 + 0.1*cos(3*theta)", 100, orbits=100))
+    FigureCanvasAgg(figure).draw()
+    axes = figure.axes[0]
+    legend = axes.get_legend()
+    assert len(legend.get_texts()) == 2
+    assert legend.get_window_extent().width <= axes.bbox.width

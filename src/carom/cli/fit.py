@@ -229,9 +229,7 @@ def fit(
 ) -> None:
     """Fit the laws of impact to measured rebounds, and report which of them the data favour.
 
-    carom fit bounces.csv --radius 0.02 --inertia hollow
-
-    carom fit kharaz
+    Examples: carom fit bounces.csv --radius 0.02 --inertia hollow; carom fit kharaz2001.
     """
     from carom.cli.console import err
     from carom.files import require_library

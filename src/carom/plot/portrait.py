@@ -72,8 +72,8 @@ def _legend(axes: Any, curves: NDArray[np.bool_], below: float) -> None:
         for ink, words, count in inks
         if count
     ]
-    axes.legend(handles=dots, loc="upper center", bbox_to_anchor=(0.5, below), ncols=2, frameon=False, fontsize=8,
-                handletextpad=0.2, columnspacing=1.2)  # fmt: skip
+    axes.legend(handles=dots, loc="upper center", bbox_to_anchor=(0.5, below), ncols=1, frameon=False, fontsize=8,
+                handletextpad=0.2)  # fmt: skip
 
 
 def _dots(count: int) -> float:
