@@ -251,6 +251,8 @@ def test_bad_starts_are_one_line_each():
         billiards.roll(surfaces.pipe(0.1), (0.08, 0, 0), (1, 0, 0), ball=BALL)
     with pytest.raises(carom.CaromError, match="torus: tube: expected a radius below that of the ring"):
         surfaces.torus(0.1, 0.2)
+    with pytest.raises(carom.CaromError, match=r"dimension: expected an integer of 2 or more, got 2\.5"):
+        surfaces.bowl(1, dimension=2.5)
     with pytest.raises(carom.CaromError, match=r"half_axes\[1\]: expected a length > 0, got -1"):
         surfaces.ellipsoid((1, -1, 1))
     run = billiards.roll(surfaces.pipe(0.1), (0.08, 0, 0), (0, 1, 0), ball=BALL, duration=0.1)

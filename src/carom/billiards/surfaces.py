@@ -211,13 +211,13 @@ def pipe(radius: float, inside: bool = True, dimension: int = 3) -> RollingSurfa
 def bowl(radius: float, dimension: int = 3) -> RollingSurface:
     """Make a sphere about the origin with the ball inside."""
     (size,) = _sizes("bowl", radius=radius)
-    return RollingSurface("bowl", (RoundPiece(size, np.ones(dimension), -1.0),), dimension=dimension)
+    return RollingSurface("bowl", (RoundPiece(size, 0.0 * _last(dimension) + 1.0, -1.0),), dimension=dimension)
 
 
 def dome(radius: float, dimension: int = 3) -> RollingSurface:
     """Make a sphere about the origin with the ball outside."""
     (size,) = _sizes("dome", radius=radius)
-    return RollingSurface("dome", (RoundPiece(size, np.ones(dimension), 1.0),), dimension=dimension)
+    return RollingSurface("dome", (RoundPiece(size, 0.0 * _last(dimension) + 1.0, 1.0),), dimension=dimension)
 
 
 def torus(ring: float, tube: float, inside: bool = False) -> RollingSurface:
@@ -317,7 +317,7 @@ def _from_axis(x: Array) -> float:
 
 
 def _last(dimension: int) -> Array:
-    if dimension < 2:
+    if not isinstance(dimension, int) or dimension < 2:
         raise CaromError(Fault("", "dimension", "an integer of 2 or more", repr(dimension)))
     return np.array(np.eye(dimension)[-1])
 

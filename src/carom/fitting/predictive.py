@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from carom.bodies import State
 from carom.data.rebounds import COLUMNS, Rebounds
-from carom.errors import CaromError
+from carom.errors import CaromError, Fault
 from carom.fitting.data import Problem
 from carom.fitting.noise import Noise
 from carom.fitting.varying import VaryingFit, VaryingModel, varying_model
@@ -68,6 +68,8 @@ class Prediction:
         """Return whether measured states (..., 3) lie within the ellipsoid that has this share of the probability."""
         from scipy.stats import chi2, f, gamma
 
+        if not 0 < share < 1:
+            raise CaromError(Fault("inside", "share", "a share above 0 and below 1", repr(share)))
         c, d = self.distance(measured)
         if self.errors == "two-sided":
             return np.asarray(c <= gamma.ppf(share, d) ** 2 / (d + 1))
