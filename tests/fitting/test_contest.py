@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 from dev.contest import contest, where_it_wins
+from reference.varying_bounces import RADIUS, drawn_table
 
 from carom.data.rebounds import make_rebounds
 from carom.fitting import Setting, make_problem
-from tests.reference.varying_bounces import RADIUS, drawn_table
 
 
 def test_a_law_predicts_rows_that_it_has_not_seen() -> None:

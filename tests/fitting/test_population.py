@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from reference.varying_bounces import RADIUS, drawn_table
 
 import carom
 from carom.data.rebounds import Rebounds, make_rebounds
 from carom.fitting import Population, Setting, fit_population, make_problem
 from carom.fitting.predictive import predictive_of
-from tests.reference.varying_bounces import RADIUS, drawn_table
 
 SETTING = Setting(radius=RADIUS, kappa=2 / 3)
 RUBBERS = np.random.default_rng(0).normal((0.75, 0.6, 0.7), (0.03, 0.05, 0.05), (6, 3))

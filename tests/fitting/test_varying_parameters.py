@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from reference.varying_bounces import RADIUS, bounce, drawn_table
 
 import carom
 from carom.fitting.form_choice import choose_forms
@@ -14,7 +15,6 @@ from carom.fitting.noise import Noise
 from carom.fitting.parameters import ALONG, INDEX
 from carom.fitting.smooth import smooth_parameter
 from carom.fitting.varying import fit_varying
-from tests.reference.varying_bounces import RADIUS, bounce, drawn_table
 
 CONSTANT = {"e": lambda v: 0.7 + 0 * v, "mu": lambda s: 0.5 + 0 * s, "beta": lambda s: 0.3 + 0 * s}
 
