@@ -25,5 +25,5 @@ def test_a_falling_restitution_of_a_pressed_ball_is_found() -> None:
     free, numbers = fitted("polynomial", {})
     assert free < constant - 40
     # (with the least friction, that of the mirror: see docs/datasets/mathavan.md)
-    # (its error bar is at the limit of what counts as identified, on either side of it by rounding: once it was not given)
+    # (in one run of all tests it was called not identifiable; why is not known)
     assert numbers["restitution_0"] in (None, pytest.approx(0.954, abs=0.002))

@@ -35,7 +35,7 @@ class OutlineFigure(PlaneFigure):
     >>> from carom import billiards
     >>> from carom.scene.figures import ArcPiece, OutlineFigure, SegmentPiece
     >>> half = OutlineFigure(loops=[[ArcPiece((0, 0), 1.0, 0.0, 180.0), SegmentPiece((-1, 0), (1, 0))]])
-    >>> round(half.area, 6), round(billiards.table(half).wall().lengths.sum(), 6)
+    >>> round(half.area, 6), round(float(billiards.table(half).wall().lengths.sum()), 6)
     (1.570796, 5.141593)
     """
 
