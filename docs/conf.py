@@ -11,7 +11,9 @@ import tempfile
 from importlib import metadata
 from pathlib import Path
 
+import jupyter_client
 from sphinx.application import Sphinx
+from traitlets import CaselessStrEnum, default
 
 import carom
 
@@ -53,6 +55,22 @@ os.environ["PYTHONPATH"] = os.pathsep.join([str(Path(__file__).parent), *filter(
 # results that several pages show are computed by the first of them (derived_paper.py)
 _shared = tempfile.TemporaryDirectory()
 os.environ["CAROM_DOCS_SHARED"] = _shared.name
+
+
+class _SocketsInFiles(jupyter_client.AsyncKernelManager):
+    """Pages are read side by side, and two kernels that begin at once may pick the same port of TCP: one of them dies.
+
+    Each talks over sockets in a folder of its own instead.
+    """
+
+    transport = CaselessStrEnum(["tcp", "ipc"], default_value="ipc")
+
+    @default("ip")
+    def _own_folder(self) -> str:
+        return str(Path(tempfile.mkdtemp(dir=_shared.name)) / "kernel")
+
+
+jupyter_client.AsyncKernelManager = _SocketsInFiles  # (myst-nb has no setting for it)
 # (a kernel sets FORCE_COLOR for its children; TTY_COMPATIBLE comes before it)
 os.environ.update(NO_COLOR="1", TTY_COMPATIBLE="0", COLUMNS="100", PYTHONWARNINGS="default")
 # figures go into the page, also where the caller draws without a screen (MPLBACKEND=Agg)
