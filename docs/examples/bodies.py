@@ -22,6 +22,7 @@ __all__ = [
     "ellipsoid_on_wall",
     "ellipsoid_values",
     "knife_edge",
+    "penny",
     "rod_on_one_end",
     "upright_disc",
 ]
@@ -35,6 +36,7 @@ x, y, z, theta, phi = dynamicsymbols("x y z theta phi")
 _t = dynamicsymbols._t
 VX, VY, VZ = (q.diff(_t) for q in (x, y, z))
 WX, WY, WZ = dynamicsymbols("omega_x omega_y omega_z")
+RIM_GAP = x - a * sp.cos(phi)
 
 
 def _contact_velocity(arm: tuple[Expr, Expr, Expr]) -> list[Expr]:
@@ -121,14 +123,22 @@ def upright_disc(restitution: Expr = e, at: Mapping[Expr, Expr] | None = None) -
     I is the moment about its axle, J about its vertical diameter. The rim's nearest point is a cos(phi) before the
     centre.
     """
+    rim = Contact("rim", RIM_GAP.diff(_t), restitution=restitution, friction=0)
+    return _rolling_disc(contacts=[rim], at=at)
+
+
+def penny(at: Mapping[Expr, Expr] | None = None) -> ImpulsiveMotion:
+    """The same disc; the wall is a surface that its path meets, without a law of restitution."""
+    return _rolling_disc(instant={"wall": RIM_GAP}, at=at)
+
+
+def _rolling_disc(**given: Any) -> ImpulsiveMotion:
     energy = m * (VX**2 + VY**2) / 2 + I * theta.diff(_t) ** 2 / 2 + J * phi.diff(_t) ** 2 / 2
     roll = {
         "roll x": VX - a * theta.diff(_t) * sp.cos(phi),
         "roll y": VY - a * theta.diff(_t) * sp.sin(phi),
     }
-    gap = x - a * sp.cos(phi)
-    rim = Contact("rim", gap.diff(_t), restitution=restitution, friction=0)
-    return ImpulsiveMotion(energy, [theta, phi, x, y], nonhol_coneqs=roll, contacts=[rim], at=at)
+    return ImpulsiveMotion(energy, [theta, phi, x, y], nonhol_coneqs=roll, **given)
 
 
 def ellipsoid_on_wall(

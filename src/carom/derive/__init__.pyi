@@ -1,5 +1,7 @@
 from .constraints import Contact as Contact
 from .constraints import contact_at as contact_at
+from .corners import corner_conditions as corner_conditions
+from .corners import corner_jump as corner_jump
 from .impulsive import ImpulsiveMotion as ImpulsiveMotion
 from .jump import EnergyGain as EnergyGain
 from .jump import FrictionJam as FrictionJam

@@ -7,7 +7,8 @@ reflection of nonholonomic billiards (Borisov, Kilin & Mamaev). With y along the
 * the slip y - a omega_z at the wall is reversed, (26): the root of the paper, (22).
 
 The second is taken, as in the paper: only with it does the constraint (4), imposed at the instant of impact, exert an
-impulse where there is slip; with the first root that constraint has no effect.
+impulse where there is slip; with the first root that constraint has no effect. The first is the solution of Clark and Bloch's corner conditions for
+nonholonomic impacts (IEEE CDC 2019, arXiv:1909.11192; `carom.derive.corner_jump`), which hold the floor's constraints alone.
 """
 
 from __future__ import annotations
@@ -59,7 +60,8 @@ CARD = Card(
         "wall and floor act on the ball at once, with impulses that need not be compatible with friction",
     ),
     valid="The rolling reflection of nonholonomic billiards; a mathematical model. It requires that the wall pull the ball"
-    " down and that the floor have a friction above 1, so no real ball follows it.",
+    " down and that the floor have a friction above 1, so no real ball follows it. Without a constraint at the wall the same ball"
+    " is mirrored (corner conditions: Clark and Bloch 2019, arXiv:1909.11192).",
     equations="(16)-(26)",
     citation=f"{PAPER}, section 2.",
 )

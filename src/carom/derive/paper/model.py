@@ -169,6 +169,12 @@ def conventional() -> ImpulsiveMotion:
 
 
 @cache
+def smooth_wall() -> ImpulsiveMotion:
+    """Return a ball that rolls on the floor, before and after, and meets the wall as a surface of its centre's path."""
+    return _spins(nonhol_coneqs=FLOOR, instant={"wall x": WALL["wall x"]})
+
+
+@cache
 def first_impact(
     hypothesis: str = "newton", tangential: Expr = sp.S.Zero, rolls: bool = True
 ) -> tuple[ImpulsiveMotion, Jump]:
