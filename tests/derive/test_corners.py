@@ -113,7 +113,11 @@ def test_a_stiff_spring_tends_to_the_corner():
     jump = corner_jump(model.smooth_wall())
     numbers = {model.a: A, model.m: M, model.I: 0.4 * M * A * A, model.x0: u[0], model.y0: u[1], model.wz0: u[4]}
     numbers |= {model.wx0: u[2], model.wy0: u[3]}
-    wanted = [float(value.subs(numbers)) for name, value in zip(model.FIRST, jump.after.values(), strict=True) if name != model.z1]
+    wanted = [
+        float(value.subs(numbers))
+        for name, value in zip(model.FIRST, jump.after.values(), strict=True)
+        if name != model.z1
+    ]
     assert np.abs(found - wanted).max() < 1e-7  # (its constraints do not turn, so that a soft spring does as well)
 
 

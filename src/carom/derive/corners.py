@@ -115,7 +115,9 @@ def _walls(motion: ImpulsiveMotion) -> list[ConstraintRow]:
     found = [row for row in motion.imposed if row.closing is None]
     if not found:
         raise CaromError(
-            Fault("corner", "instant", "the surface that the path meets, as instant={'wall': h}", "no instant constraint")
+            Fault(
+                "corner", "instant", "the surface that the path meets, as instant={'wall': h}", "no instant constraint"
+            )
         )
     return found
 

@@ -7,8 +7,9 @@ reflection of nonholonomic billiards (Borisov, Kilin & Mamaev). With y along the
 * the slip y - a omega_z at the wall is reversed, (26): the root of the paper, (22).
 
 The second is taken, as in the paper: only with it does the constraint (4), imposed at the instant of impact, exert an
-impulse where there is slip; with the first root that constraint has no effect. The first is the solution of Clark and Bloch's corner conditions for
-nonholonomic impacts (IEEE CDC 2019, arXiv:1909.11192; `carom.derive.corner_jump`), which hold the floor's constraints alone.
+impulse where there is slip; with the first root that constraint has no effect. The first is the solution of Clark and Bloch's
+corner conditions for nonholonomic impacts (IEEE CDC 2019, arXiv:1909.11192; `carom.derive.corner_jump`), which hold the
+floor's constraints alone.
 """
 
 from __future__ import annotations
