@@ -89,14 +89,15 @@ class Ball:
 def Disc(  # noqa: N802
     radius: ArrayLike = 0.02625, mass: ArrayLike = 0.1406, inertia: Literal["disc", "ring"] | ArrayLike = "disc"
 ) -> Ball:
-    """Make a disc in the plane z = 0, which spins about z only: a :class:`Ball` with kappa up to 1.
+    """Make a disc in the plane z = 0, which spins about z only: a :class:`Ball` with any kappa above 0.
 
     Parameters
     ----------
     radius, mass : float or array
         a > 0 in m, m > 0 in kg.
     inertia : "disc", "ring", or kappa as a float or an array
-        I = kappa m a^2: 1/2 for a homogeneous disc, 1 for a ring; 0 < kappa <= 1.
+        I = kappa m a^2, > 0: 1/2 for a homogeneous disc, 1 for a ring; above 1 for a hoop with weights outside its rim, on arms
+        that pass over the walls.
 
     Returns
     -------
@@ -107,9 +108,11 @@ def Disc(  # noqa: N802
     >>> import carom
     >>> carom.Disc(radius=1.0, mass=1.0, inertia="ring").kappa
     1.0
+    >>> carom.Disc(radius=1.0, mass=1.0, inertia=4.0).moment
+    4.0
     """
     ball = object.__new__(Ball)
-    _fill(ball, "Disc", radius, mass, inertia, DISC_INERTIAS, 1.0, planar=True)
+    _fill(ball, "Disc", radius, mass, inertia, DISC_INERTIAS, math.inf, planar=True)
     return ball
 
 
@@ -143,16 +146,16 @@ def _fill(
             faults.add("inertia", f"one of {', '.join(map(repr, names))} or kappa as a number", repr(inertia))
             kappa = 1.0
     else:
-        what = f"kappa = I/(m a^2) in (0, {'2/3' if largest_kappa < 1 else '1'}]"
+        what = f"kappa = I/(m a^2) {'above 0' if planar else 'in (0, 2/3]'}"
         kappa = checked_number(faults, "inertia", inertia, what, lambda x: (x > 0) & (x <= largest_kappa * (1 + 1e-12)))
         given = np.asarray(inertia)
         if (
-            largest_kappa < 1
+            not planar
             and faults.has("inertia")
             and given.dtype.kind in "iuf"
-            and np.all((given > 0) & (given <= 1))
+            and np.all((given > 0) & (given <= MAX_MAGNITUDE))
         ):
-            faults.add_remedy("inertia", "a thin shell is 'hollow'; carom.Disc takes up to 1")
+            faults.add_remedy("inertia", "a thin shell is 'hollow'; in the plane carom.Disc takes any")
     values = {
         "radius": checked_number(faults, "radius", in_si(radius, "m"), "a length in m, > 0", lambda x: x > 0),
         "mass": checked_number(faults, "mass", in_si(mass, "kg"), "a mass in kg, > 0", lambda x: x > 0),

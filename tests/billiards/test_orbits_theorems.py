@@ -159,17 +159,17 @@ def test_wedge_periods(n):
 
 @pytest.mark.parametrize("angle", [0.6, 0.75])
 def test_least_period_12_needs_a_narrower_wedge(angle):
-    """For pi/6 < angle <= pi/4 no kappa of a disc gives the least period 12: what comes back after 12 bounces has 4 or 6."""
+    """For pi/6 < angle <= pi/4 the least period 12 needs kappa > 1; up to 1, what comes back after 12 bounces has 4 or 6."""
     least = {}
     for m in range(1, 6):
         cos = math.cos(math.pi * m / 6)
         kappa = (math.cos(angle) + cos) / (1 - cos)
-        if not 0 < kappa <= 1:
+        if kappa <= 0:
             continue
         begin = there_and_back(angle, kappa)
         start = (begin[0], np.add(begin[1], [[0.01, 0.02]]), [begin[2] + 0.01])
         least[m] = billiards.period(billiards.orbit(billiards.wedge(angle), start, 400, ball=disc(kappa)))[0]
-    assert least == {3: 4, 4: 6}
+    assert least == {1: 12, 2: 6, 3: 4, 4: 6}
 
 
 @pytest.mark.parametrize("kappa", KAPPAS)

@@ -64,7 +64,11 @@ def orbit(
     ] = None,
     kappa: Annotated[
         float | None,
-        typer.Option(help="Moment of inertia, I/(m a^2).", show_default="0.5; in space 0.4", rich_help_panel=BALL),
+        typer.Option(
+            help="Moment of inertia, I/(m a^2); any in the plane.",
+            show_default="0.5; in space 0.4",
+            rich_help_panel=BALL,
+        ),
     ] = None,
     ball_radius: Annotated[
         float | None,

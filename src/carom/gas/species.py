@@ -272,6 +272,12 @@ def system_records(
     axes = len(container.size)
     if axes == 3 and (flat := [one.name for one in species if one.ball.planar]):
         faults.add("species", "carom.Ball in three dimensions", f"a Disc, which spins about z only: {', '.join(flat)}")
+    if wide := [one.name for one in species if one.ball.planar and np.any(one.ball.kappa > 1)]:
+        faults.add(
+            "species",
+            "kappa of at most 1 for discs that meet each other, as weights beyond the rims would meet first",
+            f"more: {', '.join(wide)}",
+        )
     pull = np.array(gravity, dtype=float)
     if pull.shape not in {(3,), (axes,)} or not np.isfinite(pull).all():
         faults.add("gravity", f"{axes} numbers", f"{gravity!r}")

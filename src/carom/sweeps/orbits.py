@@ -70,7 +70,7 @@ class OrbitCase(Model):
         its fields; its sizes are swept by their paths, such as ``table.straight``
     bounds : "centre" or "surface" of the ball
     law : "no-slip", "mirror", "contact", "rolling"
-    kappa : I/(m a^2); default: 0.5 in the plane, 0.4 in space
+    kappa : I/(m a^2), in the plane any above 0; default: 0.5, in space 0.4
     restitution, friction, tangential_restitution : of the law "contact"
     bounces : of every orbit; default: 1000
     orbits : how many, at every point; default: 1
@@ -88,10 +88,7 @@ class OrbitCase(Model):
     table: AnyFigure
     bounds: Literal["centre", "surface"] = "centre"
     law: Annotated[str, PlainValidator(_orbit_law)] = "no-slip"
-    kappa: (
-        Annotated[float, BeforeValidator(Number("kappa = I/(m a^2), > 0, at most 1", least=0, most=1, above=True))]
-        | None
-    ) = None
+    kappa: Annotated[float, BeforeValidator(Number("kappa = I/(m a^2), > 0", least=0, above=True))] | None = None
     ball_radius: Extent | None = None
     restitution: Share = 1.0
     friction: Friction = float("inf")
