@@ -249,6 +249,19 @@ def _face_records(
     return faces
 
 
+def _check_discs(faults: FaultList, species: Sequence[Species], axes: int) -> None:
+    discs = [one for one in species if one.ball.planar]
+    if discs and axes == 3:
+        flat = ", ".join(one.name for one in discs)
+        faults.add("species", "carom.Ball in three dimensions", f"a Disc, which spins about z only: {flat}")
+    if wide := [one.name for one in discs if one.ball.kappa > 1]:
+        faults.add(
+            "species",
+            "kappa of at most 1 for discs that meet each other, as weights beyond the rims would meet first",
+            f"more: {', '.join(wide)}",
+        )
+
+
 def system_records(
     species: Sequence[Species],
     container: Container,
@@ -270,14 +283,7 @@ def system_records(
     if len(set(names)) < len(names):
         faults.add("species", "a different name for each", f"{names}")
     axes = len(container.size)
-    if axes == 3 and (flat := [one.name for one in species if one.ball.planar]):
-        faults.add("species", "carom.Ball in three dimensions", f"a Disc, which spins about z only: {', '.join(flat)}")
-    if wide := [one.name for one in species if one.ball.planar and np.any(one.ball.kappa > 1)]:
-        faults.add(
-            "species",
-            "kappa of at most 1 for discs that meet each other, as weights beyond the rims would meet first",
-            f"more: {', '.join(wide)}",
-        )
+    _check_discs(faults, species, axes)
     pull = np.array(gravity, dtype=float)
     if pull.shape not in {(3,), (axes,)} or not np.isfinite(pull).all():
         faults.add("gravity", f"{axes} numbers", f"{gravity!r}")
