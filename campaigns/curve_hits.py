@@ -2,8 +2,8 @@
 
     python campaigns/curve_hits.py [N] [--only CURVE]
 
-N launches (1,000,000) a curve along lines and, a fifth as many, along parabolas; half from the wall, at angles down to 1e-3, a
-tenth of the falling ones nearly or exactly vertical. Every hit must lie on the curve at the ball's distance, and brute force with
+N launches (1,000,000) a curve along lines and as many along parabolas; half from the wall, at angles down to 1e-3, a tenth of the
+falling ones nearly or exactly vertical. Every hit must lie on the curve at the ball's distance, and brute force with
 4,096 nodes must find no crossing before it, but for those within 1e-4 of the time scale. Ends with 1 if a launch is at fault.
 """
 
@@ -106,9 +106,8 @@ def main(words: Sequence[str] | None = None) -> int:
         for kind in KINDS:
             if not run.wants(kind, KINDS):
                 continue
-            wanted = run.count if kind.endswith("lines") else max(1, run.count // 5)
-            one = functools.partial(judge, count=min(CHUNK, wanted))
-            rows = run.go_through([(kind, seed) for seed in range(-(-wanted // CHUNK))], one)
+            one = functools.partial(judge, count=min(CHUNK, run.count))
+            rows = run.go_through([(kind, seed) for seed in range(-(-run.count // CHUNK))], one)
             if not rows:
                 continue
             missed, none = sum(row["missed"] for row in rows), sum(row["none"] for row in rows)

@@ -1,6 +1,6 @@
 """Smooth curves and their first crossings with lines and parabolas by brute force; places, normals, curvatures to 40 digits.
 
-Independent of carom: curves r(theta) as sums of cosines with derivatives by hand, many nodes, bisection of the parameter.
+Independent of carom: curves r(theta) as sums of cosines with derivatives by hand, many nodes, false position in the parameter.
 """
 
 from __future__ import annotations
@@ -8,8 +8,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+import numba
 import numpy as np
 from mpmath import mp, mpf
+from scipy.spatial import cKDTree
 
 __all__ = ["CURVES", "PolarSum", "bounces_in", "depth", "first_crossings", "on_parallel", "precise_frame", "random_sum"]
 
@@ -65,18 +67,15 @@ def on_parallel(curve: Any, a: float, t: Array) -> Array:
 def depth(curve: Any, x: Array, nodes: int = 2048) -> Array:
     """Return distances (N) of points (N, 2) from the curve, without a sign: from the nearest node by Newton's method."""
     t = np.linspace(0, 2 * np.pi, nodes + 1)[:-1]
-    p = curve.at(t)[0]
-    found = np.empty(len(x))
-    for k in range(0, len(x), 4000):
-        y = x[k : k + 4000]
-        near = (y * y).sum(-1)[:, None] - 2 * y @ p.T + (p * p).sum(-1)
-        u = t[near.argmin(1)]
-        for _ in range(8):
-            q, d, dd = curve.at(u)
-            rate = (d * d).sum(-1) + ((q - y) * dd).sum(-1)
-            u = u - np.clip(((q - y) * d).sum(-1) / np.where(rate > 0, rate, np.inf), -3 / nodes, 3 / nodes)
-        found[k : k + 4000] = np.linalg.norm(curve.at(u)[0] - y, axis=-1)
-    return found
+    u = t[cKDTree(curve.at(t)[0]).query(x)[1]]
+    for _ in range(8):
+        q, d, dd = curve.at(u)
+        rate = (d * d).sum(-1) + ((q - x) * dd).sum(-1)
+        step = np.clip(((q - x) * d).sum(-1) / np.where(rate > 0, rate, np.inf), -3 / nodes, 3 / nodes)
+        u = u - step
+        if len(u) == 0 or np.abs(step).max() < 1e-9:
+            break
+    return np.linalg.norm(curve.at(u)[0] - x, axis=-1)
 
 
 def first_crossings(
@@ -84,40 +83,74 @@ def first_crossings(
 ) -> Array:
     """Return times (N) at which points on parabolas first cross the parallel curve outwards between two times; infinity for none.
 
-    Crossings are seen as a change of sign between nodes of the curve, and found by bisection of its parameter.
+    Crossings are seen as a change of sign between nodes of the curve, and found by false position (Illinois) in its parameter.
     """
     best = np.full(len(x), np.inf)
     t = np.linspace(0, 2 * np.pi, nodes + 1)
     p = on_parallel(curve, a, t)
-    for first in range(0, len(x), 1000):
-        here = slice(first, first + 1000)
-        for sign in (-1.0, 1.0) if g.any() else (1.0,):
-            c = _gap(p, x[here, None], v[here, None], g, sign)[0]
-            change = (c[:, :-1] < 0) & (c[:, 1:] >= 0)
-            if g.any():
-                change |= (c[:, :-1] > 0) & (c[:, 1:] <= 0)
-            k, i = np.nonzero(change)
-            y, w = x[here][k], v[here][k]
-            below, low, high = c[k, i] < 0, t[i], t[i + 1]
-            for _ in range(50):
-                middle = (low + high) / 2
-                same = (_gap(on_parallel(curve, a, middle), y, w, g, sign)[0] < 0) == below
-                low, high = np.where(same, middle, low), np.where(same, high, middle)
-            q = on_parallel(curve, a, high)
-            s = _gap(q, y, w, g, sign)[1]
-            d = curve.at(high)[1]
-            out = (w[:, 0] + s * g[0]) * -d[:, 1] + (w[:, 1] + s * g[1]) * d[:, 0] < 0
-            on = np.abs(q - (y + s[:, None] * w + s[:, None] ** 2 / 2 * g)).max(-1) < 1e-9
-            on &= out & (s > after) & (s < until[here][k])
-            k, q, s = k[on], q[on], s[on]
-            if a > 0:  # what is nearer to another part of the curve is no wall
-                clear = depth(curve, q) > a - 1e-8
-                k, s = k[clear], s[clear]
-            np.minimum.at(best, first + k, s)
+    pull = float(np.linalg.norm(g))
+    for first in range(0, len(x), 20_000):
+        here = slice(first, first + 20_000)
+        k, i, sign = _changes(p, x[here], v[here], g, pull, after, until[here] + 1e-5)
+        y, w = x[here][k], v[here][k]
+        low, high = t[i], t[i + 1]
+        c0, c1 = _gap(p[i], y, w, g, sign)[0], _gap(p[i + 1], y, w, g, sign)[0]
+        side = np.zeros(len(k))
+        for _ in range(14):
+            with np.errstate(all="ignore"):
+                middle = np.where(c1 != c0, (low * c1 - high * c0) / (c1 - c0), high)
+            c = _gap(on_parallel(curve, a, middle), y, w, g, sign)[0]
+            left = (c < 0) == (c0 < 0)
+            # the end that stays for the second time counts half
+            c1 = np.where(left & (side == 1), c1 / 2, c1)
+            c0 = np.where(~left & (side == -1), c0 / 2, c0)
+            side = np.where(left, 1, -1)
+            low, c0 = np.where(left, middle, low), np.where(left, c, c0)
+            high, c1 = np.where(left, high, middle), np.where(left, c1, c)
+        q = on_parallel(curve, a, middle)
+        s = _gap(q, y, w, g, sign)[1]
+        d = curve.at(middle)[1]
+        out = (w[:, 0] + s * g[0]) * -d[:, 1] + (w[:, 1] + s * g[1]) * d[:, 0] < 0
+        on = np.abs(q - (y + s[:, None] * w + s[:, None] ** 2 / 2 * g)).max(-1) < 1e-9
+        on &= out & (s > after) & (s < until[here][k])
+        k, q, s = k[on], q[on], s[on]
+        if a > 0:  # what is nearer to another part of the curve is no wall
+            clear = depth(curve, q) > a - 1e-8
+            k, s = k[clear], s[clear]
+        np.minimum.at(best, first + k, s)
     return best
 
 
-def _gap(q: Array, x: Array, v: Array, g: Array, sign: float) -> tuple[Array, Array]:
+@numba.njit(error_model="numpy")
+def _changes(
+    p: Array, x: Array, v: Array, g: Array, pull: float, after: float, until: Array
+) -> tuple[Array, Array, Array]:
+    """Return launches, nodes and signs of the root of the time where the function of :func:`_gap` changes its sign."""
+    launch, node, which = [0 for _ in range(0)], [0 for _ in range(0)], [0.0 for _ in range(0)]
+    for k in range(len(x)):
+        ex, ey = (g[0] / pull, g[1] / pull) if pull > 0 else (0.0, 0.0)
+        fall, side = v[k, 0] * ex + v[k, 1] * ey, v[k, 1] * ex - v[k, 0] * ey
+        one, two, s, z = np.nan, np.nan, 0.0, 0.0
+        for i in range(len(p)):
+            dx, dy = p[i, 0] - x[k, 0], p[i, 1] - x[k, 1]
+            one0, two0, s0, z0 = one, two, s, z
+            if pull == 0.0:
+                one = v[k, 0] * dy - v[k, 1] * dx
+                s = (dx * v[k, 0] + dy * v[k, 1]) / (v[k, 0] ** 2 + v[k, 1] ** 2)
+            else:
+                inside = fall * fall + 2 * pull * (dx * ex + dy * ey)
+                root = np.sqrt(inside) if inside >= 0 else np.nan
+                s, z = (root - fall) / pull, (-root - fall) / pull
+                across = dy * ex - dx * ey
+                one, two = across - side * s, across - side * z
+            if (one0 < 0 <= one or one < 0 <= one0) and min(s0, s) < until[k] and max(s0, s) > after:
+                launch.append(k), node.append(i - 1), which.append(1.0)
+            if (two0 < 0 <= two or two < 0 <= two0) and min(z0, z) < until[k] and max(z0, z) > after:
+                launch.append(k), node.append(i - 1), which.append(-1.0)
+    return np.array(launch), np.array(node), np.array(which)
+
+
+def _gap(q: Array, x: Array, v: Array, g: Array, sign: Any) -> tuple[Array, Array]:
     """Return a function of the curve's points that is zero on the path, and the time at which the path is level with them."""
     d = q - x
     pull = np.linalg.norm(g)

@@ -16,7 +16,7 @@ from typing import Any
 
 from carom.billiards.elliptic_boundary import arc_exit, arc_wall
 from carom.core.geometry.curve import curve_line, curve_wall
-from carom.core.geometry.curve_parabola import curve_parabola
+from carom.core.geometry.curve_parabola import curve_parabola, flight_end
 from carom.core.geometry.ellipse import oval_hit
 from carom.core.jit.kernel import Vec, hot_kernel, kernel
 from carom.core.roots.first_root import hit2, hit4, next_hit4
@@ -261,25 +261,17 @@ def parabolic_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple
             t = hit4(c[0], c[1], c[2], c[3], c[4], NEVER, 0.0)
         if t < best:
             best, which = t, i
-    for i in range(world.ellipses, world.curves):
-        p = pieces[i]
-        t = curve_parabola(
-            panels,
-            int(p.c),
-            int(p.r),
-            world.inset,
-            world.extent,
-            NOISE * world.extent,
-            x[0],
-            x[1],
-            v[0],
-            v[1],
-            g0,
-            g1,
-            best,
-        )
-        if t < best:
-            best, which = t, i
+    if world.ellipses < world.curves:
+        size, near = world.extent, NOISE * world.extent
+        end = flight_end(size, x[0], x[1], v[0], v[1], g0, g1)
+        for i in range(world.ellipses, world.curves):
+            p = pieces[i]
+            most = min(best, end)
+            t = curve_parabola(
+                panels, int(p.c), int(p.r), world.inset, size, near, x[0], x[1], v[0], v[1], g0, g1, most
+            )
+            if t < best:
+                best, which = t, i
     for i in range(world.curves, world.spheres):
         r = pieces[i].r
         t = hit4(

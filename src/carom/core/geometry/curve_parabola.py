@@ -22,15 +22,17 @@ from carom.core.geometry.curve import (
     SLOPE,
     W0,
     W1,
+    X,
     offset_point,
 )  # fmt: skip
 from carom.core.jit.kernel import hot_kernel, kernel
+from carom.core.roots.bracketed import least_of_chord, newton_or_half
 
-__all__ = ["curve_parabola"]
+__all__ = ["curve_parabola", "flight_end"]
 
 NEVER = math.inf
 OVERLAP = 1e-13  # of a panel's length: so much beyond its ends still belongs to it
-SLICES = 4  # of the flight: of each, most panels are seen to be far away at once
+ROUNDING = 32.0  # times a gap that is rounding: by so much may the nodes' function be wrong
 SLOW = 1e-14  # approach that counts as rounding, relative to the speed
 
 
@@ -76,15 +78,18 @@ def _gap(
 @kernel
 def _root(
     panels: Any, j: int, a: float, x: float, y: float, u: float, v: float, g: float, h: float, low: float, high: float,
-    gap: float, rate: float,
+    gap: float, rate: float, pull: float,
 ) -> float:  # fmt: skip
     """Return the root between low, where the gap is positive, and high, where it is not and falls with the rate."""
     s = high
     for _ in range(200):
-        new = s - gap / rate if rate < 0.0 else low
+        if rate < 0.0:
+            new = s - gap / rate
+            # Newton's step is wrong by pull step^2/(2 |rate|) at most
+            if low <= new <= high and pull * ((new - s) * (new - s)) <= 4e-16 * high * -rate:
+                return new
+        new = newton_or_half(s, gap, rate, low, high)
         if not low < new < high:
-            new = low + (high - low) / 2.0
-        if abs(new - s) <= 4e-16 * high or not low < new < high:
             return new
         s = new
         gap, rate = _gap(panels, j, a, x, y, u, v, g, h, s)
@@ -104,11 +109,17 @@ def _first_fall(  # noqa: PLR0911  (one return per outcome)
     g0, u0 = _gap(panels, j, a, x, y, u, v, g, h, s0)
     if g0 < -near:
         return NEVER  # behind the wall: it has left the interior before, or is in another part of it
+    if g0 <= near and u0 < -slow:
+        return s0
+    fast = max(abs(u + g * s0), abs(u + g * end))
+    pull = abs(h) + panels[j, SLOPE] * abs(g) + panels[j, BEND] * fast * fast
+    # G >= g0 + u0 t - pull t^2/2, which is least at one of the ends
+    rest = end - s0
+    if g0 + (u0 - 0.5 * pull * rest) * rest > near:
+        return NEVER
     if g0 <= near:
-        if u0 < -slow:
-            return s0
         # it touches: on to where the gap is more than rounding. (The rate is known better than the gap.)
-        step, left = tiny, s0
+        step, left = max(tiny, u0 / pull) if pull > 0.0 else tiny, s0
         while g0 <= near:
             if s0 >= end:
                 return NEVER
@@ -117,27 +128,18 @@ def _first_fall(  # noqa: PLR0911  (one return per outcome)
             if u0 < 0.0 and g0 <= near:
                 return s0
             step = step + step
-    fast = max(abs(u + g * s0), abs(u + g * end))
-    pull = abs(h) + panels[j, SLOPE] * abs(g) + panels[j, BEND] * fast * fast
     right = end
     while s0 < end:
         g1, u1 = _gap(panels, j, a, x, y, u, v, g, h, right)
         length = right - s0
         short = length <= max(tiny, 4e-16 * right)
         if g1 > 0.0:
-            # least of the chord less pull t (length - t)/2
-            t = length / 2.0
-            if pull > 0.0:
-                t = t - (g1 - g0) / (length * pull)
-            least = min(g0, g1)
-            if 0.0 < t < length:
-                least = g0 + (g1 - g0) * (t / length) - pull * t * (length - t) / 2.0
-            if least >= 0.0 or short:
+            if short or least_of_chord(g0, g1, length, pull) >= 0.0:
                 s0, g0, u0 = right, g1, u1
                 right = min(right + 2.0 * max(length, tiny, 4e-16 * right), end)
                 continue
         elif u0 + pull * length < 0.0 or pull == 0.0:
-            return _root(panels, j, a, x, y, u, v, g, h, s0, right, g1, u1)
+            return _root(panels, j, a, x, y, u, v, g, h, s0, right, g1, u1, pull)
         elif short:
             return right
         right = s0 + length / 2.0
@@ -227,6 +229,12 @@ def _leaves(size: float, x: float, u: float, g: float) -> float:
 
 
 @kernel
+def flight_end(size: float, x: float, y: float, u: float, v: float, gx: float, gy: float) -> float:
+    """Return a time after which a point on a parabola is outside a table of that size; infinity where it stays at rest."""
+    return min(_leaves(size, x, u, gx), _leaves(size, y, v, gy))
+
+
+@kernel
 def curve_parabola(
     panels: Any, first: int, last: int, a: float, size: float, near: float,
     x: float, y: float, u: float, v: float, gx: float, gy: float, most: float,
@@ -234,37 +242,40 @@ def curve_parabola(
     """Return the time within ``most`` at which a point on a parabola leaves through an arc; infinity where it does not.
 
     ``size``: of the table, m; ``near``: a gap that is rounding, m.
+
+    A point d = v s + g s^2/2 from the start has v x g s = d x g, so that on the whole parabola, before the start and after it,
+    F = 2 (v x g) (v x d) - (d x g)^2 is zero. Along the chord of two nodes F is concave; a panel lies as near to it as its bounds
+    say. Where F has one sign at both nodes and is further from zero than that, the parabola does not meet the panel.
     """
     speed, pull = math.sqrt(u * u + v * v), math.sqrt(gx * gx + gy * gy)
-    # after this time it is outside everything
-    gone = min(most, _leaves(size, x, u, gx), _leaves(size, y, v, gy))
-    tiny = near / (speed + pull * gone)
-    step = gone / SLICES
-    for k in range(SLICES):
-        # the three points between which a part of the parabola lies
-        s0, s1 = step * k, gone if k == SLICES - 1 else step * (k + 1.0)
-        x0, y0 = x + (u + 0.5 * gx * s0) * s0, y + (v + 0.5 * gy * s0) * s0
-        x2, y2 = x + (u + 0.5 * gx * s1) * s1, y + (v + 0.5 * gy * s1) * s1
-        x1, y1 = x0 + (u + gx * s0) * (0.5 * (s1 - s0)), y0 + (v + gy * s0) * (0.5 * (s1 - s0))
-        best = NEVER
-        for j in range(first, last):
-            ex, ey = panels[j, CX], panels[j, CX + 1]
-            ox, oy = panels[j, OX], panels[j, OX + 1]
-            high = panels[j, HIGH] + near
-            c = ex * oy - ey * ox + high
-            if ex * y0 - ey * x0 > c and ex * y1 - ey * x1 > c and ex * y2 - ey * x2 > c:
+    if most == NEVER:
+        return NEVER
+    tiny = near / (speed + pull * most)
+    # without an acceleration F = v x d
+    side = 2.0 * (u * gy - v * gx) if pull > 0.0 else 1.0
+    turn = abs(side) * speed
+    noise = ROUNDING * near * (pull * (speed * speed + pull * size) if pull > 0.0 else speed)
+    best = NEVER
+    dx, dy = panels[first, X] - x, panels[first, X + 1] - y
+    across = dx * gy - dy * gx
+    before = side * (u * dy - v * dx) - across * across
+    for j in range(first, last):
+        dx, dy = panels[j + 1, X] - x, panels[j + 1, X + 1] - y
+        passed = pull * abs(across)
+        across = dx * gy - dy * gx
+        after = side * (u * dy - v * dx) - across * across
+        f0, f1 = before, after
+        before = after
+        if f0 * f1 > 0.0:
+            deep = panels[j, HIGH] - panels[j, LOW]
+            width = pull * (panels[j, LAST_XI] - panels[j, FIRST_XI] + deep)
+            if min(abs(f0), abs(f1)) > deep * (turn + 2.0 * (passed + pull * width)) + 0.25 * width * width + noise:
                 continue
-            c = ex * ox + ey * oy
-            low, far = panels[j, FIRST_XI] + c - near, panels[j, LAST_XI] + c + near
-            z0, z1, z2 = ex * x0 + ey * y0, ex * x1 + ey * y1, ex * x2 + ey * y2
-            if (z0 < low and z1 < low and z2 < low) or (z0 > far and z1 > far and z2 > far):
-                continue
-            dx, dy = x - ox, y - oy
-            t = _in_panel(
-                panels, j, a, near, tiny, SLOW * speed, ex * dx + ey * dy, ex * dy - ey * dx, ex * u + ey * v, ex * v - ey * u,
-                ex * gx + ey * gy, ex * gy - ey * gx, min(best, s1),
-            )  # fmt: skip
-            best = min(best, t)
-        if best < NEVER:
-            return best
-    return NEVER
+        ex, ey = panels[j, CX], panels[j, CX + 1]
+        dx, dy = x - panels[j, OX], y - panels[j, OX + 1]
+        t = _in_panel(
+            panels, j, a, near, tiny, SLOW * speed, ex * dx + ey * dy, ex * dy - ey * dx, ex * u + ey * v, ex * v - ey * u,
+            ex * gx + ey * gy, ex * gy - ey * gx, min(best, most),
+        )  # fmt: skip
+        best = min(best, t)
+    return best

@@ -20,6 +20,7 @@ from __future__ import annotations
 import math
 
 from carom.core.jit.kernel import kernel
+from carom.core.roots.bracketed import least_of_chord, newton_or_half
 from carom.core.roots.first_root import hit4
 
 __all__ = ["inner_axes", "oval_depth", "oval_hit"]
@@ -108,9 +109,7 @@ def _gap_root(
     """The one root between low, where the gap is not negative, and high, where it is g and falls with u: Newton, or halving."""
     s = high
     for _ in range(200):
-        new = s - g / u if u < 0.0 else low
-        if not low < new < high:
-            new = low + (high - low) / 2.0
+        new = newton_or_half(s, g, u, low, high)
         if abs(new - s) <= 4e-16 * high or not low < new < high:
             return new
         s = new
@@ -135,14 +134,7 @@ def _first_gap_root(
         length = right - s0
         short = length <= max(tiny, 4e-16 * right)
         if g1 > 0.0:
-            # least of the chord less pull t (length - t)/2
-            t = length / 2.0
-            if pull > 0.0:
-                t = t - (g1 - g0) / (length * pull)
-            least = min(g0, g1)
-            if 0.0 < t < length:
-                least = g0 + (g1 - g0) * (t / length) - pull * t * (length - t) / 2.0
-            if least >= 0.0 or short:
+            if short or least_of_chord(g0, g1, length, pull) >= 0.0:
                 s0, g0, u0 = right, g1, u1
                 right = min(right + 2.0 * max(length, tiny, 4e-16 * right), end)
                 continue
