@@ -8,6 +8,7 @@
 - Tables: `circle`, `ellipse`, `stadium`, `polygon`, `strip`, `wedge`, `sinai`, `torus`, `sphere`, `box`, `cylinder` and others.
 - Orbits: `orbit`, `final`, `reverse`; initial states from the invariant measure: `starts`.
 - Analysis: `period`, `caustics`, `section`, `drift`, `escape`, `uniformity`.
+- Transport: `mean_flight`, `diffusion`, `corridors`, `recurrence`; `escape(...).decay()`.
 - Stability: `tangent_map`, `lyapunov`; periodic orbits: `periodic_orbits`, `continue_orbit`.
 - Rolling on surfaces: `roll`, `surfaces`, `putt`.
 """

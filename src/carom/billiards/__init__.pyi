@@ -22,6 +22,7 @@ from .golf import putts as putts
 from .manifolds import Manifold as Manifold
 from .manifolds import manifold as manifold
 from .open_tables import Escape as Escape
+from .open_tables import EscapeDecay as EscapeDecay
 from .open_tables import escape as escape
 from .orbit_by_name import OrbitResult as OrbitResult
 from .orbits import Orbit as Orbit
@@ -63,3 +64,11 @@ from .table_records import ENDS as ENDS
 from .tables import Table as Table
 from .tables import table as table
 from .tables import under as under
+from .transport import Corridor as Corridor
+from .transport import Diffusion as Diffusion
+from .transport import MeanFlight as MeanFlight
+from .transport import Recurrence as Recurrence
+from .transport import corridors as corridors
+from .transport import diffusion as diffusion
+from .transport import mean_flight as mean_flight
+from .transport import recurrence as recurrence

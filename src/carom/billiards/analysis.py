@@ -23,6 +23,7 @@ __all__ = [
 
 Array = NDArray[np.float64]
 MAX_BOUNCES_AT_ONCE = 20_000_000
+DRIFT_PARTS = 20  # of an orbit, whose scatter gives the errors of its drift
 
 
 def period(found: Orbit, tolerance: float = 1e-9) -> int | NDArray[np.int64]:
@@ -212,6 +213,11 @@ class Drift:
     """(...): acceleration of the parabola fitted to the coordinates, m/s^2."""
     growth: Numbers
     """(...): extent of the orbit over the extent of its first half: 1 bounded, 2 uniform drift, 4 uniform acceleration."""
+    velocity_error: Numbers
+    """(...): standard error of the mean velocity, from the scatter of parts about a uniform acceleration; NaN for fewer
+    than 40 bounces."""
+    acceleration_error: Numbers
+    """(...): standard error of the acceleration, likewise."""
 
 
 def drift(found: Orbit, axis: int | None = None) -> Drift:
@@ -253,11 +259,31 @@ def drift(found: Orbit, axis: int | None = None) -> Drift:
     flat, rows = coordinate.reshape(-1, coordinate.shape[-1]), u.reshape(-1, coordinate.shape[-1])
     bend = [np.polyfit(a[np.isfinite(b)], b[np.isfinite(b)], 2)[0] for a, b in zip(rows, flat, strict=True)]
     ends = np.array([b[np.isfinite(b)][[0, -1]] for b in flat])
+    errors = np.array([_scatter(a[np.isfinite(b)], b[np.isfinite(b)]) for a, b in zip(rows, flat, strict=True)])
     with np.errstate(divide="ignore", invalid="ignore"):
         return Drift(
             extent(coordinate), (ends[:, 1] - ends[:, 0]).reshape(span.shape) / span,
             2 * np.array(bend).reshape(span.shape) / span**2, extent(coordinate) / extent(coordinate[..., :half]),
+            errors[:, 0].reshape(span.shape) / span, errors[:, 1].reshape(span.shape) / span**2,
         )  # fmt: skip
+
+
+def _scatter(u: Array, x: Array) -> tuple[float, float]:
+    """Return standard errors of the mean velocity and of the acceleration of coordinates x over times u from 0 to 1.
+
+    Mean velocities of parts of the orbit scatter about a straight line in time. The acceleration is that of a parabola through the
+    coordinates, whose variance is 10/7 of the variance of the line's slope where velocities are independent.
+    """
+    if len(u) < 2 * DRIFT_PARTS:
+        return math.nan, math.nan
+    cuts = np.linspace(0, len(u) - 1, DRIFT_PARTS + 1).round().astype(int)
+    size, middle = np.diff(u[cuts]), (u[cuts[1:]] + u[cuts[:-1]]) / 2
+    velocity = np.diff(x[cuts]) / size
+    middle = middle - middle @ size
+    slope = (velocity * middle) @ size / ((middle * middle) @ size)
+    rest = velocity - velocity @ size - slope * middle
+    spread = math.sqrt(float(rest * rest @ size) / (DRIFT_PARTS - 2))
+    return spread, spread * math.sqrt(10 / 7 / float((middle * middle) @ size))
 
 
 @dataclass(frozen=True)

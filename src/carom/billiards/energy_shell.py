@@ -21,7 +21,6 @@ from carom.billiards.table_records import DONE, POSITION, TIME, VELOCITY
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
 from carom.errors import CaromError, Fault
-from carom.laws.law import CONTACT_WALL
 
 __all__ = ["LARGEST_RESIDUAL", "NULL", "EnergyShell", "energy_shell", "newton_steps", "residual", "solve_periodic"]
 
@@ -49,9 +48,7 @@ class EnergyShell:
     @property
     def free(self) -> slice:
         """The unknowns among the coordinates."""
-        world = self.setup.world[0]
-        smooth = world["law"] == CONTACT_WALL and (world["mu"] == 0 or world["beta"] == -1)
-        return slice(0, 3 if smooth else 4)
+        return slice(0, 3 if self.setup.keeps_spin else 4)
 
     @property
     def speed(self) -> float:

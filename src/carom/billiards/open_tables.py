@@ -1,7 +1,8 @@
-"""When orbits leave a table: one that is open, or one with holes in its wall."""
+"""When orbits leave a table: one that is open, or one with holes in its wall; survival, escape rates."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -17,10 +18,33 @@ from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
 from carom.errors import CaromError, Fault, float_array
 
-__all__ = ["Escape", "escape"]
+__all__ = ["Escape", "EscapeDecay", "escape", "holes_in", "in_holes"]
 
 Array = NDArray[np.float64]
 MAX_BOUNCES_AT_ONCE = 20_000_000
+LIKELIER = 20.0  # so many times as likely must a law of decay be as the other
+
+
+class EscapeDecay(NamedTuple):
+    """How the number of orbits in a table falls: fits by maximum likelihood, with counting errors."""
+
+    kind: str
+    """"exponential" or "power law", whichever is 20 times as likely as the other; "undecided" in between."""
+    rate: float
+    """Of exp(-rate t): escapes over the time that orbits spent in the table, 1/s; or over their bounces."""
+    rate_error: float
+    """The rate over the square root of the number of escapes."""
+    exponent: float
+    """Of t^-exponent."""
+    exponent_error: float
+    log_odds: float
+    """Natural logarithm of the likelihood of the exponential over that of the power law."""
+    after: float
+    """Time, s, or number of bounces: only later escapes count."""
+    until: float
+    """Time or number of bounces up to which all orbits that stay were followed: only earlier escapes count."""
+    escapes: int
+    """Number of escapes in between."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,6 +65,73 @@ class Escape:
     """(...): number of bounces until then; where it stays, those made."""
     escaped: NDArray[np.bool_]
     """(...): whether it left."""
+    until: Array
+    """(...): time up to which the orbit was followed: until it left, or its last bounce."""
+
+    def survival(self, at: Any, by: str = "time") -> tuple[Array, Array]:
+        """Return the share (...) of orbits that are in the table at times (...), s, or after bounces (...), and its counting error.
+
+        NaN beyond the time, or number of bounces, up to which all orbits that stay were followed. ``by``: "time" or "bounces".
+        """
+        when, end = self._ends(by)
+        asked = np.asarray(at, float)
+        share = np.where(asked <= end, (when > asked[..., None]).mean(-1), np.nan)
+        return share, np.sqrt(share * (1.0 - share) / len(when))
+
+    def decay(self, after: float | None = None, by: str = "time") -> EscapeDecay:
+        """Fit an exponential and a power law to the escapes later than some time; orbits that stay count as such.
+
+        Parameters
+        ----------
+        after : float, > 0
+            Time, s, or number of bounces. Default: at which half of the escapes have happened.
+        by : "time" or "bounces"
+            Orbits make so many bounces in times of their own. By time, nothing counts after the time up to which all of those that
+            stay were followed, which is short where some bounces follow each other quickly.
+
+        Returns
+        -------
+        EscapeDecay. Raises CaromError for fewer than two escapes in between.
+
+        Examples
+        --------
+        Through a small hole h of a chaotic table of area A the escape rate is h v/(pi A) to first order:
+
+        >>> import math
+        >>> from carom import billiards
+        >>> table = billiards.stadium(1.0, 1.0)
+        >>> start = billiards.starts(table, 2000, seed=1, law="mirror", spins=False)
+        >>> found = billiards.escape(table, start, 500, holes=[(2.0, 2.1)], law="mirror")
+        >>> fitted, first = found.decay(after=1.0), 0.1 / (math.pi * (2 + math.pi))
+        >>> abs(fitted.rate - first) < 4 * fitted.rate_error
+        True
+        """
+        when, end = self._ends(by)
+        gone = when[when <= end]
+        if after is None and gone.size:
+            after = float(np.median(gone))
+        if not (isinstance(after, int | float | np.number) and 0 < after < math.inf) or (gone > after).sum() < 2:
+            expected = "a number > 0 with two escapes or more between it and the end"
+            raise CaromError(Fault("decay", "after", expected, f"{after!r}, with {gone.size} escapes up to {end:.6g}"))
+        count = int((gone > after).sum())
+        stretch = np.minimum(when[when > after], end)
+        rate = count / float((stretch - after).sum())
+        exponent = count / float(np.log(stretch / after).sum())
+        # the log likelihoods: n ln(rate) - n, and n ln(exponent) - n - sum ln t
+        odds = count * math.log(rate / exponent) + float(np.log(gone[gone > after]).sum())
+        sure = math.log(LIKELIER)
+        kind = "exponential" if odds > sure else "power law" if odds < -sure else "undecided"
+        root = math.sqrt(count)
+        return EscapeDecay(kind, rate, rate / root, exponent, exponent / root, odds, float(after), end, count)
+
+    def _ends(self, by: str) -> tuple[Array, float]:
+        """Return when orbits (N) left, infinite for those that stay, and up to when all of these were followed."""
+        if by not in ("time", "bounces"):
+            raise CaromError(Fault("escape", "by", '"time" or "bounces"', repr(by)))
+        followed = np.asarray(self.until if by == "time" else self.bounces, float).ravel()
+        stays = ~np.ravel(self.escaped)
+        end = float(followed[stays].min()) if stays.any() else math.inf
+        return np.where(stays, math.inf, followed), end if math.isfinite(end) else float(followed.max(initial=0.0))
 
 
 def escape(
@@ -83,11 +174,11 @@ def escape(
     """
     setup = orbit_setup(table, ball, law, surface, "end")
     bounces = require_integer("bounces", bounces)
-    gaps = _holes(setup.shape, holes)
+    gaps = holes_in(setup.shape, holes)
     first = orbit_from_setup(setup, start, 1)  # validates the starts
     shape = np.shape(first.count)
     n = int(np.prod(shape))
-    t, count, gone = np.full(n, np.nan), np.full(n, bounces), np.zeros(n, bool)
+    t, until, count, gone = np.full(n, np.nan), np.zeros(n), np.full(n, bounces), np.zeros(n, bool)
     block = max(1, min(bounces, MAX_BOUNCES_AT_ONCE // max(n, 1)))
     now = first.start
     d = table.dimension
@@ -99,7 +190,7 @@ def escape(
     while done < bounces and len(left):
         share = min(block, bounces - done)
         run = orbit_from_setup(setup, (x, v, w), share)
-        through = _through(gaps, setup.shape, run)
+        through = in_holes(gaps, setup.shape, run)
         hit = np.asarray(through.any(1))
         k = np.asarray(np.where(hit, np.argmax(through, 1), run.count))
         off = ~hit & (np.asarray(run.ending) == ESCAPED)
@@ -113,17 +204,18 @@ def escape(
         count[left[stuck]] = done + np.asarray(run.count)[stuck]
         on = ~out & ~stuck
         clock[left] += run.last[:, TIME]
+        until[left] = np.where(out, t[left], clock[left])
         left = left[on]
         x, v = run.last[on, POSITION][:, :d], run.last[on, VELOCITY][:, :d]
         w = run.last[on, SPIN][:, 2] if setup.planar else run.last[on, SPIN]
         done += share
-    return Escape(t.reshape(shape), count.reshape(shape), gone.reshape(shape))
+    return Escape(t.reshape(shape), count.reshape(shape), gone.reshape(shape), until.reshape(shape))
 
 
 # --- holes ------------------------------------------------------------------------------------------------------------
 
 
-class _Hole(NamedTuple):
+class Hole(NamedTuple):
     wall: int
     low: float
     high: float
@@ -131,8 +223,8 @@ class _Hole(NamedTuple):
     """Whether it goes over the beginning of its wall: from ``low`` to the end, and from the beginning to ``high``."""
 
 
-def _holes(shape: Boundary, given: Any) -> list[_Hole]:
-    """Return holes in their walls. CaromError, one line for each that is none."""
+def holes_in(shape: Boundary, given: Any, where: str = "escape", field: str = "holes") -> list[Hole]:
+    """Return intervals of arc length, each in its wall. CaromError, one line for each that is none."""
     try:
         intervals = float_array(given)
     except (TypeError, ValueError):
@@ -143,20 +235,20 @@ def _holes(shape: Boundary, given: Any) -> list[_Hole]:
         intervals = intervals[None, :]
     expected = "intervals (from, to) of arc length in m with from < to"
     if intervals.ndim != 2 or intervals.shape[1] != 2:
-        raise CaromError(Fault("escape", "holes", expected, f"{' '.join(repr(given).split()):.80}"))
+        raise CaromError(Fault(where, field, expected, f"{' '.join(repr(given).split()):.80}"))
     walls = shape.connected()
     if not walls:
-        raise CaromError(Fault("escape", "holes", "a table whose wall has an arc length", "a sphere", "give no holes"))
+        raise CaromError(Fault(where, field, "a table whose wall has an arc length", "a sphere", f"give no {field}"))
     faults, found = [], []
     for k, (low, high) in enumerate(intervals.tolist()):
         got = f"({low:.9g}, {high:.9g})"
-        where = "escape: holes" if len(intervals) == 1 else f"escape: holes[{k}]"
+        place = f"{where}: {field}" if len(intervals) == 1 else f"{where}: {field}[{k}]"
         if not low < high:
-            faults.append(f"{where}: expected {expected}, got {got}")
+            faults.append(f"{place}: expected {expected}, got {got}")
             continue
         hole = _hole(walls, low, high)
         if isinstance(hole, str):
-            faults.append(f"{where}: expected {hole}, got {got}")
+            faults.append(f"{place}: expected {hole}, got {got}")
         else:
             found.append(hole)
     if faults:
@@ -164,7 +256,7 @@ def _holes(shape: Boundary, given: Any) -> list[_Hole]:
     return found
 
 
-def _hole(walls: list[ConnectedWall], low: float, high: float) -> _Hole | str:
+def _hole(walls: list[ConnectedWall], low: float, high: float) -> Hole | str:
     """Return a hole; or, of an interval that is none, what was expected."""
     touched = [k for k, wall in enumerate(walls) if low < wall.last and high > wall.first]
     if not touched:
@@ -175,15 +267,15 @@ def _hole(walls: list[ConnectedWall], low: float, high: float) -> _Hole | str:
     wall = walls[touched[0]]
     size = wall.last - wall.first
     if wall.first <= low and high <= wall.last:
-        return _Hole(touched[0], low, high, wraps=False)
+        return Hole(touched[0], low, high, wraps=False)
     if high - low > size or not wall.closed:
         what = "closed" if wall.closed else "not closed"
         return f"a hole within its wall, which is {what}, from {wall.first:.9g} to {wall.last:.9g} m"
     low, high = (low + size, high) if low < wall.first else (low, high - size)
-    return _Hole(touched[0], low, high, wraps=True)
+    return Hole(touched[0], low, high, wraps=True)
 
 
-def _through(holes: list[_Hole], shape: Boundary, run: Orbit) -> NDArray[np.bool_]:
+def in_holes(holes: list[Hole], shape: Boundary, run: Orbit) -> NDArray[np.bool_]:
     """Return which bounces (..., B) of orbits lie in a hole."""
     found = np.zeros(run.piece.shape, bool)
     if holes:

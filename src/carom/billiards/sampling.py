@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from itertools import combinations, pairwise
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,7 @@ from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
 from carom.errors import CaromError, Fault
 
-__all__ = ["starts"]
+__all__ = ["free_area", "starts"]
 
 Array = NDArray[np.float64]
 BYTES_PER_START = 400  # of memory, while a start is drawn and followed
@@ -27,7 +28,14 @@ ENERGY_SCAN_POINTS = 20_000  # points of a wall at which the greatest kinetic en
 
 
 def starts(
-    table: Table, count: int, seed: int = 0, *, ball: Ball | None = None, law: Any = "no-slip", speed: float = 1.0
+    table: Table,
+    count: int,
+    seed: int = 0,
+    *,
+    ball: Ball | None = None,
+    law: Any = "no-slip",
+    speed: float = 1.0,
+    spins: bool = True,
 ) -> Start:
     """Draw states just after a bounce from the invariant measure ``|v.n|`` ds d(velocities and spins of one energy).
 
@@ -51,6 +59,9 @@ def starts(
         As for :func:`orbit`.
     speed : float
         sqrt(2 energy / m), m/s; under a force across walls, the speed of a ball at the origin.
+    spins : bool
+        Whether velocities and spins share the energy. Without, no ball spins and all have one speed, in the directions of the same
+        measure: the point particle of textbooks, for laws that leave the spin alone.
 
     Returns
     -------
@@ -94,6 +105,11 @@ def starts(
     u = rng.normal(size=(count, free))
     u *= (rng.uniform(size=count) ** (1 / free) / np.linalg.norm(u, axis=1))[:, None]
     across = np.sqrt(1 - (u * u).sum(1))
+    if not spins:
+        moves = 1 if planar else 2  # components of the velocity along the wall; the others are spins
+        u[:, moves:] = 0.0
+        share = np.sqrt(across**2 + (u * u).sum(1))
+        across, u = across / share, u / share[:, None]
     t = np.cross(n, np.where(np.abs(n[:, 2:]) < 0.9, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]))
     t /= np.linalg.norm(t, axis=1, keepdims=True)
     rolls = math.sqrt(1 + kappa) if setup.rolls else 1.0
@@ -222,6 +238,27 @@ def _covered(side: Boundary, x: Array) -> NDArray[np.bool_]:
         return np.zeros(len(x), bool)
     covered: NDArray[np.bool_] = side.gap(x) < -COVERED * max(one[2] for one in side.images)
     return covered
+
+
+def free_area(side: Boundary) -> tuple[float, float]:
+    """Return the area within a boundary in the plane and the length of the boundary that a ball can touch, m^2 and m."""
+    around = float(side.lengths.sum())
+    if side.cell is None:
+        # the integral of -x.n/2 along the boundary, n the normal inwards
+        nodes, weights = np.polynomial.legendre.leggauss(16)
+        ends = np.unique(np.concatenate([side.starts, side.starts + side.lengths]))
+        cuts = np.concatenate([np.linspace(a, b, 65)[:-1] for a, b in pairwise(ends)] + [ends[-1:]])
+        half = np.diff(cuts)[:, None] / 2
+        _k, x, n = side.place((cuts[:-1, None] + half + half * nodes).ravel())
+        return float(-((x * n).sum(-1).reshape(-1, 16) * half * weights).sum() / 2), around
+    circles = [(x, y, r) for x, y, r, *_ in [*side.outside, *side.images]]
+    apart = all(math.hypot(a - c, b - d) >= r + s for (a, b, r), (c, d, s) in combinations(circles, 2))
+    if not apart or any(abs(y) + r > -one.offset for _x, y, r in circles for one in side.faces):
+        area, around, *_ = _cross_section(side, around)
+        return area, around
+    w, h = side.cell
+    whole = w * (-sum(one.offset for one in side.faces) if side.faces else h)
+    return whole - math.pi * math.fsum(r * r for _x, _y, r, *_ in side.outside), around
 
 
 def _cross_section(side: Boundary, around: float) -> tuple[float, float, Array, Array]:

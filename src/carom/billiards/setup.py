@@ -99,6 +99,12 @@ class OrbitSetup:
         return self.response == ROLLING_WALL
 
     @property
+    def keeps_spin(self) -> bool:
+        """Whether the law leaves the spin alone: a smooth wall."""
+        world = self.world[0]
+        return bool(world["law"] == CONTACT_WALL and (world["mu"] == 0 or world["beta"] == -1))
+
+    @property
     def planar(self) -> bool:
         """Whether the table lies in the plane."""
         return self.table.dimension == 2

@@ -63,7 +63,7 @@ def orbit_facts(found: OrbitResult) -> dict[str, Any]:
         if along and not falls and found.t.shape[-1] >= 4:
             axis = 2 if table.name in ("plates", "cylinder") else 0
             drift = billiards.drift(found, axis)
-            names_ = ("extent", "velocity", "acceleration", "growth")
+            names_ = ("extent", "velocity", "velocity_error", "acceleration", "acceleration_error", "growth")
             if len(made) == 1:
                 facts["drift"] = {"axis": "xyz"[axis]} | {n: json_value(np.ravel(getattr(drift, n))[0]) for n in names_}
     if found.reversal_error is not None:
@@ -165,7 +165,7 @@ def print_orbit(facts: dict[str, Any], found: OrbitResult) -> None:
         kind = "bounded" if d["growth"] is not None and d["growth"] < 1.3 else "not bounded so far"
         grid.add_row(
             "along " + d["axis"],
-            f"{kind}: extent {d['extent']:.6g} m, mean velocity {d['velocity']:.3g} m/s, acceleration {d['acceleration']:.3g} m/s²",
+            f"{kind}: extent {d['extent']:.6g} m{_drift_rates(d)}",
         )
     if facts.get("reversal_error") is not None:
         grid.add_row("backwards", f"returns to within {facts['reversal_error']:.1e} m")
@@ -184,6 +184,16 @@ def print_orbit(facts: dict[str, Any], found: OrbitResult) -> None:
         console.print(found.periodic.completeness, style="dim", soft_wrap=True)
     elif facts["orbits"] == 1 and facts["count"]:
         console.print(_first_bounces(found))
+
+
+def _drift_rates(d: dict[str, Any]) -> str:
+    """Return mean velocity and acceleration with their errors; nothing for an orbit that is too short to have errors."""
+    if d["velocity_error"] is None:
+        return ""
+    return (
+        f", mean velocity {d['velocity']:.3g} ± {d['velocity_error']:.1g} m/s,"
+        f" acceleration {d['acceleration']:.3g} ± {d['acceleration_error']:.1g} m/s²"
+    )
 
 
 def _periodic_orbits(found: PeriodicOrbits) -> Any:
