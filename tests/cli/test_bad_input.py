@@ -318,15 +318,15 @@ def test_settings_of_fits_that_are_no_numbers(value):
     [
         (
             ("compare", "--angle", "x"),
-            "carom: --angle: expected an angle, such as 45 (degrees) or 0.79rad, got 'x' (carom --help)",
+            "carom: --angle: expected an angle, such as 45 (degrees) or 0.79rad, got 'x' (carom compare --help)",
         ),
         (
             ("compare", "--angle=x"),
-            "carom: --angle: expected an angle, such as 45 (degrees) or 0.79rad, got 'x' (carom --help)",
+            "carom: --angle: expected an angle, such as 45 (degrees) or 0.79rad, got 'x' (carom compare --help)",
         ),
         (
             ("simulate", "a.toml", "--max-events", "1.5"),
-            "carom: --max-events: expected a valid integer, got '1.5' (carom --help)",
+            "carom: --max-events: expected a valid integer, got '1.5' (carom simulate --help)",
         ),
     ],
 )

@@ -11,6 +11,7 @@ from reference.written_tables import BETA, KAPPA, LAYOUTS, MU, RADIUS, STRAIGHT,
 
 from carom.data import read_rebounds
 from carom.data.rebound_files import heads_rebounds
+from carom.errors import CaromError
 from carom.fitting import Setting, fit_laws
 
 ALL = ("speed_and_angle", "from_surface", "x_and_y", "errors_in_cells", "missing_cells", "normalised_spin")
@@ -53,6 +54,7 @@ def test_heights_times_and_ratios_without_spins_give_the_restitution_alone(tmp_p
     one = ranking.best.estimates["restitution"]
     assert abs(one.value - E) < 3 * one.stderr < 0.01
     assert "Only the restitution is measured" in ranking.verdict
+    assert not any("lower limit" in said for said in ranking.best.degenerate)
 
 
 def test_heights_are_speeds(tmp_path: Path) -> None:
@@ -105,3 +107,26 @@ def test_a_height_below_the_floor_is_refused(tmp_path: Path, capsys: pytest.Capt
     assert "column 'rebound_height': expected heights of at least 0, got -0.1 m" in " ".join(
         fails(capsys, "fit", str(path), "--radius", "0.033")
     )
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("vx_in [furlong],vy_in,vx_out,vy_out\n1,1,-1,1\n", "column 'vx_in [furlong]': expected a unit, one of m/s"),
+        (
+            "v_n_in,v_n_out,spin_in\n1,0.6 ± 1e999,0\n",
+            "v_n_out: expected an error bar that is a finite number, got inf at",
+        ),
+        (
+            "v_n_in,v_n_out ± 1e999,spin_in\n1,0.6,0\n",
+            "v_n_out ± 1e999: expected an error bar that is a finite number, got",
+        ),
+    ],
+)
+def test_a_fault_is_one_line(tmp_path: Path, text: str, line: str) -> None:
+    file = tmp_path / "rebounds.csv"
+    file.write_text(text)
+    with pytest.raises(CaromError) as caught:
+        read_rebounds(file)
+    (fault,) = str(caught.value).splitlines()
+    assert line in fault

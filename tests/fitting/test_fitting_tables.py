@@ -130,12 +130,13 @@ def test_spins_that_nobody_measured_are_no_pattern_of_the_law_s():
 
 
 def test_a_score_that_cannot_be_had_or_disagrees_is_said():
-    said = cross_validation.score_warnings("sliding", {"sliding": -2.0, "maw": -1.9, "contact": math.nan}, "maw")
+    said = cross_validation.score_warnings("sliding", {"sliding": -2.0, "maw": -1.9, "contact": math.nan}, "maw", 20)
     assert [line.split(":")[1].split(",")[0].strip() for line in said] == [
         "none for contact",
         "maw predicts rows that were left out better than sliding (-1.9 and -2 per row)",
     ]
-    assert cross_validation.score_warnings("sliding", {"sliding": -2.0, "maw": -2.1}, "maw") == []
+    assert cross_validation.score_warnings("sliding", {"sliding": -2.0, "maw": -2.1}, "maw", 20) == []
+    assert cross_validation.score_warnings("sliding", {"sliding": 7.5906, "maw": 7.5911}, "maw", 200) == []
 
 
 def filmed(seed, n, sigma=0.004, shared=False):

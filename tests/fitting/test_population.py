@@ -75,3 +75,17 @@ def test_a_table_without_surfaces_is_refused() -> None:
         fit_population(table, SETTING)
     with pytest.raises(carom.CaromError, match="expected two surfaces or more, of 3 rows or more, got 1 surface"):
         fit_population(named({"one": rows_of(0, 8, 1)}), SETTING)
+
+
+def test_surfaces_of_one_table_have_a_common_distribution() -> None:
+    rows = named({name: rows_of(j, 12, j) for j, name in enumerate(("hard", "soft", ""))})
+    each = carom.fit(
+        rows, RADIUS, inertia="hollow", laws="contact", by="surface", population=True, bootstrap=0, profiles=False
+    )
+    assert list(each) == ["hard", "soft", "(no surface)"]
+    assert each.population.law == "contact"
+    found = each.as_dict()["population"]["surfaces"]
+    assert list(found) == ["(no surface)", "hard", "soft"]
+    assert all(0 <= share <= 1 for one in found.values() for share in one["shrinkage"].values())
+    with pytest.raises(carom.CaromError, match="`population`: expected `by` as well"):
+        carom.fit(rows, RADIUS, population=True)

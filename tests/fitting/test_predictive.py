@@ -91,3 +91,5 @@ def test_a_state_that_is_none_is_refused(state: Any) -> None:
     problem = make_problem(make_rebounds("planar", drawn_table(12, 1, sigma=0.1, bars=True, **TRUTH)), SETTING)[0]
     with pytest.raises(carom.CaromError, match="predict: state: expected v_n_in, v_t_in, spin_in, or an array"):
         impacts(problem, state)
+    with pytest.raises(carom.CaromError, match="state: expected finite numbers, got spin_in nan in row 2"):
+        impacts(problem, [(1, 2, 3), (1, 2, np.nan)])

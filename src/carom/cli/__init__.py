@@ -99,12 +99,12 @@ def _run(asked: list[bool]) -> int:
             return _interrupted()
         if not hasattr(error, "format_message"):
             raise
-        from carom.cli.usage import usage_fault
+        from carom.cli.usage import help_of, usage_fault
 
         if type(error).__name__ == "NoArgsIsHelpError":
             sys.stderr.write(f"{error}\n")
         else:
-            _print_errors(f"{usage_fault(error)} (carom --help)")
+            _print_errors(f"{usage_fault(error)} ({help_of(error)})")
     return 2
 
 

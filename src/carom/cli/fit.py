@@ -175,6 +175,14 @@ def fit(
             metavar="COLUMN", help="Fit the rows of each value of this column, such as surface.", rich_help_panel=DATA
         ),
     ] = None,
+    population: Annotated[
+        bool,
+        typer.Option(
+            "--population",
+            help="With --by: fit a common distribution of the values' numbers, too.",
+            rich_help_panel=DATA,
+        ),
+    ] = False,
     sigma_v: Annotated[float | None, shared("sigma_v", default="of the table")] = None,
     sigma_spin: Annotated[float | None, shared("sigma_spin", default="of the table")] = None,
     spin: Annotated[
@@ -256,7 +264,8 @@ def fit(
         "floor_restitution": floor_restitution, "roll": roll, "kind": kind, "stage": stage, "rate": rate,
         "scale": faults.attempt(parse_length, "scale", scale), "view": view, "balls": balls, "whole": whole,
         "cushions": cushions, "shot": shot, "table": table,
-        "noise": faults.attempt(parse_length, "noise", noise), "where": where or (), "by": by, "sigma_v": sigma_v,
+        "noise": faults.attempt(parse_length, "noise", noise), "where": where or (), "by": by, "population": population,
+        "sigma_v": sigma_v,
         "sigma_spin": sigma_spin, "spin": spin, "every_contact": every_contact, "scatter": scatter, "bootstrap": bootstrap,
         "profiles": profiles, "seed": seed,
     }  # fmt: skip

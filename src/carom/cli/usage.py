@@ -8,7 +8,7 @@ from typing import Any
 from carom.cli.option_names import verbs_with
 from carom.errors import Fault, did_you_mean, near_name, shortened_list
 
-__all__ = ["usage_fault"]
+__all__ = ["help_of", "usage_fault"]
 
 
 def usage_fault(error: Any) -> str:
@@ -30,6 +30,12 @@ def usage_fault(error: Any) -> str:
         if name in names and expected != said and (value or k + 1 < len(sys.argv)):
             return str(Fault("", name, expected, f"{value or sys.argv[k + 1]!r:.60}"))
     return message
+
+
+def help_of(error: Any) -> str:
+    """Return the words that show the help of the verb that an error is about."""
+    context = getattr(error, "ctx", None)
+    return " ".join([*(_path(context) if context else ["carom"]), "--help"])
 
 
 def _unknown_option(name: str, context: Any) -> Fault:

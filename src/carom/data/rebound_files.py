@@ -128,8 +128,7 @@ def rebounds_of_columns(
             faults.add(f"column {header!r}", f"one column for {meaning.quantity}", "two")
         else:
             values, errors = number(i, header)
-            if (shared := header_error(header)) is not None and errors is None:
-                errors = np.full(len(values), shared[0]), np.full(len(values), shared[1])
+            errors = _errors_of(header, errors, rows, faults)
             if meaning.quantity.startswith("sigma_") and relative_header(header):
                 relative[meaning.quantity] = values
                 continue
@@ -140,6 +139,9 @@ def rebounds_of_columns(
                 known = np.isfinite(sigma) & (sigma > 0)
                 filled = np.where(known, sigma, np.median(sigma[known]) if known.any() else np.nan)
                 measured[f"sigma_{meaning.quantity}"] = np.where(np.isnan(value), np.nan, filled)
+    # (the components that a quantity without a unit would have given are missing as well)
+    if any(meaning.unit is None and meaning.quantity in TARGETS for meaning in meanings.values()):
+        faults.raise_if_any()
     for name, share in relative.items():
         if (of := measured.get(name.removeprefix("sigma_"))) is not None:
             measured[name] = np.where(np.isnan(of), np.nan, _share_of(of, share))
@@ -167,6 +169,16 @@ def rebounds_of_columns(
         stages = None
     made = make_rebounds(kind, measured, stage=stages, extra=extra, rows=rows, source=source)
     return rows_of_stage(replace(made, notes=(*found.notes, *made.notes)), stage)
+
+
+def _errors_of(header: str, errors: Errors | None, rows: Sequence[str], faults: FaultList) -> Errors | None:
+    """Return the error bars of cells, else that of the header; none, with a fault, where one is infinite."""
+    if errors is None and (shared := header_error(header)) is not None:
+        errors = np.full(len(rows), shared[0]), np.full(len(rows), shared[1])
+    if errors is None or not (endless := np.isinf(errors[0])).any():
+        return errors
+    faults.add(header.strip(), "an error bar that is a finite number", f"inf {which_rows(endless, rows)}")
+    return None
 
 
 def _share_of(value: Array, percent: Array) -> Array:

@@ -114,7 +114,7 @@ def split_errors(
             plain[k] = found[1]
             places = len(re.split("[.,]", found[1])[1]) if re.search("[.,]", found[1]) else 0
             errors[k] = int(found[2]) / 10**places
-    return plain, (errors, percent) if np.isfinite(errors).any() else None
+    return plain, None if np.isnan(errors).all() else (errors, percent)
 
 
 def header_error(header: str) -> tuple[float, bool, str] | None:

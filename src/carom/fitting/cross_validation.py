@@ -26,6 +26,7 @@ Array = NDArray[np.float64]
 CROSS_VALIDATION_WORK = 4e5
 FOLDS, MAX_FOLDED_ROWS, FEW_STEPS = 10, 20_000, 6
 LARGEST_STEP = 3.0  # error bars by which one Newton step may move a parameter
+LEAST_GAIN = 0.5  # of the log likelihood of all rows, left out in turn: a smaller difference speaks against no law
 
 
 def cross_validated_score(fit: Fit) -> float:
@@ -75,15 +76,15 @@ def one_step_without(fit: Fit, problem: Problem, left_out: Array) -> Array:
     return p
 
 
-def score_warnings(best: str, scores: dict[str, float], rival: str) -> list[str]:
-    """Return notes on scores (by law) that are missing, and on one that speaks against the best law."""
+def score_warnings(best: str, scores: dict[str, float], rival: str, rows: int) -> list[str]:
+    """Return notes on scores (by law, per row) that are missing, and on one that speaks against the best law."""
     missing = [name for name, score in scores.items() if not math.isfinite(score)]
     notes = []
     if missing:
         notes.append(
             f"CV score: none for {', '.join(missing)}: rows that were left out have no likelihood there; the verdict rests on AICc"
         )
-    if rival and scores[rival] > scores[best]:
+    if rival and rows * (scores[rival] - scores[best]) > LEAST_GAIN:
         notes.append(
             f"CV score: {rival} predicts rows that were left out better than {best} ({scores[rival]:.4g} and"
             f" {scores[best]:.4g} per row): the two criteria disagree, do not rely on the verdict"

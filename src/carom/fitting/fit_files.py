@@ -38,6 +38,13 @@ __all__ = ["TRACK_NUMBERS", "check_fit", "fit"]
 
 TRACK_NUMBERS = ("rolling_resistance", "spin_loss", "wall_left", "wall_right", "wall_bottom", "wall_top")
 """Parameters of whole tracks that a table of rebounds does not have."""
+OF_CONTACTS = (
+    "sigma_v", "sigma_spin", "bootstrap", "profiles", "every_contact", "by", "population", "kind", "stage", "seed", "robust",
+    "forms", "scatter", "balls", "roll",
+)  # fmt: skip
+OF_FRAMES = ("noise", "cushions")
+OF_FILMS = ("scale", "rate", "view", "balls")
+OF_TABLES = ("contact_height", "floor_friction", "floor_restitution", "roll")
 MEASURING = 0.4  # of the progress, until all contacts are measured
 
 
@@ -73,6 +80,7 @@ def fit(
     noise: float | None = None,
     where: Where = (),
     by: str | None = None,
+    population: bool = False,
     sigma_v: float | None = None,
     sigma_spin: float | None = None,
     spin: float | str | None = None,
@@ -124,6 +132,8 @@ def fit(
         As for :func:`carom.fitting.usable_rows`.
     by : str, optional
         A column of the table, such as surface: laws are fitted to the rows of each of its values.
+    population : bool
+        With ``by``: whether the values' numbers are fitted with a common distribution as well (``.population`` of the result).
     scatter : "share" or "absolute", optional
         Of contacts beyond the error bars.
     bootstrap, profiles, seed
@@ -158,18 +168,17 @@ def fit(
     film = Calibration(scale=scale, rate=rate)
     if whole:
         return _fit_whole(ready, film, where, progress)
+    if not ready.films:
+        _require_effect(options, OF_FILMS, "a track", "rebounds")
     rebounds = _rebounds(ready, film, kind, stage, view, balls, progress)
-    _require_effect(
-        rebounds, ready.films, {"scale": scale, "rate": rate, "view": view, "balls": balls or None},
-        {"contact_height": contact_height, "floor_friction": floor_friction, "floor_restitution": floor_restitution or None,
-         "roll": None if roll == 1 else roll},
-    )  # fmt: skip
+    if rebounds.kind == "planar":
+        _require_effect(options, OF_TABLES, "rebounds of a ball on a table", "planar ones")
     how: dict[str, Any] = {
         "where": where, "sigma_v": sigma_v, "sigma_spin": sigma_spin, "spin": spin, "every_contact": every_contact,
         "profiles": profiles, "bootstrap": bootstrap, "seed": seed or 0, "progress": progress,
     }  # fmt: skip
     if by is not None:
-        return fit_by(rebounds, ready.setting, ready.laws or None, by, forms=forms, **how)
+        return fit_by(rebounds, ready.setting, ready.laws or None, by, forms=forms, population=population, **how)
     shifted = ready.published.shifted if ready.published else ()
     ranking = fit_laws(rebounds, ready.setting, ready.laws or None, shifted=shifted, **how)
     return ranking.with_forms(progress) if forms else ranking
@@ -220,16 +229,11 @@ def _checked(asked: SimpleNamespace) -> _Request:
     if strange:  # (said once)
         fixed, bounds = {}, {}
     faults.attempt(require_error_bars, asked.sigma_v, asked.sigma_spin)
-    of_contacts = {
-        "sigma_v": asked.sigma_v, "sigma_spin": asked.sigma_spin, "bootstrap": asked.bootstrap, "profiles": asked.profiles,
-        "every_contact": asked.every_contact or None, "by": asked.by, "kind": asked.kind, "stage": asked.stage, "seed": asked.seed,
-        "robust": asked.robust or None, "forms": asked.forms or None, "scatter": asked.scatter or None,
-        "balls": asked.balls or None, "roll": None if asked.roll == 1 else asked.roll,
-    }  # fmt: skip
-    of_frames = {"noise": asked.noise, "cushions": None if asked.cushions == CUSHIONS else asked.cushions}
+    unused = _given(asked, OF_CONTACTS if asked.whole else OF_FRAMES)
     wanted = "no `whole`, which fits frames instead of contacts" if asked.whole else "`whole` as well"
-    unused = of_contacts if asked.whole else of_frames
-    faults += [Fault("", f"`{name}`", wanted, advice="omit it") for name, value in unused.items() if value is not None]
+    faults += [Fault("", f"`{name}`", wanted, advice="omit it") for name in unused]
+    if asked.population and asked.by is None and not asked.whole:
+        faults.add("`population`", "`by` as well, a column that names the surface of each row", "none")
     names = [asked.laws] if isinstance(asked.laws, str) else list(asked.laws or [])
     faults += _strange_words(
         names if asked.laws is not None else None,
@@ -349,16 +353,18 @@ def _rebounds(
     return rebounds_of_files(ready.paths, film, about, kind=kind, stage=stage, balls=balls, progress=progress)
 
 
-def _require_effect(rebounds: Rebounds, films: bool, of_films: Mapping[str, Any], of_tables: Mapping[str, Any]) -> None:
-    """Raise CaromError for arguments without effect: those of films for rebounds, those of tables for planar rebounds."""
-    faults = (
-        [] if films else [f"`{name}`: expected a track, got rebounds" for name, x in of_films.items() if x is not None]
-    )
-    if rebounds.kind == "planar":
-        said = "expected rebounds of a ball on a table, got planar ones"
-        faults += [f"`{name}`: {said}" for name, x in of_tables.items() if x is not None]
-    if faults:
-        raise CaromError(*(f"{fault}; omit it" for fault in faults))
+def _given(asked: SimpleNamespace, names: Sequence[str]) -> list[str]:
+    """Return the arguments of :func:`fit` that were given, of some."""
+    defaults = _defaults()
+    return [name for name in names if getattr(asked, name) not in (defaults[name], "")]
+
+
+def _require_effect(asked: SimpleNamespace, names: Sequence[str], expected: str, got: str) -> None:
+    """Raise CaromError for arguments that were given and apply to other data alone."""
+    faults = FaultList()
+    for name in _given(asked, names):
+        faults.add(f"`{name}`", expected, got, "omit it")
+    faults.raise_if_any()
 
 
 def _fit_whole(ready: _Request, film: Calibration, where: Where, progress: Progress | None) -> TrackRanking:

@@ -257,8 +257,11 @@ def _limit(subject: Subject, i: int, sign: int) -> float:
 def _sentence(subject: Subject, names: list[str]) -> str:
     """Return a sentence about parameters that the data do not identify."""
     said, values = f"{subject.label}: {' and '.join(names)}: ", dict(zip(subject.names, subject.values, strict=True))
-    if names == ["friction"]:
-        limit = _limit(subject, list(subject.names).index("friction"), -1)
+    if (
+        names == ["friction"]
+        and subject.rise(i := subject.names.index("friction"), subject.parameters[i].low) >= ONE_SIDED
+    ):
+        limit = _limit(subject, i, -1)
         return f"{said}no contact slides throughout, so only a lower limit is identifiable: {limit:.3g} or more (95 %)"
     if len(names) == 1 and names[0] in SLIP_RETURN:
         return f"{said}every contact slides throughout, so no measurement depends on it; film steeper hits"

@@ -197,6 +197,14 @@ def held_out_score(fit: VaryingFit, folds: int = FOLDS) -> tuple[float, Array]:
 def impacts(problem: Problem, before: State | Mapping[str, Any] | Rebounds | Any) -> Array:
     """Return impacts (N, 3) of a table's columns, or of states that meet a wall whose normal is (1, 0, 0)."""
     names = COLUMNS[problem.rebounds.kind]
+    x = _impacts(names, before)
+    if (wrong := np.argwhere(~np.isfinite(x))).size:
+        i, j = wrong[0].tolist()
+        raise CaromError(Fault("predict", "state", "finite numbers", f"{names[j]} {x[i, j]} in row {i + 1}"))
+    return x
+
+
+def _impacts(names: tuple[str, ...], before: Any) -> Array:
     if isinstance(before, State):
         v, w = before.velocity, before.spin
         return np.stack([-v[..., 0], v[..., 1], w[..., 2]], axis=-1).reshape(-1, 3)

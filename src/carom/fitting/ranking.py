@@ -364,7 +364,7 @@ def _fit_rows(
         which = f"{outliers[0].row} alone sways" if len(outliers) == 1 else f"{len(outliers)} outliers sway"
         verdict = f"{verdict} {which[0].upper() + which[1:]} this: remove rows that are not such bounces, or fit with `robust`."
     if not straight:
-        said += score_warnings(best.law.name, scores, rival.law.name if rival else "")
+        said += score_warnings(best.law.name, scores, rival.law.name if rival else "", len(problem.x))
         said += [warning for warning in (kinked_rows_warning(best),) if warning]
     return Ranking(
         tuple(ranked), verdict, math.nan if few or straight else evidence.odds, rival.law.name if rival else "",
