@@ -56,7 +56,7 @@ def table(name: str) -> tuple[billiards.Table, carom.Disc]:
 def launches(kind: str, seed: int, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return places and velocities (N, 2), half of them from the wall, and the acceleration."""
     name, path = kind.split(", ")
-    curve = CURVES[name][0]
+    curve, a = CURVES[name]
     rng = np.random.default_rng([seed, KINDS.index(kind)])
     made, ball = table(name)
     shape = made.shape(float(ball.radius))
@@ -68,7 +68,7 @@ def launches(kind: str, seed: int, count: int) -> tuple[np.ndarray, np.ndarray, 
     box = on_parallel(curve, 0.0, np.linspace(0, 2 * np.pi, 500))
     while len(inner) < half:
         y = rng.uniform(box.min(0), box.max(0), (2 * half, 2))
-        inner = np.concatenate([inner, y[shape.gap(y) > 0]])
+        inner = np.concatenate([inner, y[curve.holds(y) & (depth(curve, y) > a)]])
     turn = rng.uniform(0, 2 * np.pi, half)
     x, v = np.concatenate([x, inner[:half]]), np.concatenate([v, np.stack([np.cos(turn), np.sin(turn)], -1)])
     if path == "lines":

@@ -42,6 +42,12 @@ class PolarSum:
         x, y, z = r[..., None] * u, d[..., None] * u + r[..., None] * n, (dd - r)[..., None] * u + 2 * d[..., None] * n
         return x * tall, y * tall, z * tall
 
+    def holds(self, x: Array) -> Array:
+        """Return whether points (N, 2) are within the curve."""
+        y = x / np.array([1.0, self.tall])
+        t = np.arctan2(y[:, 1], y[:, 0])
+        return (y * y).sum(-1) < (1 + sum(c * np.cos(k * t + phase) for k, c, phase in self.terms)) ** 2
+
 
 def random_sum(seed: int) -> PolarSum:
     """Return a random curve with inflections."""
@@ -127,26 +133,31 @@ def _changes(
 ) -> tuple[Array, Array, Array]:
     """Return launches, nodes and signs of the root of the time where the function of :func:`_gap` changes its sign."""
     launch, node, which = [0 for _ in range(0)], [0 for _ in range(0)], [0.0 for _ in range(0)]
+    px, py = p[:, 0].copy(), p[:, 1].copy()
+    c, s = np.empty((2, len(p))), np.empty((2, len(p)))
+    ex, ey = (g[0] / pull, g[1] / pull) if pull > 0 else (0.0, 0.0)
     for k in range(len(x)):
-        ex, ey = (g[0] / pull, g[1] / pull) if pull > 0 else (0.0, 0.0)
         fall, side = v[k, 0] * ex + v[k, 1] * ey, v[k, 1] * ex - v[k, 0] * ey
-        one, two, s, z = np.nan, np.nan, 0.0, 0.0
-        for i in range(len(p)):
-            dx, dy = p[i, 0] - x[k, 0], p[i, 1] - x[k, 1]
-            one0, two0, s0, z0 = one, two, s, z
-            if pull == 0.0:
-                one = v[k, 0] * dy - v[k, 1] * dx
-                s = (dx * v[k, 0] + dy * v[k, 1]) / (v[k, 0] ** 2 + v[k, 1] ** 2)
-            else:
-                inside = fall * fall + 2 * pull * (dx * ex + dy * ey)
-                root = np.sqrt(inside) if inside >= 0 else np.nan
-                s, z = (root - fall) / pull, (-root - fall) / pull
+        if pull == 0.0:
+            squared = v[k, 0] ** 2 + v[k, 1] ** 2
+            for i in range(len(px)):
+                dx, dy = px[i] - x[k, 0], py[i] - x[k, 1]
+                c[0, i] = v[k, 0] * dy - v[k, 1] * dx
+                s[0, i] = (dx * v[k, 0] + dy * v[k, 1]) / squared
+        else:
+            for i in range(len(px)):
+                dx, dy = px[i] - x[k, 0], py[i] - x[k, 1]
+                root = np.sqrt(fall * fall + 2 * pull * (dx * ex + dy * ey))
                 across = dy * ex - dx * ey
-                one, two = across - side * s, across - side * z
-            if (one0 < 0 <= one or one < 0 <= one0) and min(s0, s) < until[k] and max(s0, s) > after:
-                launch.append(k), node.append(i - 1), which.append(1.0)
-            if (two0 < 0 <= two or two < 0 <= two0) and min(z0, z) < until[k] and max(z0, z) > after:
-                launch.append(k), node.append(i - 1), which.append(-1.0)
+                s[0, i], s[1, i] = (root - fall) / pull, (-root - fall) / pull
+                c[0, i], c[1, i] = across - side * s[0, i], across - side * s[1, i]
+        for m in range(1 if pull == 0.0 else 2):
+            for i in range(len(px) - 1):
+                # (zero counts as above; where the path does not come level with a node there is no number)
+                if c[m, i] * c[m, i + 1] <= 0.0 and (c[m, i] < 0.0) != (c[m, i + 1] < 0.0):
+                    s0, s1 = s[m, i], s[m, i + 1]
+                    if min(s0, s1) < until[k] and max(s0, s1) > after:
+                        launch.append(k), node.append(i), which.append(1.0 - 2.0 * m)
     return np.array(launch), np.array(node), np.array(which)
 
 

@@ -26,8 +26,9 @@ Array = NDArray[np.float64]
 CORNER_TURN = 1e-7  # rad
 OPEN = 1e-9  # of the size: so far may the end of a piece be from the beginning of the next one
 SAMPLES = 4  # of each panel, from which the nearest one is found
-ROWS_AT_ONCE = 20_000
+ROWS_AT_ONCE = 2_000  # (what they need fits into the processor's cache)
 NEWTON = 16
+RESTS = 1e-12  # a step in w that leaves less than rounding of a distance
 
 
 class WallLoop(NamedTuple):
@@ -201,12 +202,17 @@ class CurvedWall:
                 squared[np.arange(len(x)), (nearest + k) % len(places)] = np.inf
         for panel, begin in candidates:
             here = rows[panel]
-            w, h, (xi, eta) = begin, here[:, HALF], chord_frame(here, x)
+            w, h, (xi, eta) = begin.copy(), here[:, HALF], chord_frame(here, x)
+            on = np.arange(len(x))  # those that have not come to rest
             for _ in range(NEWTON):
-                f, f1, f2 = graphs(here, w)
-                dx, dy = xi - h * (1 + w), eta - f
+                rows_on, w_on = here[on], w[on]
+                f, f1, f2 = graphs(rows_on, w_on)
+                dx, dy = xi[on] - h[on] * (1 + w_on), eta[on] - f
                 rate = np.maximum(np.abs(1 + f1 * f1 - f2 * dy), 0.01)
-                w = np.clip(w + (dx + f1 * dy) / (h * rate), -1.0, 1.0)
+                w[on] = np.clip(w_on + (dx + f1 * dy) / (h[on] * rate), -1.0, 1.0)
+                on = on[np.abs(w[on] - w_on) > RESTS]
+                if not len(on):
+                    break
             f, f1, _f2 = graphs(here, w)
             dx, dy = xi - h * (1 + w), eta - f
             distance = np.hypot(dx, dy)
