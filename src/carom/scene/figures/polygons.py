@@ -15,12 +15,13 @@ from carom.scene.figures.figure import Loop, PlaneFigure, Sizes2
 from carom.scene.figures.pieces import SegmentPiece
 from carom.scene.schema import Components, Place, Size, Whole, raise_faults
 
-__all__ = ["PolygonFigure", "RectangleFigure", "RegularFigure"]
+__all__ = ["PolygonFigure", "RectangleFigure", "RegularFigure", "sides_through"]
 
 Sides = Annotated[int, BeforeValidator(Whole("a whole number from 3 to 10000", 3))]
 
 
-def _sides(points: Sequence[tuple[float, float]]) -> list[Loop]:
+def sides_through(points: Sequence[tuple[float, float]]) -> list[Loop]:
+    """Return the loop of straight sides through points, and back to the first one."""
     return [[SegmentPiece(one, two) for one, two in zip(points, (*points[1:], points[0]), strict=True)]]
 
 
@@ -48,7 +49,7 @@ class PolygonFigure(PlaneFigure):
 
     def outline(self) -> list[Loop]:
         """Return its sides, counterclockwise, in the order of the points; backwards where these go clockwise."""
-        return _sides(self.points[::-1] if self.clockwise else self.points)
+        return sides_through(self.points[::-1] if self.clockwise else self.points)
 
     def piece_names(self) -> list[str]:
         """Return the names of the sides: edge1 goes from the first point to the second, whichever way round they are given."""
@@ -80,7 +81,7 @@ class RegularFigure(PlaneFigure):
         """Return its sides."""
         angle = -math.pi / 2 + math.pi / self.sides * (2 * np.arange(self.sides) - 1)
         corners = self.radius * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
-        return _sides([(float(x), float(y)) for x, y in corners])
+        return sides_through([(float(x), float(y)) for x, y in corners])
 
 
 class RectangleFigure(PlaneFigure):
@@ -98,7 +99,7 @@ class RectangleFigure(PlaneFigure):
     def outline(self) -> list[Loop]:
         """Return its sides, the lower one first."""
         x, y = self.size[0] / 2, self.size[1] / 2
-        return _sides([(-x, -y), (x, -y), (x, y), (-x, y)])
+        return sides_through([(-x, -y), (x, -y), (x, y), (-x, y)])
 
     def piece_names(self) -> list[str]:
         """Return the names of the sides."""
