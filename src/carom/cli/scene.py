@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from carom.cli.options import shared
+from carom.cli.options import quantity, shared
 from carom.cli.streams import say_json
 
 
@@ -29,6 +29,22 @@ def new(
         str | None,
         typer.Option("--table", metavar="NAME", help="A real table with its balls and cloth; --table list names all."),
     ] = None,
+    rack: Annotated[
+        str | None,
+        typer.Option(
+            "--rack",
+            metavar="NAME",
+            help="The rack of a pool table: 8-ball, 9-ball or 10-ball. Default: fifteen balls in the order of their numbers.",
+        ),
+    ] = None,
+    break_speed: Annotated[
+        float | None,
+        typer.Option(
+            "--break",
+            help='Speed of the cue ball in the break on a pool table, m/s, or "30 km/h". Default: 9.5.',
+            **quantity("--break", "m/s"),
+        ),
+    ] = None,
     force: Annotated[bool, shared("force")] = False,
 ) -> None:
     """Write a commented scene that runs as it stands: one ball on a carom table; a real table by name; or a gas."""
@@ -40,12 +56,20 @@ def new(
 
     if table is not None and gas:
         raise CaromError("--table: expected a scene of single balls, got --gas as well; give one of the two")
+    if table is None and (rack, break_speed) != (None, None):
+        option = "--rack" if rack is not None else "--break"
+        raise CaromError(f"{option}: expected a pool table with it, got no --table; add --table pool-9ft")
+    if rack == "list":
+        from carom.scene.openings import RACKS
+
+        sys.stdout.write("".join(f"{name}\n" for name in RACKS))
+        return
     if table == "list":
         from carom.scene.presets import presets
 
         sys.stdout.write("".join(f"{name:<18}{preset.title}\n" for name, preset in presets().items()))
         return
-    text = gas_text() if gas else scene_text(table)
+    text = gas_text() if gas else scene_text(table, rack=rack, break_speed=break_speed)
     if file is None:
         sys.stdout.write(text)
         return

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import csv
 import math
 import sys
 import tomllib
@@ -96,19 +95,34 @@ def simulate(
     table: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write all events: .csv or .parquet.", rich_help_panel=OUTPUT)
     ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="Write place, velocity, spin and orientation of every ball frame by frame: .csv, .json or .parquet.",
+            rich_help_panel=OUTPUT,
+        ),
+    ] = None,
+    frames: Annotated[
+        float | None,
+        typer.Option(metavar="RATE", help="Frames per second for --out. Default: 60.", rich_help_panel=OUTPUT),
+    ] = None,
 ) -> None:
     """Simulate a scene event by event; print a description, the events, the final states and the energy budget."""
     from carom.cli.streams import say_notes
     from carom.scene.plausible import unit_notes
     from carom.simulation.contacts_in_time import overlap_note
+    from carom.simulation.frames import FORMATS as FRAME_FORMATS
     from carom.simulation.law_notes import law_notes
     from carom.simulation.save import FORMATS
 
     try:
         found = FaultList()
         most, times = found.attempt(_most, events), found.attempt(_times, at)
-        kinds = {"--animate": ANIMATIONS, "--save": FORMATS, "--table": TABLES}
-        require_outputs(found, {"--plot": plot, "--animate": animate, "--save": save, "--table": table}, kinds)
+        kinds = {"--animate": ANIMATIONS, "--save": FORMATS, "--table": TABLES, "--out": FRAME_FORMATS}
+        outputs = {"--plot": plot, "--animate": animate, "--save": save, "--table": table, "--out": out}
+        require_outputs(found, outputs, kinds)
+        rate = found.attempt(_rate, frames, out)
         values: dict[str, Any] = {}
         for text in set_ or []:
             values |= with_own_laws(found.attempt(_assigned, text) or {})
@@ -122,8 +136,10 @@ def simulate(
             notes.append(overlap)
         say_notes(notes)
         _reached(run, times)
+        if out is not None:
+            _frames(run, rate)
         matters = None if sensitivity is None else run.sensitivity(sensitivity.replace(",", " ").split())
-        written = _write(run, quiet, plot, animate, save, table)
+        written = _write(run, quiet, outputs, rate)
         _tell(run, times, most, as_json, quiet, notes, matters)
         wrote(*(() if quiet else written))
     except KeyboardInterrupt:
@@ -170,6 +186,17 @@ def _assigned(text: str) -> dict[str, Any]:
         return {path.strip(): tomllib.loads(f"value = {value}")["value"]}
     except tomllib.TOMLDecodeError:
         return {path.strip(): value.strip()}
+
+
+def _rate(frames: float | None, out: Path | None) -> float:
+    """Return the number of frames per second of a file of frames."""
+    from carom.simulation.frames import FRAME_RATE
+
+    if frames is not None and out is None:
+        raise CaromError("--frames: has no effect without --out; name the file with --out FILE.csv, .json or .parquet")
+    if frames is not None and not 0 < frames < math.inf:
+        raise CaromError(f"--frames: expected frames per second, a number > 0, got {frames:g}")
+    return FRAME_RATE if frames is None else frames
 
 
 def _scene(path: Path, allow_own_laws: bool, changes: dict[str, Any], values: dict[str, Any]) -> Scene:
@@ -231,22 +258,33 @@ def _reached(run: Trajectory, times: list[float]) -> None:
         )
 
 
+def _frames(run: Trajectory, rate: float) -> None:
+    """Raise CaromError for more frames than a file may have."""
+    from carom.simulation.frames import frame_times
+
+    try:
+        frame_times(run, rate)
+    except CaromError as error:
+        raise CaromError(*(fault.replace("rate:", "--frames:") for fault in error.faults)) from None
+
+
 # --- output --------------------------------------------------------------------------------------------------------
 
 
-def _write(
-    run: Trajectory, quiet: bool, plot: Path | None, animate: Path | None, save: Path | None, table: Path | None
-) -> list[Path]:
+def _write(run: Trajectory, quiet: bool, outputs: dict[str, Path | None], rate: float) -> list[Path]:
     """Write the files, all of them or none."""
     from carom.files import atomic_path
+    from carom.simulation.frames import write_columns
+    from carom.simulation.tables import event_columns
 
-    makers: list[tuple[Path | None, Callable[[Path], Any]]] = [
-        (plot, run.plot),
-        (save, run.save),
-        (table, lambda part: _table(run, part)),
-        (animate, lambda part: _animate(run, part, quiet)),
-    ]
-    asked = [(path, make) for path, make in makers if path is not None]
+    makers: dict[str, Callable[[Path], Any]] = {
+        "--plot": run.plot,
+        "--save": run.save,
+        "--table": lambda part: write_columns(event_columns(run, run.events.rows), part),
+        "--out": lambda part: run.save_frames(part, rate),
+        "--animate": lambda part: _animate(run, part, quiet),
+    }
+    asked = [(path, make) for option, make in makers.items() if (path := outputs[option]) is not None]
     with contextlib.ExitStack() as stack:
         for path, make in asked:
             part = stack.enter_context(atomic_path(path))
@@ -255,22 +293,6 @@ def _write(
             except CaromError as error:  # with the file name as given
                 raise CaromError(*(fault.replace(str(part), str(path)) for fault in error.faults)) from None
     return [path for path, _make in asked]
-
-
-def _table(run: Trajectory, path: Path) -> None:
-    """Write all events as CSV or Parquet, every number in full precision."""
-    from carom.simulation.tables import event_columns
-
-    columns = event_columns(run, run.events.rows)
-    if path.suffix.lower() == ".csv":
-        with path.open("w", encoding="utf-8", newline="") as file:
-            writer = csv.writer(file, lineterminator="\n")
-            writer.writerow(columns)
-            writer.writerows(zip(*(values.tolist() for values in columns.values()), strict=True))
-        return
-    from carom.simulation.save import write_parquet
-
-    write_parquet(columns, {}, path)
 
 
 def _animate(run: Trajectory, path: Path, quiet: bool) -> None:

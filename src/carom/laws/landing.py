@@ -210,9 +210,11 @@ def second_rows(
         w3[i, 0], w3[i, 1], w3[i, 2] = s
 
 
-def landing_settings(gravity: float, height: ArrayLike, floor_contact: str) -> tuple[float, Any, bool]:
+def landing_settings(
+    gravity: float, height: ArrayLike, floor_contact: str, where: str = "two_step"
+) -> tuple[float, Any, bool]:
     """Validate gravity, height and floor_contact; return the numbers, and whether wall and floor act at once."""
-    faults = FaultList("two_step")
+    faults = FaultList(where)
     g = checked_number(faults, "gravity", gravity, "a number >= 0 in m/s^2", lambda x: x >= 0)
     h = checked_number(faults, "height", height, "a length >= 0 in m", lambda x: x >= 0)
     if floor_contact not in ("with", "after"):

@@ -12,13 +12,14 @@ from functools import partial
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, Numbers, State, Surface
 from carom.core.contact import wall_contact
 from carom.core.jit.kernel import Vec, kernel
-from carom.laws.arrays import WallKernel, answer_rows, wall_law_rows
-from carom.laws.landing import settle
+from carom.errors import CaromError, first_bad_index, require_type
+from carom.laws.arrays import WallKernel, answer_rows, require_approach, unit_normal, wall_law_rows
+from carom.laws.landing import landing_settings, settle
 from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact, Settled
 from carom.laws.rules import APPROACHES, IMPOSSIBLE, Condition, Conditions, Objections, holds_everywhere
 
@@ -207,6 +208,61 @@ class Law:
     """Colour and dashes of its line in figures. Default: the next free ones."""
     order: int = 1000
     """Position in tables: laws are sorted by this number, then by name."""
+
+    def __call__(
+        self,
+        ball: Ball,
+        state: State,
+        wall: Surface | None = None,
+        floor: Surface = PAPER_FLOOR,
+        normal: ArrayLike = (1.0, 0.0, 0.0),
+        gravity: float = GRAVITY,
+        height: ArrayLike = 0.0,
+        floor_contact: FloorContact = "with",
+        stiffness_ratio: float = LIKE_SOLIDS,
+    ) -> Answer:
+        """Compute the prediction for a ball that meets a wall, with the arguments of :func:`carom.two_step`.
+
+        Parameters
+        ----------
+        ball, state, wall, floor, normal, gravity, height, floor_contact
+            As in :func:`carom.two_step`. Default of the wall: the restitution and friction of the law's authors, else the paper's
+            wall, e = 1 and sticking.
+        stiffness_ratio : float
+            Tangential over normal stiffness of the wall contact, for laws with tangential compliance.
+
+        Returns
+        -------
+        Answer
+            ``after_wall`` and ``final`` (velocity, spin), ``required_wall`` and ``required_floor`` friction, ``why``. Shapes (...).
+
+        Raises CaromError, one line, for a state that does not meet the law's conditions.
+
+        Examples
+        --------
+        >>> import carom
+        >>> ball = carom.Ball(radius=0.0286, mass=0.17)
+        >>> nose = (1.0, 0.0, -0.37)  # the cushion touches above the centre
+        >>> law = carom.LAWS["mathavan2010"]
+        >>> law(ball, carom.rolling(ball, (-2.0, 1.0)), normal=nose).after_wall.velocity.round(3).tolist()
+        [1.629, 0.657, 0.0]
+        """
+        if wall is None:
+            of = {name: self.defaults[name] for name in ON_WALL if name in self.defaults}
+            wall = Surface(**of) if of else PAPER_WALL
+        require_type(self.name, "wall", wall, Surface)
+        require_type(self.name, "floor", floor, Surface)
+        n = unit_normal(normal)
+        require_approach(ball, state, n)
+        g, h, _together = landing_settings(gravity, height, floor_contact, self.name)
+        meeting = Meeting(ball, state, n, wall, floor, g, h, floor_contact, stiffness_ratio)
+        for holds, expected, *_field in self.conditions(meeting):
+            if not holds_everywhere(holds):
+                raise CaromError(
+                    f"{self.name}: expected {expected}, got a state or a wall for which this does not hold"
+                    f"{first_bad_index(~np.asarray(holds))}"
+                )
+        return self.answer(meeting)
 
     def __repr__(self) -> str:
         """Return one line: its name, and its summary."""

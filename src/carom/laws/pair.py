@@ -173,6 +173,7 @@ def pair_law_rows(law: WallKernel) -> Callable[..., None]:
 
 
 NAMES = np.array([*REGIMES, ""])  # (NO_REGIME is the last)
+SMOOTH = Surface(restitution=1.0, friction=0.0)  # as balls of scenes are where a scene gives no numbers
 
 
 @dataclass(frozen=True, eq=False)
@@ -212,7 +213,7 @@ class Collision:
 
 def collide(
     ball: Ball, state: State, other: Ball, other_state: State, normal: ArrayLike = (-1.0, 0.0, 0.0),
-    surface: Surface = Surface(),  # noqa: B008
+    surface: Surface = SMOOTH,
     law: str | Law = "contact", stiffness_ratio: ArrayLike = LIKE_SOLIDS,
 ) -> Collision:  # fmt: skip
     """Compute the contact of two balls: a law of ball and wall, by default (19), (28)-(31), with the reduced masses of the pair.
@@ -226,7 +227,8 @@ def collide(
     normal : array (..., 3)
         From the centre of the second ball to the centre of the first; any length.
     surface : Surface
-        Restitution, friction and tangential restitution between the two.
+        Restitution, friction and tangential restitution between the two. Default: elastic and without friction, as balls of scenes
+        that give no numbers.
     law : str or Law
         A law of one contact: "contact", "sliding", "sticking", "alciatore" (friction that falls with the slip),
         "maw" and "stronge" (tangential compliance), or one of your own ("file.py:name").

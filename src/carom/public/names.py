@@ -20,7 +20,13 @@ def attach_public(package: str, file: str) -> tuple[Callable[[str], Any], Callab
     load, list_names, names = lazy_loader.attach_stub(package, file)
 
     def load_guarded(name: str) -> Any:
-        found = load(name)
+        try:
+            found = load(name)
+        except AttributeError as error:
+            if package == "carom" and (law := next((one for one in load("LAWS") if one.replace("-", "_") == name), "")):
+                called = f"carom.LAWS[{law!r}](ball, state, wall)"
+                raise AttributeError(f"carom has no function {name}; the law itself is called: {called}") from error
+            raise
         if getattr(found, "__module__", "").startswith("carom."):  # (not a module, nor a table of numbers)
             from carom.public.guard import guarded
 

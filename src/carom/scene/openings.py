@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 import textwrap
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from carom.errors import CaromError
+from carom.errors import CaromError, Fault, did_you_mean, shown
 from carom.scene.presets import Preset, Sourced, preset_fault, presets
 
-__all__ = ["table_scene"]
+__all__ = ["RACKS", "rack_fault", "table_scene"]
 
 GAP = 1e-4  # m: between racked balls, some of which touch in a real rack
 # said in scenes with a rack
@@ -23,6 +24,14 @@ WIDTH = 30  # of a field with its value, before its source
 # WPBSA, official rules: baulk-line and D, and where black stands, m
 BAULK, D_RADIUS, BLACK = 0.737, 0.292, 0.324
 BREAK_SPEED, BREAK_FROM = 9.5, 0.15  # m/s; m beside the middle: white falls on no table
+# WPA, rules of play 2.2, 3.2, 4.2: rows from the foot spot on, the ball of the game's name in the middle; in 8-ball the corners
+# behind are one ball of 1 to 7 and one of 9 to 15
+RACKS = {
+    "15 balls": ((1,), (2, 3), (4, 5, 6), (7, 8, 9, 10), (11, 12, 13, 14, 15)),
+    "8-ball": ((1,), (9, 2), (10, 8, 3), (4, 11, 5, 12), (13, 6, 14, 15, 7)),
+    "9-ball": ((1,), (2, 3), (4, 9, 5), (6, 7), (8,)),
+    "10-ball": ((1,), (2, 3), (4, 10, 5), (6, 7, 8, 9)),
+}
 
 
 @dataclass(frozen=True)
@@ -35,19 +44,25 @@ class Opening:
     spin_z: float = 0.0
     duration: float = 20.0
     racked: tuple[str, ...] = ()
+    rows: tuple[int, ...] = ()
 
 
-def table_scene(name: str) -> str:
+def table_scene(name: str, rack: str | None = None, break_speed: float | None = None) -> str:
     """Return the text of a scene file for a real table: cushions and pockets, balls, cloth, each number with its source.
 
-    Raises CaromError for a name that no table has.
+    Raises CaromError for a name that no table has, and for another rack or speed of the break than the table's game has.
     """
-    for fault in preset_fault(name):
-        raise CaromError(replace(fault, field="table"))
+    found = [replace(fault, field="table") for fault in preset_fault(name)]
+    game = "" if found else name.split("-", maxsplit=1)[0]
+    found += rack_fault(game, rack) + _speed_fault(game, break_speed)
+    if found:
+        raise CaromError(*found)
     preset = presets()[name]
     length, radius = preset.cushions["length"].value, preset.parts["ball"]["radius"].value
-    game = name.split("-", maxsplit=1)[0]
-    opening = {"carom": _carom, "pool": _pool, "snooker": _snooker}[game](length, radius)
+    if game == "pool":
+        opening = _pool(length, radius, rack or "15 balls", break_speed or BREAK_SPEED)
+    else:
+        opening = {"carom": _carom, "snooker": _snooker}[game](length, radius)
     lines = [
         f"# A {preset.title}. {opening.about}",
         f"# Check it with `carom scene check FILE`, run it with `carom simulate FILE`. SI units. {_key()}",
@@ -77,7 +92,8 @@ def table_scene(name: str) -> str:
         lines.append("")
     if opening.racked:
         names = textwrap.wrap(", ".join(f'"{name}"' for name in opening.racked), 110)
-        lines += [GAPS, "balls = [", *(f"    {line}" for line in names), "]", ""]
+        lines += [GAPS, "balls = [", *(f"    {line}" for line in names), "]"]
+        lines += [f"rows = {list(opening.rows)}", ""] if opening.rows else [""]
     lines += ["[ball_contact]", *_numbers(preset.parts["ball_contact"]), ""]
     lines += ["[run]", 'law = "two-step"', f"duration = {opening.duration:g}", "", *_sources(preset)]
     return "\n".join(lines) + "\n"
@@ -132,29 +148,52 @@ def _carom(length: float, radius: float) -> Opening:
     return Opening(about, balls, (3.5, 0.54), -13.0, 10.0)
 
 
-def _triangle(x: float, radius: float, rows: int) -> list[tuple[float, float]]:
-    """Return places of a rack of balls with its apex at x, row by row."""
+def rack_fault(game: str, rack: str | None) -> list[Fault]:
+    """Return the problem with a rack by name on the table of a game (empty: unknown)."""
+    if rack is None or (rack in RACKS and game in ("pool", "")):
+        return []
+    if game not in ("pool", ""):
+        return [Fault("", "rack", "a pool table, for a rack by name", f"a {game} table", "omit the rack")]
+    return [Fault("", "rack", f"one of {', '.join(RACKS)}", shown(rack), did_you_mean(rack, RACKS))]
+
+
+def _speed_fault(game: str, speed: float | None) -> list[Fault]:
+    """Return the problem with the speed of a break on the table of a game (empty: unknown)."""
+    if speed is None or (0 < speed < math.inf and game in ("pool", "")):
+        return []
+    if game not in ("pool", ""):
+        return [Fault("", "break_speed", "a pool table, for a break", f"a {game} table", "omit the speed")]
+    return [Fault("", "break_speed", "a speed in m/s, > 0", f"{speed:g}")]
+
+
+def _rows(x: float, radius: float, rows: Sequence[int]) -> list[tuple[float, float]]:
+    """Return places of a rack of balls with its apex at x, row by row; rows differ by one ball."""
     step = 2 * radius + GAP
-    return [(x + row * step * math.sqrt(0.75), (k - row / 2) * step) for row in range(rows) for k in range(row + 1)]
+    return [
+        (x + row * step * math.sqrt(0.75), (k - (count - 1) / 2) * step)
+        for row, count in enumerate(rows)
+        for k in range(count)
+    ]
 
 
-def _pool(length: float, radius: float) -> Opening:
-    """Fifteen balls with the first on the foot spot, and the cue ball on the head string."""
-    rack = [(str(i + 1), x, y) for i, (x, y) in enumerate(_triangle(length / 4, radius, 5))]
+def _pool(length: float, radius: float, rack: str, speed: float) -> Opening:
+    """The balls of a rack with the first on the foot spot, and the cue ball on the head string."""
+    counts, names = tuple(map(len, RACKS[rack])), [str(ball) for row in RACKS[rack] for ball in row]
+    balls = [(name, x, y) for name, (x, y) in zip(names, _rows(length / 4, radius, counts), strict=True)]
     # past the middle of the first ball by 0.15 of the radius
     dx, dy = length / 2, BREAK_FROM - 0.15 * radius
     far = math.hypot(dx, dy)
-    velocity = (round(BREAK_SPEED * dx / far, 2), round(BREAK_SPEED * dy / far, 3))
+    velocity = (round(speed * dx / far, 2), round(speed * dy / far, 3))
     about = "The break: white meets the rack from the head string."
-    return Opening(
-        about, [("white", -length / 4, -BREAK_FROM), *rack], velocity, 0.0, 15.0, tuple(name for name, *_ in rack)
-    )
+    white = ("white", -length / 4, -BREAK_FROM)
+    triangle = counts == tuple(range(1, len(counts) + 1))
+    return Opening(about, [white, *balls], velocity, 0.0, 15.0, tuple(names), () if triangle else counts)
 
 
 def _snooker(length: float, radius: float) -> Opening:
     """Fifteen reds behind pink, the colours on their spots; the cue ball between yellow and brown."""
     baulk, quarter = BAULK - length / 2, length / 4
-    reds = [(f"red {i + 1}", x, y) for i, (x, y) in enumerate(_triangle(quarter + 2 * radius + GAP, radius, 5))]
+    reds = [(f"red {i + 1}", x, y) for i, (x, y) in enumerate(_rows(quarter + 2 * radius + GAP, radius, range(1, 6)))]
     colours = [
         ("yellow", baulk, -D_RADIUS), ("green", baulk, D_RADIUS), ("brown", baulk, 0.0), ("blue", 0.0, 0.0), ("pink", quarter, 0.0),
         ("black", length / 2 - BLACK, 0.0),

@@ -153,7 +153,7 @@ def _beside(table: dict[str, Any], folder: Path) -> None:
             part["law"] = str(folder / law)
 
 
-def new_scene(table: str | None = None) -> Scene:
+def new_scene(table: str | None = None, *, rack: str | None = None, break_speed: float | None = None) -> Scene:
     """Return a scene that can be run as it is: one ball on a carom table, or a real table with its balls.
 
     Parameters
@@ -161,13 +161,17 @@ def new_scene(table: str | None = None) -> Scene:
     table : str, optional
         A real table by name, such as "snooker" (:class:`carom.Table`): its balls as they lie when a game begins, its cushions and
         cloth.
+    rack : str, optional
+        The rack of a pool table: "8-ball", "9-ball" or "10-ball". Default: fifteen balls in the order of their numbers.
+    break_speed : float, optional
+        Speed of the cue ball in the break on a pool table, m/s. Default: 9.5.
 
     Returns
     -------
     Scene
         :func:`scene_text` returns the commented text of its file.
 
-    Raises CaromError, one line, for a name that no table has.
+    Raises CaromError, a line for each name that no table or rack has, and for a rack or a break on another table.
 
     Examples
     --------
@@ -176,11 +180,13 @@ def new_scene(table: str | None = None) -> Scene:
     ('ball 0',)
     >>> len(carom.new_scene("pool-9ft").balls)
     16
+    >>> carom.new_scene("pool-8ft", rack="9-ball", break_speed=8).rack.balls
+    ('1', '2', '3', '4', '9', '5', '6', '7', '8')
     """
-    return from_file("scene", Scene, parse_toml("scene", scene_text(table)))
+    return from_file("scene", Scene, parse_toml("scene", scene_text(table, rack=rack, break_speed=break_speed)))
 
 
-def scene_text(scene: Scene | str | None = None) -> str:
+def scene_text(scene: Scene | str | None = None, *, rack: str | None = None, break_speed: float | None = None) -> str:
     """Return the text of a scene file.
 
     Parameters
@@ -188,6 +194,8 @@ def scene_text(scene: Scene | str | None = None) -> str:
     scene : Scene or str, optional
         A scene, which is written as :func:`save_scene` does; or the name of a real table, such as "snooker": a commented file,
         each number with its source. Default: a commented first scene, one ball on a carom table.
+    rack, break_speed : optional
+        Of a pool table, as in :func:`new_scene`.
 
     Returns
     -------
@@ -206,10 +214,15 @@ def scene_text(scene: Scene | str | None = None) -> str:
     >>> carom.load_scene(carom.scene_text(carom.new_scene())) == carom.new_scene()
     True
     """
+    if not isinstance(scene, str) and (rack, break_speed) != (None, None):
+        raise CaromError(
+            f"scene_text: {'rack' if rack is not None else 'break_speed'}: expected a pool table by name with it, such as"
+            f" 'pool-9ft', got {'no table' if scene is None else type(scene).__name__}"
+        )
     if scene is None:
         return files("carom.scene").joinpath("new.toml").read_text(encoding="utf-8")
     if isinstance(scene, str):
-        return table_scene(scene)
+        return table_scene(scene, rack, break_speed)
     import tomli_w
 
     require_type("scene_text", "scene", scene, Scene)

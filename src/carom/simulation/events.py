@@ -70,6 +70,22 @@ class Event:
     energy_lost: float
     """J, of this ball (negative for a ball that is struck)."""
 
+    @property
+    def position(self) -> Array:
+        """Of the centre at the event (3,), m."""
+        assert self.after.position is not None
+        return self.after.position
+
+    @property
+    def velocity(self) -> Array:
+        """After the event (3,), m/s."""
+        return self.after.velocity
+
+    @property
+    def spin(self) -> Array:
+        """After the event (3,), rad/s."""
+        return self.after.spin
+
 
 class Events(Sequence[Event]):
     """The events of a run, in order of time.

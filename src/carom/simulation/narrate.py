@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections import Counter
 from typing import Any
@@ -10,7 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, PIVOTING, POCKETED, REST, ROLLING, SLIDING
+from carom.errors import CaromError
 from carom.formatting import counted, format_length, format_number, format_time
+from carom.simulation.break_statistics import break_statistics
 from carom.simulation.contacts.kinds import CONTACTS, partner_names
 from carom.simulation.contacts.wall import cushion_side
 from carom.simulation.contacts_in_time import overlap_note
@@ -42,7 +45,7 @@ Rows = NDArray[np.void]
 
 
 def describe_run(run: RunRecord) -> list[str]:
-    """Describe a run: a paragraph for each of the first balls that move, one for all others, one for how it ended.
+    """Describe a run: a paragraph for each of the first balls that move, one for all others, one for a break, one for how it ended.
 
     A line before the last one says where contacts of balls overlap in time that the run was to resolve one pair at a time.
 
@@ -61,6 +64,9 @@ def describe_run(run: RunRecord) -> list[str]:
             found.append(f"{listed([names[i] for i in still])} {'stays' if len(still) == 1 else 'stay'} at rest.")
         else:
             found.append(f"{len(still)} balls stay at rest.")
+    if run.scene.rack is not None:
+        with contextlib.suppress(CaromError):  # (no ball meets it)
+            found.append(break_statistics(run).describe())
     if (note := overlap_note(run)) is not None:
         found.append(f"{note}.")
     if run.ended == "duration":

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     import xarray
 
 __all__ = [
-    "UNITS", "event_columns", "events_table", "kinetic_energy", "many_events_table", "states_dataset",
-    "states_table",
+    "UNITS", "Columns", "event_columns", "events_table", "kinetic_energy", "many_events_table", "state_columns",
+    "states_dataset", "states_table",
 ]  # fmt: skip
 
 Columns = dict[str, NDArray[Any]]
@@ -33,7 +33,7 @@ UNITS = {
     "t": "s", **dict.fromkeys(AXES, "m"),
     **{f"{of}{axis}{when}": unit for of, unit in (("v", "m/s"), ("w", "rad/s")) for axis in AXES for when in ("", "_before")},
     **{f"{of}_{axis}": "N s" for of in ("impulse", "floor_impulse") for axis in AXES},
-    "energy_lost": "J", "energy": "J",
+    "energy_lost": "J", "energy": "J", **{f"q{part}": "1" for part in ("w", *AXES)},
 }  # fmt: skip
 
 
@@ -103,8 +103,11 @@ def many_events_table(runs: EventSource, rows: NDArray[np.void]) -> pandas.DataF
     return _frame({"run": number, **event_columns(runs, rows[number, place])}, "ManyRuns.table")
 
 
-def states_table(run: RunRecord, times: NDArray[np.float64]) -> pandas.DataFrame:
-    """Return a DataFrame, one row per ball and time. Raises CaromError without pandas."""
+def state_columns(run: RunRecord, times: NDArray[np.float64]) -> Columns:
+    """Return states at times, s, as named columns, one row per ball and time.
+
+    ``qw`` ... ``qz`` are the orientation, a unit quaternion from the body's frame; ``energy`` is the ball's own.
+    """
     state, count = run.at(times), len(run.scene.balls)
     assert state.position is not None
     columns: Columns = {
@@ -115,8 +118,15 @@ def states_table(run: RunRecord, times: NDArray[np.float64]) -> pandas.DataFrame
     }
     for name, vectors in (("", state.position), ("v", state.velocity), ("w", state.spin)):
         _parts(columns, name, vectors.reshape(-1, 3))
+    for name, part in zip(("qw", "qx", "qy", "qz"), run.orientation(times).reshape(-1, 4).T, strict=True):
+        columns[name] = np.ascontiguousarray(part)
     columns["energy"] = np.ravel(run.energy(times, each=True))
-    return _frame(columns, "Trajectory.table")
+    return columns
+
+
+def states_table(run: RunRecord, times: NDArray[np.float64]) -> pandas.DataFrame:
+    """Return a DataFrame of :func:`state_columns`. Raises CaromError without pandas."""
+    return _frame(state_columns(run, times), "Trajectory.table")
 
 
 def states_dataset(run: RunRecord, times: NDArray[np.float64]) -> xarray.Dataset:

@@ -18,7 +18,9 @@ from carom.files import as_path
 from carom.public.figures import figure_maker
 from carom.scene.paths import ball_index
 from carom.scene.scene import Scene
+from carom.simulation.break_statistics import BreakStatistics, break_statistics
 from carom.simulation.events import Events
+from carom.simulation.frames import FRAME_RATE, save_frames
 from carom.simulation.narrate import describe_run
 from carom.simulation.records import START
 from carom.simulation.save import save
@@ -275,6 +277,13 @@ class Trajectory:
 
         return lyapunov(self)
 
+    def break_statistics(self) -> BreakStatistics:
+        """Compute figures of the break of a rack: ``fast``, ``median``, ``share``, ``distance``, ``pocketed``; ``describe()``.
+
+        Raises CaromError, one line, for a scene without a rack, and for a run in which no ball meets it.
+        """
+        return break_statistics(self)
+
     # --- tables, files, pictures -------------------------------------------------------------------------------------
 
     def table(self, times: ArrayLike | None = None) -> pandas.DataFrame:
@@ -295,6 +304,20 @@ class Trajectory:
     def save(self, path: str | Path) -> Path:
         """Write the run to a .parquet or .nc file; :func:`carom.load_trajectory` gives back the same bits."""
         return save(self, as_path("Trajectory.save", path))
+
+    def save_frames(self, path: str | Path, rate: float = FRAME_RATE) -> Path:
+        """Write every ball's place, velocity, spin and orientation frame by frame, for other programs: .csv, .json or .parquet.
+
+        Parameters
+        ----------
+        path : str or Path
+            .csv and .parquet have a row per ball and frame, .json arrays (frame, ball, axis).
+        rate : float, optional
+            Frames per second.
+
+        Raises CaromError, one line, for another ending, a rate that is not above 0, and more than ten million states.
+        """
+        return save_frames(self, as_path("Trajectory.save_frames", path), rate)
 
     def plot(self, file: str | Path | None = None, **options: Any) -> Figure:
         """Return a Matplotlib figure: the run from above and from the side, its energy over time. ``file``: write it there."""
