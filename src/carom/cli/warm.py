@@ -116,13 +116,15 @@ def _states() -> State:
 
 
 def load_called_laws() -> None:
-    """Compile the laws that loops call by their address, and the rims of cylinders."""
+    """Compile the laws that loops call by their address, the rims of cylinders, and smooth curves."""
     from carom.core.geometry.circles import rim_address
+    from carom.core.geometry.curve_features import arc_address
     from carom.laws.callbacks import user_address
     from carom.laws.law import CALLED_WALL
     from carom.laws.registry import laws
 
     rim_address()
+    arc_address()
     for law in laws().values():
         if law.response == CALLED_WALL and law.kernel is not None:
             user_address(law.kernel)

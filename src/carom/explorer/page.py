@@ -136,9 +136,9 @@ def _scene(scene: Scene | str | os.PathLike[str], faults: FaultList) -> Scene | 
 
 def with_outlines(scene: Scene) -> Scene:
     """Return a scene whose walls of figures are outlines: the page has their pieces, not their sizes."""
-    if not any(isinstance(wall, FigureWall) for wall in scene.walls):
+    if not any(isinstance(wall, FigureWall) and wall.is_of_arcs for wall in scene.walls):
         return scene
-    walls = tuple(wall.as_outline if isinstance(wall, FigureWall) else wall for wall in scene.walls)
+    walls = tuple(wall.as_outline if isinstance(wall, FigureWall) and wall.is_of_arcs else wall for wall in scene.walls)
     return scene.model_copy(update={"walls": walls})
 
 

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.geometry.curve_features import arc_address
 from carom.core.geometry.features import FACE, LINE, OVER, POINT, RIM
 from carom.core.jit.kernel import cross, dot, kept_kernel, kernel
 from carom.core.roots.polynomial import two_prod, two_sum
@@ -50,6 +51,11 @@ class Feature(NamedTuple):
     hi2: float
     pocket: int
     """Place of the pocket whose edge it is, of ``pocket_places`` of its shape; -1 for none."""
+
+    @property
+    def at(self) -> int:
+        """Return the address by which Python finds the kernels of a curve."""
+        return arc_address(compiled=False)
 
 
 def built(build: Callable[..., int], *given: Any) -> list[Feature]:

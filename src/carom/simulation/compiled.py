@@ -8,7 +8,9 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from carom.core.geometry.circles import rim_entry, rim_hit
-from carom.core.geometry.features import FEATURES, RIM
+from carom.core.geometry.curve_arc_paths import arc_hit
+from carom.core.geometry.curve_features import arc_entry
+from carom.core.geometry.features import CURVE, FEATURES, RIM
 from carom.core.jit.background import compile_in_background
 from carom.core.jit.compile import array_of, is_cached, njit, signature
 from carom.laws.callbacks import register_calls
@@ -67,17 +69,25 @@ def is_loaded() -> bool:
 
 def loops_of(scene: Scene) -> tuple[Callable[..., Any], ...]:
     """Return the functions that are compiled for a scene: their names tell how much there is to compile."""
-    return (run, finish, *((rim_hit,) if _has_rims(scene) else ()))
+    return (run, finish, *(loop for loop, _entry in _called(scene)))
 
 
-def _has_rims(scene: Scene) -> bool:
-    return any(feature.kind == RIM for wall in scene.walls for feature in wall.features())
+# What the loop calls by its address at features of a kind: the kernel that takes longest to compile, and the entry.
+_CALLED: dict[int, tuple[Callable[..., Any], Callable[..., Any]]] = {
+    RIM: (rim_hit, rim_entry),
+    CURVE: (arc_hit, arc_entry),
+}
+
+
+def _called(scene: Scene) -> list[tuple[Callable[..., Any], Callable[..., Any]]]:
+    kinds = {feature.kind for wall in scene.walls for feature in wall.features()}
+    return [called for kind, called in _CALLED.items() if kind in kinds]
 
 
 def compiled_before(scene: Scene | None = None) -> bool:
-    """Return whether the compiled loop is at hand (what is compiled last is), and rims, if the scene has any."""
-    rims = scene is not None and _has_rims(scene)
-    return is_cached(_one_end) and (not rims or is_cached(rim_entry))
+    """Return whether the compiled loop is at hand (what is compiled last is), with what it calls at the features of a scene."""
+    called = [] if scene is None else _called(scene)
+    return is_cached(_one_end) and all(is_cached(entry) for _loop, entry in called)
 
 
 # Entries, and nothing else: what is called from Python is compiled with other flags, and so would be all that it calls, which

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.geometry.circles import rim_address
-from carom.core.geometry.features import RIM
+from carom.core.geometry.curve_features import arc_address
+from carom.core.geometry.features import CURVE, RIM
 from carom.laws.callbacks import user_address
 from carom.laws.law import CALLED_WALL, CONTACT_WALL
 from carom.scene.scene import Scene
@@ -78,6 +79,9 @@ def _set_up(scene: Scene, compiled: bool) -> SceneArrays:
     rims = features["kind"] == RIM
     if rims.any():
         features["at"][rims] = rim_address(compiled)
+    curves = features["kind"] == CURVE
+    if curves.any():
+        features["at"][curves] = arc_address(compiled)
     balls.flags.writeable = False
     return SceneArrays(world, features, balls, np.array(users, dtype=np.int64))
 

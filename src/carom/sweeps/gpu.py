@@ -6,6 +6,7 @@ import contextlib
 
 import numpy as np
 
+from carom.core.geometry.features import CURVE
 from carom.core.jit.cuda import why_no_gpu
 from carom.errors import CaromError, shortened_list
 from carom.files import install_command
@@ -28,6 +29,13 @@ def require_gpu(space: Space) -> None:
             found.append(
                 "sweep: run: on='cuda': expected laws that are compiled into the event loop (two-step, contact, mirror, no-slip,"
                 f" conventional), got {shortened_list(called)}, which is called by its address; use on='cores'"
+            )
+        curved = [i for i, wall in enumerate(subject.scene.walls) if any(one.kind == CURVE for one in wall.features())]
+        if curved:
+            wall = subject.scene.walls[curved[0]].describe()
+            found.append(
+                "sweep: run: on='cuda': expected walls of planes and circles, got"
+                f" walls[{curved[0]}], {wall}, whose kernels are called by their address; use on='cores'"
             )
     elif not isinstance(subject, Impacts):
         found.append(

@@ -29,7 +29,7 @@ from carom.core.jit.kernel import hot_kernel, kernel
 
 __all__ = [
     "BEND", "COEFFICIENTS", "CX", "DEGREE", "FIRST_XI", "HALF", "HIGH", "LAST_XI", "LOW", "OX", "ROW", "SLOPE", "TX", "W0", "W1",
-    "X", "curve_line", "curve_wall", "offset_point",
+    "X", "curve_graph", "curve_line", "curve_wall", "offset_point", "panel_crossing", "panel_where_slope_is",
 ]  # fmt: skip
 
 NEVER = math.inf
@@ -61,7 +61,7 @@ CLOSE = 1e-8  # Newton's step in w after which the tangent gives the root: what 
 
 
 @hot_kernel
-def _graph(panels: Any, j: int, w: float) -> tuple[float, float, float]:
+def curve_graph(panels: Any, j: int, w: float) -> tuple[float, float, float]:
     """Return f, f' and f'' (by xi) of a panel: even and odd powers apart, whose sums do not wait for each other."""
     z = w * w
     even, odd, even1, odd1, even2, odd2 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
@@ -81,7 +81,7 @@ def _graph(panels: Any, j: int, w: float) -> tuple[float, float, float]:
 @hot_kernel
 def offset_point(panels: Any, j: int, a: float, w: float) -> tuple[float, float, float, float]:
     """Return xi and eta of the parallel curve at w, its slope, and the rate of xi: P' = rate (1, slope)."""
-    f, f1, f2 = _graph(panels, j, w)
+    f, f1, f2 = curve_graph(panels, j, w)
     h = panels[j, HALF]
     if a == 0.0:
         return h * (1.0 + w), f, f1, h
@@ -90,14 +90,14 @@ def offset_point(panels: Any, j: int, a: float, w: float) -> tuple[float, float,
 
 
 @kernel
-def _slope_is(panels: Any, j: int, u: float, v: float) -> float:
+def panel_where_slope_is(panels: Any, j: int, u: float, v: float) -> float:
     """Return w where the panel's tangent has the direction (u, v) of the chord's frame; there is one on the panel."""
     low: float = panels[j, W0]
     high: float = panels[j, W1]
-    g0 = u * _graph(panels, j, low)[1] - v
+    g0 = u * curve_graph(panels, j, low)[1] - v
     w = 0.5 * (low + high)
     for _ in range(100):
-        _f, f1, f2 = _graph(panels, j, w)
+        _f, f1, f2 = curve_graph(panels, j, w)
         g = u * f1 - v
         if (g > 0.0) == (g0 > 0.0):
             low = w
@@ -115,13 +115,13 @@ def _slope_is(panels: Any, j: int, u: float, v: float) -> float:
 
 
 @kernel
-def _crossing(
+def panel_crossing(
     panels: Any, j: int, a: float, x: float, y: float, u: float, v: float, low: float, high: float, w: float
 ) -> float:
     """Return v.(P - x) where c rises through zero between low and high, in the chord's frame; Newton's method begins at w."""
     h = panels[j, HALF]
     for _ in range(200 if a == 0.0 else 0):
-        f, f1, f2 = _graph(panels, j, w)
+        f, f1, f2 = curve_graph(panels, j, w)
         dx, dy = h * (1.0 + w) - x, f - y
         c = u * dy - v * dx
         if c < 0.0:
@@ -257,7 +257,7 @@ def curve_line(  # noqa: PLR0911  (one return per outcome)
     squared = u * u + v * v
     low, high = panels[j, W0], panels[j, W1]
     if part != 0:
-        m = _slope_is(panels, j, u1, v1)
+        m = panel_where_slope_is(panels, j, u1, v1)
         px, py, _slope, _rate = offset_point(panels, j, a, m)
         c = u1 * (py - y1) - v1 * (px - x1)
         if part < 0:
@@ -275,7 +275,7 @@ def curve_line(  # noqa: PLR0911  (one return per outcome)
             w = high
     else:
         w = _guess(panels, j, _at_node(panels, j, x, y, u, v), _at_node(panels, j + 1, x, y, u, v), u, v)
-    time: float = _crossing(panels, j, a, x1, y1, u1, v1, low, high, w) / squared
+    time: float = panel_crossing(panels, j, a, x1, y1, u1, v1, low, high, w) / squared
     return time
 
 
@@ -287,7 +287,7 @@ def _foot(panels: Any, j: int, a: float, x: float, y: float, w: float) -> float:
     """Return w of the foot of the normal through a place of the chord's frame near the parallel curve; Newton from w."""
     h = panels[j, HALF]
     for _ in range(8):
-        f, f1, f2 = _graph(panels, j, w)
+        f, f1, f2 = curve_graph(panels, j, w)
         dx, dy = x - h * (1.0 + w), y - f
         rate = 1.0 + f1 * f1 - f2 * dy
         step = (dx + f1 * dy) / (h * rate)
@@ -318,7 +318,7 @@ def curve_wall(
     w = xi / h - 1.0
     if a > 0.0:
         w = _foot(panels, first, a, xi, eta, w)
-    _f, f1, f2 = _graph(panels, first, w)
+    _f, f1, f2 = curve_graph(panels, first, w)
     q = 1.0 / math.sqrt(1.0 + f1 * f1)
     nx, ny = -f1 * q, q
     return nx * ex - ny * ey, nx * ey + ny * ex, f2 * (q * q * q)

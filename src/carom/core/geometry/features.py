@@ -20,17 +20,25 @@ from typing import Any
 import numpy as np
 
 from carom.core.geometry.circles import call_rim, rim_gap, rim_gap_derivatives, rim_normal
+from carom.core.geometry.curve_features import (
+    curve_bend,
+    curve_gap,
+    curve_hit,
+    curve_is_far,
+    curve_normal,
+)
 from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel, vector
 from carom.core.roots.first_root import hit2, hit4, next_hit4
 
 __all__ = [
-    "FACE", "FALLS", "FEATURES", "GOES_ON", "LEAVES", "LINE", "OVER", "POINT", "RIM", "contact_normal", "feature_hit",
+    "CURVE", "FACE", "FALLS", "FEATURES", "GOES_ON", "LEAVES", "LINE", "OVER", "POINT", "RIM", "contact_normal", "feature_hit",
     "feature_normal", "gap_derivatives", "gap_to_feature", "is_out_of_reach", "never_closes", "pocket_distance",
 ]  # fmt: skip
 
 # Kinds. OVER is no wall: it is the upward continuation of a low one, and a ball whose centre passes it has cleared it; of a
-# round one, with R > 0. Faces come before what is round, so that one comparison tells them apart.
-FACE, OVER, LINE, POINT, RIM = range(5)
+# round one, with R > 0. Faces come before what is round, so that one comparison tells them apart. CURVE is an upright arc of a
+# smooth curve (carom.core.geometry.curve_features): p is its origin, u its x axis; d and R are a circle around the arc.
+FACE, OVER, LINE, POINT, RIM, CURVE = range(6)
 # What becomes of a ball whose centre passes a gate, an OVER: it goes on; it has left, and is followed no further; or the gate is
 # the edge of a pocket, into which it falls.
 GOES_ON, LEAVES, FALLS = range(3)
@@ -60,7 +68,7 @@ FEATURES = np.dtype(
         (
             "at",
             "i8",
-        ),  # of a rim: the address of carom.core.geometry.circles.rim_hit; of a pocket: its number in the scene
+        ),  # of a rim, and of a curve: the address of their kernels; of a pocket: its number in the scene
     ]
 )
 # Seams: a feature reaches this share of the ball's radius over its ends, so that no ball slips in between two.
@@ -188,6 +196,8 @@ def feature_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: 
     kind = f.kind
     if kind == RIM:
         return call_rim(f.at, vector(f.p), vector(f.d), f.R, vector(f.u), f.lo1, a, x, v, acc, until, slow)
+    if kind == CURVE:
+        return curve_hit(f, a, x, v, acc, until, slow)
     if kind >= LINE or (kind == OVER and f.R > 0):
         return _round_hit(f, a, x, v, acc, until, slow)
     return _face_hit(f, a, x, v, acc, until, slow)
@@ -202,6 +212,8 @@ def contact_normal(f: Any, x: Vec, v: Vec) -> Vec:
         return d
     if kind == RIM:
         return rim_normal(vector(f.p), d, f.R, x, v)
+    if kind == CURVE:
+        return curve_normal(f, x)
     p, side = vector(f.p), f.side
     r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])
     if kind == LINE:
@@ -232,6 +244,8 @@ def gap_to_feature(f: Any, a: float, x: Vec) -> float:
     r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])
     if kind == OVER:
         return math.inf
+    if kind == CURVE:
+        return curve_gap(f, a, x)
     if kind == FACE:
         gap = dot(r, d) - a
     elif kind == RIM:
@@ -255,6 +269,8 @@ def is_out_of_reach(f: Any, a: float, x: Vec, way: float) -> bool:
         return bool(gap > way or gap < -BEHIND * a - way)
     if f.kind == RIM:
         return bool(rim_gap(p, d, f.R, x) - a > way)
+    if f.kind == CURVE:
+        return curve_is_far(f, a, x, way)
     c = dot(r, d) if f.kind != POINT else 0 * a
     far = math.sqrt(max(dot(r, r) - c * c, 0 * a))
     if f.kind == OVER:
@@ -279,7 +295,9 @@ def gap_derivatives(f: Any, x: Vec, v: Vec, acc: Vec) -> tuple[float, float]:
     speed = dot(v, n)
     bend = _component(n, acc)
     kind = f.kind
-    if kind >= LINE:
+    if kind == CURVE:
+        bend += curve_bend(f, x, v)
+    elif kind >= LINE:
         p, side = vector(f.p), f.side
         r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])
         t = (v[0] - speed * n[0], v[1] - speed * n[1], v[2] - speed * n[2])

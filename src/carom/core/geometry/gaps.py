@@ -11,7 +11,8 @@ import math
 from typing import Any
 
 from carom.core.geometry.circles import rim_gap
-from carom.core.geometry.features import BEHIND, LINE, OVER, POINT, RIM, contact_normal
+from carom.core.geometry.curve_features import curve_depth
+from carom.core.geometry.features import BEHIND, CURVE, LINE, OVER, POINT, RIM, contact_normal
 from carom.core.jit.kernel import Vec, dot, kernel, vector
 
 __all__ = [
@@ -29,6 +30,8 @@ def feature_gap(f: Any, a: float, x: Vec) -> float:
     r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])
     if f.kind == RIM:
         return rim_gap(p, d, f.R, x) - a
+    if f.kind == CURVE:
+        return curve_depth(f, x) - a
     if f.kind < LINE and not (f.kind == OVER and f.R > 0):
         return dot(r, d) - (0.0 if f.kind == OVER else a)
     if f.kind != POINT:

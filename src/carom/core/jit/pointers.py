@@ -8,13 +8,17 @@ from __future__ import annotations
 
 import ctypes
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from carom.core.jit.native import NativeLoop
 
 __all__ = [
-    "Answer", "address_of", "answer_at", "call_at", "caller_of", "compiled_address", "python_address", "register_answers",
+    "Answer", "address_of", "address_of_table", "answer_at", "call_at", "caller_of", "compiled_address", "python_address",
+    "register_answers", "register_tables", "table_at",
 ]  # fmt: skip
 
 Answer = tuple[float, float, float, float, float, float]
@@ -29,14 +33,16 @@ def answer_at(address: int, numbers: tuple[float, ...]) -> Answer:
     return (out[0], out[1], out[2], out[3], out[4], out[5])
 
 
-def address_of(entry: Callable[..., None], numbers: int, keep: bool = False) -> int:
+def address_of(
+    entry: Callable[..., None], numbers: int, keep: bool = False, needs: Sequence[Callable[[], Any]] = ()
+) -> int:
     """Compile a function of so many numbers and of an array to write to; return its address, valid while the process lives.
 
-    ``keep``: it is shipped with the package, or else what is compiled is cached.
+    ``keep``: it is shipped with the package, or else what is compiled is cached; ``needs`` are called before it is compiled.
     """
     from carom.core.jit.compile import cfunc
 
-    compiled = cfunc(entry, numbers, keep)
+    compiled = cfunc(entry, numbers, keep, needs=needs)
     call = ctypes.CFUNCTYPE(None, *[ctypes.c_double] * numbers, ctypes.c_void_p)(compiled.address)
 
     def answer(values: tuple[float, ...]) -> list[float]:
@@ -96,6 +102,50 @@ def register_answers() -> None:
             return jump(address, numbers)
 
         return call
+
+
+# --- tables -------------------------------------------------------------------------------------------------------------------
+
+_tables: dict[int, NDArray[np.float64]] = {}
+_addresses: dict[bytes, int] = {}
+
+
+def address_of_table(table: NDArray[np.float64]) -> int:
+    """Return the address of a copy of a table, which is kept while the process lives; of equal tables it is the same."""
+    content = np.ascontiguousarray(table, dtype=np.float64).tobytes()
+    if content not in _addresses:
+        kept = np.frombuffer(bytearray(content)).reshape(table.shape)
+        _addresses[content] = int(kept.ctypes.data)
+        _tables[_addresses[content]] = kept
+    return _addresses[content]
+
+
+def table_at(address: int, rows: int, columns: int) -> NDArray[np.float64]:
+    """Return the table at an address; compiled code takes it to have so many rows, and does not look."""
+    return _tables[address]
+
+
+@functools.cache
+def register_tables() -> None:
+    """Tell the compiler what :func:`table_at` is."""
+    from llvmlite import ir
+    from numba import carray, types
+    from numba.extending import intrinsic, overload
+
+    @intrinsic  # type: ignore[untyped-decorator]
+    def pointer(_context: Any, address: Any) -> Any:
+        def build(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
+            return builder.inttoptr(args[0], ir.DoubleType().as_pointer())
+
+        return types.CPointer(types.float64)(types.int64), build
+
+    # (Numba compares the annotations of the two signatures as well)
+    @overload(table_at)  # type: ignore[untyped-decorator]
+    def _table_at(address: Any, rows: Any, columns: Any) -> Any:
+        def found(address: Any, rows: Any, columns: Any) -> Any:
+            return carray(pointer(address), (rows, columns))
+
+        return found
 
 
 def compiled_address(compiled: Any) -> int:

@@ -64,20 +64,23 @@ def PolarPiece(r: Function, cuts: tuple[float, ...] = ()) -> FunctionPiece:  # n
 
 
 class SplinePiece(Piece):
-    """The closed cubic spline through points: its curvature is continuous. Its parameter is the length of the chords."""
+    """The cubic spline through points, closed or from the first to the last: its curvature is continuous.
 
-    def __init__(self, points: Array) -> None:
+    Its parameter is the length of the chords.
+    """
+
+    def __init__(self, points: Array, is_closed: bool = True) -> None:
         interpolate = import_optional("scipy.interpolate", "a spline through points")
-        closed = np.concatenate([points, points[:1]])
-        chords = np.linalg.norm(np.diff(closed, axis=0), axis=1)
+        way = np.concatenate([points, points[:1]]) if is_closed else points
+        chords = np.linalg.norm(np.diff(way, axis=0), axis=1)
         if not (chords > 0).all():
             raise CaromError(
                 Fault("curve", "points", "points that differ from the one before", "two that are the same")
             )
         knots = np.concatenate([[0.0], np.cumsum(chords)])
-        self.points = points
+        self.points, self.is_closed = points, is_closed
         self.cuts = tuple(knots[1:-1].tolist())
-        self.spline = interpolate.CubicSpline(knots, closed, bc_type="periodic")
+        self.spline = interpolate.CubicSpline(knots, way, bc_type="periodic" if is_closed else "not-a-knot")
 
     def at(self, t: Any) -> tuple[Array, Array, Array]:
         """Return places and derivatives."""
@@ -89,7 +92,7 @@ class SplinePiece(Piece):
 
     def reversed(self) -> SplinePiece:
         """Return the spline the other way round."""
-        return SplinePiece(self.points[::-1])
+        return SplinePiece(self.points[::-1], self.is_closed)
 
 
 def _function(name: str) -> BeforeValidator:
@@ -164,9 +167,18 @@ class CurveFigure(PlaneFigure):
             x, y = (points - points[0]).T
             clockwise = np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 0
             return [[SplinePiece(points[::-1] if clockwise else points)]]
-        found = FunctionPiece(_as_function(self.x, "s"), _as_function(self.y, "s"))
+        found = self._by_functions()
         x, y = found.at(np.linspace(*found.span(), 721))[0].T
         return [[found.reversed() if np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 0 else found]]
+
+    def _by_functions(self) -> FunctionPiece:
+        return FunctionPiece(_as_function(self.x, "s"), _as_function(self.y, "s"))
+
+    def open_pieces(self) -> list[Piece]:
+        """Return the curve from its first place to its last one, which need not be the same."""
+        if self.points is not None:
+            return [SplinePiece(np.array(self.points), is_closed=False)]
+        return [self._by_functions()] if self.r is None else [*self.outline()[0]]
 
 
 def _try(figure: CurveFigure) -> None:

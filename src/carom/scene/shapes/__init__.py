@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Union
 from pydantic import Field
 
 from carom.scene.by_file import modules_of
-from carom.scene.shapes.outline import FigureWall, OutlineWall, figure_walls
+from carom.scene.shapes.curves import CurvedWallShape, CurveWallShape, figure_walls
+from carom.scene.shapes.outline import FigureWall, OutlineWall
 from carom.scene.shapes.planes import Box, Plane, Strip, Wedge
 from carom.scene.shapes.rounds import Arc, Cylinder, Sphere, Stadium
 from carom.scene.shapes.segments import Polygon, Segment
@@ -19,7 +20,8 @@ from carom.scene.shapes.table import Table
 from carom.scene.wall import WallShape
 
 __all__ = [
-    "PAGE_SHAPES", "SHAPES", "AnyWall", "Arc", "Box", "Cylinder", "FigureWall", "OutlineWall", "Plane", "Polygon", "Segment",
+    "PAGE_SHAPES", "SHAPES", "AnyWall", "Arc", "Box", "CurveWallShape", "CurvedWallShape", "Cylinder",
+    "FigureWall", "OutlineWall", "Plane", "Polygon", "Segment",
     "Sphere", "Stadium", "Strip", "Table", "Wedge",
 ]  # fmt: skip
 

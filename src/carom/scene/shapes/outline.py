@@ -1,4 +1,4 @@
-"""Walls of figures: any closed loop of straight sides and arcs, with the balls inside; a wall for each plane figure."""
+"""Walls of figures: any closed loop of straight sides and arcs, with the balls inside."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ from collections.abc import Sequence
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import BeforeValidator, create_model, model_validator
+from pydantic import BeforeValidator, model_validator
 
 from carom.core.geometry.angles import direction
 from carom.core.geometry.features import FACE, LINE
 from carom.core.jit.kernel import kernel
 from carom.errors import Fault
 from carom.scene.feature_builders import UP, circle, put, put_line, put_round
-from carom.scene.figures import FIGURES, ArcPiece, PlaneFigure, SegmentPiece
+from carom.scene.figures import ArcPiece, PlaneFigure, SegmentPiece
 from carom.scene.schema import Angle, Coefficient, Components, Place, Vector, raise_faults, with_faults_of_part
 from carom.scene.wall import Outline, ShapeKernels, WallShape
 
-__all__ = ["FigureWall", "OutlineWall", "figure_walls", "placed_pieces"]
+__all__ = ["REENTRANT", "FigureWall", "OutlineWall", "pieces_features", "placed_piece", "placed_pieces"]
 
 Numbers = Sequence[float]
 COLUMNS = 10  # of a piece: way, x, y, ux, uy, size, cosine, x and y of its end, whether a re-entrant corner is there
@@ -29,7 +29,7 @@ REENTRANT = -1e-12  # sine of the turn at a corner
 
 
 @kernel
-def _features(p: Numbers, out: Any) -> int:
+def pieces_features(p: Numbers, out: Any) -> int:
     """Write a face or a part of a cylinder for each piece, and an edge at each re-entrant corner."""
     i = 0
     for k in range(int(p[0])):
@@ -65,7 +65,7 @@ def _outside(p: Numbers, x: Vector) -> bool:
     return not inside
 
 
-KERNELS = ShapeKernels(_features, _outside)
+KERNELS = ShapeKernels(pieces_features, _outside)
 _PIECE = Components("a piece: way, x, y, ux, uy, size, cosine, x and y of its end, re-entrant", (COLUMNS,))
 
 
@@ -115,6 +115,8 @@ class FigureWall(WallShape):
 
     kernels: ClassVar = KERNELS
     in_page: ClassVar[bool] = False
+    is_of_arcs: ClassVar[bool] = True
+    """Whether it is straight sides and arcs of circles alone, of which the page has the outline."""
     of: ClassVar[type[PlaneFigure]]
     center: Place = (0.0, 0.0)
     angle: Angle = 0.0
@@ -158,48 +160,33 @@ class FigureWall(WallShape):
 
 def placed_pieces(kind: str, loop: Sequence[Any], center: Place, angle: float) -> tuple[tuple[float, ...], ...]:
     """Return the rows of pieces that are turned by an angle, degrees, and moved to a place."""
-    (c, s), (x, y) = direction(angle), center
-    rows = []
+    rows: list[tuple[float, ...]] = []
     for piece, after in zip(loop, (*loop[1:], loop[0]), strict=True):
         turned = piece.tangent(np.array([piece.length]))[0], after.tangent(np.zeros(1))[0]
         corner = float(turned[0][0] * turned[1][1] - turned[0][1] * turned[1][0]) < REENTRANT
-        end = piece.at(np.array([piece.span()[1]]))[0][0].tolist()
-        if isinstance(piece, SegmentPiece):
-            (u, v), (p, q) = piece.start, piece.end
-            at, along = ((u + p) / 2, (v + q) / 2), ((p - u) / piece.length, (q - v) / piece.length)
-            way, size, cosine, end = 0.0, piece.length / 2, 0.0, [p, q]
-        elif isinstance(piece, ArcPiece):
-            first, last = sorted((piece.from_angle_deg, piece.to_angle_deg))
-            at, along, way, size = piece.center, direction((first + last) / 2), piece.way, piece.radius
-            cosine = -1.0 if last - first >= 360 else direction((last - first) / 2)[0]
-        else:
-            raise_faults(
-                [Fault("", "shape", "a figure of straight sides and arcs", f"a {kind}, with {type(piece).__name__}")]
-            )
-        placed = [(x + a * c - b * s, y + a * s + b * c) for a, b in (at, end)]
-        turned_along = (along[0] * c - along[1] * s, along[0] * s + along[1] * c)
-        rows.append((way, *placed[0], *turned_along, size, cosine, *placed[1], float(corner)))
+        row = placed_piece(piece, corner, center, angle)
+        rows.append(row or ())
+    if () in rows:
+        raise_faults(
+            [Fault("", "shape", "a figure of straight sides and arcs of circles", f"a {kind}, with other pieces")]
+        )
     return tuple(rows)
 
 
-def _wall_of(kind: type[PlaneFigure]) -> type[FigureWall]:
-    """Return the class of walls of a figure: its fields are the sizes of the figure and those of a wall."""
-    fields: dict[str, Any] = {name: (info.annotation, info) for name, info in kind.model_fields.items()}
-    name = f"{kind.__name__.removesuffix('Figure')}Wall"
-    doc = f"{kind.__doc__}\n\n{FigureWall.__doc__}"
-    made: Any = create_model(name, __base__=FigureWall, __module__=__name__, __doc__=doc, **fields)
-    made.of = kind
-    globals()[name] = made  # (where a pickle looks for it)
-    return made  # type: ignore[no-any-return]
-
-
-def figure_walls(beside: Sequence[str]) -> dict[str, type[FigureWall]]:
-    """Return a class of walls for each plane figure but those that have their own, or pieces that scenes do not have."""
-    flat = {name: kind for name, kind in FIGURES.items() if issubclass(kind, PlaneFigure) and name not in beside}
-    return {name: _wall_of(kind) for name, kind in flat.items() if _of_sides_and_arcs(kind)}
-
-
-def _of_sides_and_arcs(kind: type[PlaneFigure]) -> bool:
-    if not kind.usual:
-        return True
-    return all(isinstance(one, SegmentPiece | ArcPiece) for loop in kind(**kind.usual).outline() for one in loop)
+def placed_piece(piece: Any, corner: bool, center: Place, angle: float) -> tuple[float, ...] | None:
+    """Return the row of a straight side or an arc, or None; ``corner``: whether a re-entrant corner is at its end."""
+    (c, s), (x, y) = direction(angle), center
+    end = piece.at(np.array([piece.span()[1]]))[0][0].tolist()
+    if isinstance(piece, SegmentPiece):
+        (u, v), (p, q) = piece.start, piece.end
+        at, along = ((u + p) / 2, (v + q) / 2), ((p - u) / piece.length, (q - v) / piece.length)
+        way, size, cosine, end = 0.0, piece.length / 2, 0.0, [p, q]
+    elif isinstance(piece, ArcPiece):
+        first, last = sorted((piece.from_angle_deg, piece.to_angle_deg))
+        at, along, way, size = piece.center, direction((first + last) / 2), piece.way, piece.radius
+        cosine = -1.0 if last - first >= 360 else direction((last - first) / 2)[0]
+    else:
+        return None
+    placed = [(x + a * c - b * s, y + a * s + b * c) for a, b in (at, end)]
+    turned_along = (along[0] * c - along[1] * s, along[0] * s + along[1] * c)
+    return (way, *placed[0], *turned_along, size, cosine, *placed[1], float(corner))

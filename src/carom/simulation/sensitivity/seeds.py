@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.geometry.features import CURVE
 from carom.core.motion.phases import FLIGHT, PIVOTING, REST
 from carom.errors import CaromError
 from carom.scene.paths import path_match, replaced
@@ -102,7 +103,11 @@ def tangents_of(scene: Scene, wrt: Any, phases: Any, setup: SceneArrays) -> tupl
     CaromError for a number, or a whole vector, that cannot change.
     """
     columns = _columns_of(scene, wrt, phases)
-    slopes = [_slopes(scene, one, setup) for one in columns]
+    try:
+        slopes = [_slopes(scene, one, setup) for one in columns]
+    except CurveChangesError as error:
+        expected = "expected a number that leaves the curve of a wall as it is, such as its center or its angle"
+        raise CaromError(f"{WHERE}: wrt: {expected}, got {error}, on which the curve depends") from None
     for one, slope in zip(columns, slopes, strict=True):
         whole = [found for other, found in zip(columns, slopes, strict=True) if other.path == one.path]
         if slope is None and all(found is None for found in whole):
@@ -132,11 +137,26 @@ def _slopes(scene: Scene, column: Column, setup: SceneArrays) -> Tangents | None
     h = _step_of(column)
 
     def shifted(by: float) -> SceneArrays:
-        return set_up(shifted_scene(scene, column, by), compiled=False)
+        made = set_up(shifted_scene(scene, column, by), compiled=False)
+        if _curves_of(made) != curves:
+            raise CurveChangesError(column.name)
+        return made
+
+    curves = _curves_of(setup)
 
     # (of several places with different values the arrays hold no one number)
     x = column.value if len(set(column.values)) == 1 else math.nan
     return linear_slopes(setup, shifted, x, h) or _differences(setup, shifted, h)
+
+
+class CurveChangesError(Exception):
+    """A parameter changes the curve of a wall."""
+
+
+def _curves_of(setup: SceneArrays) -> list[float]:
+    """Return the addresses of the tables of curves."""
+    found: list[float] = setup.features["lo1"][setup.features["kind"] == CURVE].tolist()
+    return found
 
 
 def linear_slopes(setup: SceneArrays, shifted: Shifted, x: float, h: float) -> Tangents | None:
