@@ -199,6 +199,7 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
         billiards.corridors(billiards.sinai()),
         billiards.diffusion(billiards.sinai(), 2, 200),
         billiards.recurrence(found, [(0.0, 1.0)]),
+        billiards.words(found, 2),
         billiards.uniformity(CIRCLE, 10, 10),
         billiards.drift(billiards.orbit(billiards.strip(), START, 30)),
         billiards.sinai(),

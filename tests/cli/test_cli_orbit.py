@@ -410,3 +410,12 @@ def test_the_legend_of_a_portrait_is_no_wider_than_its_axes() -> None:
     legend = axes.get_legend()
     assert len(legend.get_texts()) == 2
     assert legend.get_window_extent().width <= axes.bbox.width
+
+
+def test_periodic_orbits_by_their_walls() -> None:
+    words = ["discs", "--law", "mirror", "--itinerary", "AB,ABC", "--starts", "8", "--bounces", "1"]
+    shown = json.loads(run(*words, "--json").stdout)["periodic"]
+    assert [one["itinerary"] for one in shown] == ["AB", "ABC"]
+    assert " ABC " in run(*words).stdout
+    with pytest.raises(carom.CaromError, match="itinerary: expected two walls or more, letters from A to C"):
+        runner.invoke(app, ["orbit", *words[:4], "AX"], catch_exceptions=False)

@@ -10,6 +10,7 @@
 - Analysis: `period`, `caustics`, `section`, `drift`, `escape`, `uniformity`.
 - Transport: `mean_flight`, `diffusion`, `corridors`, `recurrence`; `escape(...).decay()`.
 - Stability: `tangent_map`, `lyapunov`; periodic orbits: `periodic_orbits`, `continue_orbit`.
+- Symbols: `itinerary`, `words`, `codes`.
 - Rolling on surfaces: `roll`, `surfaces`, `putt`.
 """
 

@@ -12,6 +12,7 @@ from .birkhoff import RotationNumber as RotationNumber
 from .birkhoff import digits_of_averages as digits_of_averages
 from .birkhoff import is_regular as is_regular
 from .birkhoff import rotation_number as rotation_number
+from .coded_orbits import codes as codes
 from .continuation import BranchPoint as BranchPoint
 from .continuation import OrbitBranch as OrbitBranch
 from .continuation import continue_orbit as continue_orbit
@@ -43,6 +44,7 @@ from .setup import Start as Start
 from .sized_tables import box as box
 from .sized_tables import circle as circle
 from .sized_tables import cylinder as cylinder
+from .sized_tables import discs as discs
 from .sized_tables import ellipse as ellipse
 from .sized_tables import periodic_strip as periodic_strip
 from .sized_tables import plates as plates
@@ -60,6 +62,9 @@ from .stability import TangentMap as TangentMap
 from .stability import lyapunov as lyapunov
 from .stability import tangent_map as tangent_map
 from .surfaces import RollingSurface as RollingSurface
+from .symbols import Words as Words
+from .symbols import itinerary as itinerary
+from .symbols import words as words
 from .table_records import ENDS as ENDS
 from .tables import Table as Table
 from .tables import table as table

@@ -212,6 +212,11 @@ class Boundary:
         met = np.asarray(met, np.int64)
         return met if self.curve is None else np.append(self.parts, -1)[self._number(met)]
 
+    def wall_parts(self, met: Any) -> NDArray[np.int64]:
+        """Return the smooth parts of pieces (...) that are met, without windows and with images as their obstacles; -1 for none."""
+        found: NDArray[np.int64] = np.append(self.parts, -1)[self._number(np.asarray(met, np.int64))]
+        return found
+
     def without_lids(self) -> Boundary:
         """Return the boundary of the section of a prism: its pieces but the lids, which follow the other faces."""
         sides, faces = sum(not f.is_lid for f in self.faces), len(self.faces)

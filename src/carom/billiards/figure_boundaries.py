@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Callable
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from carom.billiards.curved_region import curved_region
 from carom.billiards.curved_wall import CurvedWall
 from carom.errors import CaromError, Fault
 from carom.scene.figures import CellFigure, Figure, PlaneFigure
+from carom.scene.figures.cells import DiscsFigure
 from carom.scene.figures.figure import Loop
 from carom.scene.figures.open import PlatesFigure, StripFigure, WedgeFigure
 from carom.scene.figures.pieces import ArcPiece, EllipsePiece, SegmentPiece
@@ -193,6 +195,17 @@ def _wedge(_name: str, figure: WedgeFigure, inset: float) -> Boundary:
     return Boundary(faces=[face(sin, cos, inset, tip), face(sin, -cos, inset, end=-tip)], size=1.0 + inset)
 
 
+def _discs(name: str, figure: DiscsFigure, inset: float) -> Boundary:
+    circles = [(x, y, radius + inset) for x, y, radius in figure.obstacles]
+    for (x, y, r), (u, v, q) in combinations(circles, 2):
+        require_room(name, math.hypot(x - u, y - v) - r - q, "between obstacles", inset)
+    low, high = (
+        [f(one[axis] + side * one[2] for one in circles) for axis in (0, 1)] for f, side in ((min, -1), (max, 1))
+    )
+    size = max(high[0] - low[0], high[1] - low[1])
+    return Boundary(outside=[Obstacle(*one, 0.0, math.tau) for one in circles], size=size)
+
+
 def _cell(name: str, figure: CellFigure, inset: float) -> Boundary:
     (w, h), periodic = (side / 2 for side in figure.sides), figure.along
     found = Boundary(size=2 * max(w, h), cell=(2 * w, 2 * h if periodic[1] else INF))
@@ -247,6 +260,6 @@ def _with_lids(name: str, shape: Boundary, height: float | None, inset: float) -
 
 
 BY_KIND: dict[type[Figure], Callable[[str, Any, float], Boundary]] = {
-    StripFigure: _strip, PlatesFigure: _plates, WedgeFigure: _wedge, CellFigure: _cell,
+    StripFigure: _strip, PlatesFigure: _plates, WedgeFigure: _wedge, CellFigure: _cell, DiscsFigure: _discs,
     SphereFigure: _sphere, CylinderFigure: _cylinder, BoxFigure: _box,
 }  # fmt: skip

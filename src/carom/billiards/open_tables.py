@@ -87,7 +87,8 @@ class Escape:
             Time, s, or number of bounces. Default: at which half of the escapes have happened.
         by : "time" or "bounces"
             Orbits make so many bounces in times of their own. By time, nothing counts after the time up to which all of those that
-            stay were followed, which is short where some bounces follow each other quickly.
+            stay were followed, which is short where some bounces follow each other quickly; and escapes must come evenly in time:
+            where all flights are about as long, as among distant discs, compare the survival at two times many flights apart.
 
         Returns
         -------
@@ -121,8 +122,12 @@ class Escape:
         odds = count * math.log(rate / exponent) + float(np.log(gone[gone > after]).sum())
         sure = math.log(LIKELIER)
         kind = "exponential" if odds > sure else "power law" if odds < -sure else "undecided"
-        root = math.sqrt(count)
-        return EscapeDecay(kind, rate, rate / root, exponent, exponent / root, odds, float(after), end, count)
+        error, root = rate / math.sqrt(count), math.sqrt(count)
+        if by == "bounces":
+            # the share that leaves at each bounce, and the rate that it means
+            error *= math.sqrt(1.0 - rate) / (1.0 - rate) if rate < 1.0 else math.inf
+            rate = -math.log1p(-rate) if rate < 1.0 else math.inf
+        return EscapeDecay(kind, rate, error, exponent, exponent / root, odds, float(after), end, count)
 
     def _ends(self, by: str) -> tuple[Array, float]:
         """Return when orbits (N) left, infinite for those that stay, and up to when all of these were followed."""

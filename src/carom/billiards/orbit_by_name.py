@@ -78,6 +78,7 @@ def orbit(
     lyapunov: bool = False,
     reverse: bool = False,
     periodic: int | str | Iterable[int] | None = None,
+    itinerary: str | Iterable[str] | None = None,
     starts: int = PERIODIC_STARTS,
     progress: Progress | None = None,
     **sizes: Any,
@@ -116,6 +117,8 @@ def orbit(
     periodic : int, several, or text such as "2-6", optional
         Numbers of bounces after which periodic orbits close, which are found too: ``found.periodic``
         (:func:`carom.billiards.periodic_orbits`).
+    itinerary : str or several, optional
+        In place of ``periodic`` the walls that periodic orbits meet, such as "ABC".
     starts : int
         Number of starts of that search, for each period.
     progress : callable(done, total, text), optional
@@ -141,16 +144,17 @@ def orbit(
     >>> carom.orbit("circle", 100, orbits=3, seed=1, lyapunov=True).spectrum.per_bounce.shape
     (3, 4)
     """
-    left_out = ("lyapunov", "progress", "periodic", "starts", "sizes")
+    left_out = ("lyapunov", "progress", "periodic", "itinerary", "starts", "sizes")
     options = {name: value for name, value in locals().items() if name not in (*left_out, "left_out")} | sizes
     setup: OrbitSetup
     setup, start = _checked(**options)
     surface = _surface(law, restitution, friction, tangential_restitution)
     closed = None
-    if periodic is not None:
+    if periodic is not None or itinerary is not None:
         closed = periodic_orbits(
             setup.table,
             periodic,
+            itinerary=itinerary,
             ball=setup.ball,
             law=law,
             surface=surface,

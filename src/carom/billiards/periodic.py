@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.billiards.coded_orbits import orbits_with_code
 from carom.billiards.energy_shell import NULL, EnergyShell, energy_shell, solve_periodic
 from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer
 from carom.billiards.same_orbits import (
@@ -24,6 +25,7 @@ from carom.billiards.same_orbits import (
 )  # fmt: skip
 from carom.billiards.sampling import starts as sampled_starts
 from carom.billiards.setup import Start, start_rows
+from carom.billiards.symbols import code_numbers, letters_of
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
 from carom.errors import CaromError, Fault
@@ -99,8 +101,14 @@ class PeriodicOrbit:
 
     @property
     def pieces(self) -> tuple[int, ...]:
-        """(p): index of the piece of the boundary at each bounce, as :attr:`Orbit.piece`: the itinerary."""
+        """(p): index of the piece of the boundary at each bounce, as :attr:`Orbit.piece`."""
         return tuple(int(k) for k in self.orbit.piece)
+
+    @property
+    def itinerary(self) -> str:
+        """The walls that it meets as letters (:func:`itinerary`), from where the text comes first in the alphabet."""
+        walls = self.orbit.setup.shape.wall_parts(self.orbit.piece).tolist()
+        return letters_of(min(walls[k:] + walls[:k] for k in range(self.period)))
 
     def to_dict(self) -> dict[str, Any]:
         """Return the orbit as plain numbers, for JSON: its multipliers as [real, imaginary], its bounces one after the other."""
@@ -112,6 +120,7 @@ class PeriodicOrbit:
             "rotation_number",
             "winding",
             "cells",
+            "itinerary",
             "family",
             "error",
             "found",
@@ -203,8 +212,9 @@ class PeriodicOrbits(Sequence[PeriodicOrbit]):
 
 def periodic_orbits(
     table: Table,
-    period: int | str | Iterable[int],
+    period: int | str | Iterable[int] | None = None,
     *,
+    itinerary: str | Iterable[str] | None = None,
     ball: Ball | None = None,
     law: Any = "no-slip",
     surface: Surface | None = None,
@@ -225,6 +235,9 @@ def periodic_orbits(
         In the plane, with a closed boundary or obstacles in a periodic cell.
     period : int, several, or text such as "2-6" or "3,5"
         Least number of bounces.
+    itinerary : str or several, in place of ``period``
+        Walls that the orbit meets, such as "ABC" (:func:`itinerary`, :func:`codes`): the orbits with this code are sought, each
+        code for itself, with the mirror law from polygons of extremal length.
     ball, law, surface
         As for :func:`orbit`; a law that keeps the energy.
     starts : int
@@ -256,13 +269,18 @@ def periodic_orbits(
     """
     shell = energy_shell(table, ball, law, surface, speed)
     count, seed = require_integer("starts", starts), require_integer("seed", seed, 0)
-    periods = periods_of(period)
+    if (period is None) == (itinerary is None):
+        got = "neither" if period is None else "both"
+        raise CaromError(Fault("periodic_orbits", "period, itinerary", "one of the two", got))
+    words = [itinerary] if isinstance(itinerary, str) else list(itinerary or ())
+    wanted = [code_numbers(shell.setup.shape, one) for one in words]
+    periods = [len(one) for one in wanted] or periods_of(period)
     report = as_progress(progress, lambda done, total, _text: (done, total))
     rng = sampled_starts(table, count, seed, ball=ball, law=law, speed=speed)
     first = first_coordinates(shell, rng)
     found: list[PeriodicOrbit] = []
     for k, p in enumerate(periods):
-        y = solve_periodic(shell, first, p)
+        y = orbits_with_code(shell, wanted[k], first, count) if wanted else solve_periodic(shell, first, p)
         found += _distinct(shell, y, p)
         if report is not None:
             report(k + 1, len(periods), "periods")
@@ -327,7 +345,7 @@ def refine_orbit(
     return describe_periodic(shell, solved[0], period)
 
 
-def periods_of(period: int | str | Iterable[int]) -> list[int]:
+def periods_of(period: Any) -> list[int]:
     """Return the periods that a number, several numbers, or a text of numbers and ranges mean, in ascending order."""
     if isinstance(period, str):
         parts = [[part.strip() for part in one.split("-")] for one in period.split(",")]

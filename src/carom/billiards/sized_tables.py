@@ -15,8 +15,8 @@ from carom.errors import FaultList
 from carom.scene.figures.circle import CircleFigure
 
 __all__ = [
-    "box", "circle", "cylinder", "ellipse", "periodic_strip", "plates", "polygon", "rectangle", "regular", "sinai", "sphere",
-    "stadium", "strip", "torus", "wedge",
+    "box", "circle", "cylinder", "discs", "ellipse", "periodic_strip", "plates", "polygon", "rectangle", "regular", "sinai",
+    "sphere", "stadium", "strip", "torus", "wedge",
 ]  # fmt: skip
 
 Circles = Sequence[Sequence[float]]
@@ -199,6 +199,32 @@ def stadium(straight: float = 2.0, radius: float = 1.0, *, bounds: Bounds = "cen
     array([2.        , 2.        , 3.14159265, 3.14159265])
     """
     return table("stadium", bounds=bounds, straight=straight, radius=radius)
+
+
+# --- with round obstacles: in the open plane, and periodic ------------------------------------------------------------
+
+
+def discs(obstacles: Circles | None = None, *, bounds: Bounds = "centre") -> Table:
+    """Return round obstacles in the open plane: a ball that meets none flies away.
+
+    Parameters
+    ----------
+    obstacles : sequence of (x, y, radius), m
+        Default: three of radius 1/4 in a triangle with sides of 3/2.
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> print(billiards.discs([(0.0, 0.0, 1.0), (3.0, 0.0, 1.0)]))
+    discs (obstacles [[0.0, 0.0, 1.0], [3.0, 0.0, 1.0]]; bounds the centre)
+    """
+    sizes: dict[str, Any] = {} if obstacles is None else {"obstacles": obstacles}
+    return table("discs", bounds=bounds, **sizes)
 
 
 # --- periodic, with round obstacles -----------------------------------------------------------------------------------

@@ -60,7 +60,7 @@ def mean_flight(table: Table, *, ball: Ball | None = None, law: Any = "no-slip",
     Raises
     ------
     CaromError
-        A wedge, a table under a force across its walls.
+        An open table, a table under a force across its walls.
 
     Examples
     --------
@@ -78,6 +78,10 @@ def mean_flight(table: Table, *, ball: Ball | None = None, law: Any = "no-slip",
     if not 0 < speed < math.inf:
         raise CaromError(Fault("mean_flight", "speed", "a number > 0", repr(speed)))
     ratio = _volume_over_surface(setup.shape)
+    if setup.world["force_across"][0] or not ratio > 0:
+        raise CaromError(
+            Fault("mean_flight", "table", "a table from which no ball escapes, without a force", f"{table}")
+        )
     spins = 0 if setup.keeps_spin else 1 if setup.planar else 3
     d = table.dimension + spins
     rolls = math.sqrt(1.0 + float(setup.ball.kappa)) if setup.rolls else 1.0

@@ -129,6 +129,14 @@ def orbit(
             show_default=False,
         ),
     ] = None,
+    itinerary: Annotated[
+        str | None,
+        typer.Option(
+            help="Find the periodic orbits that meet these walls in turn, such as ABC or AB,ABC; A is the boundary's first piece.",
+            rich_help_panel=OUTPUT,
+            show_default=False,
+        ),
+    ] = None,
     starts: Annotated[
         int, typer.Option(help="Starts of the search for periodic orbits, for each period.", rich_help_panel=OUTPUT)
     ] = PERIODIC_STARTS,
@@ -174,7 +182,17 @@ def orbit(
         raise CaromError(*faults)
     with working("orbits") as report:
         exponents = lyapunov or lyapunov_plot is not None
-        found = follow(what, bounces, lyapunov=exponents, periodic=periodic, starts=starts, progress=report, **options)
+        codes = None if itinerary is None else itinerary.split(",")
+        found = follow(
+            what,
+            bounces,
+            lyapunov=exponents,
+            periodic=periodic,
+            itinerary=codes,
+            starts=starts,
+            progress=report,
+            **options,
+        )
         facts = orbit_facts(found)
     if json_:
         facts["bounces"] = every_bounce(found)

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
 __all__ = ["every_bounce", "orbit_facts", "print_orbit"]
 
+LONGEST_SHOWN = 12  # walls of a periodic orbit, as letters
 # Why an orbit ended, in words.
 REASONS = {
     "bounces": "after all bounces",
@@ -202,13 +203,24 @@ def _periodic_orbits(found: PeriodicOrbits) -> Any:
     from rich.table import Table as Grid
 
     grid = Grid(box=box.SIMPLE_HEAD, pad_edge=False)
-    for name in ("bounces", "duration (s)", "stability", "multiplier", "rotation number", "turns", "family", "found"):
+    for name in (
+        "bounces",
+        "duration (s)",
+        "stability",
+        "multiplier",
+        "rotation number",
+        "walls",
+        "turns",
+        "family",
+        "found",
+    ):
         grid.add_column(name, justify="left" if name == "stability" else "right")
     for one in found:
         far, turns = one.multipliers[0], one.rotation_number
+        walls = one.itinerary if one.period <= LONGEST_SHOWN else "–"
         grid.add_row(
             str(one.period), f"{one.duration:.9g}", one.stability, "–" if far.imag else f"{far.real:.6g}",
-            "–" if turns is None else f"{turns:.6f}", "–" if one.winding is None else str(one.winding),
+            "–" if turns is None else f"{turns:.6f}", walls, "–" if one.winding is None else str(one.winding),
             str(one.family) if one.family else "–", str(one.found),
         )  # fmt: skip
     return grid

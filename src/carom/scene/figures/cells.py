@@ -1,20 +1,46 @@
-"""Periodic cells with round obstacles: Sinai's billiard, a periodic strip, any cell."""
+"""Round obstacles in the open plane and in periodic cells: discs, Sinai's billiard, a periodic strip, any cell."""
 
 from __future__ import annotations
 
+import math
+from itertools import combinations
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import BeforeValidator, model_validator
 
 from carom.errors import Fault
-from carom.scene.figures.figure import CellFigure, Circle, Sizes2
+from carom.scene.figures.figure import CellFigure, Circle, Figure, Sizes2
 from carom.scene.schema import Components, Length, Place, Size, raise_faults
 
-__all__ = ["Obstacles", "PeriodicCellFigure", "PeriodicStripFigure", "SinaiFigure"]
+__all__ = ["DiscsFigure", "Obstacles", "PeriodicCellFigure", "PeriodicStripFigure", "SinaiFigure"]
 
 Obstacles = tuple[
     Annotated[tuple[Length, Length, Size], BeforeValidator(Components("x, y, radius: 3 lengths in m", (3,)))], ...
 ]
+
+
+class DiscsFigure(Figure):
+    """Round obstacles in the open plane, apart from each other: a ball that meets none flies away.
+
+    Parameters
+    ----------
+    obstacles : one or more times x, y, radius, m
+    """
+
+    usual: ClassVar = {"obstacles": ((0.0, 0.866, 0.25), (-0.75, -0.433, 0.25), (0.75, -0.433, 0.25))}
+    shape: Literal["discs"] = "discs"
+    obstacles: Obstacles
+
+    @model_validator(mode="after")
+    def _apart(self) -> DiscsFigure:
+        faults = [] if self.obstacles else [Fault("", "obstacles", "one or more of x, y, radius", "none")]
+        for (i, (x, y, r)), (k, (u, v, q)) in combinations(enumerate(self.obstacles), 2):
+            if math.hypot(x - u, y - v) <= r + q:
+                faults.append(
+                    Fault("", "obstacles", "obstacles apart from each other", f"{i + 1} and {k + 1} that touch")
+                )
+        raise_faults(faults)
+        return self
 
 
 class SinaiFigure(CellFigure):
