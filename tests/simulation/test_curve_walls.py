@@ -122,6 +122,7 @@ def test_refusals_in_one_line() -> None:
 def test_it_is_drawn_kept_and_told() -> None:
     wall = {"shape": "ellipse", "half_axes": (1.0, 0.6), **MIRROR}
     run = run_in(wall)
+    assert "ellipse 0" in " ".join(run.describe())
     (outline,) = run.scene.walls[0].outline()
     assert np.abs((outline / [1.0, 0.6]) ** 2 @ [1, 1] - 1).max() < 1e-12
     again = pickle.loads(pickle.dumps(run.scene))

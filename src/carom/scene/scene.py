@@ -16,7 +16,8 @@ from pydantic import BeforeValidator, Field, field_validator, model_validator
 from pydantic_core.core_schema import ValidationInfo
 
 from carom.bodies import State, Surface
-from carom.core.geometry.features import FALLS, FEATURES, GOES_ON, LEAVES, OVER, feature_normal, gap_to_feature
+from carom.core.geometry.curve_features import arc_address
+from carom.core.geometry.features import CURVE, FALLS, FEATURES, GOES_ON, LEAVES, OVER, feature_normal, gap_to_feature
 from carom.core.jit.kernel import Vec
 from carom.errors import Fault, FaultList, shown
 from carom.formatting import format_length, format_time
@@ -226,7 +227,9 @@ class Scene(Model):
                 times, ends = (wall.contact_time, wall.yield_time), (gate, 0) if pocket < 0 else (FALLS, pockets)
                 rows.append((*shape, i, *contact, *times, number, *ends))
                 pockets += pocket >= 0
-        return np.array(rows, dtype=FEATURES)
+        found = np.array(rows, dtype=FEATURES)
+        found["at"][found["kind"] == CURVE] = arc_address(compiled=False)
+        return found
 
     @property
     def wall_names(self) -> tuple[str, ...]:
