@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 
 import carom
+from carom.laws import arrays
 from carom.laws.arrays import FEW_AT_FIRST
 from carom.laws.two_step import two_step_plain
-from carom.laws.two_step_batch import LANES
+from carom.laws.two_step_batch import LANES, two_step_final_rows
 
 BALL = carom.Ball(1.0, 1.0, "solid")
 
@@ -70,9 +71,12 @@ def test_as_ball_by_ball() -> None:
     assert (gaps > 1e-7).mean() < 1e-3
 
 
-@pytest.mark.parametrize("count", [1, LANES - 1, 300])
-def test_same_bits_as_python(count: int) -> None:
-    """Compiled and as Python, alone and among others: a lane does not know its neighbours."""
+@pytest.mark.parametrize(
+    ("count", "spent"), [(1, -math.inf), (1, math.inf), (LANES - 1, -math.inf), (300, -math.inf), (300, math.inf)]
+)
+def test_same_bits_as_python(count: int, spent: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Few balls in Python, and in the compiled loop once Python has spent long enough: a lane does not know its neighbours."""
+    monkeypatch.setitem(arrays._spent, two_step_final_rows, spent)
     rng = np.random.default_rng(71)
     wall, floor, normal = carom.Surface(0.85, 0.2), carom.Surface(0.5, 0.2), (math.sqrt(0.84), 0.0, -0.4)
     v, w = balls(rng, 2000)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections import Counter
+import time
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
@@ -36,9 +36,9 @@ __all__ = [
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
-# Below so many rows Python is faster than a compiled loop; and than loading or compiling it first (if it is shipped, by the rows
-# of all calls so far).
-FEW, FEW_AT_FIRST = 12, 400
+# Below so many rows Python is faster than to compile a loop first. A loop that is shipped is loaded as soon as Python has spent so
+# many seconds in it, in all calls together: a row may cost 5 us or, of a pressed ball, 10 ms.
+FEW, FEW_AT_FIRST, PATIENCE = 12, 400, 0.25
 WallKernel = Callable[[Vec, Vec, Vec, float, float, float, float, float], tuple[Vec, Vec]]
 
 
@@ -306,7 +306,7 @@ def _on_gpu(loop: Callable[..., None]) -> CudaLoop:
     return CudaLoop(loop)
 
 
-_rows_so_far: Counter[Callable[..., None]] = Counter()
+_spent: dict[Callable[..., None], float] = {}
 
 
 def loop_for(loop: Callable[..., None], rows: int) -> Callable[..., None]:
@@ -316,15 +316,35 @@ def loop_for(loop: Callable[..., None], rows: int) -> Callable[..., None]:
     """
     if computes_on_gpu():
         return _on_gpu(loop)
-    if rows < FEW:
-        return _without_warnings(loop)
+    if rows < FEW_AT_FIRST and not is_ready(loop):
+        return _timed(loop)
     from carom.core.jit.compile import compiler_is_off
+
+    return _without_warnings(loop) if compiler_is_off() else sliced(_compiled(loop), rows)
+
+
+def is_ready(loop: Callable[..., None]) -> bool:
+    """Return whether a loop that the package has compiled is taken for any number of rows: Python has spent long enough in it."""
+    if _spent.get(loop, 0.0) < PATIENCE:
+        return False
     from carom.core.jit.native import is_shipped
 
-    _rows_so_far[loop] += rows
-    if (_rows_so_far[loop] if is_shipped(loop) else rows) < FEW_AT_FIRST:
-        return _without_warnings(loop)
-    return _without_warnings(loop) if compiler_is_off() else sliced(_compiled(loop), rows)
+    if is_shipped(loop):
+        return True
+    _spent[loop] = -math.inf  # (it is never asked again)
+    return False
+
+
+def _timed(loop: Callable[..., None]) -> Callable[..., None]:
+    """Return the loop in Python, whose time is counted."""
+
+    def timed(*args: Any) -> None:
+        begin = time.perf_counter()
+        with np.errstate(all="ignore"):
+            loop(*args)
+        _spent[loop] = _spent.get(loop, 0.0) + time.perf_counter() - begin
+
+    return timed
 
 
 def _without_warnings(loop: Callable[..., None]) -> Callable[..., None]:
