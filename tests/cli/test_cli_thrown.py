@@ -13,7 +13,7 @@ from reference.commands import command, fails
 from reference.thrown_ball import KAPPA, RADIUS, as_csv, film, table, thrown
 
 from carom.data import make_rebounds, read_rebounds
-from carom.fitting import Setting, fit_laws, usable_rows
+from carom.fitting import Setting, fit_laws, make_problem, usable_rows
 from carom.plot.tracks import plot_tracks
 from carom.tracks import Settings, measure, to_rebounds
 from carom.tracks.rebounds import first_contacts
@@ -47,8 +47,8 @@ def test_spin_0_holds_for_the_first_bounce_only(rebounds: Path, capsys: pytest.C
         assert estimate["stderr"] < 1e-3
     (note,) = [note for note in found["notes"] if "--spin" in note]
     assert note == (
-        "spin_in: --spin 0 holds for the first contact of a ball (6 of 18 rows); a ball that has bounced spins, so the later"
-        " contacts (12) count as unmeasured"
+        "spin_in: --spin 0 holds for the first contact of a ball (6 of 18 rows); a ball that has bounced spins, so in the later"
+        " contacts (12) it follows from those before"
     )
 
 
@@ -81,28 +81,31 @@ def test_tracks_number_the_bounces_of_each_ball() -> None:
     assert found.extra["contact"].tolist() == [1, 2, 3, 4, 5, 6]
 
 
-def test_without_a_spin_the_first_bounces_alone_are_fitted(
-    rebounds: Path, capsys: pytest.CaptureFixture[str], tmp_path: Path
+def test_without_a_spin_later_contacts_follow_from_the_first(
+    rebounds: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     words = ("--no-profiles", "--bootstrap", "0", "--json")
-    rows = {}
-    for more in ((), ("--every-contact",), ("--spin", "normal")):
-        laws = "sliding" if more else "sliding,maw"
-        code, out, err = command(capsys, "fit", str(rebounds), *BALL, "--laws", laws, *words, *more)
-        assert code == 0, err
-        found = json.loads(out)
-        rows[more] = sum("left out (--every-contact keeps them" in note for note in found["notes"])
-        if not more:
-            assert found["ranking"][0]["law"] == "sliding" or "cannot decide" in found["verdict"]
-            (note,) = [note for note in found["notes"] if "--every-contact" in note]
-            assert "the 12 later contacts of 18 rows are left out" in note
-    assert rows == {(): 1, ("--every-contact",): 0, ("--spin", "normal"): 0}
-    few, _setting = usable_rows(read_rebounds(rebounds, kind="planar").select(np.arange(9)), SETTING)
-    assert len(few) == 9
-    assert "film more throws before relying on a verdict" in few.notes[-1]
-    known = read_rebounds(rebounds, kind="planar")
-    known = replace(known, columns=known.columns | {"spin_in": np.zeros(18)})
-    assert len(usable_rows(known, SETTING)[0]) == 18
+    code, out, err = command(capsys, "fit", str(rebounds), *BALL, "--laws", "sliding,mirror", *words)
+    assert code == 0, err
+    found = json.loads(out)
+    assert found["rows"] == 18
+    assert found["ranking"][0]["law"] == "sliding"
+    said = "spin_in: not measured in 18 of 18 rows; in 12 later contacts carried on from the ball's contact before, in 6 others"
+    assert any(note.startswith(said) for note in found["notes"])
+    for name, true in (("restitution", 0.78), ("friction", 0.15)):
+        estimate = found["ranking"][0]["parameters"][name]
+        assert abs(estimate["value"] - true) < 3 * estimate["stderr"] < 0.006
+    few, setting = usable_rows(read_rebounds(rebounds, kind="planar").select(np.arange(9)), SETTING)
+    assert "film more throws before relying on a verdict" in make_problem(few, setting)[1][0]
+    apart, setting = usable_rows(few, SETTING, every_contact=True)
+    assert not make_problem(apart, setting)[0].carried
+
+
+def test_later_contacts_of_very_many_rows_are_left_out(rebounds: Path) -> None:
+    read = read_rebounds(rebounds, kind="planar")
+    rows, _setting = usable_rows(read.select(np.tile(np.arange(18), 60)), SETTING)
+    assert len(rows) == 360
+    assert "the 720 later contacts of 1080 rows are left out (spins are carried on in up to 1000 rows" in rows.notes[-1]
 
 
 # --- a ball dropped straight down -------------------------------------------------------------------------------------

@@ -116,7 +116,7 @@ class Case(NamedTuple):
 
 DISC = (("--radius", "0.05", "--inertia", "0.5"), {"radius": 0.05, "kappa": 0.5})
 CASES = {
-    "throws, later contacts left out": Case(throws, BALL, SETTING, {}, "the 12 later contacts of 18 rows are left out (--every-"),
+    "throws, spins carried on": Case(throws, BALL, SETTING, {}, "in 12 later contacts carried on from the ball's contact before"),
     "throws without spin": Case(throws, (*BALL, "--spin", "0"), SETTING, {"spin": 0.0}, "--spin 0 holds for the first contact"),
     "throws, every contact": Case(throws, (*BALL, "--every-contact"), SETTING, {"every_contact": True}, "in 18 of 18 rows"),
     "throws, a prior": Case(throws, (*BALL, "--spin", "normal:0.5"), SETTING, {"spin": "normal:0.5"}, "width 0.5 v/a"),
@@ -176,11 +176,6 @@ def test_python_and_the_command_say_the_same(name: str, tmp_path: Path, capsys: 
     for part in ("verdict", "rows", "notes"):
         assert told[part] == with_options(found[part])
     assert told == json.loads(json.dumps(with_options(found)))
-    if (
-        case.data is throws and not case.rows
-    ):  # (later contacts, of unknown spins, had made it 18 to 1 for maw, a wrong law)
-        assert "cannot decide" in found["verdict"]
-        assert (found["rows"], found["decisive"]) == (6, False)
     if case.data not in (throws, few_throws):  # (whose fits take seconds)
         ball: dict[str, Any] = {"inertia" if name == "kappa" else name: value for name, value in case.setting.items()}
         more: dict[str, Any] = {"laws": laws, "profiles": False, "bootstrap": 0, "kind": kind[-1] if kind else None}

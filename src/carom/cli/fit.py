@@ -198,7 +198,7 @@ def fit(
         bool,
         typer.Option(
             "--every-contact",
-            help="Keep later contacts of thrown balls whose spin was not measured; by default only first ones are fitted.",
+            help="Take unmeasured spins of a ball's later contacts as independent; by default each contact sets the next one's.",
             rich_help_panel=DATA,
         ),
     ] = False,

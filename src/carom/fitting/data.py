@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -13,6 +14,7 @@ from carom.data.rebounds import COLUMNS, STAGES, Rebounds
 from carom.errors import CaromError
 from carom.fitting.setting import Setting
 from carom.fitting.shared_errors import SHARED, Shared, film_says, numbers_of, shared_errors, shared_in_words
+from carom.fitting.spin_chains import chains_of
 from carom.fitting.spin_mixture import SpinMixture
 from carom.fitting.spin_quadrature import SpinGrid, sigma_grid
 
@@ -22,6 +24,8 @@ Array = NDArray[np.float64]
 MAX_SHARED_VARIANCE = 0.95  # of a variance: the rest is a row's own
 MAX_CORRELATION = 0.95  # of errors before and after: a row with fully correlated errors would carry no information
 FLOOR_FRICTION = 0.2  # of a billiard table, by default
+CARRIED_WORK = 10  # in that of a spin that is integrated over by itself
+FEW_DRAWN = 4  # spins from which the width of their prior is hardly known
 FEW_ROWS, SAME_ANGLE, SAME_SPEED = 12, 3.0, 1.3  # rows; degrees; ratio of the fastest to the slowest
 
 
@@ -58,6 +62,8 @@ class Problem:
     """(3,) whether an output has no error bars, so that its scatter is estimated."""
     shared: tuple[Shared, ...] = ()
     """Errors common to the rows of a film."""
+    carried: bool = False
+    """Whether unmeasured spins follow from those before the ball's last contact (:mod:`carom.fitting.spin_chains`)."""
     mixture: SpinMixture | None = None
     """The prior of unmeasured spins, where it is a mixture; None: normal or uniform."""
 
@@ -70,6 +76,20 @@ class Problem:
     def unknown(self) -> NDArray[np.bool_]:
         """(N,) mask of rows whose spin before the wall was not measured."""
         return np.isnan(self.x[:, 2])
+
+    @functools.cached_property
+    def chains(self) -> NDArray[np.int64]:
+        """(M, L) rows of contacts that follow each other (:func:`carom.fitting.spin_chains.chains_of`)."""
+        return chains_of(self.rebounds)
+
+    @property
+    def drawn(self) -> NDArray[np.bool_]:
+        """(N,) mask of rows whose spin before the wall is a draw of the prior."""
+        if not self.carried:
+            return self.unknown
+        first = np.zeros(len(self.x), bool)
+        first[self.chains[:, 0]] = True
+        return self.unknown & first
 
     @property
     def nu(self) -> float:
@@ -86,7 +106,7 @@ class Problem:
 
     def work(self, heavy: bool) -> float:
         """Return the number of law evaluations per evaluation of the likelihood; ``heavy``: of a costly law."""
-        each = 0 if self.spins is None else len(self.spins.sigma)
+        each = 0 if self.spins is None else len(self.spins.sigma) * (CARRIED_WORK if self.carried else 1)
         return float(len(self.x) + self.unknown.sum() * each) * (100.0 if heavy else 1.0)
 
 
@@ -172,10 +192,9 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
     )
     if unknown.any():
         problem = replace(problem, spins=SpinGrid(sigma_grid(), setting.spin_prior == "uniform"))
-        notes.append(
-            f"{names[2]}: not measured in {unknown.sum()} of {len(x)} rows; integrated over its prior"
-            f" ({prior_in_words(setting)})"
-        )
+        carried = rebounds.kind == "planar" and setting.chained
+        problem = replace(problem, carried=carried and not (replace(problem, carried=True).drawn == unknown).all())
+        notes.append(_spins_in_words(problem, names[2]))
     notes += _warnings(problem, spins)
     return problem, notes
 
@@ -278,6 +297,19 @@ def _with_least_speed(setting: Setting, v_n: Array) -> tuple[Setting, list[str]]
         " well, give it bounds (`bound`)"
     )
     return replace(setting, fixed=setting.fixed | {name: least}), [said]
+
+
+def _spins_in_words(problem: Problem, name: str) -> str:
+    """Return a note on unmeasured spins: how many rows have none, and from where they are taken."""
+    unknown, drawn = problem.unknown.sum(), problem.drawn.sum()
+    said = f"{name}: not measured in {unknown} of {len(problem.x)} rows"
+    if not problem.carried:
+        return f"{said}; integrated over its prior ({prior_in_words(problem.setting)})"
+    said += f"; in {unknown - drawn} later contacts carried on from the ball's contact before"
+    if drawn:
+        said += f", in {drawn} others integrated over its prior ({prior_in_words(problem.setting)})"
+    few = 0 < drawn < FEW_DRAWN
+    return f"{said}; film more throws before relying on a verdict (`spin` 0 if they had none)" if few else said
 
 
 def prior_in_words(setting: Setting) -> str:

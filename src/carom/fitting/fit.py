@@ -25,6 +25,7 @@ from carom.fitting.optimizer import EVERYWHERE, cross_kinks
 from carom.fitting.parameters import FORMS, INDEX, NUMBERS
 from carom.fitting.result import Estimate, Fit, refit, working_model
 from carom.fitting.scatter import with_contact_scatter, with_estimated_scatter
+from carom.fitting.spin_chains import observed_information
 from carom.fitting.tabulated import LawTable, coarse_table, fine_table
 from carom.fitting.uncertainty import with_marginal_errors, with_profiled_friction
 
@@ -62,7 +63,12 @@ def _descend(model: FitModel, p: Array) -> Place:
 
 
 def _search(model: FitModel) -> Array:
-    """Return starting points (B, K): those of a grid, and of a fit of constants where parameters depend on the impact."""
+    """Return starting points (B, K): those of a grid, and of a fit of constants where parameters depend on the impact.
+
+    Where spins are carried along chains of contacts, the search takes them as independent, which is quick.
+    """
+    if model.problem.carried:
+        return _search(replace(model, problem=replace(model.problem, carried=False)))
     if model.form:  # what constants reach is a start, too: a form contains them, or nearly so
         steady = model.steady()
         found = steady.minimize(_search(steady), FEW_STEPS)
@@ -161,7 +167,7 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     'mirror: e = 0.799'
     """
     model = model_of(law, problem)
-    coarse = coarse_table(model)
+    coarse = None if problem.carried else coarse_table(model)
     model = model.using(coarse)
     scatter: dict[str, float] = {}
     extra, contacts = 0.0, None
@@ -175,7 +181,9 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     if coarse is not None:
         p = np.concatenate([p, _annealed(own, p)])
     best = _descend(own, p)
-    if problem.spins is not None and "friction" in model.parameters:
+    if problem.carried and feels_spins(law, problem):
+        best = best._replace(information=observed_information(own, best.p, best.information))
+    elif problem.spins is not None and "friction" in model.parameters:
         best = _across_kinks(own, best)
     if problem.shared:  # there may be a kink: searched from both sides
         z = np.eye(len(problem.shared))
@@ -207,7 +215,7 @@ def fit_at(
     # an unmeasured spin is an additional parameter, and its prior an additional datum, unless it is uniform
     dof = problem.count - fit.k
     if problem.spins is not None and problem.spins.uniform and feels_spins(law, problem):
-        dof -= int(problem.unknown.sum())
+        dof -= int(problem.drawn.sum())
     fit = replace(fit, dof=dof)
     # Student's errors widen the error bars: their information is (nu + d)/(nu + d + 2) of the curvature
     d = np.isfinite(problem.y).sum(axis=1).mean()
@@ -306,7 +314,7 @@ class _Subject:
         self.parameters = tuple(model.parameters.values())
         self.places = list(model.places.values())
         self.values = fit.numbers[self.places]
-        self.trade_offs = fit.problem.spins is not None
+        self.trade_offs = fit.problem.spins is not None and not fit.problem.carried
         self.model = working_model(fit, fit.problem)
         self.base = float(self.model.row_deviances(fit.numbers)[0].sum())
         self.shared = float(np.square(fit.numbers[NUMBERS:]).sum())

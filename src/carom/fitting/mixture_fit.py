@@ -53,7 +53,7 @@ def may_mix(setting: Setting, problem: Problem) -> bool:
     free = setting.spin_prior == "normal" and setting.spin_mean is None and setting.spin_width is None
     held = {"spin_mean", "spin_width"} & {*setting.fixed, *setting.bounds}
     few = problem.spins is None or not 2 * LEAST_ROWS_EACH <= int(problem.unknown.sum()) <= MOST_ROWS
-    return free and not held and not few
+    return free and not held and not few and not problem.carried
 
 
 class _Joint:

@@ -18,6 +18,7 @@ from carom.fitting.likelihood import Evaluation, LikelihoodModel, TabulatedLaw, 
 from carom.fitting.optimizer import Minimum, minimize
 from carom.fitting.parameters import ALONG, INDEX, NUMBERS, PARAMETERS, PLACES, Parameter
 from carom.fitting.setting import Setting, code_of, decided, forms_of
+from carom.fitting.spin_chains import evaluate_chains
 from carom.fitting.spin_mixture import evaluate_mixture
 
 __all__ = ["SETTING_NUMBERS", "STEPS", "FitModel", "feels_spins", "model_of", "predict_law"]
@@ -27,6 +28,7 @@ STEPS = 200
 MAX_SHARED = 5.0  # error bars: bound of shared errors
 TOLERANCE = 1e-7  # of the deviance: an expected gain below this ends the descent
 MARGINAL_TOLERANCE = 1e-4  # the same where a spin is integrated over, to the precision of the quadrature
+CARRIED_TOLERANCE, CARRIED_STEPS = 1e-2, 25  # and where it is carried along chains of contacts
 # Taken from the setting if they are not fitted
 SETTING_NUMBERS = ("kappa", "contact_height", "floor_friction", "floor_restitution", "roll")
 
@@ -126,6 +128,8 @@ class FitModel:
             )
 
         tolerance = TOLERANCE if self._likelihood.rows.spins is None else MARGINAL_TOLERANCE
+        if self.problem.carried:
+            tolerance, steps = CARRIED_TOLERANCE, min(steps, CARRIED_STEPS)
         found = minimize(
             deviance, p[:, self.free], self.low[self.free], self.high[self.free], steps=steps, tolerance=tolerance
         )
@@ -135,8 +139,10 @@ class FitModel:
     def evaluate(self, p: Array, weights: Array | None = None, derivatives: bool = True) -> Evaluation:
         """Evaluate the likelihood at B sets of numbers p (B, K), with weights (B or 1, N) of the rows."""
         mixture = self.problem.mixture
-        if mixture is None or not feels_spins(self.law, self.problem):
+        if not feels_spins(self.law, self.problem) or (mixture is None and not self.problem.carried):
             return evaluate(self.likelihood(derivatives), p, weights)
+        if mixture is None:
+            return evaluate_chains(self, p, weights, derivatives)
         return evaluate_mixture(self.likelihood, mixture, p, weights, derivatives)
 
     def row_deviances(self, p: Array) -> tuple[Array, Array]:
@@ -165,7 +171,7 @@ def model_of(law: FittedLaw, problem: Problem) -> FitModel:
         at.update(zip(PLACES[name], form.parameters))  # noqa: B905 (a form has one to three)
     known = [_given(one, setting) for one in at.values()]
     also = [name for name in setting.fit if name in INDEX and _matters(name, law)]
-    if feels_spins(law, problem) and problem.mixture is None:
+    if feels_spins(law, problem) and problem.mixture is None and problem.drawn.any():
         also += ["spin_mean"] if setting.spin_mean is None and setting.spin_prior == "normal" else []
         also += ["spin_width"] if setting.spin_width is None else []
     every = decided(law, setting, known, also)

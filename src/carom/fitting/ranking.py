@@ -188,8 +188,8 @@ def fit_laws(
     laws : str or sequence of str, optional
         Names. Default: all laws for this kind of rebound.
     where, sigma_v, sigma_spin, spin, every_contact
-        Which rows are used, and default error bars and spins, as for :func:`carom.fitting.usable_rows`: later contacts of thrown
-        balls are left out unless their spins are known.
+        Which rows are used, and default error bars and spins, as for :func:`carom.fitting.usable_rows`: unmeasured spins of later
+        contacts follow from the contacts before.
     shifted : sequence of (str, Rebounds)
         Systematic errors common to all rows: a description of each, and the rebounds shifted by one standard deviation
         (:class:`carom.data.Published` has them). They are a second error bar of the parameters.

@@ -70,6 +70,8 @@ class Setting:
     not depend on the spin); of whole tracks, 1.25, normal about zero, at the first contact."""
     spin_mean: float | None = None
     """Rebounds: mean of that prior (running side), v_t/a; None: fitted (0 for a uniform prior)."""
+    chained: bool = True
+    """Rebounds: whether unmeasured spins of a ball's later contacts follow from the contacts before, and not from the prior."""
     fit: tuple[str, ...] = ()
     """Parameters to fit in addition to the law's own: kappa, contact_height, floor_friction, roll; of whole tracks, spin_loss."""
     fixed: dict[str, float] = field(default_factory=dict)

@@ -99,7 +99,9 @@ def with_marginal_errors(fit: Fit, extra: float = 0.0) -> Fit:
     """
     fit = _with_unbiased_width(fit)
     estimate = fit.estimates.get("friction")
-    if estimate is None or not estimate.stderr:
+    if (
+        estimate is None or not estimate.stderr or fit.problem.carried
+    ):  # (there the curvature is that between distant points)
         return fit
     half, _rise = _friction_profile(fit, extra, estimate.stderr)
     by = half / estimate.stderr

@@ -19,7 +19,7 @@ __all__ = ["assumed_height", "require_error_bars", "second_rows", "spin_of_rows"
 
 Rows = NDArray[np.bool_]
 CONTACT = ("film", "shot", "ball", "contact")  # columns by which rows of one contact are known
-MIN_FIRST_CONTACTS = 4  # so many are fitted without the later ones, whose spin follows from them
+MOST_CARRIED = 1000  # rows up to which spins are carried from one contact to the next
 
 
 def usable_rows(
@@ -46,8 +46,9 @@ def usable_rows(
         Unmeasured spins before the wall: rad/s, of the first contact of each ball; or their prior, ``"normal"``,
         ``"normal:WIDTH"`` or ``"uniform:WIDTH"`` (in v/a, about 0), in place of the setting's.
     every_contact : bool
-        Whether later contacts of thrown balls whose spin was not measured enter, as if their spins were independent. They are left
-        out where no spin and no prior is given, and enough first contacts remain.
+        Whether unmeasured spins of later contacts are taken as independent draws of the prior. By default each is what the ball's
+        contact before left, in the order of the column ``bounce`` or ``contact``; in tables of more than 1000 rows later contacts
+        are left out.
 
     Returns
     -------
@@ -78,11 +79,11 @@ def usable_rows(
     faults.raise_if_any()
     rows, height_note = rebounds.select(keep), assumed_height(rebounds.kind, setting)
     rows = replace(rows, notes=(*kinds_note(rows.extra, len(rows)), *height_note, *rows.notes))
-    if spin is None and setting.spin_width is None and not every_contact:
+    if not every_contact:
         rows = _without_later_contacts(rows)
     rows = _with_one_stage(rows)
     rows = _with_defaults(rows, sigma_v, sigma_spin, known_spin)
-    return rows, replace(setting, **prior).with_height()
+    return rows, replace(setting, **prior, chained=not every_contact).with_height()
 
 
 def require_error_bars(sigma_v: float | None, sigma_spin: float | None) -> None:
@@ -180,32 +181,25 @@ def _spin_note(name: str, spin: float, first: Rows, later: Rows) -> list[str]:
         )
     return [
         f"{name}: `spin` {spin:g} holds for the first contact of a ball ({first.sum()} of {len(first)} rows); a ball that has"
-        f" bounced spins, so the later contacts ({later.sum()}) count as unmeasured"
+        f" bounced spins, so in the later contacts ({later.sum()}) it follows from those before"
     ]
 
 
 def _without_later_contacts(rows: Rebounds) -> Rebounds:
-    """Leave out the later contacts of balls in flight whose spin was not measured, where enough first ones remain; with a note.
+    """Leave out the later contacts of balls in flight whose spin was not measured, in tables too long to carry it; with a note.
 
     The first contact sets a ball spinning. Spins of later contacts follow from it, in a narrow range that depends on the law, and
     are no draws of the distribution from which the spins of throws come: fitted as such, they favour wrong laws by large odds.
     """
-    if rows.kind != "planar" or not np.isfinite(rows["v_t_in"]).any():
+    if rows.kind != "planar" or len(rows) <= MOST_CARRIED or not np.isfinite(rows["v_t_in"]).any():
         return rows
-    first = first_contacts(rows)
-    later = np.isnan(rows["spin_in"]) & ~first
+    later = np.isnan(rows["spin_in"]) & ~first_contacts(rows)
     if not later.any():
         return rows
-    why = "spin_in: not measured, and a ball that has bounced spins as its first contact left it"
-    if first.sum() < MIN_FIRST_CONTACTS:
-        note = (
-            f"{why}; {later.sum()} of {len(rows)} rows are later contacts, and count as if their spins were independent, as"
-            f" there are only {first.sum()} first ones: film more throws before relying on a verdict (`spin` 0 if they had none)"
-        )
-        return replace(rows, notes=(*rows.notes, note))
     note = (
-        f"{why}: the {later.sum()} later contacts of {len(rows)} rows are left out (`every_contact` keeps them, as if their"
-        " spins were independent)"
+        f"spin_in: not measured, and a ball that has bounced spins as its first contact left it: the {later.sum()} later contacts"
+        f" of {len(rows)} rows are left out (spins are carried on in up to {MOST_CARRIED} rows; `every_contact` keeps them, as if"
+        " their spins were independent)"
     )
     rest = rows.select(~later)
     return replace(rest, notes=(*rest.notes, note))

@@ -1,0 +1,54 @@
+"""Do error bars hold the truth where discs bounce on and on and nobody sees their spin? Counted over made-up air-hockey tables.
+
+    python campaigns/puck_coverage.py [N] [--only NAME] [--rows FILE]
+
+N tables (100) a kind: five discs are struck with spins that are not measured, and bounce five times each between the walls of a
+rectangle; speeds have errors of 0.02 m/s. Spins are carried from one contact to the next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from campaign import campaign, shares
+from reference.puck_sequences import KAPPA, RADIUS, SPIN, table
+
+from carom.data import make_rebounds
+from carom.fitting import Setting, fit_laws
+
+KINDS = {
+    "slides": {"restitution": 0.75, "friction": 0.15, "tangential_restitution": 0.0},
+    "grips": {"restitution": 0.75, "friction": 0.4, "tangential_restitution": 0.3},
+}
+
+
+def one_table(truth: dict[str, float], seed: int) -> dict[str, Any]:
+    """Deviations of the fitted numbers in error bars."""
+    columns = table(seed, *truth.values())
+    numbers = {name: columns.pop(name) for name in ("shot", "bounce")}
+    rows = make_rebounds("planar", columns, extra=numbers)
+    fit = fit_laws(rows, Setting(RADIUS, KAPPA), ["contact"], profiles=False, bootstrap=0).best
+    found: dict[str, Any] = {"rows": len(fit.problem.x), "chi2": fit.chi2 / fit.dof}
+    for name, true in (truth | {"spin_width": SPIN}).items():
+        one = fit.estimates[name]
+        found[name] = None if one.value is None or not one.stderr else (one.value - true) / one.stderr
+        found[f"{name} bar"] = one.stderr
+    return found
+
+
+def main(words: Sequence[str] | None = None) -> None:
+    """A line a kind and number."""
+    with campaign("puck_coverage", __doc__, words, count=100, small=1) as run:
+        for kind, truth in KINDS.items():
+            if not run.wants(kind, KINDS):
+                continue
+            rows = run.rows.fill(kind, range(run.count), lambda seed, truth=truth: one_table(truth, seed))
+            for name in (*truth, "spin_width"):
+                bar = np.median([row[f"{name} bar"] or 0.0 for row in rows])
+                run.say(f"{kind:7} {name:24} {shares([row[name] for row in rows])}; error bar {bar:.2g}")
+
+
+if __name__ == "__main__":
+    main()

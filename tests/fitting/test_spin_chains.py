@@ -1,0 +1,69 @@
+"""Spins that were not measured, carried from bounce to bounce: against sums over the first spin, and fits with a known truth."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from reference.puck_sequences import KAPPA, RADIUS, deviance, table
+
+from carom.data import Rebounds, make_rebounds
+from carom.fitting import Setting, fit_law, make_problem, spin_chains, usable_rows
+from carom.fitting.data import Problem
+from carom.fitting.laws import laws_named
+from carom.fitting.model import model_of
+from carom.fitting.parameters import INDEX
+
+SETTING = Setting(RADIUS, KAPPA)
+CONTACT = laws_named(["contact"], "planar", upright=True)[0][0]
+NUMBERS = {"restitution": 0.75, "friction": 0.15, "tangential_restitution": 0.1, "spin_mean": 0.2, "spin_width": 0.5}
+
+
+def rows_of(seed: int, **options: float) -> Rebounds:
+    columns = table(seed, **options)
+    return make_rebounds("planar", columns, extra={name: columns.pop(name) for name in ("shot", "bounce")})
+
+
+def problem_of(seed: int, **options: float) -> Problem:
+    return make_problem(*usable_rows(rows_of(seed, **options), SETTING))[0]
+
+
+def test_chains_are_contacts_that_follow_each_other() -> None:
+    numbers = {"shot": np.array(["b", "a", "a", "b", "a", "a"]), "bounce": np.array([2, 2, 1, 1, 4, 5])}
+    speeds = {"v_n_in": [1.0] * 6, "v_t_in": 0.5, "v_n_out": 0.8}
+    assert spin_chains.chains_of(make_rebounds("planar", speeds, extra=numbers)).tolist() == [[2, 1], [4, 5], [3, 0]]
+    assert spin_chains.chains_of(make_rebounds("planar", speeds)).tolist() == [[i] for i in range(6)]
+
+
+def test_the_likelihood_is_the_sum_over_the_first_spin(monkeypatch: pytest.MonkeyPatch) -> None:
+    problem = problem_of(1, shots=3)
+    problem = replace(problem, vx=0 * problem.vx)  # (the sum takes speeds before the wall as exact)
+    p = model_of(CONTACT, problem).start.copy()
+    p[[INDEX[name] for name in NUMBERS]] = list(NUMBERS.values())
+    monkeypatch.setattr(spin_chains, "COMPONENTS", 401)
+    monkeypatch.setattr(spin_chains, "NARROW", 0.02)
+    found = model_of(CONTACT, problem).row_deviances(p)[0]
+    for chain in problem.chains:
+        rows = np.concatenate([problem.x[chain][:, :2], problem.y[chain][:, :2]], axis=1)
+        assert abs(found[chain].sum() - deviance(rows, 0.02, *NUMBERS.values(), points=2001)) < 0.02
+
+
+def test_scores_and_information_are_those_of_the_deviance() -> None:
+    model = model_of(CONTACT, problem_of(2))
+    p = model.start.copy()
+    p[[INDEX[name] for name in NUMBERS]] = list(NUMBERS.values())
+    seen, step = model.evaluate(p[None]), 1e-5 * np.eye(len(p))[model.free]
+    up, down = (model.evaluate(p + sign * step, derivatives=False).deviance.sum(axis=1) for sign in (1, -1))
+    assert np.allclose(seen.scores[0], -0.5 * (up - down) / 2e-5, rtol=0.1, atol=2.0)
+    assert (np.linalg.eigvalsh(seen.information[0]) > 0).all()
+
+
+def test_no_row_is_dropped_and_friction_is_known_as_with_measured_spins() -> None:
+    seen, hidden = (fit_law(CONTACT, problem_of(4, spins=spins)) for spins in (True, False))
+    assert len(hidden.problem.x) == 25
+    for name, true in (("restitution", 0.75), ("friction", 0.15)):
+        one, other = hidden.estimates[name], seen.estimates[name]
+        assert abs(one.value - true) < 3 * one.stderr
+        assert one.stderr < 1.4 * other.stderr
+    assert 0.4 < hidden.chi2 / hidden.dof < 1.6
