@@ -186,15 +186,53 @@ def test_corners_of_a_swallowtail_are_the_ellipses_own() -> None:
     assert (int(found.count), found.ended) == (0, "corner")
 
 
-def test_what_a_ball_cannot_pass_is_refused_in_one_line() -> None:
-    table = table_of(PolarSum(((2, 0.6, 0.0),)), "surface")
-    for a, text in ((0.42, "a neck"), (1.7, "fits into the curve"), (0.2, None)):
-        if text is None:
-            table.shape(a)
-            continue
+DUMBBELL = PolarSum(((2, 0.6, 0.0),))
+ROOMS = [(0, 0), (2, 0), (2, 0.85), (3, 0.85), (3, 0), (5, 0), (5, 2), (3, 2), (3, 1.15), (2, 1.15), (2, 2), (0, 2)]
+
+
+def test_a_ball_that_closes_a_neck_keeps_to_the_part_of_its_start() -> None:
+    ball = carom.Disc(0.42, 1.0)
+    table = table_of(DUMBBELL, "surface")
+    assert len(table.shape(0.42).connected()) == 2
+    start = billiards.Start([[1.0, 0.1], [-1.0, 0.1]], [[0.8, 0.3], [0.8, 0.3]])
+    found = billiards.orbit(table, start, 2000, ball=ball, law="mirror", corners="pass")
+    assert (found.ended == "bounces").all()
+    assert (np.sign(found.position[..., 0]) == [[1], [-1]]).all()
+    assert depth(DUMBBELL, found.position.reshape(-1, 2)) == pytest.approx(0.42, abs=1e-14)
+    for x, text in (((0.0, 0.0), "0.02 outside"), ((0.0, 0.39), "0.41 outside")):
         with pytest.raises(carom.CaromError, match=text) as caught:
-            table.shape(a)
+            billiards.orbit(table, (x, (1.0, 0.0), 0.0), 1, ball=ball)
         assert len(str(caught.value).splitlines()) == 1
+    with pytest.raises(carom.CaromError, match="fits into the curve") as caught:
+        table.shape(1.7)
+    assert len(str(caught.value).splitlines()) == 1
+
+
+def test_two_rooms_with_a_narrow_corridor() -> None:
+    """Each room is a square with the arcs around the two corners of the corridor, up to where they meet."""
+    table = billiards.table("polygon", points=ROOMS, bounds="surface")
+    wide, shape = table.shape(0.1), table.shape(0.2)
+    assert wide.curve is None
+    assert shape.lengths.sum() == pytest.approx(2 * (3 * 1.6 + 2 * 0.65 + 2 * 0.2 * math.asin(0.75)), abs=1e-12)
+    s = np.linspace(0, shape.lengths.sum(), 500)[:-1]
+    piece, x, _n = shape.place(s)
+    assert shape.coordinate(piece, x) == pytest.approx(s, abs=1e-12)
+    start = billiards.starts(table, 30, 1, ball=carom.Disc(0.2, 1.0), law="mirror")
+    found = billiards.orbit(table, start, 100, ball=carom.Disc(0.2, 1.0), law="mirror", corners="pass")
+    rooms = (found.position[..., 0] > 2.5).mean(axis=1)
+    assert set(rooms) == {0.0, 1.0}
+    assert np.abs(shape.gap(found.position)).max() < 1e-14
+
+
+def test_a_ball_too_wide_for_the_stem_of_a_mushroom_stays_in_the_cap() -> None:
+    """The cap's half disc inset, less the two arcs around the stem's corners: its length in closed form."""
+    table, ball = billiards.table("mushroom:radius=1,stem=0.3,0.9", bounds="surface"), carom.Disc(0.2, 1.0)
+    cap = 0.8 * (math.pi - 2 * math.asin(0.2 / 0.8)) + 2 * (math.sqrt(0.8**2 - 0.2**2) - 0.15)
+    assert table.shape(0.2).lengths.sum() == pytest.approx(cap + 2 * 0.2 * math.asin(0.15 / 0.2), abs=1e-12)
+    found = billiards.orbit(table, billiards.starts(table, 20, ball=ball), 300, ball=ball, corners="pass")
+    assert (found.ended == "bounces").all()
+    assert np.abs(table.shape(0.2).gap(found.position)).max() < 1e-14
+    assert found.position[..., 1].min() > math.sqrt(0.2**2 - 0.15**2) - 1e-14
 
 
 class Side(Piece):

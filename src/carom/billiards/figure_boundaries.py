@@ -28,6 +28,8 @@ __all__ = ["boundary_of"]
 
 Array = NDArray[np.float64]
 INF = math.inf
+MANY = 2000  # sides of a polygon, beyond which its necks are not sought
+NECK = 1e-9  # of the size: so much nearer to another side is more than rounding
 SMOOTH = 1e-12  # sine of the angle between two pieces that continue each other
 WHOLE, RIGHT, LEFT = (0.0, 360.0), (-90.0, 90.0), (90.0, 270.0)  # the arcs that a billiard's loops follow
 HALVES = {WHOLE: 0.0, RIGHT: 1.0, LEFT: -1.0}
@@ -62,6 +64,8 @@ def _outline(name: str, figure: PlaneFigure, inset: float) -> Boundary:
         found = Boundary(inside=[RoundWall(*first.center, first.radius - inset, 0)], size=first.radius)
     else:
         found = _chain(name, outside, inset)
+        if inset > 0 and found.vertices is not None and _closes_a_neck(name, figure, inset):
+            return _curved(name, figure, inset)
     for loop in inner:
         one: Any = loop[0]
         found.outside.append(Obstacle(one.center[0], one.center[1], one.radius + inset, 0.0, math.tau))
@@ -149,6 +153,17 @@ def _chain(name: str, loop: Loop, inset: float) -> Boundary:
     if reflex.any():
         found.vertices, found.clearance = np.array([piece.at(piece.span()[:1])[0][0] for piece in loop]), inset
     return found
+
+
+@functools.lru_cache(maxsize=64)
+def _closes_a_neck(name: str, figure: PlaneFigure, inset: float) -> bool:
+    """Return whether parts of a polygon's boundary lie nearer to other sides: the ball is larger than a neck."""
+    shape = _chain(name, figure.outline()[0], inset)
+    if len(shape.lengths) > MANY:
+        return False
+    share = (np.arange(4) + 0.5) / 4
+    x = shape.place((shape.starts[:, None] + shape.lengths[:, None] * share).ravel())[1]
+    return bool((shape.gap(x) < -NECK * shape.size).any())
 
 
 def _directions(loop: Loop) -> tuple[Array, Array, Array]:
