@@ -208,7 +208,7 @@ def test_checkpoints_of_a_later_carom(tmp_path, kept):
     about = json.loads(str(arrays.pop("carom_checkpoint")))
     later = tmp_path / "later.npz"
     np.savez(later, carom_checkpoint=np.array(json.dumps(about | {"format": 99, "carom": "9.9"})), **arrays)
-    assert "expected a checkpoint of format 6, got format 99 of carom 9.9; continue with that version" in refused(later)
+    assert "expected a checkpoint of format 7, got format 99 of carom 9.9; continue with that version" in refused(later)
     np.savez(later, carom_checkpoint=np.array(json.dumps(about)), **arrays)
     told = []
     load_checkpoint(later, compiling=lambda: told.append("now"))
@@ -229,14 +229,14 @@ def test_checkpoints_of_a_later_carom(tmp_path, kept):
 @pytest.mark.parametrize(
     ("about", "said"),
     [
-        ({"format": 3}, "expected a checkpoint of format 6, got format 3 of carom of an unknown version"),
-        ({"format": 3, "carom": None, "scene": 5}, "expected a checkpoint of format 6, got format 3"),
-        ({"format": 6}, "got a file that cannot be read (it holds no scene)"),
-        ({"format": 6, "scene": []}, "got a file that cannot be read (it holds no scene)"),
-        ({"format": 6, "scene": {}, "outputs": [1]}, "got a file that cannot be read (it holds no scene)"),
-        ({"format": 6, "scene": {}}, "container: "),
+        ({"format": 3}, "expected a checkpoint of format 7, got format 3 of carom of an unknown version"),
+        ({"format": 3, "carom": None, "scene": 5}, "expected a checkpoint of format 7, got format 3"),
+        ({"format": 7}, "got a file that cannot be read (it holds no scene)"),
+        ({"format": 7, "scene": []}, "got a file that cannot be read (it holds no scene)"),
+        ({"format": 7, "scene": {}, "outputs": [1]}, "got a file that cannot be read (it holds no scene)"),
+        ({"format": 7, "scene": {}}, "container: "),
         ({"format": True, "scene": {}}, "got a file that cannot be read (it does not say its format)"),
-        ({"format": "6"}, "got a file that cannot be read (it does not say its format)"),
+        ({"format": "7"}, "got a file that cannot be read (it does not say its format)"),
         ([], "got a file that cannot be read (it does not say its format)"),
         (None, "got a file that cannot be read (it does not say its format)"),
     ],

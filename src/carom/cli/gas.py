@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
 RESUME = "Stop and resume"
 CHECKPOINT_INTERVAL = "10 min"
+OPTIONS = {"max_events": "--max-events", "duration": "--duration", "from_time": "--from", "seed": "--seed"}
 SNAPSHOTS = 100  # per run, without --every
 
 
@@ -45,6 +46,12 @@ def gas(
         int | None, shared("max_events", default="the scene's", help="Number of collisions to measure.")
     ] = None,
     duration: Annotated[str | None, shared("duration", default="the scene's", help="Duration to measure.")] = None,
+    from_time: Annotated[
+        str | None,
+        typer.Option(
+            "--from", metavar="T", help="Simulated time before which nothing is measured.", rich_help_panel=RUN
+        ),
+    ] = None,
     seed: Annotated[int | None, shared("seed", default="the scene's")] = None,
     ensemble: Annotated[
         int | None,
@@ -122,7 +129,7 @@ def gas(
     interval = found.attempt(_interval, "--checkpoint-every", checkpoint_every)
     if interval is not None and checkpoint_every != CHECKPOINT_INTERVAL and checkpoint is None and resume is None:
         found.add("--checkpoint-every", "--checkpoint FILE as well", "none")
-    changes = {"max_events": max_events, "duration": duration, "seed": seed}
+    changes = {"max_events": max_events, "duration": duration, "from_time": from_time, "seed": seed}
     given = found.attempt(_scene, scene, resume, changes)
     snapshot_every, most = _snapshot_options(found, snapshots, every, max_size)
     found.raise_if_any()
@@ -155,6 +162,7 @@ def gas(
         again = {
             "--max-events": max_events,
             "--duration": duration,
+            "--from": from_time,
             "--snapshots": snapshots,
             "--every": every,
             "--max-size": max_size,
@@ -231,16 +239,16 @@ def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> G
         if resume is None:
             raise CaromError("SCENE.toml: expected a scene, got none; carom scene new --gas FILE writes one")
         if changes:
-            options = ", ".join(f"--{name.replace('_', '-')}" for name in changes)
+            options = ", ".join(OPTIONS[name] for name in changes)
             raise CaromError(f"{options}: expected SCENE.toml as well, got only a checkpoint; name the scene too")
         return None
     scene = load_gas(path)
     say_notes(scene.temperature_notes())
     if not changes:
         return scene
-    if "duration" in changes:
-        value = _interval("--duration", changes["duration"])
-        changes["duration"] = float(value)
+    for name in ("duration", "from_time"):
+        if name in changes:
+            changes[name] = float(_interval(OPTIONS[name], changes[name]))
     run = GasSettings(**{name: getattr(scene.run, name) for name in GasSettings.model_fields} | changes)
     return scene.model_copy(update={"run": run}) if isinstance(scene, GasScene) else scene
 

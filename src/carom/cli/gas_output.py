@@ -32,9 +32,7 @@ if TYPE_CHECKING:
 
 
 TEMPERATURES_NOTE = "Temperatures are energies."
-MEANS_NOTE = (
-    "Temperatures, pressures and rates are means over the time measured; a₂ over {:.0f} samples, at about equal {}."
-)
+MEANS_NOTE = "Temperatures, pressures and rates are exact means over the time measured; a₂ over {:.0f} samples, at about equal {}."
 LINE_INTERVAL = 20.0  # s between lines of progress where there is no terminal
 
 

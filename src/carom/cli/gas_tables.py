@@ -60,10 +60,7 @@ def _totals(scene: GasScene, found: Report, error: Report | None) -> Table:
     if error is None:  # (the error of this ratio does not follow from those of its parts)
         rows.append(("  relative to an ideal gas", format_number(found["pressure"] / ideal, 5) if ideal > 0 else "–"))
     rows += _by_wall(found, error, "wall_pressure", f"  on {{}}, {unit}")
-    rows.append(row("translational temperature, J", "temperature_translational"))
-    if scene.spins_change:
-        rows.append(row("rotational temperature, J", "temperature_rotational"))
-        rows.append(row("  rotational / translational", "temperature_ratio", 5))
+    rows += _temperatures(scene, found, error)
     if not scene.container.geometry.faces:
         rows.append(row("diffusion coefficient, m²/s", "diffusion", 4))
     rows += [row("energy at the start, J", "energy_start", 5), row("energy at the end, J", "energy_end", 5)]
@@ -80,6 +77,23 @@ def _totals(scene: GasScene, found: Report, error: Report | None) -> Table:
     for one in rows:
         table.add_row(*one)
     return table
+
+
+def _temperatures(scene: GasScene, found: Report, error: Report | None) -> list[tuple[str, str]]:
+    """Return the rows of the temperatures: means over time; where they change, also those at the end, and their ratio.
+
+    A ratio is one of equal times: of means only where the temperature stays.
+    """
+    heads = {"translational temperature, J": "temperature_translational"}
+    if scene.spins_change:
+        heads["rotational temperature, J"] = "temperature_rotational"
+    ratio = {"  rotational / translational": "temperature_ratio"} if scene.spins_change else {}
+    if found["stationary"] == 1:
+        return [(label, _cell(found, error, name)) for label, name in (heads | ratio).items()]
+    rows = [(f"{label[:-3]}, mean over time, J", _cell(found, error, name)) for label, name in heads.items()]
+    end, errors = found["final"], None if error is None else error["final"]
+    rows += [(f"{label[:-3]} at the end, J", _cell(end, errors, name)) for label, name in heads.items()]
+    return rows + [(f"{label} at the end", _cell(end, errors, name, 5)) for label, name in ratio.items()]
 
 
 def _by_wall(found: Report, error: Report | None, name: str, label: str) -> list[tuple[str, str]]:

@@ -30,7 +30,7 @@ from carom.scene.schema import from_file
 
 __all__ = ["FORMAT", "load_checkpoint", "require_checkpoint", "save_checkpoint"]
 
-FORMAT = 6
+FORMAT = 7
 # Fields of [run] that may change: the run then continues for longer.
 CHANGEABLE = ("max_events", "duration")
 

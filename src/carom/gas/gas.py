@@ -20,6 +20,7 @@ from carom.gas.endings import AT_REST, COLLAPSE, TOO_SLOW, EarlyEnd, EndedEarlyE
 from carom.gas.results import GasBalls, GasRun, Mark
 from carom.gas.species import Contacts, Drive, Species, Thermostat, system_records
 from carom.gas.starts import TOUCH, draw_thermal, require_no_overlap, start_positions, vectors
+from carom.gas.time_averages import averages_between
 from carom.public.progress import Progress, loop_callback
 
 __all__ = ["Gas"]
@@ -249,16 +250,9 @@ class Gas:
     def mark(self) -> Mark:
         """Begin a measurement: return what :meth:`measured_since` needs, in this process or in another one."""
         self.arrays.system[0]["overlap"] = -math.inf
-        one = self.arrays
-        return Mark(
-            one.system.copy()[0],
-            one.materials.pairs.copy(),
-            one.walls.contacts.copy(),
-            one.walls.faces.copy(),
-            self.energy(),
-            self._time,
-            self.cpu_seconds,
-        )
+        one, averages = self.arrays, engine.averages_until(self.arrays, self._time)
+        totals = (one.materials.pairs.copy(), one.walls.contacts.copy(), one.walls.faces.copy())
+        return Mark(one.system.copy()[0], *totals, *averages, self.energy(), self._time, self.cpu_seconds)
 
     def advance(
         self,
@@ -331,24 +325,10 @@ class Gas:
 
     def measured_since(self, since: Mark) -> GasRun:
         """Return the measurements since a :meth:`mark`."""
-        one, before, energy0, time0 = self.arrays.system[0], since.system, since.energy, since.time
-        count, axes, t = int(one["balls"]), int(one["dimensions"]), self._time - time0
-        about = 3 if axes == 3 else 1
-        volume = float(one["volume"])
-        energy = self.energy()
-        pairs, samples = (
-            int(one["pair_collisions"] - before["pair_collisions"]),
-            float(one["sampled"] - before["sampled"]),
-        )
-        # (temperatures and pressure are those of the motion relative to the centre of mass, along free axes)
-        drift = float(
-            (one["frame"] ** 2).sum()
-            * self.arrays.materials.species["mass"][self.arrays.balls.motions["species"]].sum()
-        )
-        means = [
-            float(one[name] - before[name]) / samples if samples > 0 else energy0[k] + energy[k] - (drift, 0.0)[k]
-            for k, name in enumerate(("translational", "rotational"))
-        ]
+        one, before, energy0, t = self.arrays.system[0], since.system, since.energy, self._time - since.time
+        count, energy = int(one["balls"]), self.energy()
+        pairs = int(one["pair_collisions"] - before["pair_collisions"])
+        means = averages_between(self.arrays, since, engine.averages_until(self.arrays, self._time), t)
         faces = self.arrays.walls.faces
         areas, pushes, feeds = (
             self._sum_by_wall(part)
@@ -361,13 +341,14 @@ class Gas:
             simulated_time=t,
             cpu_seconds=self.cpu_seconds - since.cpu,
             mean_free_time=_mean_free_time(count, t, pairs, self.ended_early),
-            pressure=(means[0] + float(one["virial"] - before["virial"]) / t) / (axes * volume) if t > 0 else math.nan,
+            pressure=means.pressure,
             wall_pressure={k: pushes[k] / (areas[k] * t) if t > 0 else math.nan for k in areas},
             energy_from_walls=feeds,
             energy_from_thermostat=fed,
             energy_drift=(sum(energy) - fed - sum(feeds.values())) / sum(energy0) - 1 if sum(energy0) != 0 else 0.0,
-            temperature_translational=means[0] / (axes * count),
-            temperature_rotational=means[1] / (about * count),
+            temperature_translational=means.temperature,
+            temperature_rotational=means.temperature_rotational,
+            averages=means,
             max_overlap=max(float(one["overlap"]), 0.0),
             crossings=int(one["crossings"] - before["crossings"]),
             ended_early=self.ended_early,

@@ -91,7 +91,6 @@ class Measures:
         self.dimensions, self.spin_components = (3, 3) if int(one["dimensions"]) == 3 else (2, 1)
         self.mass, self.radius = kinds["mass"].copy(), kinds["radius"].copy()
         count = np.bincount(gas.arrays.balls.motions["species"], minlength=len(kinds))
-        self.fractions = count / count.sum()  # of the balls
         self.moment = kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2
         self.side, self.periodic = one["side"].copy(), one["periodic"] == 1
         self.periodic[self.dimensions :] = False
@@ -201,28 +200,17 @@ class Measures:
 
     def temperature(self, name: str) -> tuple[float, float]:
         """Return the translational and rotational temperature of a species (J), means over the time between the samples."""
-        translational, rotational = self._temperatures_over(math.inf)[self._kind(name)]
+        translational, rotational = self._mean_temperatures()[self._kind(name)]
         return float(translational), float(rotational)
 
-    def temperature_shares(self, since: float) -> Array:
-        """Return the temperatures of each species relative to the whole gas's, means over the time since then, (species, 2)."""
-        means = self._temperatures_over(since)
-        whole = self.fractions @ means
-        shares: Array = np.divide(means, whole, out=np.zeros_like(means), where=whole > 0)
-        return shares
+    def _mean_temperatures(self) -> Array:
+        """Return the mean temperatures (species, 2) over the time from the first sample to the last.
 
-    def _temperatures_over(self, since: float) -> Array:
-        """Return the mean temperatures (species, 2) over the time from the first sample, or from an earlier time, to the last.
-
-        Where a gas cools, samples at equal numbers of collisions are ever farther apart: so each one stands for its time. The time
-        before the first sample counts as the first sample.
+        Where a gas cools, samples at equal numbers of collisions are ever farther apart: so each one stands for its time.
         """
         if self.samples == 0:
             return np.full((len(self.names), 2), math.nan)
-        found: Array = np.array(self.temperatures)
-        t = self.series["time"]
-        if since < t[0]:
-            found, t = np.concatenate([found[:1], found]), np.concatenate([[since], t])
+        found, t = np.array(self.temperatures), self.series["time"]
         mean: Array = found[-1] if t[-1] == t[0] else np.trapezoid(found, t, axis=0) / (t[-1] - t[0])
         return mean
 

@@ -6,13 +6,19 @@ import math
 from dataclasses import asdict, dataclass
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from carom.gas.gas import Gas
 from carom.gas.results import Mark
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
+from carom.gas.spatial_profiles import slice_volumes
+from carom.gas.time_averages import LayerAverages
 
 __all__ = ["UNITS_NOTE", "Channel", "channels", "pressure_unit", "report", "series"]
 
+Array = NDArray[np.float64]
 # A scene's numbers are in SI units, or in any consistent others; tables and pictures name the SI units.
 UNITS_NOTE = "Units: SI where the scene's numbers are in SI units, else the scene's own."
 
@@ -95,15 +101,20 @@ def channels(gas: Gas, since: Mark, names: tuple[str, ...]) -> list[Channel]:
 def report(session: Session) -> dict[str, Any]:
     """Return the results after equilibration: the totals of the run, then each species, each kind of contact, and diffusion.
 
-    All temperatures are means over the time of the measurement: of the whole gas from its energy at every fourth collision per
-    ball or so, a species' share of it by the samples.
+    Temperatures, pressures and ``time_averages`` are exact means over the time of the measurement; ``final`` is the state at its
+    end. The ratio of the temperatures is that of the means or, of a gas whose temperature changed by more than a factor of
+    two, the one at the end: the mean of a cooling gas is that of its beginning.
     """
     mark, measures, run = session.mark, session.measures, session.result
     assert mark is not None
     assert measures is not None
-    turns = session.scene.spins_change
+    turns, stationary = session.scene.spins_change, measures.is_stationary
     found = {name: value for name, value in run.to_dict().items() if name != "crossings"}
-    energy = session.gas.energy()
+    energy, means = session.gas.energy(), run.averages
+
+    def of(table: Array) -> dict[str, float]:
+        return _temperatures(means.shares @ table, turns)
+
     found |= {
         "events": session.done,
         "time": session.gas.time,
@@ -111,29 +122,50 @@ def report(session: Session) -> dict[str, Any]:
         "packing_fraction": session.scene.packing_fraction,
         "energy_start": sum(mark.energy),
         "energy_end": sum(energy),
-        # (spins that nothing changes are as at the start)
-        "temperature_ratio": _ratio(run.temperature_rotational, run.temperature_translational) if turns else math.nan,
+        "stationary": stationary,
+        "temperature_ratio": of(means.temperatures if stationary else means.final)["temperature_ratio"],
         "looks": measures.samples,
-        "diffusion": measures.displacement().diffusion
-        if measures.has_diffusion and measures.is_stationary
-        else math.nan,
+        "diffusion": measures.displacement().diffusion if measures.has_diffusion and stationary else math.nan,
         "species": {},
         "channels": [asdict(one) for one in channels(session.gas, mark, session.names)],
     }
     found["energy_imbalance"] = _imbalance(found)
-    sampled, whole = measures.samples > 0, (run.temperature_translational, run.temperature_rotational)
-    for name, shares in zip(session.names, measures.temperature_shares(mark.time), strict=True):
-        translational, rotational = (
-            float(share * one) if sampled else math.nan for share, one in zip(shares, whole, strict=True)
-        )
-        found["species"][name] = {
-            "temperature_translational": translational,
-            "temperature_rotational": rotational,
-            "temperature_ratio": _ratio(rotational, translational) if turns else math.nan,
+    sampled = measures.samples > 0
+    finals = {name: _temperatures(one, turns) for name, one in zip(session.names, means.final, strict=True)}
+    found["final"] = of(means.final) | {"species": finals}
+    for name, one in zip(session.names, means.temperatures, strict=True):
+        mean = _temperatures(one, turns)
+        found["species"][name] = mean | {
+            "temperature_ratio": (mean if stationary else finals[name])["temperature_ratio"],
             "a2_translational": measures.velocity(name).a2 if sampled else math.nan,
             "a2_rotational": measures.spin(name).a2 if sampled and turns else math.nan,
         }
+    if means.layers is not None:
+        found["time_averages"]["profile"] = _layers(session, means.layers)
     return found
+
+
+def _temperatures(one: Array, turns: bool) -> dict[str, float]:
+    """Return a translational and a rotational temperature and their ratio: nan for spins that nothing changes, and at rest."""
+    moves, spins = map(float, one)
+    ratio = spins / moves if turns and moves > 0 else math.nan
+    return {"temperature_translational": moves, "temperature_rotational": spins, "temperature_ratio": ratio}
+
+
+def _layers(session: Session, found: LayerAverages) -> dict[str, Any]:
+    """Return the exact profile as lists, by the names of the species."""
+    volumes = slice_volumes(session.scene.container.geometry, "xyz".index(found.axis), len(found.edges) - 1)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        density = found.number / volumes
+    columns = {
+        "density": density, "velocity": found.velocity, "temperature_translational": found.temperature,
+        "temperature_rotational": found.temperature_rotational,
+    }  # fmt: skip
+    rows = {
+        part: {name: one.tolist() for name, one in zip(session.names, values, strict=True)}
+        for part, values in columns.items()
+    }
+    return {"axis": found.axis, "edges": found.edges.tolist(), **rows}
 
 
 def _imbalance(found: dict[str, Any]) -> float:
@@ -143,11 +175,6 @@ def _imbalance(found: dict[str, Any]) -> float:
     given = [sum(found["energy_from_walls"].values()), found["energy_from_thermostat"]]
     left, scale = end - start - sum(given) + lost, abs(start) + abs(end) + abs(lost)
     return float(left / scale) if scale > 0 else 0.0
-
-
-def _ratio(rotational: float, translational: float) -> float:
-    """Return the rotational temperature over the translational one; nan for a gas at rest."""
-    return rotational / translational if translational > 0 else math.nan
 
 
 def series(session: Session) -> dict[str, Any]:

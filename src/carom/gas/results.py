@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from carom.gas.endings import EarlyEnd
+from carom.gas.time_averages import TimeAverages
 
 __all__ = ["TOTALS", "GasBalls", "GasRun", "Mark"]
 
 Array = NDArray[np.float64]
-TOTALS = ("pairs", "contacts", "faces")  # of a mark: totals by pair of species, by face and species, by face
+# Of a mark: totals by pair of species, by face and species, by face; integrals over time of the gas, by species, by layer.
+TOTALS = ("pairs", "contacts", "faces", "whole", "flows", "layers")
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,6 +56,9 @@ class Mark(NamedTuple):
     pairs: Any
     contacts: Any
     faces: Any
+    whole: Any
+    flows: Any
+    layers: Any
     energy: tuple[float, float, float]
     time: float
     cpu: float
@@ -82,7 +87,7 @@ class GasRun:
     """Of a ball, between collisions with others: N t / (2 pair collisions), those of an inelastic collapse left out (nan where they
     cannot be told from the others)."""
     pressure: float
-    """From the virial: (2 K + sum of impulse times distance / t) / (dimensions volume)."""
+    """Mean of the normal stresses: (2 K + sum of impulse times distance / t) / (dimensions volume)."""
     wall_pressure: dict[str, float]
     """Impulse on each wall, by its name, per area and time."""
     energy_from_walls: dict[str, float]
@@ -92,11 +97,13 @@ class GasRun:
     """Relative change of the energy (with potential energy under gravity), less what walls and thermostat gave: rounding where
     contacts conserve energy, else minus the fraction that they dissipated."""
     temperature_translational: float
-    """Mean over the run of m v^2 along an axis."""
+    """Mean over the time of the run of m v^2 along an axis."""
     temperature_rotational: float
-    """Mean over the run of I w^2 about an axis of spin."""
+    """Mean over the time of the run of I w^2 about an axis of spin."""
     max_overlap: float
     """Largest overlap at a contact by rounding, relative to the distance of the centres."""
+    averages: TimeAverages = field(repr=False, compare=False)
+    """Exact means over the time of the run: of each species, of the stress, and between walls in layers."""
     crossings: int = field(repr=False)
     """Events in which a ball only crossed the border of a cell."""
     ended_early: EarlyEnd | None = None
@@ -105,5 +112,6 @@ class GasRun:
 
     def to_dict(self) -> dict[str, Any]:
         """Return the results as plain numbers."""
-        end = self.ended_early
-        return asdict(self) | {"ended_early": None if end is None else end.to_dict()}
+        end, averages = self.ended_early, self.averages
+        found = {one.name: getattr(self, one.name) for one in fields(self) if one.name != "averages"}
+        return found | {"ended_early": None if end is None else end.to_dict(), "time_averages": averages.to_dict()}

@@ -134,6 +134,8 @@ class GasScene(Model):
         run = [] if self.run.max_events is None else [counted(self.run.max_events, "event")]
         run += [] if self.run.duration is None else [f"a duration of {format_number(self.run.duration)}"]
         before = f"after {counted(self.equilibrate, 'event')} of equilibration"
+        if self.run.from_time is not None:
+            before += f", from t = {format_number(self.run.from_time)}"
         return f"{what}, {self.container.describe()}, {density}, {' or '.join(run)} {before}"
 
 

@@ -305,6 +305,7 @@ class GasSettings(Model):
     ----------
     start : "lattice", "random", or a file with positions (and velocities, spins): .csv, .npz, .gsd
     equilibrate : collisions before the measurement; default: 40 per ball
+    from_time : simulated time before which nothing is measured; default: as soon as the gas is equilibrated
     max_events : collisions to measure, with walls included
     duration : simulated time to measure; one of the two, or both
     seed : of all random numbers
@@ -312,6 +313,7 @@ class GasSettings(Model):
 
     start: Annotated[str, BeforeValidator(_start)] = "lattice"
     equilibrate: CountOrZero | None = None
+    from_time: Time | None = None
     max_events: Count | None = None
     duration: Time | None = None
     seed: CountOrZero = 0

@@ -119,7 +119,9 @@ class Session:
         """Fraction of the current part that is done, 0 to 1."""
         run, fractions = self.scene.run, [0.0]
         if self.mark is None:
-            return self.done / max(self.scene.equilibrate, 1)
+            shares = [self.done / max(self.scene.equilibrate, 1)]
+            shares += [] if run.from_time is None else [self.gas.time / run.from_time]
+            return min(*shares, 1.0)
         if run.max_events is not None:
             fractions.append(self.done / run.max_events)
         if run.duration is not None:
@@ -199,7 +201,8 @@ class Session:
         """Return how far to advance at once: a number of collisions, and a time."""
         run, least = self.scene.run, CHUNK
         if self.mark is None:
-            return min(least, self.scene.equilibrate - self.done), math.inf
+            left = self.scene.equilibrate - self.done
+            return (min(least, left), math.inf) if left > 0 else (least, run.from_time or math.inf)
         until = self.next_sample
         if run.max_events is not None:
             least = min(least, run.max_events - self.done)
@@ -228,7 +231,7 @@ class Session:
     def _start_measuring(self) -> None:
         """Begin the measurement after equilibration; set the time of the first sample once the collision rate is known."""
         gas, run = self.gas, self.scene.run
-        if self.mark is None and self.done >= self.scene.equilibrate:
+        if self.mark is None and self.done >= self.scene.equilibrate and gas.time >= (run.from_time or 0.0):
             self.mark, self.measures = gas.mark(), Measures(gas, self.names, self.scene.container.geometry)
             self.first_collision = self.last_sample_collisions = gas.collisions
             self.last_sample_time = gas.time

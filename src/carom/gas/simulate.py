@@ -32,6 +32,7 @@ def simulate_gas(
     seed: int | None = None,
     ensemble: None = None,
     equilibrate: int | None = None,
+    from_time: float | str | None = None,
     collisions: int | None = None,
     progress: Progress | None = None,
 ) -> tuple[Gas, GasRun]: ...
@@ -46,6 +47,7 @@ def simulate_gas(
     seed: int | None = None,
     ensemble: int,
     equilibrate: int | None = None,
+    from_time: float | str | None = None,
     collisions: int | None = None,
     progress: Progress | None = None,
 ) -> Ensemble: ...
@@ -71,6 +73,7 @@ def simulate_gas(
     seed: int | None = None,
     ensemble: int | None = None,
     equilibrate: int | None = None,
+    from_time: float | str | None = None,
     collisions: int | None = None,
     progress: Progress | None = None,
     **options: Any,
@@ -93,6 +96,8 @@ def simulate_gas(
         Of a scene: simulate so many independent gases, on all cores, as :func:`simulate_ensemble` does.
     equilibrate : int, optional
         Number of collisions before; default: the scene's, or 40 per ball.
+    from_time : float or str, optional
+        Of a scene: simulated time before which nothing is measured; all means are then those of the time after it.
     progress : callable(done, total, text), optional
         Of a scene: called some ten times per second with the number of collisions so far, and of all (NaN: not known).
 
@@ -129,7 +134,13 @@ def simulate_gas(
     if isinstance(species, str | os.PathLike):
         species = load_gas(species)
     if isinstance(species, GasScene):
-        run = {"max_events": collisions, "equilibrate": equilibrate, "duration": duration, "seed": seed}
+        run = {
+            "max_events": collisions,
+            "equilibrate": equilibrate,
+            "duration": duration,
+            "seed": seed,
+            "from_time": from_time,
+        }
         for name, value in {"side": side, **options}.items():
             if value is not None:
                 faults.add(name, "none beside a GasScene", f"{value!r}", "change the scene")
@@ -142,7 +153,7 @@ def simulate_gas(
         wanted = "a scene (the name of a file, or a GasScene), or a list of Species"
         faults.add("species", wanted, f"{type(species).__name__} {species!r:.60}")
         faults.raise_if_any()
-    for name, value in {"duration": duration, "ensemble": ensemble}.items():
+    for name, value in {"duration": duration, "ensemble": ensemble, "from_time": from_time}.items():
         if value is not None:
             faults.add(name, "a scene, to which it belongs", "a list of Species", "omit it")
     if side is None:

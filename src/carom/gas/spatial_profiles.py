@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from carom.gas.containers import Container
 from carom.gas.edmd.gas_records import PLANE
 
-__all__ = ["Profile", "Profiles", "layers", "volume_within"]
+__all__ = ["Profile", "Profiles", "layers", "slice_volumes", "volume_within"]
 
 Array = NDArray[np.float64]
 MIN_SLICES, MAX_SLICES = 16, 120
@@ -127,28 +127,11 @@ class Profiles:
         """Return the profile of a species, by its number."""
         counts = self.profile_counts[kind]
         with np.errstate(invalid="ignore", divide="ignore"):
-            density = counts / (self._volumes(0.0) * self.profile_samples)
+            density = counts / (self._volumes_within(0.0) * self.profile_samples)
             return Profile("xyz"[self.axis], self.edges, density, self.profile_heat[kind] / counts)
 
-    def _volumes(self, depth: float) -> Array:
-        """Return the volume of each slice so far from the sides: of boxes exactly, of others from a lattice of points."""
-        container, size = self.container, self.container.size
-        if container.shape == "box" and all(face.form == PLANE for face in container.faces):
-            inner = [
-                length if k == self.axis or container.periodic[k] else max(length - 2 * depth, 0.0)
-                for k, length in enumerate(size)
-            ]
-            return np.full(self.bins, math.prod(inner) / self.bins)
-        shape = [LATTICE_POINTS] * self.dimensions
-        shape[self.axis] = 4 * self.bins
-        middles = [(np.arange(n) + 0.5) * (length / n) for n, length in zip(shape, size, strict=True)]
-        x = np.zeros((math.prod(shape), 3))
-        for k, grid in enumerate(np.meshgrid(*middles, indexing="ij")):
-            x[:, k] = grid.ravel()
-        within = (container.clearance(0.0, x) > 0) & (self.sides.clearance(0.0, x) >= depth)
-        share = np.moveaxis(within.reshape(shape), self.axis, 0).reshape(self.bins, -1).mean(axis=1)
-        volumes: Array = share * (math.prod(size) / self.bins)
-        return volumes
+    def _volumes_within(self, depth: float) -> Array:
+        return slice_volumes(self.container, self.axis, self.bins, self.sides, depth)
 
     def _density_around(self, kind: int) -> Array:
         """Return the density of a species far from the sides, (B,), as it is around the balls around which pairs are counted.
@@ -156,7 +139,7 @@ class Profiles:
         Centres do not reach the sides, and are layered there, so that the mean over a whole slice is another one. It stands only
         for slices that nowhere are so far from them (at the ends of round containers).
         """
-        whole, volumes = self.of(kind).density, self._volumes(self.depth)
+        whole, volumes = self.of(kind).density, self._volumes_within(self.depth)
         inner = np.divide(self.profile_inner[kind], volumes * self.profile_samples, out=whole.copy(), where=volumes > 0)
         found: Array = np.nan_to_num(inner, posinf=0.0)
         return found
@@ -171,6 +154,34 @@ class Profiles:
         places = middle[None, :, None] + distance[:, None, None] * cosine
         found: Array = np.interp(places, middle, density).mean(axis=2) @ centers
         return found
+
+
+def slice_volumes(
+    container: Container, axis: int, bins: int, sides: Container | None = None, depth: float = 0.0
+) -> Array:
+    """Return the volume of each of so many slices across an axis, (bins,), or what of it is so deep within some sides.
+
+    Of boxes it is exact, of others from a lattice of points.
+    """
+    size, dimensions = container.size, len(container.size)
+    if container.shape == "box" and all(face.form == PLANE for face in container.faces):
+        inner = [
+            length if k == axis or container.periodic[k] else max(length - 2 * depth, 0.0)
+            for k, length in enumerate(size)
+        ]
+        return np.full(bins, math.prod(inner) / bins)
+    shape = [LATTICE_POINTS] * dimensions
+    shape[axis] = 4 * bins
+    middles = [(np.arange(n) + 0.5) * (length / n) for n, length in zip(shape, size, strict=True)]
+    x = np.zeros((math.prod(shape), 3))
+    for k, grid in enumerate(np.meshgrid(*middles, indexing="ij")):
+        x[:, k] = grid.ravel()
+    within = container.clearance(0.0, x) > 0
+    if sides is not None:
+        within &= sides.clearance(0.0, x) >= depth
+    share = np.moveaxis(within.reshape(shape), axis, 0).reshape(bins, -1).mean(axis=1)
+    volumes: Array = share * (math.prod(size) / bins)
+    return volumes
 
 
 def volume_within(container: Container, depth: float) -> float:

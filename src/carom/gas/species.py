@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,11 +14,23 @@ from carom.bodies import Ball, Surface
 from carom.errors import FaultList, checked_number, require_type, suggestion
 from carom.gas.containers import WALLS, Container
 from carom.gas.edmd.driver import SystemRecords
-from carom.gas.edmd.gas_records import ELLIPSE, FACE, MAX_BALLS, PAIR, SPECIES, SYSTEM, WALL_CONTACT
+from carom.gas.edmd.gas_records import (
+    ELLIPSE,
+    FACE,
+    FLOW,
+    LAYER,
+    MAX_BALLS,
+    PAIR,
+    SPECIES,
+    SYSTEM,
+    WALL_CONTACT,
+    WHOLE,
+)  # fmt: skip
 from carom.gas.faces import JOINT_OVERLAP
 from carom.gas.sizes import LONGEST_SIDE, cells_at_most
+from carom.gas.spatial_profiles import layers
 
-__all__ = ["Contacts", "Drive", "Species", "Thermostat", "system_records"]
+__all__ = ["Contacts", "Drive", "Species", "Thermostat", "layer_axis", "system_records"]
 
 Contacts = Surface | Mapping[tuple[str, str], Surface]
 NO_TOTALS = (0, 0.0, 0.0, 0.0)  # of a contact that has not happened yet
@@ -262,6 +274,13 @@ def _check_discs(faults: FaultList, species: Sequence[Species], axes: int) -> No
         )
 
 
+def _pair_record(faults: FaultList, contacts: Contacts, first: Species, second: Species) -> tuple[Any, ...]:
+    """Return the contact of two species."""
+    e, mu, beta = _coefficients(_surface(faults, contacts, first.name, [second.name]))
+    distance = first.ball.radius + second.ball.radius
+    return distance, distance * distance, e, mu, beta, mu == 0 or beta == -1, *NO_TOTALS
+
+
 def system_records(
     species: Sequence[Species],
     container: Container,
@@ -320,20 +339,24 @@ def system_records(
         ball = first.ball
         kinds[i] = (ball.radius, ball.mass, ball.kappa)
         for j, second in enumerate(species):
-            surface = _surface(faults, contacts, first.name, [second.name])
-            e, mu, beta = _coefficients(surface)
-            distance = ball.radius + second.ball.radius
-            pairs[i * len(species) + j] = (
-                distance,
-                distance * distance,
-                e,
-                mu,
-                beta,
-                mu == 0 or beta == -1,
-                *NO_TOTALS,
-            )
+            pairs[i * len(species) + j] = _pair_record(faults, contacts, first, second)
         for k, face in enumerate(container.faces):
             surface = _surface(faults, contacts, first.name, [face.name, "wall"])
             with_walls[k * len(species) + i] = (*face.offset(float(ball.radius)), *_coefficients(surface), *NO_TOTALS)
     faults.raise_if_any()
-    return SystemRecords(system, kinds, pairs, with_walls, faces)
+    return SystemRecords(
+        system, kinds, pairs, with_walls, faces, *_average_records(one, container, drives, len(species))
+    )
+
+
+def _average_records(one: Any, container: Container, drives: Collection[str], count: int) -> Any:
+    """Return the records of means over time, of the whole gas, of each species, and of each in each layer."""
+    whole, axis = np.zeros(1, WHOLE), layer_axis(container, one["gravity"], drives)
+    whole["axis"] = axis
+    rows = 0 if axis < 0 else int(one["cells"][axis]) * count
+    return whole, np.zeros(count, FLOW), np.zeros(rows, LAYER)
+
+
+def layer_axis(container: Container, gravity: Any, driven: Collection[str]) -> int:
+    """Return the axis across which a gas is averaged in layers, by its number; -1 without walls."""
+    return layers(container, gravity.tolist(), driven)[0] if container.faces else -1

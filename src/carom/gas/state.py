@@ -19,6 +19,7 @@ from carom.gas.measures import MAX_FOLLOWED, SERIES, Measures
 from carom.gas.results import TOTALS, Mark
 from carom.gas.scene import GasScene
 from carom.gas.sizes import cells_at_most
+from carom.gas.species import layer_axis
 
 __all__ = ["State", "course_as_arrays", "gas_as_arrays", "gas_of_arrays", "require_state", "set_course"]
 
@@ -103,9 +104,9 @@ def set_course(session: Any, state: Arrays) -> None:
     session.mark, session.measures = None, None
     if (begun := _Part(state, "mark.")) and (counted := _Part(state, "measures.")):
         *energy, time, cpu = map(float, begun["numbers"])
-        pairs, contacts, faces = (begun[name] for name in TOTALS)
-        whole = (energy[0], energy[1], energy[2])
-        session.mark = Mark(begun["system"][0], pairs, contacts, faces, whole, time, session.gas.cpu_seconds - cpu)
+        totals = (begun[name] for name in TOTALS)
+        began = session.gas.cpu_seconds - cpu
+        session.mark = Mark._make((begun["system"][0], *totals, (energy[0], energy[1], energy[2]), time, began))
         session.measures = Measures(session.gas, session.names, session.scene.container.geometry)
         _set_measures(session.measures, session.gas, counted)
 
@@ -142,7 +143,7 @@ def _take(one: Any, names: tuple[str, ...], state: Arrays, free: Mapping[str, tu
 
 def require_state(scene: GasScene, state: Arrays) -> None:
     """Raise KeyError, TypeError or ValueError where an array of a session is missing, or has another form or other contents."""
-    forms = _forms(scene)
+    forms = _forms(scene, state)
     if any(name.startswith("mark.") for name in state):
         forms |= {f"mark.{name}": forms[f"gas.{name}"] for name in MARKED}
         forms["mark.numbers"] = (np.dtype("f8"), (5,))
@@ -166,12 +167,13 @@ def require_same_form(name: str, array: NDArray[Any], kind: np.dtype[Any], shape
         raise ValueError(f"{name.removeprefix('gas.')!r} of shape {array.shape}, not {shape}")
 
 
-def _forms(scene: GasScene) -> dict[str, tuple[np.dtype[Any], tuple[int, ...]]]:
+def _forms(scene: GasScene, state: Arrays) -> dict[str, tuple[np.dtype[Any], tuple[int, ...]]]:
     """Return type and shape of every array of a gas and of its session, by name."""
     balls, species, faces = scene.count, len(scene.species), len(scene.container.geometry.faces)
     count = {
         "system": 1, "motions": balls, "plans": balls + 1, "bodies": balls, "numbers": balls, "species": species,
-        "pairs": species**2, "contacts": faces * species, "faces": faces,
+        "pairs": species**2, "contacts": faces * species, "faces": faces, "whole": 1, "flows": species,
+        "layers": _layers(scene, state) * species,
     }  # fmt: skip
     forms: dict[str, tuple[np.dtype[Any], tuple[int, ...]]] = {
         f"gas.{name}": (kind, (count[name],)) for name, kind in STATE.items()
@@ -180,6 +182,18 @@ def _forms(scene: GasScene) -> dict[str, tuple[np.dtype[Any], tuple[int, ...]]]:
     return forms | {
         "gas.names": (text, (faces,)), "gas.time": (number, (1,)), "session": (whole, (5,)), "clock": (number, (3,)),
     }  # fmt: skip
+
+
+def _layers(scene: GasScene, state: Arrays) -> int:
+    """Return the number of layers of a gas, 0 without walls."""
+    require_same_form("system", state["gas.system"], STATE["system"], (1,))
+    one = state["gas.system"][0]
+    axis = _layer_axis(scene, one)
+    return 0 if axis < 0 else int(one["cells"][axis])
+
+
+def _layer_axis(scene: GasScene, one: Any) -> int:
+    return layer_axis(scene.container.geometry, one["gravity"], {drive.wall for drive in scene.drives})
 
 
 def _require_no_nan(name: str, array: NDArray[Any]) -> None:
@@ -201,6 +215,7 @@ def _require_contents(scene: GasScene, state: Arrays) -> None:
     counted = {
         name: int(state[f"gas.{name}"]["collisions"].sum()) for name in ("motions", "pairs", "contacts", "faces")
     }
+    axis = _layer_axis(scene, one)
     first, sampled, interval, snapshots, _timed = state["session"].tolist()
     whole = {
         "numbers": np.array_equal(np.sort(state["gas.numbers"]), np.arange(count)),
@@ -208,6 +223,7 @@ def _require_contents(scene: GasScene, state: Arrays) -> None:
         and bool((motions["species"] < len(scene.species)).all())
         # (a ball's number of collisions is kept modulo 2^32; a kick of the thermostat counts as one, too)
         and (counted["motions"] - 2 * pairs - walls - int(one["kicks"])) % 2**32 == 0,
+        "whole": int(state["gas.whole"][0]["axis"]) == axis,
         "bodies": all(np.isfinite(bodies[name]).all() for name in ("wx", "wy", "wz")),
         "session": 0 <= first <= pairs + walls and 0 <= sampled <= pairs + walls and interval >= 1 and snapshots >= 0,
         "system": (pairs, walls, walls) == tuple(counted[name] for name in ("pairs", "contacts", "faces"))

@@ -12,6 +12,7 @@ from typing import Any
 from carom.core.contact import contact
 from carom.core.jit.kernel import Vec, hot_kernel, kernel
 from carom.core.roots.first_root import hit2
+from carom.gas.edmd.averages import note_pair
 from carom.gas.edmd.calendar import I64, U64
 from carom.gas.edmd.cell_lists import INDEX_MASK
 from carom.gas.edmd.gas_records import INDEX_BITS, NO_BALL
@@ -228,8 +229,21 @@ def count_if_feeble(system: Any, body: Any, now: float, e: float, approach: floa
 
 
 @hot_kernel
-def collide_balls(system: Any, grid: Any, balls: Any, materials: Any, i: int, j: int, now: float) -> float:
-    """Collide balls i and j; return the impulse along the line of centres times their distance."""
+def _pair_restitution(system: Any, pair: Any, first: Any, second: Any, now: float) -> float:
+    """Return the restitution of a contact of two balls: 1 soon after an earlier contact of the TC model."""
+    e = pair.e
+    if system.contact_time > 0:
+        if now - max(first.last_contact, second.last_contact) < system.contact_time:
+            e = 1.0
+        first.last_contact = second.last_contact = now
+    return e  # type: ignore[no-any-return]
+
+
+@hot_kernel
+def collide_balls(
+    system: Any, grid: Any, balls: Any, materials: Any, averages: Any, i: int, j: int, now: float
+) -> None:
+    """Collide balls i and j."""
     motions, bodies = balls.motions, balls.bodies
     a, b = motions[U64(i)], motions[U64(j)]
     species1, species2 = I64(a.species), I64(b.species)
@@ -240,18 +254,15 @@ def collide_balls(system: Any, grid: Any, balls: Any, materials: Any, i: int, j:
     rz = _nearest_image(a.z - b.z, grid.side[U64(2)], grid.periodic[U64(2)])
     distance = math.sqrt(rx * rx + ry * ry + rz * rz)
     n = (rx / distance, ry / distance, rz / distance)
-    e = pair.e
-    if system.contact_time > 0:
-        first, second = bodies[U64(i)], bodies[U64(j)]
-        if now - max(first.last_contact, second.last_contact) < system.contact_time:
-            e = 1.0
-        first.last_contact = second.last_contact = now
+    e = _pair_restitution(system, pair, bodies[U64(i)], bodies[U64(j)], now)
     ux, uy, uz = a.vx - b.vx, a.vy - b.vy, a.vz - b.vz
     # (the surfaces of growing balls approach by themselves)
     un = ux * n[0] + uy * n[1] + uz * n[2] - pair.distance * system.growth
     if pair.e < 1.0 and system.contact_time == 0.0:
         count_if_feeble(system, bodies[U64(i)], now, e, -un, distance)
         count_if_feeble(system, bodies[U64(j)], now, e, -un, distance)
+    v1, v2 = (a.vx, a.vy, a.vz), (b.vx, b.vy, b.vz)
+    turned1, turned2 = 0.0, 0.0  # changes of twice the energies of the spins
     if pair.smooth:
         m1, m2 = one.mass, two.mass
         pn, _f, _required, _regime = contact(un, (0.0, 0.0, 0.0), m1 * m2 / (m1 + m2), 1.0, e, 0.0, 0.0)
@@ -259,27 +270,31 @@ def collide_balls(system: Any, grid: Any, balls: Any, materials: Any, i: int, j:
         set_velocity(a, (a.vx + c * n[0], a.vy + c * n[1], a.vz + c * n[2]))
         c = pn / m2
         set_velocity(b, (b.vx - c * n[0], b.vy - c * n[1], b.vz - c * n[2]))
+        p = (pn * n[0], pn * n[1], pn * n[2])
         pair.collisions += 1
         pair.lost_normal -= (1 - e) / 2 * pn * un
     else:
         first, second = bodies[U64(i)], bodies[U64(j)]
-        v1, w1, v2, w2, p, _required, _regime = pair_contact(
-            (a.vx, a.vy, a.vz), (first.wx, first.wy, first.wz), (b.vx, b.vy, b.vz), (second.wx, second.wy, second.wz), n,
+        u1, w1, u2, w2, p, _required, _regime = pair_contact(
+            v1, (first.wx, first.wy, first.wz), v2, (second.wx, second.wy, second.wz), n,
             one.radius, one.mass, one.kappa, two.radius, two.mass, two.kappa, e, pair.mu, pair.beta,
         )  # fmt: skip
         pn = p[0] * n[0] + p[1] * n[1] + p[2] * n[2]
         # an impulse changes the energy of the centres by itself times the mean of the velocities before and after
-        sx, sy, sz = ux + (v1[0] - v2[0]), uy + (v1[1] - v2[1]), uz + (v1[2] - v2[2])
+        sx, sy, sz = ux + (u1[0] - u2[0]), uy + (u1[1] - u2[1]), uz + (u1[2] - u2[2])
         i1, i2 = one.kappa * one.mass * one.radius * one.radius, two.kappa * two.mass * two.radius * two.radius
-        rotational = i1 * (squared_length(w1) - squared_length((first.wx, first.wy, first.wz)))
-        rotational = (rotational + i2 * (squared_length(w2) - squared_length((second.wx, second.wy, second.wz)))) / 2
+        turned1 = i1 * (squared_length(w1) - squared_length((first.wx, first.wy, first.wz)))
+        turned2 = i2 * (squared_length(w2) - squared_length((second.wx, second.wy, second.wz)))
+        rotational = (turned1 + turned2) / 2
         add_energies(pair, (e - 1) / 2 * pn * un, (p[0] * sx + p[1] * sy + p[2] * sz) / 2, rotational)
-        set_velocity(a, v1)
-        set_velocity(b, v2)
+        set_velocity(a, u1)
+        set_velocity(b, u2)
         first.wx, first.wy, first.wz = w1[0], w1[1], w1[2]
         second.wx, second.wy, second.wz = w2[0], w2[1], w2[2]
+    note_pair(
+        averages, grid, balls.plans[U64(i)], balls.plans[U64(j)], a, b, p, v1, v2, turned1, turned2, n, distance, now
+    )
     contact_distance = pair.distance * (system.scale + system.growth * now)
     system.overlap = max(system.overlap, (contact_distance - distance) / contact_distance)
     a.collisions += 1
     b.collisions += 1
-    return pn * distance

@@ -18,6 +18,8 @@ from carom.gas.edmd.gas_records import (
     BODY,
     ELLIPSE,
     FACE,
+    FLOW,
+    LAYER,
     LIMIT,
     MOTION,
     PAIR,
@@ -26,6 +28,8 @@ from carom.gas.edmd.gas_records import (
     SPECIES,
     SYSTEM,
     WALL_CONTACT,
+    WHOLE,
+    Averages,
     Balls,
     Calendar,
     Cells,
@@ -38,8 +42,9 @@ from carom.gas.edmd.gas_records import (
 )
 
 __all__ = [
-    "STATE", "GasArrays", "SystemRecords", "advance", "arrays_at_start", "compiled_loops", "loop_is_cached", "put_in_place",
-    "restore", "saved_blocks", "saved_state", "synchronized", "synchronized_blocks", "time_of_last_event", "total_bytes",
+    "STATE", "GasArrays", "SystemRecords", "advance", "arrays_at_start", "averages_until", "compiled_loops", "loop_is_cached",
+    "put_in_place", "restore", "saved_blocks", "saved_state", "synchronized", "synchronized_blocks", "time_of_last_event",
+    "total_bytes",
 ]  # fmt: skip
 
 BINS_PER_BALL = 4  # of the calendar
@@ -58,17 +63,23 @@ STATE = {
     "pairs": PAIR,
     "contacts": WALL_CONTACT,
     "faces": FACE,
+    "whole": WHOLE,
+    "flows": FLOW,
+    "layers": LAYER,
 }
 
 
 class SystemRecords(NamedTuple):
-    """A gas without its balls: the system, species, contacts of pairs, contacts with walls, faces of walls."""
+    """A gas without its balls: the system, species, contacts of pairs, contacts with walls, faces of walls, means over time."""
 
     system: NDArray[np.void]
     species: NDArray[np.void]
     pairs: NDArray[np.void]
     contacts: NDArray[np.void]
     faces: NDArray[np.void]
+    whole: NDArray[np.void]
+    flows: NDArray[np.void]
+    layers: NDArray[np.void]
 
 
 class GasArrays(NamedTuple):
@@ -78,6 +89,7 @@ class GasArrays(NamedTuple):
     balls: Balls
     materials: Materials
     walls: WallRecords
+    averages: Averages
     calendar: Calendar
     cells: Cells
     grid: Grid
@@ -90,6 +102,7 @@ class _CompiledLoop(NamedTuple):
     restore_lists: Callable[..., Any]
     run: Callable[..., Any]
     synchronize: Callable[..., Any]
+    close_cycle: Callable[..., Any]
 
 
 @functools.cache
@@ -161,6 +174,7 @@ def _assemble(state: dict[str, Any], memory: dict[str, NDArray[Any]]) -> GasArra
         balls=Balls(*(state[name] for name in Balls._fields)),
         materials=Materials(state["species"], state["pairs"]),
         walls=WallRecords(state["faces"], state["contacts"], cell_sets, sets),
+        averages=Averages(*(state[name] for name in Averages._fields)),
         calendar=Calendar(*(memory[name] for name in Calendar._fields)),
         cells=Cells(memory["slots"], memory["links"], offsets, shifts),
         grid=Grid(
@@ -244,7 +258,8 @@ def saved_state(arrays: GasArrays) -> dict[str, NDArray[Any]]:
 
 def saved_blocks(arrays: GasArrays, name: str) -> tuple[int, Iterator[NDArray[Any]]]:
     """Return the length of an array of the state, and copies of it block by block (one block at least)."""
-    found = arrays.balls._asdict() | arrays.materials._asdict() | arrays.walls._asdict() | {"system": arrays.system}
+    parts = (arrays.balls, arrays.materials, arrays.walls, arrays.averages)
+    found = {name: one for part in parts for name, one in part._asdict().items()} | {"system": arrays.system}
     array: NDArray[Any] = found[name]
 
     def blocks() -> Iterator[NDArray[Any]]:
@@ -285,6 +300,14 @@ def advance(arrays: GasArrays, until: float, max_collisions: int) -> None:
 
 def _collisions(one: Any) -> int:
     return int(one["pair_collisions"] + one["wall_collisions"])
+
+
+def averages_until(arrays: GasArrays, time: float) -> Averages:
+    """Return what means over time are made of, with the integrals until a time not before the last event, as copies."""
+    one, found = arrays.system[0], Averages(*(part.copy() for part in arrays.averages))
+    now = (time - one["base"]) - one["rest"]
+    compiled_loops().close_cycle(arrays.grid, arrays.balls, arrays.materials.species, found, now)
+    return found
 
 
 def total_bytes(arrays: Any) -> int:

@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
-    "BODY", "COLLAPSED", "DONE", "ELLIPSE", "FACE", "INDEX_BITS", "INSIDE", "LIMIT", "MAX_BALLS", "MOTION", "NO_BALL", "OUTSIDE",
-    "PAIR", "PLAN", "PLANE", "SPECIES", "SYSTEM", "UNDERFLOW", "WALL_CONTACT", "Balls", "Calendar", "Cells", "Features", "Grid",
-    "Materials", "Neighbours", "Scratch", "WallRecords",
+    "BODY", "COLLAPSED", "DONE", "ELLIPSE", "FACE", "FLOW", "FLUX", "INDEX_BITS", "INSIDE", "LAYER", "LIMIT", "MAX_BALLS",
+    "MOTION", "NO_BALL", "OUTSIDE", "PAIR", "PLAN", "PLANE", "SPECIES", "SYSTEM", "UNDERFLOW", "WALL_CONTACT", "WHOLE",
+    "Averages", "Balls", "Calendar", "Cells", "Features", "Grid", "Materials", "Neighbours", "Scratch", "WallRecords",
 ]  # fmt: skip
 
 # Why a call of the loop ended: the end time was reached (or no event is left); the number of collisions was reached; time no
@@ -174,13 +174,36 @@ SYSTEM = np.dtype(
         ("crossings", "i8"),  # of cell borders
         ("invalidated", "i8"),  # predictions whose partner had collided with another ball
         ("cycles", "i8"),  # of the calendar
-        ("virial", _FLOAT),  # sum of impulse times distance along the line of centres
         ("overlap", _FLOAT),  # largest at a contact, relative to the distance of the centres
-        ("sampled", _FLOAT),  # time over which the sums below go, one sample per cycle
-        ("translational", _FLOAT),  # twice the energy times time
-        ("rotational", _FLOAT),
     ]
 )
+
+# What means over time are made of (edmd.averages). Of a species: sums over the jumps of a cycle, times the time (x2, y2, z2: of
+# impulses, times its square); sums over the balls at its end (names with t); integrals over the earlier cycles (time_...). xx to
+# yz is the flux of momentum, ww twice the energy of the spins, h the potential energy, p the momentum, n the number of balls.
+FLUX = ("xx", "yy", "zz", "xy", "xz", "yz")
+FLOW = np.dtype(
+    [
+        (name, _FLOAT)
+        for name in (
+            *FLUX, "ww", "x2", "y2", "z2", *(f"{name}t" for name in FLUX), "wwt", "pxt", "pyt", "pzt", "ht", "n",
+            *(f"time_{name}" for name in (*FLUX, "ww", "h")),
+        )
+    ]
+)  # fmt: skip
+# Of a species in a layer, at [layer * number of species + species]; vv is twice the translational energy.
+LAYER = np.dtype(
+    [
+        (name, _FLOAT)
+        for name in (
+            "n1", "n2", "n3", "px", "py", "pz", "p2", "vv", "ww", "n", "pxt", "pyt", "pzt", "vvt", "wwt",
+            *(f"time_{name}" for name in ("n", "px", "py", "pz", "vv", "ww")),
+        )
+    ]
+)  # fmt: skip
+# Of the whole gas: across which axis the layers lie (-1: there are none), and the sums over all collisions of two balls of the
+# distance of their centres times the impulse, by components.
+WHOLE = np.dtype([("axis", "i8"), *((a + b, _FLOAT) for a in "xyz" for b in "xyz")])
 
 
 class Balls(NamedTuple):
@@ -198,6 +221,14 @@ class Materials(NamedTuple):
 
     species: NDArray[np.void]
     pairs: NDArray[np.void]
+
+
+class Averages(NamedTuple):
+    """What means over time are made of: of the whole gas, of each species, of each in each layer."""
+
+    whole: NDArray[np.void]
+    flows: NDArray[np.void]
+    layers: NDArray[np.void]
 
 
 class WallRecords(NamedTuple):

@@ -1,4 +1,4 @@
-"""Work done once per cycle of the calendar: samples of the energy, removal of drift, tests of progress, memory order of the balls.
+"""Work done once per cycle of the calendar: removal of drift, tests of progress, memory order of the balls.
 
 Sorted by cell, balls that are near each other in space are near in memory, and what is fetched for one is there for the next.
 ``Balls.numbers`` says which ball lies at each place; outside the engine, balls are addressed by number.
@@ -16,7 +16,7 @@ from carom.gas.edmd.collisions import free_flight
 from carom.gas.edmd.gas_records import DONE, INDEX_BITS, LIMIT, NO_BALL, UNDERFLOW
 
 __all__ = [
-    "SORT_INTERVAL", "check_progress", "remove_momentum_drift", "sample_energies", "set_threshold", "sort_by_cell",
+    "SORT_INTERVAL", "check_progress", "remove_momentum_drift", "set_threshold", "sort_by_cell",
 ]  # fmt: skip
 
 # An approach slower than this share of the speeds is the rounding of two balls that move along each other or, after an impact
@@ -35,28 +35,6 @@ def set_threshold(system: Any, species: Any, energy: float) -> None:
     for k in range(species.shape[0]):
         lightest, widest = min(lightest, species[k].mass), max(widest, species[k].radius)
     system.threshold = APPROACH_ROUNDING * widest * math.sqrt(energy / (lightest * system.balls))
-
-
-@hot_kernel
-def sample_energies(system: Any, grid: Any, balls: Any, species: Any, now: float) -> None:
-    """Add twice the translational and the rotational energy of now to their time integrals, weighted by the cycle's length."""
-    motions, bodies = balls.motions, balls.bodies
-    translational, rotational = 0.0, 0.0
-    gx, gy, gz = grid.gravity[0], grid.gravity[1], grid.gravity[2]
-    for i in range(motions.shape[0]):
-        ball, body = motions[i], bodies[i]
-        one = species[ball.species]
-        s = now - ball.time
-        vx, vy, vz = ball.vx + gx * s, ball.vy + gy * s, ball.vz + gz * s
-        wx, wy, wz = body.wx, body.wy, body.wz
-        translational += one.mass * (vx * vx + vy * vy + vz * vz)
-        rotational += one.mass * one.kappa * one.radius * one.radius * (wx * wx + wy * wy + wz * wz)
-    # (cycles have equal numbers of events, not equal lengths: an unweighted mean would favour busy times)
-    length = system.bin_width * system.bins
-    system.translational += translational * length
-    system.rotational += rotational * length
-    system.sampled += length
-    set_threshold(system, species, translational)
 
 
 @kernel

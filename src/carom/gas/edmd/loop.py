@@ -12,6 +12,7 @@ import math
 from typing import Any
 
 from carom.core.jit.kernel import hot_kernel, kernel
+from carom.gas.edmd.averages import close_cycle, note_crossing
 from carom.gas.edmd.calendar import (
     I64,
     PAGE,
@@ -39,7 +40,6 @@ from carom.gas.edmd.housekeeping import (
     SORT_INTERVAL,
     check_progress,
     remove_momentum_drift,
-    sample_energies,
     set_threshold,
     sort_by_cell,
 )
@@ -160,14 +160,14 @@ def _has_collapsed(system: Any, body: Any, now: float) -> bool:
 
 @kernel
 def run(  # noqa: PLR0915  (the loop)
-    system: Any, balls: Any, materials: Any, walls: Any, calendar: Any, cells: Any, grid: Any, near: Any, scratch: Any,
-    until: float, max_collisions: int, max_steps: int, features: Any,
+    system: Any, balls: Any, materials: Any, walls: Any, averages: Any, calendar: Any, cells: Any, grid: Any, near: Any,
+    scratch: Any, until: float, max_collisions: int, max_steps: int, features: Any,
 ) -> int:  # fmt: skip
     """Process events until a time (later ones stay planned), or until so many more collisions, with walls included, or steps.
 
     A step is any event, or the first prediction for a ball: most of a dilute gas's events are borders of cells.
 
-    The first nine arguments are :class:`carom.gas.edmd.driver.GasArrays`. Returns why it ended, one of the codes in
+    The first ten arguments are :class:`carom.gas.edmd.driver.GasArrays`. Returns why it ended, one of the codes in
     :mod:`carom.gas.edmd.gas_records`.
     """
     motions, plans, species, pairs, heads = (
@@ -183,8 +183,7 @@ def run(  # noqa: PLR0915  (the loop)
     last = system.pair_collisions + system.wall_collisions + max_collisions
     flat, threshold, scale, growth = system.dimensions == 2, system.threshold, system.scale, system.growth
     far, spins = count > CACHED_BALLS, _reads_bodies(system, pairs)
-    bodies = balls.bodies
-    virial = system.virial  # (accumulated here, so that the sum is the same in one piece or in many)
+    bodies, layered = balls.bodies, averages.whole[0].axis
     status, steps = LIMIT, 0
     ahead = (0, 0, 0)
     while system.pair_collisions + system.wall_collisions < last and status == LIMIT and steps < max_steps:
@@ -213,7 +212,7 @@ def run(  # noqa: PLR0915  (the loop)
                     break
                 now = max(now, width * bins)
                 system.now, system.events = now, events
-                sample_energies(system, grid, balls, species, now)
+                set_threshold(system, species, close_cycle(grid, balls, species, averages, width * bins))
                 start_cycle(system, balls, walls.faces)
                 if far and system.cycles % SORT_INTERVAL == 0:
                     sort_by_cell(balls, scratch, cells, calendar)
@@ -251,13 +250,13 @@ def run(  # noqa: PLR0915  (the loop)
             ball, plan = motions[U64(i)], plans[U64(i)]
             free_flight(grid, ball, now)
             if features is not None and kicked:
-                thermostat_kick(system, species, ball, bodies[U64(i)])
+                thermostat_kick(system, grid, averages, species, ball, bodies[U64(i)], plan, now)
             elif plan.collision_time == at:
                 k = plan.partner
                 if motions[U64(k)].collisions == plan.partner_collisions:
                     j = I64(k)
                     free_flight(grid, motions[U64(j)], now)
-                    virial += collide_balls(system, grid, balls, materials, i, j, now)
+                    collide_balls(system, grid, balls, materials, averages, i, j, now)
                     system.pair_collisions += 1
                     unschedule(plans, calendar, j)
                     if spins and (
@@ -274,6 +273,9 @@ def run(  # noqa: PLR0915  (the loop)
                     axis, up = which >> 1, which & 1
                     cell = plan.cx if axis == 0 else (plan.cy if axis == 1 else plan.cz)
                     _cross_border(grid, cells, ball, plan, i, which, I64(cell))
+                    if layered == axis:
+                        after = plan.cx if axis == 0 else (plan.cy if axis == 1 else plan.cz)
+                        note_crossing(averages, grid, species, ball, bodies[U64(i)], I64(cell), I64(after), now)
                     if axis == 0:
                         x0, x1 = 2 * up, 2 * up + 1
                     elif axis == 1:
@@ -284,11 +286,13 @@ def run(  # noqa: PLR0915  (the loop)
                     collide_wall(
                         features,
                         system,
-                        grid.gravity,
+                        grid,
                         walls,
+                        averages,
                         species,
                         ball,
                         bodies[U64(i)],
+                        plan,
                         which - FIRST_WALL,
                         now,
                     )
@@ -329,6 +333,5 @@ def run(  # noqa: PLR0915  (the loop)
             if j == NO_BALL:
                 break
             i, j = j, NO_BALL
-    system.virial = virial
     system.bin, system.now, system.events, system.planned, system.status = current, now, events, planned, status
     return status

@@ -16,9 +16,10 @@ from typing import Any
 
 from carom.core.contact import one_contact
 from carom.core.geometry.ellipse import oval_depth, oval_hit
-from carom.core.jit.kernel import Vec, dot, kernel
+from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel
 from carom.core.random import exponential, normals, uniform
 from carom.core.roots.first_root import hit2, hit4, next_hit4
+from carom.gas.edmd.averages import note_change
 from carom.gas.edmd.calendar import I64, U64
 from carom.gas.edmd.collisions import add_energies, count_if_feeble, set_velocity, squared_length
 from carom.gas.edmd.gas_records import ELLIPSE, OUTSIDE, PLANE
@@ -320,14 +321,30 @@ def _wall_impact(
     return v, spin, pn
 
 
+@hot_kernel
+def _set_motion(
+    averages: Any, grid: Any, ball: Any, body: Any, plan: Any, one: Any, v: Vec, w: Vec, v0: Vec, w0: Vec, now: float
+) -> None:
+    """Give a ball, which had v0 and w0, a velocity and a spin; note the jumps for means over time."""
+    set_velocity(ball, v)
+    body.wx, body.wy, body.wz = w[0], w[1], w[2]
+    m = one.mass
+    j = (m * (v[0] - v0[0]), m * (v[1] - v0[1]), m * (v[2] - v0[2]))
+    s = ((v[0] + v0[0]) / 2.0, (v[1] + v0[1]) / 2.0, (v[2] + v0[2]) / 2.0)
+    spin = one.kappa * m * one.radius * one.radius * (squared_length(w) - squared_length(w0))
+    note_change(averages, grid, plan, I64(ball.species), j, s, spin, now)
+
+
 @kernel
 def collide_wall(
-    features: Any, system: Any, gravity: Any, walls: Any, species: Any, ball: Any, body: Any, w: int, now: float
-) -> None:
+    features: Any, system: Any, grid: Any, walls: Any, averages: Any, species: Any, ball: Any, body: Any, plan: Any, w: int,
+    now: float,
+) -> None:  # fmt: skip
     """Collide a ball with face ``w``."""
-    face, one = walls.faces[U64(w)], species[U64(ball.species)]
+    face, one, gravity = walls.faces[U64(w)], species[U64(ball.species)], grid.gravity
     contact = walls.contacts[U64(w * system.species + I64(ball.species))]
     v0, w0 = (ball.vx, ball.vy, ball.vz), (body.wx, body.wy, body.wz)
+    before = v0
     if features is None:
         n = (face.nx, face.ny, face.nz)
         v, spin, pn = _wall_impact(features, system, gravity, face, contact, ball, body, one, n, v0, w0, now)
@@ -347,8 +364,7 @@ def collide_wall(
             v, spin, pn = _wall_impact(features, system, gravity, face, contact, ball, body, one, n, v0, w0, now)
         v = (v[0] + speed * n[0], v[1] + speed * n[1], v[2] + speed * n[2])
         face.energy += one.mass * pn * speed
-    set_velocity(ball, v)
-    body.wx, body.wy, body.wz = spin[0], spin[1], spin[2]
+    _set_motion(averages, grid, ball, body, plan, one, v, spin, before, w0, now)
     face.impulse += one.mass * pn
     face.collisions += 1
     system.wall_collisions += 1
@@ -375,13 +391,15 @@ def draw_ball(system: Any) -> int:
 
 
 @kernel
-def thermostat_kick(system: Any, species: Any, ball: Any, body: Any) -> None:
+def thermostat_kick(
+    system: Any, grid: Any, averages: Any, species: Any, ball: Any, body: Any, plan: Any, now: float
+) -> None:
     """Give a ball a new Maxwellian velocity and spin (Andersen's thermostat)."""
-    one = species[U64(ball.species)]
+    one, v0, w0 = species[U64(ball.species)], (ball.vx, ball.vy, ball.vz), (body.wx, body.wy, body.wz)
     moment = one.kappa * one.radius * one.radius
-    before = squared_length((ball.vx, ball.vy, ball.vz)) + moment * squared_length((body.wx, body.wy, body.wz))
+    before = squared_length(v0) + moment * squared_length(w0)
     v = _draw_maxwellian(system, system.dimensions == 2, body, one, system.temperature, system.spin_temperature)
-    set_velocity(ball, v)
+    _set_motion(averages, grid, ball, body, plan, one, v, (body.wx, body.wy, body.wz), v0, w0, now)
     system.thermostat_energy += (
         one.mass / 2.0 * (squared_length(v) + moment * squared_length((body.wx, body.wy, body.wz)) - before)
     )

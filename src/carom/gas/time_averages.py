@@ -1,0 +1,145 @@
+"""Exact means over time: temperatures, potential energy, stress, and profiles in layers (:mod:`carom.gas.edmd.averages`)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.gas.edmd.driver import GasArrays
+from carom.gas.edmd.gas_records import Averages
+
+__all__ = ["LayerAverages", "TimeAverages", "averages_between"]
+
+Array = NDArray[np.float64]
+ROUNDING = 1e-12  # of the number of balls in a layer
+# Places of the components in a symmetric tensor.
+SYMMETRIC = (("xx", "xy", "xz"), ("xy", "yy", "yz"), ("xz", "yz", "zz"))
+
+
+@dataclass(frozen=True, eq=False)
+class LayerAverages:
+    """Means over time of each of S species in L layers across a container: the layers of the engine's cells."""
+
+    axis: str
+    """Across which the layers lie: "x", "y" or "z"."""
+    edges: Array
+    """(L + 1,), in m."""
+    number: Array
+    """Number of balls, (S, L)."""
+    velocity: Array
+    """Mean velocity of the balls (m/s), (S, L, dimensions); nan in a layer without balls."""
+    temperature: Array
+    """Of the motion relative to the mean velocity: mean of m v^2 along an axis (J), (S, L)."""
+    temperature_rotational: Array
+    """Mean of I w^2 about an axis of spin (J), (S, L)."""
+
+
+@dataclass(frozen=True, eq=False)
+class TimeAverages:
+    """Exact means over a time of a gas: integrals over every flight, not samples.
+
+    Velocities are relative to the centre of mass along axes on which momentum is conserved.
+    """
+
+    time: float
+    """Over which the means go (s)."""
+    temperatures: Array
+    """Translational and rotational temperature (J) of each species, (S, 2): means of m v^2 along an axis, of I w^2 about one."""
+    final: Array
+    """The same at the end of the time, (S, 2)."""
+    shares: Array
+    """Of each species among the balls, (S,)."""
+    potential_energy: float
+    """Of all balls in the field of gravity (J)."""
+    kinetic_stress: Array
+    """Momentum that the balls carry: sum of m v v over the volume, (dimensions, dimensions), in Pa (N/m for discs)."""
+    collisional_stress: Array
+    """Momentum that collisions transfer: sum of r J over volume and time, r from the centre of the second ball to that of the
+    first, J the impulse on the first; friction of rough balls makes it asymmetric."""
+    layers: LayerAverages | None
+    """Profiles; None without walls."""
+
+    @property
+    def temperature(self) -> float:
+        """Translational temperature of the whole gas (J)."""
+        return float(self.shares @ self.temperatures[:, 0])
+
+    @property
+    def temperature_rotational(self) -> float:
+        """Rotational temperature of the whole gas (J)."""
+        return float(self.shares @ self.temperatures[:, 1])
+
+    @property
+    def stress(self) -> Array:
+        """Flux of momentum along each axis through areas across each axis (the pressure tensor), (dimensions, dimensions)."""
+        return self.kinetic_stress + self.collisional_stress
+
+    @property
+    def pressure(self) -> float:
+        """A third (discs: half) of the trace of the :attr:`stress`."""
+        return float(np.trace(self.stress)) / len(self.stress)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the means of the whole gas as plain numbers and lists."""
+        return {
+            "time": self.time,
+            "temperature": self.temperature,
+            "temperature_rotational": self.temperature_rotational,
+            "potential_energy": self.potential_energy,
+            "pressure": self.pressure,
+            "stress": self.stress.tolist(),
+            "kinetic_stress": self.kinetic_stress.tolist(),
+            "collisional_stress": self.collisional_stress.tolist(),
+        }
+
+
+def averages_between(arrays: GasArrays, before: Any, after: Averages, time: float) -> TimeAverages:
+    """Return the means over a time, from the integrals until its begin (a mark) and its end; over no time, the values then."""
+    one, species, flows = arrays.system[0], arrays.materials.species, after.flows
+    axes, count, volume = int(one["dimensions"]), np.maximum(flows["n"], 1.0), float(one["volume"])
+    about = 3 if axes == 3 else 1
+
+    def mean(name: str) -> Array:
+        last = flows["ht" if name == "h" else f"{name}t"]
+        found: Array = (flows[f"time_{name}"] - before.flows[f"time_{name}"]) / time if time > 0 else last
+        return found
+
+    def temperatures(of: Any) -> Array:
+        moves = sum(of(name) for name in ("xx", "yy", "zz")) / (axes * count)
+        return np.stack([moves, of("ww") / (about * count)], axis=1)
+
+    kinetic = np.array([[mean(name).sum() / volume for name in row[:axes]] for row in SYMMETRIC[:axes]])
+    whole = [[after.whole[0][a + b] - before.whole[0][a + b] for b in "xyz"[:axes]] for a in "xyz"[:axes]]
+    collisional = np.array(whole) / (volume * time) if time > 0 else np.full((axes, axes), math.nan)
+    layers = None
+    if len(after.layers):
+        layers = _in_layers(one, species, before.layers, after, time, about)
+    return TimeAverages(
+        time, temperatures(mean), temperatures(lambda name: flows[f"{name}t"]), flows["n"] / flows["n"].sum(),
+        float(mean("h").sum()), kinetic, collisional, layers,
+    )  # fmt: skip
+
+
+def _in_layers(one: Any, species: Any, before: Any, after: Averages, time: float, about: int) -> LayerAverages:
+    axis, axes, kinds = int(after.whole[0]["axis"]), int(one["dimensions"]), len(species)
+
+    def mean(name: str) -> Array:
+        found: Array = after.layers[f"time_{name}"] - before[f"time_{name}"]
+        found = found / time if time > 0 else after.layers["n" if name == "n" else f"{name}t"]
+        return found.reshape(-1, kinds).T
+
+    number, mass = mean("n"), species["mass"][:, None]
+    # (of a layer that a ball has just left, rounding is left)
+    number = np.where(number > ROUNDING * number.max(), number, 0.0)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        v = np.stack([mean(f"p{name}") / (mass * number) for name in "xyz"[:axes]], axis=2)
+        moves = mean("vv") / number - mass * (v * v).sum(axis=2)
+        spins = mean("ww") / (about * number)
+    empty = number == 0
+    v[empty], moves[empty], spins[empty] = math.nan, math.nan, math.nan
+    edges = float(one["cell_size"][axis]) * np.arange(number.shape[1] + 1)
+    return LayerAverages("xyz"[axis], edges, number, v + one["frame"][:axes], moves / axes, spins)
