@@ -10,7 +10,6 @@ import re
 import resource
 import signal
 from contextlib import contextmanager
-from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
@@ -44,7 +43,7 @@ def stops(at: list[int]):
 
 
 def measured(session: Session):
-    return {name: value for name, value in asdict(session.result).items() if name != "cpu_seconds"}
+    return {name: value for name, value in session.result.to_dict().items() if name != "cpu_seconds"}
 
 
 def bits(session: Session):
