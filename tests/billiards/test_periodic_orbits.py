@@ -58,6 +58,24 @@ def test_the_orbits_in_an_oval_are_the_critical_points_of_the_length(period: int
     assert missed == []
 
 
+def test_all_listed_periods_of_the_pentagon_are_found_from_random_starts() -> None:
+    """Ahmed, Cox & Wang's list, and 18."""
+    listed = (6, 8, 10, 14, 18, 20, 30, 40)
+    found = billiards.periodic_orbits(
+        billiards.regular(5), listed, ball=carom.Disc(1, 1, (3 - math.sqrt(5)) / 2), starts=100
+    )
+    for period in listed:
+        ours = [one for one in found if one.period == period]
+        assert any(one.family == 3 and np.allclose(one.multipliers, 1) for one in ours), period
+        assert all(
+            billiards.period(
+                billiards.orbit(one.orbit.setup.table, one.orbit.start, 2 * period, ball=one.orbit.setup.ball), 1e-7
+            )
+            == period
+            for one in ours
+        )
+
+
 def test_the_corner_orbit_has_the_closed_form_of_the_wedge() -> None:
     """Two bounces in a corner of angle phi rotate the velocities by 2 arccos((kappa - cos phi)/(1 + kappa))."""
     all_of_two = billiards.periodic_orbits(billiards.regular(5), 2, ball=carom.Disc(1, 1, 0.2), starts=40)
