@@ -8,7 +8,7 @@ import pickle
 import numpy as np
 import pytest
 from reference import rolling_small_steps
-from scipy.optimize import minimize
+from scipy.optimize import minimize, minimize_scalar
 
 import carom
 from carom import billiards
@@ -38,6 +38,66 @@ def test_height_in_a_pipe_swings_as_theory_says(dimension, kappa, swings):
     states = run.at(times)
     assert np.abs(states.place[:, -1] - expected).max() < 1e-12 * 0.1
     assert np.abs(states.place[:, 0] - ring * np.cos(rate * times)).max() < 1e-12
+
+
+def test_a_cylinder_over_a_circle_is_a_pipe_and_over_an_ellipse_an_ellipsoid_without_end():
+    ball, start = carom.Ball(0.02, 0.1), ((0.08, 0, 0), (0, 3.0, 0))
+    eta, rate = math.sqrt(2 / 7), 3.0 / 0.08
+    run = billiards.roll(surfaces.cylinder("circle:radius=0.1", 0.02), *start, ball=ball, duration=0.2)
+    times = np.linspace(0, 0.2, 7)
+    assert (
+        np.abs(run.at(times).place[:, 2] + G / (1.4 * (eta * rate) ** 2) * (1 - np.cos(eta * rate * times))).max()
+        < 1e-13
+    )
+    for inside in (True, False):
+        place = (0.1 if inside else 0.14, 0, 0)
+        pair = (
+            surfaces.cylinder("ellipse", 0.02, inside, half_axes=(0.12, 0.09)),
+            surfaces.ellipsoid((0.12, 0.09, math.inf), inside),
+        )
+        one, two = (
+            billiards.roll(x, place, (0, 2.0, 0), 5.0, ball=ball, duration=0.1, held=True).at(0.1) for x in pair
+        )
+        assert np.abs(one.place - two.place).max() < 1e-13
+        assert np.abs(one.spin - two.spin).max() < 1e-10
+
+
+def test_a_cylinder_over_any_curve_agrees_with_small_steps():
+    # r = 0.1 + 0.01 cos(3 theta): the distance by minimising over theta
+    def level(x):
+        def off(a):
+            r = 0.1 + 0.01 * math.cos(3 * a)
+            return math.hypot(r * math.cos(a) - x[0], r * math.sin(a) - x[1])
+
+        return minimize_scalar(off, bracket=(near := math.atan2(x[1], x[0]), near + 0.01), tol=1e-15).fun
+
+    place = np.array([0.11 - 0.02, 0.0, 0.0])
+    surface = surfaces.cylinder("curve:r=0.1+0.01*cos(3*theta)", 0.02)
+    run = billiards.roll(surface, place, (0.0, 1.2, 0.4), 9.0, ball=BALL, duration=0.05)
+    begin = run.at(0.0)
+    state = np.concatenate([begin.place[0], begin.velocity[0], spin_vector(begin.spin)[0]])
+    after = rolling_small_steps.follow(level, state, 0.02, 0.4, np.array([0, 0, -G]), 0.05, 25)
+    end = run.at(0.05)
+    assert np.abs(after[:3] - end.place[0]).max() < 1e-6
+    assert np.abs(after[3:6] - end.velocity[0]).max() < 3e-5
+
+
+def test_a_stadium_is_a_section_and_figures_with_corners_are_none():
+    surface = surfaces.cylinder("stadium:straight=0.2,radius=0.1", 0.02)
+    run = billiards.roll(surface, (0.0, -0.08, 0.0), (2.0, 0.0, 0.0), 3.0, ball=BALL, duration=0.2, accuracy=1e-10)
+    motion = run.phases[0].motion
+    energies = [motion.energy(phase.state(phase.end)) for phase in run.phases]
+    assert run.end == "duration"
+    assert np.ptp(energies) < 1e-7 * energies[0]
+    # along z only the spin about the normal acts, by -kappa r T phi'/(1 + kappa), and straight walls do not turn
+    rows = run.at(np.linspace(0.0, 0.049, 5))
+    assert np.allclose(rows.velocity[:, 2], -G / 1.4 * rows.time, atol=1e-9)
+    for words, arguments in (
+        ("which has corners", ("rectangle:size=[1,1]", 0.02)), ("one closed curve", ("strip", 0.02)),
+        ("below the least one of curvature, 0.1 m", ("circle:radius=0.1", 0.1)),
+    ):  # fmt: skip
+        with pytest.raises(carom.CaromError, match=words):
+            surfaces.cylinder(*arguments)
 
 
 def test_energy_and_distance_do_not_drift():

@@ -1,4 +1,4 @@
-"""Surfaces on which a ball rolls: pipe, bowl, dome, torus, ellipsoid, plate, hole; each known by distance, normal and curvature.
+"""Surfaces on which a ball rolls: pipe, cylinder of any section, bowl, dome, torus, ellipsoid, plate, hole; by distance and normal.
 
 A surface is one smooth piece or several that join with a common normal. A piece of your own is a class with three methods:
 
@@ -13,18 +13,21 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.billiards.checks import positive_number
+from carom.billiards.sections import section_piece
 from carom.errors import CaromError, Fault, FaultList
+from carom.scene.figures import PlaneFigure, figure
 
 __all__ = [
     "RollingSurface",
     "SmoothPiece",
     "bowl",
+    "cylinder",
     "dome",
     "ellipsoid",
     "hole",
@@ -206,6 +209,47 @@ def pipe(radius: float, inside: bool = True, dimension: int = 3) -> RollingSurfa
     (size,) = _sizes("pipe", radius=radius)
     across = 1.0 - _last(dimension)
     return RollingSurface("pipe", (RoundPiece(size, across, -1.0 if inside else 1.0),), dimension=dimension)
+
+
+def cylinder(section: Any, ball: float, inside: bool = True, **sizes: Any) -> RollingSurface:
+    """Make a cylinder along z over a smooth closed figure in x and y: an oval, a stadium, a curve by a formula or a spline.
+
+    Parameters
+    ----------
+    section : str, dict, Figure
+        As :func:`carom.scene.figures.figure` takes it: "stadium:straight=0.2,radius=0.1", "curve:r=0.1+0.01*cos(3*theta)".
+    ball : float
+        The ball's radius (m); it is smaller than each radius of curvature that bends towards it.
+    inside : bool
+        Whether the ball rolls on the inner side.
+    **sizes : optional
+        Sizes of the figure, by their names.
+
+    Returns
+    -------
+    RollingSurface
+
+    Raises
+    ------
+    CaromError
+        A figure with corners, or not of one closed curve in the plane; a ball that does not reach each point of it.
+
+    Examples
+    --------
+    A ball in a vertical pipe with an oval section does not fall either:
+
+    >>> import carom
+    >>> from carom import billiards
+    >>> oval = billiards.surfaces.cylinder("ellipse", 0.02, half_axes=(0.12, 0.1))
+    >>> run = billiards.roll(oval, (0.1, 0, 0), (0, 3, 0), ball=carom.Ball(0.02, 0.1), duration=1.0, accuracy=1e-9)
+    >>> bool((run.at([0.3, 0.6, 0.9]).place[:, 2] > -0.06).all())
+    True
+    """
+    made = figure(section, **sizes)
+    (small,) = _sizes("cylinder", ball=ball)
+    if not isinstance(made, PlaneFigure) or len(made.outline()) != 1:
+        raise CaromError(Fault("cylinder", "section", "a figure in the plane with one closed curve", made.describe()))
+    return RollingSurface("cylinder", (section_piece(made.kind(), made.outline()[0], inside, small),))
 
 
 def bowl(radius: float, dimension: int = 3) -> RollingSurface:
