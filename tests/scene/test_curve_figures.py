@@ -77,7 +77,8 @@ HOSTILE = {
     "1+" * 1500 + "1": "at most 2,000 characters", "1 if theta else 2": "functions of one argument",
     "[1 for x in (1,)]": "functions",
     "lambda: 1": "functions of one argument", "cos(theta, 2)": "functions of one argument", "True": "functions of one argument",
-    "1e999": "numbers below 1e308", "'1'": "functions of one argument", "open('ran', 'w')": "functions of one argument",
+    "1e999": "numbers below 1e308", "1e300": "lengths below 1e",
+    "'1'": "functions of one argument", "open('ran', 'w')": "functions of one argument",
     "1\x00": "a formula of theta", "": "a formula of theta", "0.2 + cos(theta)": "does not meet itself",
     "1 + 0.3*abs(cos(theta))": "a continuous tangent", "1 + cos(theta)": "none near|cusp|does not meet",
 }  # fmt: skip

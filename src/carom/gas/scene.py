@@ -12,7 +12,7 @@ from pydantic import BeforeValidator, model_validator
 from carom.bodies import Surface
 from carom.errors import Fault, FaultList, shown, suggestion
 from carom.formatting import counted, format_number
-from carom.gas.containers import WALLS
+from carom.gas.containers import BOXES, WALLS
 from carom.gas.edmd.gas_records import ELLIPSE, MAX_BALLS
 from carom.gas.faces import JOINT_OVERLAP
 from carom.gas.initial import DENSEST
@@ -238,15 +238,20 @@ def _density_faults(scene: GasScene) -> list[Fault]:
     widest = 2 * max(one.radius for one in scene.species)
     longest = LONGEST_SIDE * min(one.radius for one in scene.species)
     for axis, (length, around) in enumerate(zip(container.size, container.periodic, strict=True)):
+        where, width = f"container.size[{axis}]", ""
+        if scene.container.shape not in BOXES:  # (a figure has sizes of its own)
+            where, width = ("container.height", "") if axis == 2 else ("container", f"a width along {'xy'[axis]} of ")
+            if found and where == "container":  # (one width is enough)
+                continue
         if length < (3 if around else 1) * widest:
             least = "3 diameters of the largest ball" if around else "the diameter of the largest ball"
             why = "in a shorter periodic box a ball could meet another and its image" if around else ""
-            expected = f"at least {least}, {format_number(3 * widest if around else widest, 6)}"
-            found.add(f"container.size[{axis}]", expected, shown(length), why)
+            expected = f"{width}at least {least}, {format_number(3 * widest if around else widest, 6)}"
+            found.add(where, expected, shown(length), why)
         elif length > longest:
-            expected = f"at most {LONGEST_SIDE:g} radii of the smallest ball, {format_number(longest, 6)}"
+            expected = f"{width}at most {LONGEST_SIDE:g} radii of the smallest ball, {format_number(longest, 6)}"
             why = "positions would be rounded by more than such a ball can be off"
-            found.add(f"container.size[{axis}]", expected, shown(length), why)
+            found.add(where, expected, shown(length), why)
     narrow = min((min(wall.vector[:2]) for wall in container.faces if wall.form == ELLIPSE), default=math.inf)
     if not found and widest / 2 > narrow * (1 - JOINT_OVERLAP):
         i = int(np.argmax([one.radius for one in scene.species]))

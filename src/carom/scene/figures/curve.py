@@ -22,6 +22,7 @@ from carom.scene.schema import Components, Place, raise_faults, refused
 __all__ = ["CurveFigure", "FunctionPiece", "PolarPiece", "SplinePiece"]
 
 Array = NDArray[np.float64]
+LARGEST = 1e90  # m: the third powers of derivatives are still numbers
 Function = Callable[[Any], Any]
 
 
@@ -198,6 +199,9 @@ def _try(figure: CurveFigure) -> None:
             raise_faults(
                 [Fault("", name, "finite values and derivatives from 0 to 2 pi", f"others, of {_said(function)}")]
             )
+        largest = max(float(np.abs(part).max()) for part in (found.x, found.d, found.dd))
+        if largest > LARGEST:
+            raise_faults([Fault("", name, f"lengths below {LARGEST:g} m", f"{largest:.6g}, of {_said(function)}")])
 
 
 def _as_function(value: Any, name: str) -> Function:

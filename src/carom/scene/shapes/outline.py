@@ -155,7 +155,8 @@ class FigureWall(WallShape):
 
     def describe(self) -> str:
         """Return a description of a few words."""
-        return f"a {self.figure.describe()}"
+        said = self.figure.describe()
+        return f"{'an' if said[0] in 'aeiou' else 'a'} {said}"
 
 
 def placed_pieces(kind: str, loop: Sequence[Any], center: Place, angle: float) -> tuple[tuple[float, ...], ...]:
