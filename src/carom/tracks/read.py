@@ -19,6 +19,7 @@ from carom.data.rebound_files import heads_rebounds
 from carom.errors import CaromError, Fault, FaultList, suggestion
 from carom.files import as_path, read_text
 from carom.laws.results import GRAVITY
+from carom.tracks.exchanged import with_own_names
 from carom.tracks.formats import (
     carom_table,
     columns,
@@ -26,7 +27,9 @@ from carom.tracks.formats import (
     idtracker,
     kinovea,
     mtrack2,
+    pooltool,
     sleap,
+    tailuge,
     tracker,
     trackmate,
     trackpy,
@@ -80,6 +83,8 @@ FORMATS = {
     "deeplabcut": Format("DeepLabCut", deeplabcut.matches, deeplabcut.read),
     "sleap": Format("SLEAP analysis", sleap.matches, sleap.read),
     "carom-table": Format("carom table (JSON)", carom_table.matches, carom_table.read),
+    "tailuge": Format("tailuge/billiards (JSON)", tailuge.matches, tailuge.read),
+    "pooltool": Format("pooltool's recorded shot (JSON)", pooltool.matches, pooltool.read),
     "trackpy": Format("trackpy data frame", trackpy.matches, trackpy.read),
     "trackmate": Format("TrackMate spots", trackmate.matches, trackmate.read),
     "mtrack2": Format("MTrack2 (ImageJ)", mtrack2.matches, mtrack2.read),
@@ -189,7 +194,7 @@ def _checked_tracks(path: Path, name: str, tracks: Sequence[Track], calibration:
     else:
         checked = without_rounding(checked, notes)
     checked = [_one_row_per_time(track, notes) for track in checked]
-    checked = [track for track in checked if track.seen.any()]
+    checked = with_own_names([track for track in checked if track.seen.any()], notes)
     if calibration.scale is None:
         _require_likely_unit(checked, str(path))
     for track in checked:

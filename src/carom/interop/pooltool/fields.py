@@ -6,7 +6,7 @@ is read as one of the main branch (of 28 June 2026), any other as one of 0.6.0.
 
 from __future__ import annotations
 
-from carom.interop.pooltool.files import Field
+from carom.tracks.formats.pooltool_fields import Field
 
 __all__ = ["check_fields"]
 

@@ -12,14 +12,15 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.files import as_path
 from carom.interop.pooltool.fields import check_fields
-from carom.interop.pooltool.files import Field, open_file
 from carom.interop.pooltool.tables import walls_of
 from carom.scene.scene import Scene
+from carom.tracks.formats.pooltool import CONTINUOUS, EVENTS, POCKETED, recorded
+from carom.tracks.formats.pooltool_fields import Field, open_file
 
 __all__ = ["PooltoolShot", "read"]
 
 Array = NDArray[np.float64]
-POCKETED, FLYING = 4, 5  # pooltool's numbers of those motions
+FLYING = 5  # pooltool's number of that motion
 CLOTH = ("u_s", "u_r", "u_sp_proportionality", "e_c", "f_c", "g")
 
 
@@ -203,21 +204,7 @@ def _paths(balls: dict[str, Field]) -> dict[str, Array]:
     """Return the recorded paths: pooltool's continuous ones where the file has them, else the places of the events."""
     found = {}
     for name, ball in balls.items():
-        path = _history(ball["history_cts"])
-        path = _history(ball["history"]) if path is None else path
+        path = recorded(ball[CONTINUOUS]) or recorded(ball[EVENTS])
         if path is not None:
-            found[name] = path
+            found[name] = path[0]
     return found
-
-
-def _history(history: Field) -> Array | None:
-    if history.value is None:  # (an empty one in MessagePack)
-        return None
-    if isinstance(history.value, list | tuple):  # arrays of all states, motions and times
-        rvw, _s, t = history.each()[:3]
-        times = t.array(-1)
-        return np.column_stack([times, rvw.array(len(times), 3, 3)[:, 0]])
-    states = history["states"].each()
-    if not states:
-        return None
-    return np.array([[state["t"].number(), *state["rvw"].array(3, 3)[0]] for state in states])

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.interop.pooltool.files import Field
+from carom.tracks.formats.pooltool_fields import Field
 from carom.scene.pockets import Pockets
 from carom.scene.shapes.rounds import Arc
 from carom.scene.shapes.segments import Segment

@@ -1,0 +1,122 @@
+"""Balls that a tracking program has confused: from one frame to the next two of a film take each other's places."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.tracks.track import Track
+
+__all__ = ["with_own_names"]
+
+Array = NDArray[np.float64]
+JUMP = 0.06  # m that both balls are off their paths, more than a ball's diameter
+ON_THE_WAY = 0.03  # m that they are off the other's, after the exchange: a contact leaves them a diameter apart
+LONGEST_GAP = 3.5  # frames, over which a path is continued
+SAME_FRAME = 0.25  # of the interval of frames
+
+
+def with_own_names(tracks: Sequence[Track], notes: list[str]) -> list[Track]:
+    """Return the tracks of films in which no two balls have exchanged their names; a note says when they did.
+
+    The frames are followed in time. Where two balls leave the continuation of their paths at once, by more than a ball's diameter, and
+    each is on that of the other, their names are exchanged from there on. Two balls that collide are a diameter apart, and are left.
+    """
+    found = list(tracks)
+    for group in dict.fromkeys(track.group for track in tracks):
+        members = [k for k, track in enumerate(found) if track.group == group and len(track) > 2]
+        if sum(_jumps(found[k]) for k in members) < 2:
+            continue
+        mine, when = _own_names([found[k] for k in members])
+        if when:
+            pairs = sorted({name for _t, *names in when for name in names})
+            notes.append(
+                f"{group or 'film'}: {', '.join(pairs)} exchange their names in the file {_times(len(when))}, first at"
+                f" t = {when[0][0]:.6g} s: exchanged back"
+            )
+            for k, one in zip(members, mine, strict=True):
+                found[k] = one
+    return found
+
+
+def _jumps(track: Track) -> bool:
+    """Return whether a ball is anywhere farther from the continuation of its path than two balls that exchange their names."""
+    time, x = track.time[track.seen], track.position[track.seen][:, :2]
+    step, way = np.diff(time), np.diff(x, axis=0)
+    ahead = np.divide(way, step[:, None], out=np.zeros_like(way), where=step[:, None] > 0)[:-1] * step[1:, None]
+    return bool((np.hypot(*(way[1:] - ahead).T) > JUMP).any() or (len(way) > 0 and np.hypot(*way[0]) > JUMP))
+
+
+def _times(count: int) -> str:
+    return "once" if count == 1 else f"{count} times"
+
+
+def _own_names(tracks: list[Track]) -> tuple[list[Track], list[tuple[float, str, str]]]:
+    """Return tracks with their names exchanged back, and when which two were."""
+    steps = np.concatenate([np.diff(track.time) for track in tracks])
+    interval = float(np.median(steps[steps > 0])) if (steps > 0).any() else 0.0
+    rows = sorted((float(t), k, i) for k, track in enumerate(tracks) for i, t in enumerate(track.time))
+    owner, when = (
+        list(range(len(tracks))),
+        list[tuple[float, str, str]](),
+    )  # owner[k]: the ball that the file's track k shows
+    paths: list[list[tuple[float, Array]]] = [[] for _ in tracks]
+    taken: list[list[tuple[int, int]]] = [[] for _ in tracks]
+    for frame in _frames(rows, SAME_FRAME * interval):
+        t, places = frame[0][0], {k: tracks[k].position[i, :2] for _t, k, i in frame}
+        expected = {k: _continued(paths[owner[k]], t, LONGEST_GAP * interval) for k in places}
+        for one, two in itertools.combinations(places, 2):
+            mine, yours = expected[one], expected[two]
+            if mine is None or yours is None:
+                continue
+            off = min(np.hypot(*(places[one] - mine)), np.hypot(*(places[two] - yours)))
+            if off > JUMP and max(np.hypot(*(places[two] - mine)), np.hypot(*(places[one] - yours))) < ON_THE_WAY:
+                owner[one], owner[two] = owner[two], owner[one]
+                expected[one], expected[two] = yours, mine
+                when.append((t, tracks[one].name, tracks[two].name))
+        for _t, k, i in frame:
+            ball = owner[k]
+            if np.isfinite(places[k]).all():
+                paths[ball] = [*paths[ball][-1:], (t, places[k])]
+            taken[ball].append((k, i))
+    if not when:
+        return tracks, when
+    return [_joined(tracks, k, rows) for k, rows in enumerate(taken)], when
+
+
+def _frames(rows: list[tuple[float, int, int]], apart: float) -> list[list[tuple[float, int, int]]]:
+    """Return the rows, in the order of time, of each frame."""
+    frames: list[list[tuple[float, int, int]]] = []
+    for row in rows:
+        if frames and row[0] - frames[-1][0][0] <= apart and all(row[1] != other[1] for other in frames[-1]):
+            frames[-1].append(row)
+        else:
+            frames.append([row])
+    return frames
+
+
+def _continued(path: list[tuple[float, Array]], t: float, longest: float) -> Array | None:
+    """Return where a ball is expected, from its last two frames; None after a gap."""
+    if not path or t - path[-1][0] > longest:
+        return None
+    (since, x), v = path[-1], 0.0
+    if len(path) > 1 and since - path[0][0] <= longest:
+        v = (x - path[0][1]) / (since - path[0][0])
+    return np.asarray(x + v * (t - since))
+
+
+def _joined(tracks: list[Track], ball: int, rows: list[tuple[int, int]]) -> Track:
+    """Return the track of a ball whose rows stand in several tracks of the file."""
+
+    def of(name: str) -> Array | None:
+        parts = [getattr(track, name) for track in tracks]
+        return None if any(part is None for part in parts) else np.array([parts[k][i] for k, i in rows])
+
+    time, position = of("time"), of("position")
+    assert time is not None
+    assert position is not None
+    return replace(tracks[ball], time=time, position=position, angle=of("angle"), spin=of("spin"), frame=of("frame"))
