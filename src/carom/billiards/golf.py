@@ -17,7 +17,7 @@ from carom.public.progress import Progress
 __all__ = ["OUTCOMES", "Putts", "putt", "putts"]
 
 Array = NDArray[np.float64]
-OUTCOMES = ("caught", "lips out", "rolls past", "goes round")
+OUTCOMES = ("caught", "lips out", "rolls past", "goes round", "flies over")
 GOLF = Ball(0.02135, 0.0459)
 RADIUS, DEPTH = 0.054, 0.1016
 STARTS = 1.05  # radii of the hole, from its centre: the place along the way at which a putt begins
@@ -118,7 +118,7 @@ def putts(
     >>> from carom import billiards
     >>> found = billiards.putts([0.4, 1.8], [0.0, 0.03])
     >>> [[billiards.OUTCOMES[k] for k in row] for row in found.outcome]
-    [['caught', 'caught'], ['rolls past', 'lips out']]
+    [['caught', 'caught'], ['flies over', 'lips out']]
     """
     v, y = np.atleast_1d(np.asarray(speeds, dtype=float)), np.atleast_1d(np.asarray(offsets, dtype=float))
     outcome, turn = np.zeros((v.size, y.size), dtype=np.int64), np.full((v.size, y.size), math.nan)
@@ -130,7 +130,8 @@ def putts(
             elif run.end == "away":
                 after = run.events[-1].velocity
                 turn[i, k] = abs(math.atan2(after[1], after[0]))
-                outcome[i, k] = 1 if turn[i, k] > TURNED else 2
+                flew = any(event.kind == "leaves" for event in run.events)
+                outcome[i, k] = 1 if turn[i, k] > TURNED else 4 if flew else 2
         if progress:
             progress(i + 1, v.size, f"putts at {speed:.3g} m/s")
     return Putts(v, y, outcome, turn, radius)

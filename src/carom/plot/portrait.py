@@ -49,7 +49,7 @@ def _title(found: Orbit) -> str:
     """Return table, law, kappa, and numbers of orbits and bounces, in two lines."""
     table = found.setup.table
     sizes = [
-        f"{name.replace('_', ' ')} {value if isinstance(value, str) else format_number(float(value))}"
+        f"{name.replace('_', ' ')} = {value if isinstance(value, str) else format_number(float(value))}"
         for name, value in table.sizes.items()
         if isinstance(value, int | float | str)
     ]

@@ -18,7 +18,9 @@ if TYPE_CHECKING:
 __all__ = ["plot_putts", "plot_roll"]
 
 ROLLS, FLIES = "#0072B2", "#D55E00"
-CAUGHT = {"caught": "#009E73", "lips out": "#D55E00", "rolls past": "#8a8a8a", "goes round": "#56B4E9"}
+CAUGHT = {
+    "caught": "#009E73", "lips out": "#D55E00", "rolls past": "#8a8a8a", "goes round": "#56B4E9", "flies over": "#CCCCCC"
+}  # fmt: skip
 POINTS = 1200
 
 
@@ -106,12 +108,12 @@ def plot_putts(found: Putts) -> Figure:
             found.outcome,
             cmap=colours,
             vmin=-0.5,
-            vmax=3.5,
+            vmax=len(OUTCOMES) - 0.5,
             shading="nearest",
             alpha=0.8,
         )
         for name in (name for k, name in enumerate(OUTCOMES) if (found.outcome == k).any()):
             axes.plot([], [], "s", ms=9, color=CAUGHT[name], alpha=0.8, label=name)
         axes.set(xlabel="offset from the centre (mm)", ylabel="speed at the edge (m/s)")
-        axes.legend(loc="upper center", bbox_to_anchor=(0.5, 1.13), ncols=4)
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, 1.13), ncols=len(OUTCOMES))
     return figure
