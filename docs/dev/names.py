@@ -146,6 +146,7 @@ ROWS = {
                  "the resistance is `floor.rolling_resistance` + `floor.rolling_drag` v"),
         Quantity("damping of a spin about the vertical", "", "1/s", "floor.spin_damping", "more than `floor.spin_friction` takes"),
         Quantity("loss of a spin about the vertical on the way", "", "rad/m", "floor.spin_drag", "of a ball that rolls"),
+        Quantity("slope of the floor", "", "1", "floor.slope", "how far it falls per metre along x and y: the sine of the angle"),
         Quantity("deceleration of a spin about the vertical", "", "rad/s²", "spin_loss", "g `floor.spin_friction` / (κ a)"),
         Quantity("deceleration of a sliding ball", "", "m/s²", "mu_g", "`floor_friction` times g, in the fit of a contact"),
         Quantity("deceleration of a rolling ball", "", "m/s²", "c_g", "`rolling_resistance` times g, as `mu_g`"),

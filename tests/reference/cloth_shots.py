@@ -15,6 +15,7 @@ from scipy.integrate import solve_ivp
 G = 9.80665
 SLIDING, ROLLING, STILL = "sliding", "rolling", "still"
 LEAST = 1e-9  # m/s: a slip or a speed that is none
+TURNED = 1e-11  # m/s: a slip or a speed that turns on its way is at its end
 
 
 @dataclass
@@ -53,6 +54,21 @@ class Cloth:
     rolling_drag: float = 0.0
     spin_damping: float = 0.0
     spin_drag: float = 0.0
+    slope: Any = (0.0, 0.0)
+
+    @property
+    def down(self) -> Any:
+        """Return gravity's part along the cloth (2,)."""
+        return G * np.array(self.slope)
+
+    @property
+    def g(self) -> float:
+        """Return gravity's part that presses the balls on the cloth."""
+        return float(G * np.sqrt(1 - np.dot(self.slope, self.slope)))
+
+    def holds(self, kappa: float) -> bool:
+        """Whether a ball that is put down on the cloth stays there."""
+        return float(np.linalg.norm(self.down)) <= self.rolling_resistance * self.g * (1 + kappa)
 
 
 @dataclass
@@ -76,7 +92,7 @@ class Shot:
     def _find_phase(self, ball: Ball) -> None:
         if np.linalg.norm(ball.slip()) > LEAST:
             ball.phase = SLIDING
-        elif np.linalg.norm(ball.v) > LEAST:
+        elif np.linalg.norm(ball.v) > LEAST or not self.cloth.holds(ball.kappa):
             ball.phase = ROLLING
         else:
             ball.phase, ball.v = STILL, np.zeros(2)
@@ -88,15 +104,20 @@ class Shot:
         force = np.zeros(2)
         if ball.phase == SLIDING:
             slip = np.array([v[0] - a * w[1], v[1] + a * w[0]])
-            force = -c.friction * G * slip / np.linalg.norm(slip)
+            force = -c.friction * c.g * slip / np.linalg.norm(slip)
             turn = np.array([force[1], -force[0]]) / (ball.kappa * a)
+            force = force + c.down
         elif ball.phase == ROLLING:
             speed = np.linalg.norm(v)
-            force = -(c.rolling_resistance + c.rolling_drag * speed) * G * v / speed if speed > 0 else force
+            way = v if speed > 0 else c.down
+            size = np.linalg.norm(way)
+            # gravity turns the ball too: its inertia is (1 + kappa) m
+            force = c.down / (1 + ball.kappa)
+            force = force - (c.rolling_resistance + c.rolling_drag * speed) * c.g * way / size if size > 0 else force
             turn = np.array([-force[1], force[0]]) / a
         else:
             turn = np.zeros(2)
-        loss = c.spin_friction * G / (ball.kappa * a) + c.spin_damping * abs(w[2])
+        loss = c.spin_friction * c.g / (ball.kappa * a) + c.spin_damping * abs(w[2])
         loss += c.spin_drag * np.linalg.norm(v) if ball.phase == ROLLING else 0
         moving = v if ball.phase != STILL else np.zeros(2)
         # (the direction is that at the begin of a leg, which ends where this spin does)
@@ -139,6 +160,13 @@ class Shot:
                         self.events.append((end, ROLLING, j, -1))  # (at the same time)
         return end
 
+    def _end(self, now: Any, vector: Any) -> Any:
+        """Return the function that falls to zero where a slip or a speed ends: along its way, which a slope turns."""
+        if any(self.cloth.slope):
+            return lambda t, y: np.linalg.norm(vector(y)) - TURNED
+        way = now / np.linalg.norm(now)
+        return lambda t, y: way @ vector(y)
+
     def _checks(self, start: Any) -> list[tuple[str, int, int, Any]]:
         found: list[tuple[str, int, int, Any]] = []
 
@@ -149,12 +177,10 @@ class Shot:
         for i, ball in enumerate(self.balls):
             a, at = ball.radius, 7 * i
             if ball.phase == SLIDING:
-                way = ball.slip() / np.linalg.norm(ball.slip())
-                add(ROLLING, i, -1, lambda t, y, a=a, at=at, way=way:
-                    way @ np.array([y[at + 2] - a * y[at + 5], y[at + 3] + a * y[at + 4]]))  # fmt: skip
-            if ball.phase == ROLLING:
-                way = ball.v / np.linalg.norm(ball.v)
-                add(STILL, i, -1, lambda t, y, at=at, way=way: way @ y[at + 2 : at + 4])
+                add(ROLLING, i, -1, self._end(ball.slip(), lambda y, a=a, at=at:
+                    np.array([y[at + 2] - a * y[at + 5], y[at + 3] + a * y[at + 4]])))  # fmt: skip
+            if ball.phase == ROLLING and np.any(ball.v):
+                add(STILL, i, -1, self._end(ball.v, lambda y, at=at: y[at + 2 : at + 4]))
             if ball.w[2] != 0:
                 sign = np.sign(ball.w[2])
                 add("spin", i, -1, lambda t, y, at=at, sign=sign: sign * y[at + 6])

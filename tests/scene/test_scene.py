@@ -710,7 +710,8 @@ position = [-0.1, 0.2, 0.3]
     assert json.loads(result.stdout) == {
         "gravity": [0.0, 0.0, -9.8],
         "floor": {"restitution": {"form": "constant", "value": 0.0}, "friction": "inf", "tangential_restitution": 0.0,
-                  "rolling_resistance": 0.0, "spin_friction": 0.0, "rolling_drag": 0.0, "spin_damping": 0.0, "spin_drag": 0.0},
+                  "rolling_resistance": 0.0, "spin_friction": 0.0, "rolling_drag": 0.0, "spin_damping": 0.0, "spin_drag": 0.0,
+                  "slope": [0.0, 0.0]},
         "walls": [
             {"shape": "cylinder", "point": [0.0, 0.0, 0.0], "axis": [0.0, 0.0, 1.0], "radius": 0.5, "inside": True,
              "length": "inf", "restitution": {"form": "power", "at_rest": 0.9, "speed": 0.2, "exponent": 0.25},

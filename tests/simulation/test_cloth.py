@@ -14,11 +14,12 @@ import carom
 from carom.core.motion.decay import decay_integrals, time_of_integral, time_of_path
 from carom.core.motion.phases import ROLLING, SLIDING
 from carom.scene.paths import path_match
-from carom.simulation.predict import begin_phase, pair_hit
+from carom.simulation.motion import begin_phase
+from carom.simulation.predict import pair_hit
 
 A = 0.03075
 SIDES = (((1, 0), -1.4), ((-1, 0), -1.4), ((0, 1), -0.7), ((0, -1), -0.7))
-LAWS: dict[str, dict[str, float]] = {
+LAWS: dict[str, dict[str, Any]] = {
     "drag": {"rolling_drag": 0.0018},
     "strong drag": {"rolling_drag": 0.03, "rolling_resistance": 0.002},
     "drag alone": {"rolling_drag": 0.02, "rolling_resistance": 0.0},
@@ -26,6 +27,8 @@ LAWS: dict[str, dict[str, float]] = {
     "damping alone": {"spin_damping": 0.4, "spin_friction": 0.0},
     "spin drag": {"spin_drag": 5.0},
     "spin drag and drag": {"spin_drag": 5.0, "rolling_drag": 0.01, "spin_friction": 0.0},
+    "slope": {"slope": (0.0003, -0.0004)},
+    "slope that holds no ball": {"slope": (0.004, 0.012), "spin_damping": 0.3},
 }
 
 
@@ -64,7 +67,7 @@ def in_small_steps(made: carom.Scene, until: float) -> Shot:
     """Integrate the same scene without carom."""
     floor = made.floor
     assert floor is not None
-    names = ("friction", "rolling_resistance", "spin_friction", "rolling_drag", "spin_damping", "spin_drag")
+    names = ("friction", "rolling_resistance", "spin_friction", "rolling_drag", "spin_damping", "spin_drag", "slope")
     balls = [
         Ball(np.array(one.position[:2]), np.array(one.state.velocity[:2]), np.array(one.state.spin), one.radius)
         for one in made.balls
@@ -126,7 +129,7 @@ def moving(draw: np.random.Generator, world: Any, x: Any, rolls: bool) -> Any:
     w = np.array([-v[1] / A, v[0] / A, 0.0]) + (0 if rolls else draw.uniform(-40, 40, 3))
     ball = SimpleNamespace(
         radius=A, mass=0.2, kappa=0.4, x=[*x, A], v=[*v, 0.0], w=w.tolist(), phase=ROLLING if rolls else SLIDING, clock=0.0,
-        acc=[0.0] * 3, turn=[0.0] * 3, decays=0, fade=0.0, spin_fade=0.0, spin_gain=0.0, lasts=0.0,
+        acc=[0.0] * 3, turn=[0.0] * 3, decays=0, fade=0.0, spin_fade=0.0, spin_gain=0.0, lasts=0.0, lean=[0.0] * 4,
     )  # fmt: skip
     begin_phase(world, ball)
     return ball
@@ -147,7 +150,7 @@ def test_no_contact_of_balls_that_slow_down_is_missed() -> None:
     draw, met, passed = np.random.default_rng(7), 0, 0
     for n in range(150):
         world = SimpleNamespace(
-            force=[0, 0, -9.8], g=9.8, floor_mu=0.2, resistance=draw.uniform(0.001, 0.01), spin_friction=0.0,
+            floor=1, force=[0, 0, -9.8], g=9.8, floor_mu=0.2, resistance=draw.uniform(0.001, 0.01), spin_friction=0.0,
             rolling_drag=10 ** draw.uniform(-3, -0.5), spin_damping=0.0, spin_drag=0.0,
         )  # fmt: skip
         one, other = moving(draw, world, (0.0, 0.0), True), moving(draw, world, (0.0, 0.0), n % 2 == 0)
@@ -181,13 +184,18 @@ def test_no_contact_of_balls_that_slow_down_is_missed() -> None:
     assert passed > 40
 
 
-DERIVED: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
+DERIVED: dict[str, tuple[dict[str, Any], tuple[str, ...]]] = {
     "drag": (
         {"rolling_drag": 0.01, "spin_drag": 3.0},
         ("floor.rolling_drag", "floor.spin_drag", "floor.rolling_resistance", "floor.spin_friction", "floor.friction"),
     ),
     "damping": ({"spin_damping": 0.4}, ("floor.spin_damping", "floor.spin_friction", "balls.0.velocity.x")),
+    "slope": (
+        {"slope": (0.004, -0.002)},
+        ("floor.slope.x", "floor.slope.y", "floor.rolling_resistance", "floor.friction", "balls.0.velocity.x"),
+    ),
     "defaults": ({}, ("floor.rolling_drag", "floor.spin_drag", "floor.spin_damping")),
+    "level": ({}, ("floor.slope.x", "floor.slope.y")),
 }
 
 
@@ -205,7 +213,9 @@ def test_derivatives_are_differences(case: str) -> None:
 
     for k, path in enumerate(paths):
         value, h = float(path_match(made, path).values[0]), 1e-6
-        if value == 0:
+        if value == 0 and "slope" in path:
+            slope = (state(path, h) - state(path, -h)) / (2 * h)
+        elif value == 0:
             slope = (4 * state(path, h) - 3 * state(path, 0.0) - state(path, 2 * h)) / (2 * h)
         else:
             h *= max(10 * abs(value), 0.01)
@@ -391,3 +401,113 @@ def test_a_nose_that_yields_goes_with_the_ball() -> None:
         ]
         np.testing.assert_allclose(slope, (ends[1] - ends[0]) / (2 * h), atol=1e-5 * abs(slope).max())
     np.testing.assert_allclose(after[1:], [after[0]] * 2, atol=1e-12)
+
+
+def test_a_slope_holds_a_ball_or_sets_it_going() -> None:
+    """At rest up to f/(1 + kappa) = c g; from there on straight downhill, and a ball that rolls up comes back."""
+    g, kappa, c = 9.80665, 0.4, 0.01
+
+    def run(slope: Any, **ball: Any) -> carom.Trajectory:
+        one = {"radius": A, "mass": 0.2, "position": (0, 0), **ball}
+        floor = {"friction": 0.2, "rolling_resistance": c, "slope": slope}
+        return carom.simulate(carom.Scene(gravity=g, floor=floor, balls=[one], run={"duration": 2}))
+
+    limit = c * (1 + kappa) / np.hypot(1, c * (1 + kappa))  # of the sine
+    assert np.all(run((limit * 0.9999, 0)).final.position[0, :2] == 0)
+    for x in (limit * 1.01, 0.05):
+        final = run((0, -x)).final
+        acceleration = g * x / (1 + kappa) - c * g * np.sqrt(1 - x * x)
+        np.testing.assert_allclose(final.position[0, :2], (0, -acceleration * 2), rtol=1e-12, atol=1e-15)
+        np.testing.assert_allclose(final.spin[0, :2] * A, (2 * acceleration, 0), rtol=1e-12, atol=1e-15)
+    up = run((-0.05, 0), velocity=(0.2, 0), rolling=True)
+    down, hold = g * 0.05 / 1.4, c * g * np.sqrt(1 - 0.05**2)
+    turns = 0.2 / (down + hold)
+    assert up.events[0].t == pytest.approx(turns, rel=1e-14)
+    assert up.final.position[0, 0] == pytest.approx(0.1 * turns - (down - hold) * (2 - turns) ** 2 / 2, rel=1e-12)
+    # too steep for rolling: mu (1 + 1/kappa) = 0.7
+    steep = run((0.6, 0))
+    assert steep.final.velocity[0, 0] == pytest.approx(2 * g * (0.6 - 0.2 * 0.8), rel=1e-12)
+    assert steep.final.spin[0, 1] == pytest.approx(2 * 0.2 * 0.8 * g / (kappa * A), rel=1e-12)
+
+
+def test_a_slope_keeps_the_energy_of_a_ball_that_rolls_without_resistance() -> None:
+    """Around a pillar, along cushions, in bounces of the floor: kinetic energy and that of height, to rounding."""
+    walls: list[Any] = [
+        {"shape": "table", "length": 2.0, "width": 1.0, "restitution": 1, "friction": 0},
+        {"shape": "cylinder", "point": (0.1, 0, 0), "axis": (0, 0, 1), "radius": 0.1, "restitution": 1, "friction": 0},
+    ]
+    ball = {"radius": A, "mass": 0.2, "position": (-0.5, 0.05), "velocity": (1, 0), "rolling": True}
+    floor = {"friction": 0.2, "slope": (0.01, 0.006)}
+    made = carom.Scene(floor=floor, walls=walls, balls=[ball], run={"law": "mirror", "max_events": 12})
+    run = carom.simulate(made)
+    energy = run.energy(np.linspace(0, run.end, 7))
+    assert {one.name for one in run.events.of("wall")} >= {"table 0", "cylinder 1"}
+    np.testing.assert_allclose(energy[:2], energy[0], rtol=1e-12)
+
+
+@pytest.mark.parametrize("rolls", [True, False])
+def test_a_graze_on_a_slope_is_neither_missed_nor_invented(rolls: bool) -> None:
+    """Pillars beside the path, a nanometre into it or off it; the path by sums of exponentials, as docs/theory/motion.md has it."""
+    draw = np.random.default_rng(5)
+    for n in range(16):
+        slope, c = 10.0 ** draw.uniform(-4, -1) * np.array([1.0, 0.0]), 10.0 ** draw.uniform(-3, -1.5)
+        v = draw.uniform(-1.5, 1.5, 2)
+        spin = draw.uniform(-60, 60, 3)
+        ball = {"radius": A, "mass": 0.2, "position": (0, 0), "velocity": tuple(v)}
+        ball |= {"rolling": True} if rolls else {"spin": tuple(spin)}
+        g, pull = 9.80665 * np.sqrt(1 - slope @ slope), 9.80665 * slope[0]
+        w = v if rolls else v - A * np.array([spin[1], -spin[0]])
+        m, f, q = (c * g, pull / 1.4, 1.0) if rolls else (0.2 * g * 3.5, pull, 2 / 7)
+        size = np.hypot(*w)
+        p, k = (size + w[0]) / 2, (size - w[0]) / 2
+        tau = draw.uniform(0.1, 0.4) / m if rolls else draw.uniform(0.1, 0.2)
+
+        def integral(rate: float, tau: float = tau) -> float:
+            return float(-np.expm1(-rate * tau) / rate) if rate else tau
+
+        t = p * integral(m - f) + k * integral(m + f)
+        now = np.array([p * np.exp(-(m - f) * tau) - k * np.exp(-(m + f) * tau), w[1] * np.exp(-m * tau)])
+        way = np.array([p * p * integral(2 * (m - f)) - k * k * integral(2 * (m + f)),
+                        w[1] * (p * integral(2 * m - f) + k * integral(2 * m + f))])  # fmt: skip
+        place = (v - q * w) * t + (1 - q) * np.array([f, 0]) * t * t / 2 + q * way
+        speed = (v - q * w) + (1 - q) * np.array([f, 0]) * t + q * now
+        across = (-1) ** (n // 2) * np.array([-speed[1], speed[0]]) / np.hypot(*speed)
+        center = place + across * (0.02 + A + (1e-9 if n % 2 else -1e-9))
+        pillar = {
+            "shape": "cylinder",
+            "point": (*center, 0),
+            "axis": (0, 0, 1),
+            "radius": 0.02,
+            "restitution": 1,
+            "friction": 0,
+        }
+        floor = {"friction": 0.2, "rolling_resistance": c, "slope": tuple(slope)}
+        run = carom.simulate(
+            carom.Scene(floor=floor, walls=[pillar], balls=[ball], run={"law": "mirror", "duration": t * 1.05})
+        )
+        hits = run.events.of("wall")
+        assert len(hits) == 1 - n % 2
+        if hits:
+            assert hits[0].t == pytest.approx(t, abs=3e-4)
+            np.testing.assert_allclose(run.log["x"][-1][:2], place, atol=1e-3)
+
+
+def test_balls_at_the_foot_of_a_slope_come_to_rest() -> None:
+    walls = [{"shape": "plane", "point": (0, 0, 0), "normal": (1, 0, 0), "restitution": 0.6, "friction": 0.1}]
+    balls = [{"radius": A, "mass": 0.2, "position": (x, y)} for x, y in ((0.2, 0), (0.5, 0.01))]
+    floor = {"friction": 0.2, "rolling_resistance": 0.01, "slope": (-0.05, 0)}
+    run = carom.simulate(carom.Scene(floor=floor, walls=walls, balls=balls, run={"duration": 6}))
+    assert len(run.log) < 400
+    assert run.final.position[:, 0].min() == pytest.approx(A, abs=1e-7)
+
+
+@pytest.mark.parametrize("other", ["rolling_drag", "spin_drag"])
+def test_a_slope_goes_with_constant_resistance(other: str) -> None:
+    with pytest.raises(
+        carom.CaromError, match=rf"{other}: expected 0 on a floor with a slope, got 0.01; .*closed form"
+    ):
+        carom.Floor(friction=0.2, slope=(0.01, 0), **{other: 0.01})
+    with pytest.raises(
+        carom.CaromError, match=r"slope: expected a floor that is less steep than upright, got \[1.0, 0.0\]"
+    ):
+        carom.Floor(friction=0.2, slope=(1, 0))

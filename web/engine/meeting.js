@@ -2,7 +2,7 @@
 
 /** @import { Scene, Vec } from "../state/types.js" */
 /** @import { Module } from "./module.js" */
-import { contactOf, setUp } from "../scene/setup.js";
+import { contactOf, pullOf, setUp } from "../scene/setup.js";
 import { follow } from "./run.js";
 
 /**
@@ -71,7 +71,7 @@ export function firstMeeting(module, scene) {
     t, wall: number, balls: balls.size, radius, mass, kappa: Number(made.balls[0].kappa), v, w, n: [nx, ny, nz], e, mu, beta,
     stiffness: wall.stiffness_ratio,
     floor: scene.floor && floorAt(module, scene.floor, approach),
-    g: scene.floor ? -scene.gravity[2] : 0,
+    g: scene.floor ? -pullOf(scene)[2] : 0,
     height: scene.floor ? Math.max(x[2] - radius, 0) : Infinity,
     together: scene.run.floor_contact === "with",
   };

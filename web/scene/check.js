@@ -40,6 +40,13 @@ function floorFaults(scene) {
   if (scene.floor && (gx !== 0 || gy !== 0 || gz > 0)) {
     found.push(`gravity: expected gravity along -z, as there is a floor, got ${vectorText(scene.gravity, 6)}`);
   }
+  if (scene.floor?.slope.some((x) => x !== 0)) {
+    const [x, y] = scene.floor.slope;
+    if (!(x * x + y * y < 1)) found.push(`floor.slope: expected a floor that is less steep than upright, got ${vectorText(scene.floor.slope, 6)}`);
+    for (const name of /** @type {const} */ (["rolling_drag", "spin_drag"])) {
+      if (scene.floor[name] > 0) found.push(`floor.${name}: expected 0 on a floor with a slope, got ${general(scene.floor[name], 6)}`);
+    }
+  }
   scene.balls.forEach((ball, i) => {
     const [z, a] = [centerOf(scene, ball)[2], ball.radius];
     if (scene.floor && z < a * (1 - TOUCH)) {

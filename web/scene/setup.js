@@ -14,6 +14,13 @@ const INERTIAS = { solid: 2 / 5, hollow: 2 / 3 };
 /** I / (m a^2). @param {Ball} ball @returns {number} */
 export const kappaOf = (ball) => (typeof ball.inertia === "string" ? INERTIAS[ball.inertia] : ball.inertia);
 
+/** Acceleration in flight along the axes of the floor: gravity, turned by its slope. @param {Scene} scene @returns {Vec} */
+export function pullOf({ gravity, floor }) {
+  const [x, y] = floor?.slope ?? [0, 0];
+  const g = -gravity[2];
+  return x === 0 && y === 0 ? gravity : [g * x, g * y, -g * Math.sqrt(1 - x * x - y * y)];
+}
+
 /** Angular velocity at the start. @param {Ball} ball @returns {Vec} */
 export function spinOf(ball) {
   const [x, y] = ball.velocity;
@@ -110,8 +117,8 @@ export function setUp(scene, layout, address) {
   const called = [...new Set(pairLaw.one_contact ? byAddress : [...byAddress, pairLaw])];
   /** @type {Row} */
   const world = {
-    force: scene.gravity,
-    ...(floor && { floor: 1, g: -scene.gravity[2], ...prefixed("floor", contactOf(floor, layout)) }),
+    force: pullOf(scene),
+    ...(floor && { floor: 1, g: -pullOf(scene)[2], ...prefixed("floor", contactOf(floor, layout)) }),
     ...(floor && { resistance: floor.rolling_resistance, spin_friction: floor.spin_friction }),
     ...(floor && { rolling_drag: floor.rolling_drag, spin_damping: floor.spin_damping, spin_drag: floor.spin_drag }),
     ...pairFields(scene, pairLaw, called, layout),

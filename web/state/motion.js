@@ -2,6 +2,7 @@
 // at a constant rate, so nothing is stored but where each piece begins.
 
 /** @import { Piece, Run, Scene, Vec } from "./types.js" */
+import { pullOf } from "../scene/setup.js";
 import { cross, dot, length } from "./vectors.js";
 
 /** @typedef {[number, number, number, number]} Quaternion w, x, y, z */
@@ -143,8 +144,8 @@ export function energyAt(scene, run, t) {
   scene.balls.forEach((ball, i) => {
     const { x, v, w } = stateAt(run.balls[i].pieces, t);
     const moment = kappaOf(ball.inertia) * ball.mass * ball.radius ** 2;
-    const height = scene.floor ? ([0, 0, x[2] - ball.radius]) : x;
-    energy += (ball.mass * dot(v, v) + moment * dot(w, w)) / 2 - ball.mass * dot(scene.gravity, /** @type {Vec} */ (height));
+    const height = scene.floor ? [x[0], x[1], x[2] - ball.radius] : x;
+    energy += (ball.mass * dot(v, v) + moment * dot(w, w)) / 2 - ball.mass * dot(pullOf(scene), /** @type {Vec} */ (height));
   });
   return energy;
 }

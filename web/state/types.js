@@ -13,7 +13,7 @@
  * @property {number} tangential_restitution
  */
 
-/** @typedef {Surface & {rolling_resistance: number, spin_friction: number, rolling_drag: number, spin_damping: number, spin_drag: number}} Floor */
+/** @typedef {Surface & {rolling_resistance: number, spin_friction: number, rolling_drag: number, spin_damping: number, spin_drag: number, slope: [number, number]}} Floor */
 
 /** @typedef {Surface & {shape: string, stiffness_ratio: number, contact_time: number, yield_time: number, law: string | null, name: string | null, [key: string]: any}} Wall */
 

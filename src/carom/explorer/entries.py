@@ -23,7 +23,7 @@ from carom.laws.two_step import first_impact
 from carom.scene.shapes import PAGE_SHAPES
 from carom.scene.wall import ShapeKernels
 from carom.simulation.loop import run
-from carom.simulation.predict import begin_phase
+from carom.simulation.motion import begin_phase
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.states import state_rows
 
@@ -136,7 +136,7 @@ def run_events(
 
 
 def begin_rows(worlds: Any, balls: Any) -> None:
-    """Set the accelerations and the duration of each ball's phase: :func:`carom.simulation.predict.begin_phase`."""
+    """Set the accelerations and the duration of each ball's phase: :func:`carom.simulation.motion.begin_phase`."""
     for i in range(balls.shape[0]):
         begin_phase(worlds[0], balls[i])
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pydantic import model_validator
 
-from carom.errors import Fault, shown
+from carom.errors import Fault, FaultList, shown
 from carom.scene.restitution import Bounce, Constant
-from carom.scene.schema import Drag, Friction, Model, NotNegative, SpinDamping, SpinDrag, Spring, raise_faults
+from carom.scene.schema import Drag, Friction, Model, NotNegative, Slope, SpinDamping, SpinDrag, Spring, raise_faults
 from carom.scene.wall import ContactParameters, contact
 
 __all__ = ["Floor"]
@@ -25,6 +25,8 @@ class Floor(Model):
     rolling_drag : s/m: the rolling resistance grows with the speed v to rolling_resistance + rolling_drag v; default: 0
     spin_damping : 1/s: |d omega_z / dt| is greater by spin_damping |omega_z|; default: 0
     spin_drag : rad/m: it is greater by spin_drag v while the ball rolls; default: 0. Not with ``spin_damping``
+    slope : (x, y): how far the floor falls per metre of its own along x and y, so that gravity has the part g slope along it:
+        the sine of the angle, with its direction; default: (0, 0). Not with ``rolling_drag`` or ``spin_drag``
 
     Raises CaromError, one line per problem.
 
@@ -43,12 +45,30 @@ class Floor(Model):
     rolling_drag: Drag = 0.0
     spin_damping: SpinDamping = 0.0
     spin_drag: SpinDrag = 0.0
+    slope: Slope = (0.0, 0.0)
 
     @model_validator(mode="after")
     def _one_spin_law(self) -> Floor:
         if self.spin_damping > 0 and self.spin_drag > 0:
             advice = "take one law of the loss of spin: damping grows with the spin, drag with the speed of rolling"
             raise_faults([Fault("", "spin_drag", "0 with spin_damping > 0", shown(self.spin_drag), advice)])
+        return self
+
+    @model_validator(mode="after")
+    def _closed_form_on_slope(self) -> Floor:
+        found = FaultList()
+        if any(self.slope):
+            x, y = self.slope
+            if not x * x + y * y < 1:
+                advice = "the slope is the sine of the angle: 0.001 falls 1 mm per metre"
+                found.add("slope", "a floor that is less steep than upright", shown(list(self.slope)), advice)
+            for name in ("rolling_drag", "spin_drag"):
+                if getattr(self, name) > 0:
+                    advice = (
+                        "the path of a ball on a tilted floor has a closed form only where the resistance is constant"
+                    )
+                    found.add(name, "0 on a floor with a slope", shown(getattr(self, name)), advice)
+        raise_faults(found)
         return self
 
     @property

@@ -153,6 +153,15 @@ class Scene(Model):
         return self
 
     @property
+    def pull(self) -> tuple[float, float, float]:
+        """Return the acceleration of balls in flight, m/s^2, along the axes of the floor: gravity, turned by the floor's slope."""
+        slope = (0.0, 0.0) if self.floor is None else self.floor.slope
+        if not any(slope):
+            return self.gravity
+        g, (x, y) = -self.gravity[2], slope
+        return (g * x, g * y, -g * math.sqrt(1 - x * x - y * y))
+
+    @property
     def wall_laws(self) -> tuple[str | Law, ...]:
         """Return the law of each wall as it was given: its own, or the run's."""
         return tuple(wall.law or self.run.law for wall in self.walls)
@@ -285,10 +294,7 @@ def _floor_faults(scene: Scene) -> list[Fault]:
         advice = "a table is its cushions alone, and balls would fall: add a floor, or set gravity = 0"
         found.add(f"walls[{tables[0]}]", "a floor, as there is a table", "none", advice)
     if scene.floor is not None and (gx != 0 or gy != 0 or gz > 0):
-        advice = (
-            "balls on a tilted floor are not simulated; leave the floor out and use a wall of shape 'plane', on which the"
-            " ball flies and bounces"
-        )
+        advice = "for a tilted floor give floor.slope, such as [0.001, 0] for a fall of 1 mm per metre along x"
         got = format_vector(scene.gravity)
         found.add("gravity", "gravity along -z, as there is a floor", got, advice if gx or gy else "")
     for i, ball in enumerate(scene.balls):

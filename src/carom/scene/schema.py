@@ -345,6 +345,11 @@ Friction = Annotated[
     float, BeforeValidator(Number("a number >= 0 (inf: never slips)", least=0, infinite=True))
 ]  # fmt: skip
 
+Fall = Annotated[float, BeforeValidator(Number("a number from -1 to 1", least=-1, most=1))]
+Slope = Annotated[
+    tuple[Fall, Fall], BeforeValidator(Components("2 numbers: how far the floor falls per metre along x, y", (2,)))
+]
+
 Length = Annotated[float, BeforeValidator(Number("a length in m", "m"))]
 Size = Annotated[float, BeforeValidator(Number("a length in m, > 0", "m", least=0, above=True))]
 Gap = Annotated[float, BeforeValidator(Number("a length in m, >= 0", "m", least=0))]

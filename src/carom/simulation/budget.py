@@ -43,7 +43,5 @@ def budget(run: Trajectory) -> Budget:
 def _energy(run: Trajectory, state: Any) -> float:
     balls = run.scene.balls
     base = np.array([[0.0, 0.0, ball.radius if run.scene.floor is not None else 0.0] for ball in balls])
-    lift = -((state.position - base) * np.array(run.scene.gravity)).sum(axis=1) * np.array(
-        [ball.mass for ball in balls]
-    )
+    lift = -((state.position - base) * np.array(run.scene.pull)).sum(axis=1) * np.array([ball.mass for ball in balls])
     return float(np.sum(run.kinetic_energy(slice(None), state.velocity, state.spin) + lift))

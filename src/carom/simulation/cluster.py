@@ -35,7 +35,7 @@ from carom.simulation.cluster_walls import (
     wall_in_time,
     walls_in_time,
 )
-from carom.simulation.predict import move_by, state_after, write_vector
+from carom.simulation.motion import move_by, state_after, write_vector
 
 __all__ = ["collide_cluster", "overlaps_at_wall", "overlaps_in_time", "place_all"]
 

@@ -14,7 +14,7 @@ from carom.core.jit.kernel import Vec, cross, dot, kernel, vector
 from carom.core.motion.restitution import CONSTANT, restitution
 from carom.laws.hertz import contact_time, damping, stiffness
 from carom.simulation.cluster_walls import push_of_wall, scales_of_wall, wall_of
-from carom.simulation.predict import write_vector
+from carom.simulation.motion import write_vector
 
 __all__ = ["LAST_BIT", "LEAST_DEPTH", "NO_BALL", "add", "apart", "follow"]
 

@@ -22,7 +22,7 @@ from carom.core.jit.kernel import Vec, cross, dot, kernel, vector
 from carom.core.motion.restitution import CONSTANT, restitution
 from carom.laws.hertz import damping
 from carom.laws.law import CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL, ROLLING_WALL, TWO_STEP_WALL
-from carom.simulation.predict import accelerations_of, is_on_floor
+from carom.simulation.motion import accelerations_of, is_on_floor
 
 __all__ = [
     "MOST_WALLS", "acts_in_time", "find_walls", "has_hit", "is_lasting", "loses_nothing_at_walls", "push_of_wall", "scales_of_wall",

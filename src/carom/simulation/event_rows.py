@@ -9,7 +9,7 @@ from carom.core.motion.phases import HELD
 from carom.simulation.cluster_walls import MOST_WALLS, has_hit, wall_impulse, wall_of
 from carom.simulation.contacts.contact import DONE, NO_IMPULSE, Outcome, without_impulse
 from carom.simulation.contacts.kinds import met_at
-from carom.simulation.predict import write_vector
+from carom.simulation.motion import write_vector
 from carom.simulation.records import (
     BALL,
     HELD_EVENT,

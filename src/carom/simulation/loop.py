@@ -11,11 +11,12 @@ import math
 from typing import Any
 
 from carom.core.jit.kernel import dot, kernel, vector
-from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, PIVOTING, grounded
+from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, PIVOTING
 from carom.simulation.contacts.contact import DONE
 from carom.simulation.contacts.kinds import met_at, resolve_event
 from carom.simulation.event_rows import ALL, motion_of, note_event, note_starts, rows_of_an_event
-from carom.simulation.predict import begin_phase, move_by, predict, write_vector
+from carom.simulation.motion import begin_phase, move_by, on_floor_with, write_vector
+from carom.simulation.predict import predict
 from carom.simulation.records import BALL, HELD_EVENT, NOTHING, WALL
 from carom.simulation.resting_contact import stays_clear
 
@@ -45,7 +46,7 @@ def _start(world: Any, features: Any, balls: Any) -> float:
         if world.floor != 0 and abs(ball.x[2] - a) <= 1e-9 * a:
             ball.x[2] = a
             if abs(v[2]) <= 1e-12 * speed:
-                phase, v, w = grounded(v, w, a, ball.kappa, world.g, world.floor_mu)
+                phase, v, w = on_floor_with(world, ball, v, w)
         ball.phase = phase
         write_vector(ball.v, v)
         write_vector(ball.w, w)

@@ -234,7 +234,7 @@ def _turned(part: Rows, k: int) -> str:
 def _hop(run: RunRecord, part: Rows, lands: list[int], end: float) -> list[str]:
     """Describe a flight over the floor: its height and length, and the bounces."""
     row = part[0]
-    g, up = -run.scene.gravity[2], float(row["v"][2])
+    g, up = -run.scene.pull[2], float(row["v"][2])
     said: list[str] = []
     if row["kind"] != START and row["phase"] == FLIGHT and up * up < 2 * g * SMALL and lands:
         return said

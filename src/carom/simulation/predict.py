@@ -21,129 +21,62 @@ from carom.core.geometry.features import (
 )
 from carom.core.geometry.gaps import contact_gap, contact_gap_rate, feature_gap, feature_gap_rate, least_gap
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, vector
-from carom.core.motion.bounces import bounces
 from carom.core.motion.decay import decay_integrals, time_of_path
-from carom.core.motion.phases import (
-    BOUNCING,
-    FLIGHT,
-    HELD,
-    REST,
-    SLIDING,
-    accelerations,
-    acts,
-    advance,
-    advance_decaying,
-    decays,
-)
+from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST
+from carom.core.motion.tilt import course_error
 from carom.core.roots.first_root import hit2, hit4
+from carom.simulation.motion import (
+    acceleration_in,
+    error_ahead,
+    has_no_parabola,
+    is_turned_downhill,
+    lean,
+    motion_in,
+    slows_down,
+    state_at,
+)
 from carom.simulation.records import BALL, FLOOR, LEFT_EVENT, NOTHING, PHASE, POCKETED_EVENT, SETTLED, WALL
 
-__all__ = [
-    "accelerations_of",
-    "begin_phase",
-    "is_on_floor",
-    "motion_in",
-    "move_by",
-    "pair_hit",
-    "predict",
-    "state_after",
-    "state_at",
-    "write_vector",
-]
+__all__ = ["pair_hit", "predict"]
 
 # Two balls so near, as a share of their distance, touch; the shortest and the longest step of the search for that, s, and how many.
 TOUCH, SHORTEST, LONGEST, MOST_STEPS = 4e-16, 1e-7, 1e6, 10_000
 MOST_ROUNDS = 60  # of Newton's steps
-STILL = 1e-12  # of the radius: a ball that moved by less is where it was
-
-
-@hot_kernel
-def write_vector(row: Any, value: Vec) -> None:
-    """Write three numbers into an array."""
-    row[0], row[1], row[2] = value[0], value[1], value[2]
+ROUNDING = 1e-12  # of the radius: a distance that is none
 
 
 @kernel
-def state_at(ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
-    """Return position, velocity and spin of a ball a time s after its clock, in its present phase."""
-    if ball.decays != 0:
-        return advance_decaying(
-            vector(ball.x), vector(ball.v), vector(ball.w), vector(ball.acc), vector(ball.turn),
-            ball.fade, ball.spin_fade, ball.spin_gain, s,
-        )  # fmt: skip
-    return advance(vector(ball.x), vector(ball.v), vector(ball.w), vector(ball.acc), vector(ball.turn), s)
-
-
-@kernel
-def state_after(world: Any, ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
-    """Return position, velocity and spin of a ball a time s after its clock, also of one that bounces infinitely often."""
-    if ball.phase == BOUNCING:
-        x, v, w, _time = bounces(
-            vector(ball.x), vector(ball.v), vector(ball.w), ball.radius, ball.kappa,
-            world.g, world.floor_form, vector(world.floor_p), world.floor_mu, world.floor_beta, s,
-        )  # fmt: skip
-    else:
-        x, v, w = state_at(ball, s)
-    return x, v, w
-
-
-@kernel
-def move_by(world: Any, ball: Any, s: float, t: float) -> None:
-    """Advance a ball by s, to the time t."""
-    v = vector(ball.v)
-    x, v1, w = state_after(world, ball, s)
-    write_vector(ball.x, x)
-    write_vector(ball.v, v1)
-    write_vector(ball.w, w)
-    ball.repeats = ball.repeats + 1 if s * math.sqrt(dot(v, v)) <= STILL * ball.radius else 0
-    ball.clock = t
-
-
-@kernel
-def accelerations_of(world: Any, ball: Any) -> tuple[Vec, Vec, float]:
-    """Return acceleration, angular acceleration and duration of the phase that a ball is in."""
-    return accelerations(
-        ball.phase, vector(ball.v), vector(ball.w), ball.radius, ball.kappa,
-        vector(world.force), world.g, world.floor_mu, world.resistance, world.spin_friction,
-        world.rolling_drag, world.spin_damping, world.spin_drag,
-    )  # fmt: skip
-
-
-@kernel
-def is_on_floor(world: Any, ball: Any) -> bool:
-    """Return whether a ball is on the floor: by its phase, or, where nothing presses it, by its position and velocity."""
-    if ball.phase == FLIGHT:
-        return bool(world.floor != 0 and not world.g > 0 and ball.v[2] == 0 and ball.x[2] == ball.radius)
-    return bool(SLIDING <= ball.phase <= REST)
-
-
-@kernel
-def begin_phase(world: Any, ball: Any) -> None:
-    """Set the accelerations and the duration of the phase that a ball has entered."""
-    acc, turn, lasts = accelerations_of(world, ball)
-    write_vector(ball.acc, acc)
-    write_vector(ball.turn, turn)
-    ball.decays = 0
-    if acts(world.rolling_drag) or acts(world.spin_damping) or acts(world.spin_drag):
-        ball.decays = 1
-        ball.fade, ball.spin_fade, ball.spin_gain = decays(
-            ball.phase, vector(ball.v), vector(ball.w), acc,
-            world.g, world.rolling_drag, world.spin_damping, world.spin_drag,
-        )  # fmt: skip
-    if ball.phase != BOUNCING:  # whose end was set when its bounces were found to be clear of everything else
-        ball.lasts = lasts
-
-
-@hot_kernel
-def _slows_down(ball: Any) -> bool:
-    """Return whether the acceleration of a ball's centre decays: it rolls on a straight line."""
-    return bool(ball.decays != 0 and ball.fade > 0)
+def _turning_touch_time(f: Any, ball: Any, a: float, until: float, slow: float) -> float:
+    """:func:`_touch_time` on a path that a tilted floor turns: no contact is passed, as in :func:`_slowing_pair_hit`."""
+    t = 0 * a
+    for _ in range(MOST_STEPS):
+        left = until - t
+        y, v, w = state_at(ball, t)
+        acc = acceleration_in(ball, v, w, t)
+        first = feature_hit(f, a, y, v, acc, left, slow)
+        if first == 0 or t + first == t:
+            return t
+        # the error of the parabola stays below half of the gap, or the rounding of places
+        ahead = min(left, 2 * first, LONGEST)
+        allowed = max(abs(feature_gap(f, a, y)) / 2, ROUNDING * ball.radius)
+        while course_error(ball.phase, v, w, ball.radius, lean(ball), ahead) > allowed:
+            ahead = ahead / 2
+        error = course_error(ball.phase, v, w, ball.radius, lean(ball), ahead)
+        step = feature_hit(f, a, y, v, acc, ahead, slow, error)
+        if step == 0:
+            step = min(first, ahead)
+        t = t + min(step, ahead)
+        if not t < until:
+            break
+    return math.inf
 
 
 @kernel
 def _touch_time(f: Any, ball: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: float) -> float:
     """Return the time in [0, until] at which a ball, as if its radius were a, touches feature f, or infinity."""
-    if not _slows_down(ball):
+    if is_turned_downhill(ball):
+        return _turning_touch_time(f, ball, a, until, slow)
+    if not slows_down(ball):
         return feature_hit(f, a, x, v, acc, until, slow)
     # its path is straight: what it meets does not depend on how fast it goes along, and the way there is found first, as the
     # time that the ball would take at its first speed
@@ -219,16 +152,8 @@ def _pair_polynomial(r: Vec, v: Vec, b: Vec, reach: float) -> tuple[float, float
 
 
 @kernel
-def motion_in(ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
-    """Return position, velocity and acceleration of a ball a time s after its clock."""
-    x, v, _w = state_at(ball, s)
-    c = decay_integrals(ball.fade, s)[0] if _slows_down(ball) else 1 + 0 * s
-    return x, v, (c * ball.acc[0], c * ball.acc[1], c * ball.acc[2])
-
-
-@kernel
 def _slowing_pair_hit(ball: Any, other: Any, now: float, until: float, slow: float) -> float:
-    """:func:`pair_hit` where the acceleration of a ball decays.
+    """:func:`pair_hit` where the acceleration of a ball decays, or a tilted floor turns it.
 
     From any time on the relative motion is a parabola, but for J s^3/6 at most: J is how fast its acceleration changes, which
     decays. Balls that are larger by what that is for a time ahead do not meet on the parabola before the balls do, so that no
@@ -244,9 +169,10 @@ def _slowing_pair_hit(ball: Any, other: Any, now: float, until: float, slow: flo
         x, v, b = motion_in(ball, now - ball.clock + t)
         y, u, c = motion_in(other, now - other.clock + t)
         r, v = (x[0] - y[0], x[1] - y[1], x[2] - y[2]), (v[0] - u[0], v[1] - u[1], v[2] - u[2])
-        p, q = ball.fade if _slows_down(ball) else 0 * t, other.fade if _slows_down(other) else 0 * t
+        p, q = ball.fade if slows_down(ball) else 0 * t, other.fade if slows_down(other) else 0 * t
         j = (p * b[0] - q * c[0], p * b[1] - q * c[1], p * b[2] - q * c[2])
         jerk = math.sqrt(dot(j, j)) / 6
+        mine, yours = now - ball.clock + t, now - other.clock + t
         b = (b[0] - c[0], b[1] - c[1], b[2] - c[2])
         c0, c1, c2, c3, c4 = _pair_polynomial(r, v, b, reach)
         if c0 <= (seam if t == 0 else 2 * reach * TOUCH * reach):
@@ -256,15 +182,22 @@ def _slowing_pair_hit(ball: Any, other: Any, now: float, until: float, slow: flo
                 # in touch and not closing: on for a time in which the error stays below what they part by
                 later = hit4(c0, c1, c2, c3, c4, left, tol) / 2
                 step = max(math.sqrt(max(c1, 0 * c1) / (2 * reach * jerk)) / 2 if jerk > 0 else left, SHORTEST)
+                parts = max(c1, 0 * c1) / (2 * reach) / 2
+                while (
+                    error_ahead(ball, mine, step) + error_ahead(other, yours, step) > parts * step and step > SHORTEST
+                ):
+                    step = step / 2
                 t = t + min(later if later > 0 else SHORTEST, step, left)
                 if not t < until:
                     break
                 continue
         ahead = min(left, 2 * hit4(c0, c1, c2, c3, c4, left, tol), LONGEST)
         gap = c0 / (math.sqrt(dot(r, r)) + reach)
-        while jerk * ahead * ahead * ahead > gap / 2 and ahead > SHORTEST * SHORTEST:
+        error = jerk * ahead * ahead * ahead + error_ahead(ball, mine, ahead) + error_ahead(other, yours, ahead)
+        while error > gap / 2 and ahead > SHORTEST * SHORTEST:
             ahead = ahead / 2
-        d0, d1, d2, d3, d4 = _pair_polynomial(r, v, b, reach + jerk * ahead * ahead * ahead)
+            error = jerk * ahead * ahead * ahead + error_ahead(ball, mine, ahead) + error_ahead(other, yours, ahead)
+        d0, d1, d2, d3, d4 = _pair_polynomial(r, v, b, reach + error)
         step = hit4(d0, d1, d2, d3, d4, ahead, 0 * tol)
         if step < math.inf and step <= 1e-16 * t:
             return t
@@ -277,7 +210,7 @@ def _slowing_pair_hit(ball: Any, other: Any, now: float, until: float, slow: flo
 @kernel
 def pair_hit(ball: Any, other: Any, now: float, until: float, slow: float) -> float:
     """Return the time from ``now``, in [0, until], at which two balls touch, or infinity."""
-    if _slows_down(ball) or _slows_down(other):
+    if has_no_parabola(ball) or has_no_parabola(other):
         return _slowing_pair_hit(ball, other, now, until, slow)
     x, v, _w = state_at(ball, now - ball.clock)
     y, u, _w = state_at(other, now - other.clock)
@@ -326,9 +259,9 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
         best = ball.lasts
     if phase < REST:
         x, v, acc = vector(ball.x), vector(ball.v), vector(ball.acc)
-        slows_down = _slows_down(ball)
+        bends = has_no_parabola(ball)
         for f in range(0 if _lands_first(world, features, ball, slow) else features.shape[0]):
-            if slows_down or features[f].yield_time > 0:
+            if bends or features[f].yield_time > 0:
                 s = _feature_time(features, f, ball, x, v, acc, best, slow)
             else:
                 s = feature_hit(features[f], a, x, v, acc, best, slow)

@@ -88,6 +88,8 @@ BALLS = np.dtype(
         ("fade", _NUMBER),
         ("spin_fade", _NUMBER),
         ("spin_gain", _NUMBER),
+        # how a tilted floor turns it downhill (carom.core.motion.tilt.Lean), if ``decays``; the last is 0 where it does not
+        ("lean", _NUMBER, (4,)),
         ("lasts", _NUMBER),  # how long the phase lasts from the clock on
         ("next_in", _NUMBER),  # time from the clock to the next event; the absolute time is next_at
         ("next_at", _NUMBER),

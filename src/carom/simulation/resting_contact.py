@@ -19,8 +19,9 @@ from typing import Any
 from carom.core.geometry.features import FALLS, OVER, gap_derivatives, gap_to_feature, pocket_distance
 from carom.core.jit.kernel import Vec, cross, dot, kernel, vector
 from carom.core.motion.bounces import bounces, series_lasts
-from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, grounded
-from carom.simulation.predict import accelerations_of, write_vector
+from carom.core.motion.phases import BOUNCING, FLIGHT, HELD
+from carom.core.motion.tilt import is_tilted
+from carom.simulation.motion import accelerations_of, on_floor_with, write_vector
 
 __all__ = [
     "continue_ball_contact", "continue_wall_contact", "is_driven_into_wall", "is_pressed_on_ball", "keep_on_floor",
@@ -62,13 +63,16 @@ def stays_clear(features: Any, balls: Any, i: int, time: float) -> bool:
 
 @kernel
 def sum_bounces(world: Any, features: Any, balls: Any, i: int) -> bool:
-    """Sum the bounces of a ball that has just left the floor, if they are low; True if it is to stay on the floor instead."""
+    """Sum the bounces of a ball that has just left the floor, if they are low; True if it is to stay on the floor instead.
+
+    (On a tilted floor they are no geometric series along the floor, and are followed one by one.)
+    """
     ball = balls[i]
     height = ball.v[2] * ball.v[2] / (2 * world.g)
     if height >= MAX_SUMMED_HEIGHT * ball.radius:
         return False
     time = series_lasts(ball.v[2], world.g, world.floor_form, vector(world.floor_p))
-    if time < math.inf and stays_clear(features, balls, i, time):
+    if time < math.inf and not is_tilted(vector(world.force)) and stays_clear(features, balls, i, time):
         _x, _v, _w, ball.lasts = bounces(
             vector(ball.x), vector(ball.v), vector(ball.w), ball.radius, ball.kappa, world.g,
             world.floor_form, vector(world.floor_p), world.floor_mu, world.floor_beta, math.inf,
@@ -123,16 +127,23 @@ def _change_velocity(world: Any, ball: Any, p: Vec, lies: bool, c: float, keeps_
     if keeps_rolling:
         w = (-v[1] / a, v[0] / a, w[2])
     if ball.phase != FLIGHT:
-        ball.phase, v, w = grounded(v, w, a, ball.kappa, world.g, world.floor_mu)
+        ball.phase, v, w = on_floor_with(world, ball, v, w)
     write_vector(ball.v, v)
     write_vector(ball.w, w)
 
 
 @kernel
 def _bears_weight(world: Any, ball: Any, n: Vec) -> bool:
-    """Return whether a feature of normal n bears the weight of a ball, which the floor does if the ball is on it."""
+    """Return whether a feature of normal n bears the weight of a ball, or of one that lies still on the floor, its part along that.
+
+    A ball that moves along a wall at the foot of a tilted floor goes on in low bounces, as one that topspin drives there.
+    """
     force = vector(world.force)
-    return bool(not _on_floor(world, ball) and dot(force, n) < -1e-12 * math.sqrt(dot(force, force)))
+    if _on_floor(world, ball):
+        v, down = ball.v, (force[0], force[1], 0 * force[2])
+        still = 2 * ELASTIC_HEIGHT * ball.radius * math.sqrt(dot(down, down))
+        return bool(dot(down, n) < -1e-12 * math.sqrt(dot(force, force)) and dot(v, v) <= still)
+    return bool(dot(force, n) < -1e-12 * math.sqrt(dot(force, force)))
 
 
 @kernel
@@ -177,7 +188,8 @@ def _motion_on_floor(world: Any, ball: Any) -> tuple[Vec, Vec, Vec]:
     v, (b, _turn, _lasts) = vector(ball.v), accelerations_of(world, ball)
     if _on_floor(world, ball):
         zero = 0 * b[2]
-        free = (b[0], b[1], zero) if ball.phase == FLIGHT else (zero, zero, zero)
+        c = 1 / (1 + ball.kappa)
+        free = (b[0], b[1], zero) if ball.phase == FLIGHT else (c * world.force[0], c * world.force[1], zero)
         return (v[0], v[1], 0 * v[2]), (b[0], b[1], zero), free
     return v, b, b
 

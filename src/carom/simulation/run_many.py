@@ -19,7 +19,7 @@ from carom.simulation.compiled import compiled_engine, plain_engine
 from carom.simulation.contacts.contact import DONE
 from carom.simulation.event_rows import PHASES_FROM, rows_of_an_event
 from carom.simulation.loop import LIMIT, QUIET
-from carom.simulation.predict import write_vector
+from carom.simulation.motion import write_vector
 from carom.simulation.records import BALLS, LOG, PHASE, WALL, WALL_IN_CLUSTER, WORLD
 
 __all__ = ["LOG_ROWS", "LOOP", "PARTS", "ROWS_KEPT", "compiled_many", "empty_counts", "empty_logs", "many_on_gpu"]

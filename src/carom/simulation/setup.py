@@ -54,10 +54,10 @@ def set_up(scene: Scene, compiled: bool = True) -> SceneArrays:
 
 def _set_up(scene: Scene, compiled: bool) -> SceneArrays:
     world = np.zeros(1, WORLD)
-    world["force"] = scene.gravity
+    world["force"] = scene.pull
     floor = scene.floor
     if floor is not None:
-        world["floor"], world["g"] = 1, -scene.gravity[2]
+        world["floor"], world["g"] = 1, -scene.pull[2]
         _surface(world, "floor", floor.contact)
         world["resistance"], world["spin_friction"] = floor.rolling_resistance, floor.spin_friction
         for name in ("rolling_drag", "spin_damping", "spin_drag"):

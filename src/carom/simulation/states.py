@@ -16,7 +16,7 @@ from carom.core.jit.objects import as_objects, write_back
 from carom.core.jit.slices import sliced
 from carom.core.motion.phases import BOUNCING, HELD
 from carom.core.motion.rotation import orientation_after, orientation_after_bounces, orientation_after_decay
-from carom.simulation.predict import begin_phase, move_by
+from carom.simulation.motion import begin_phase, lean, move_by
 
 __all__ = ["orientations", "state_rows", "states"]
 
@@ -50,7 +50,8 @@ def _turn_rows(worlds: Any, balls: Any, after: Any, q: Any) -> None:
             if ball.decays == 0:
                 new = orientation_after(old, w, turn, after[i])
             else:
-                new = orientation_after_decay(old, w, turn, ball.fade, ball.spin_fade, ball.spin_gain, after[i])
+                slope = (ball.phase, v, ball.radius, ball.kappa, lean(ball))
+                new = orientation_after_decay(old, w, turn, ball.fade, ball.spin_fade, ball.spin_gain, slope, after[i])
         q[i, 0], q[i, 1], q[i, 2], q[i, 3] = new
 
 

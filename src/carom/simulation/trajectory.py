@@ -220,7 +220,7 @@ class Trajectory:
         base = np.zeros((len(balls), 3))
         if self.scene.floor is not None:
             base[:, 2] = balls["radius"]
-        lift = -((x - base) * np.array(self.scene.gravity)).sum(axis=-1) * balls["mass"]
+        lift = -((x - base) * np.array(self.scene.pull)).sum(axis=-1) * balls["mass"]
         found = self.kinetic_energy(slice(None), state.velocity, state.spin) + lift
         if not each:
             gone = np.isnan(found)

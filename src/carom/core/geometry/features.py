@@ -83,13 +83,13 @@ LEVEL = 1e-15
 
 
 @kernel
-def _within(f: Any, x: Vec, a: float) -> bool:
-    """Whether the contact of a ball centred at x lies on the feature and not beyond its ends."""
+def _within(f: Any, x: Vec, a: float, error: float = 0.0) -> bool:
+    """Whether the contact of a ball centred at x, or within ``error`` of it, lies on the feature and not beyond its ends."""
     if f.kind == POINT:
         return True
     p, d, u = vector(f.p), vector(f.d), vector(f.u)
     r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])
-    seam = SEAM * a
+    seam = SEAM * a + error
     along = dot(r, d)
     if f.kind >= LINE or (f.kind == OVER and f.R > 0):
         if f.kind != RIM and not f.lo2 - seam <= along <= f.hi2 + seam:
@@ -98,7 +98,7 @@ def _within(f: Any, x: Vec, a: float) -> bool:
         if cosine <= -1:
             return True
         across = (r[0] - along * d[0], r[1] - along * d[1], r[2] - along * d[2])
-        return bool(dot(across, u) >= (cosine - SEAM) * math.sqrt(dot(across, across)))
+        return bool(dot(across, u) >= (cosine - SEAM) * math.sqrt(dot(across, across)) - error)
     first, second = dot(r, u), dot(r, cross(d, u))
     if f.R > 0:
         return bool(first * first + second * second <= (f.R + seam) * (f.R + seam))
@@ -128,9 +128,9 @@ def _place_after(x: Vec, v: Vec, acc: Vec, s: float) -> Vec:
 
 
 @kernel
-def _face_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: float) -> float:
+def _face_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: float, error: float) -> float:
     p, d = vector(f.p), vector(f.d)
-    reach = a if f.kind == FACE else 0 * a  # what has been cleared is cleared by the centre
+    reach = (a if f.kind == FACE else 0 * a) + error  # what has been cleared is cleared by the centre
     c0 = d[0] * (x[0] - p[0]) + d[1] * (x[1] - p[1]) + d[2] * (x[2] - p[2]) - reach
     c1, c2 = dot(d, v), _component(d, acc) / 2
     if c0 <= SEAM * a and never_closes(c1, c2, 0 * a, 0 * a, until, slow):
@@ -142,11 +142,11 @@ def _face_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: fl
         return math.inf
     if f.kind == OVER and s == 0:  # it stands in the gate, having just come through
         return math.inf
-    return s if _within(f, _place_after(x, v, acc, s), a) else math.inf
+    return s if _within(f, _place_after(x, v, acc, s), a, error) else math.inf
 
 
 @kernel
-def _round_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: float) -> float:
+def _round_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: float, error: float) -> float:
     p, side = vector(f.p), f.side
     r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])
     if f.kind != POINT:  # only what is across the line counts
@@ -159,7 +159,7 @@ def _round_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: f
         b = (acc[0] - c * d[0], acc[1] - c * d[1], acc[2] - c * d[2])
     else:
         v1, b = v, acc
-    reach = f.R + side * a if f.kind != OVER else f.R + 0 * a
+    reach = f.R + side * (a + error) if f.kind != OVER else f.R + side * error
     far = math.sqrt(dot(r, r))
     # |r + v s + b s^2/2|^2 - reach^2, outside; the other way round inside
     c0, c1 = side * (far - reach) * (far + reach), side * 2 * dot(r, v1)
@@ -177,7 +177,7 @@ def _round_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: f
         if s == math.inf or not s <= until:  # (where until is infinite too, a later hit would be sought)
             break
         on = c0 + (c1 + (c2 + (c3 + c4 * s) * s) * s) * s >= deep
-        if on and _within(f, _place_after(x, v, acc, s), a):
+        if on and _within(f, _place_after(x, v, acc, s), a, error):
             # the gap falls at the rate u, and what is across turns it round: how deep it would come
             u = c1 + (2 * c2 + (3 * c3 + 4 * c4 * s) * s) * s
             bend = 2 * c2 + (6 * c3 + 12 * c4 * s) * s
@@ -188,19 +188,24 @@ def _round_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: f
 
 
 @hot_kernel
-def feature_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: float) -> float:
+def feature_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: float, error: float = 0.0) -> float:
     """Time in [0, until] at which a ball touches feature f, or infinity.
 
-    ``slow`` is the speed of approach below which a ball in touch is not coming in: the rounding of one that moves along.
+    ``slow`` is the speed of approach below which a ball in touch is not coming in: the rounding of one that moves along. With an
+    ``error``, the distance by which its path may differ from the parabola, no contact is later than the time found.
     """
     kind = f.kind
     if kind == RIM:
+<<<<<<< HEAD
         return call_rim(f.at, vector(f.p), vector(f.d), f.R, vector(f.u), f.lo1, a, x, v, acc, until, slow)
     if kind == CURVE:
         return curve_hit(f, a, x, v, acc, until, slow)
+=======
+        return call_rim(f.at, vector(f.p), vector(f.d), f.R, vector(f.u), f.lo1, a + error, x, v, acc, until, slow)
+>>>>>>> 80793429 (WIP tilt)
     if kind >= LINE or (kind == OVER and f.R > 0):
-        return _round_hit(f, a, x, v, acc, until, slow)
-    return _face_hit(f, a, x, v, acc, until, slow)
+        return _round_hit(f, a, x, v, acc, until, slow, error)
+    return _face_hit(f, a, x, v, acc, until, slow, error)
 
 
 @kernel

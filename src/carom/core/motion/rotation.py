@@ -16,12 +16,15 @@ from carom.core.motion.decay import time_of_integral, time_of_path
 from carom.core.motion.phases import advance_decaying
 from carom.core.motion.restitution import restitution
 from carom.core.motion.rolling import UP
+from carom.core.motion.tilt import Lean, advance_on_slope
 
 __all__ = [
     "Quaternion", "compose", "orientation_after", "orientation_after_bounces", "orientation_after_decay", "rotation",
 ]  # fmt: skip
 
 Quaternion = tuple[float, float, float, float]
+# Phase, velocity, radius, kappa, lean (carom.core.motion.tilt)
+Slope = tuple[int, Vec, float, float, Lean]
 # Largest turn of one step, rad: a local error of some 1e-14.
 STEP = 0.05
 # Nodes of Gauss in a step, as shares of it from its middle
@@ -88,24 +91,30 @@ def orientation_after(q: Quaternion, w: Vec, turn: Vec, s: float) -> Quaternion:
 
 
 @kernel
-def _spin_at(w: Vec, turn: Vec, fade: float, spin_fade: float, gain: float, s: float) -> Vec:
+def _spin_at(w: Vec, turn: Vec, fade: float, spin_fade: float, gain: float, slope: Slope, s: float) -> Vec:
     zero = (0 * s, 0 * s, 0 * s)
-    return advance_decaying(zero, zero, w, zero, turn, fade, spin_fade, gain, s)[2]
+    spin = advance_decaying(zero, zero, w, zero, turn, fade, spin_fade, gain, s)[2]
+    phase, v, a, kappa, lean = slope
+    if lean[3] > 0:
+        turned = advance_on_slope(phase, zero, v, w, a, kappa, lean, s)[2]
+        return (turned[0], turned[1], spin[2])
+    return spin
 
 
 @kernel
 def _orientation_in_steps(
-    q: Quaternion, w: Vec, turn: Vec, fade: float, spin_fade: float, gain: float, begin: float, end: float
+    q: Quaternion, w: Vec, turn: Vec, fade: float, spin_fade: float, gain: float, slope: Slope, begin: float, end: float
 ) -> Quaternion:
     """Return the orientation at a time, from that at another: Magnus' series of order 6 at three nodes of Gauss a step."""
-    most = math.sqrt(dot(w, w)) * (end - begin)
+    last = _spin_at(w, turn, fade, spin_fade, gain, slope, end)
+    most = math.sqrt(max(dot(w, w), dot(last, last))) * (end - begin)
     steps = 1 + int(most / STEP)
     h = (end - begin) / steps
     for k in range(steps):
         t = begin + (k + 1 / 2) * h
-        low = _spin_at(w, turn, fade, spin_fade, gain, t - NODE * h)
-        mid = _spin_at(w, turn, fade, spin_fade, gain, t)
-        high = _spin_at(w, turn, fade, spin_fade, gain, t + NODE * h)
+        low = _spin_at(w, turn, fade, spin_fade, gain, slope, t - NODE * h)
+        mid = _spin_at(w, turn, fade, spin_fade, gain, slope, t)
+        high = _spin_at(w, turn, fade, spin_fade, gain, slope, t + NODE * h)
         c = 10 * NODE / 3 * h
         a1 = (mid[0] * h, mid[1] * h, mid[2] * h)
         a2 = (c * (high[0] - low[0]), c * (high[1] - low[1]), c * (high[2] - low[2]))
@@ -127,17 +136,19 @@ def _orientation_in_steps(
 
 @kernel
 def orientation_after_decay(
-    q: Quaternion, w: Vec, turn: Vec, fade: float, spin_fade: float, gain: float, s: float
+    q: Quaternion, w: Vec, turn: Vec, fade: float, spin_fade: float, gain: float, slope: Slope, s: float
 ) -> Quaternion:
-    """:func:`orientation_after` where the angular acceleration changes (:func:`carom.core.motion.phases.decays`)."""
+    """:func:`orientation_after` where the angular acceleration changes: as it decays (:func:`carom.core.motion.phases.decays`), or
+    as a tilted floor turns the ball: ``slope`` has its phase, velocity, radius, kappa and lean (:mod:`carom.core.motion.tilt`).
+    """
     ends = s
     if turn[2] * w[2] < 0:  # the step ends where the sidespin does
         path = -w[2] / turn[2]
         ends = time_of_integral(spin_fade, path) if gain == 0 else time_of_path(fade, abs(gain / turn[2]), path, s)
         ends = min(ends, s)
-    q = _orientation_in_steps(q, w, turn, fade, spin_fade, gain, 0 * s, ends)
+    q = _orientation_in_steps(q, w, turn, fade, spin_fade, gain, slope, 0 * s, ends)
     if ends < s:
-        q = _orientation_in_steps(q, w, turn, fade, spin_fade, gain, ends, s)
+        q = _orientation_in_steps(q, w, turn, fade, spin_fade, gain, slope, ends, s)
     size = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
     return (q[0] / size, q[1] / size, q[2] / size, q[3] / size)
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from carom.core.jit.kernel import Vec, dot, kernel, vector
-from carom.core.motion.phases import FLIGHT, ROUNDING, grounded
-from carom.simulation.predict import is_on_floor, write_vector
+from carom.core.motion.phases import FLIGHT, ROUNDING
+from carom.simulation.motion import is_on_floor, on_floor_with, write_vector
 from carom.simulation.records import NO_REGIME, NOTHING
 
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ def leave(world: Any, ball: Any, v: Vec, w: Vec, from_floor: bool) -> None:
         speed = math.sqrt(dot(v, v)) + ball.radius * math.sqrt(dot(w, w))
         if abs(v[2]) <= ROUNDING * speed:
             ball.x[2] = ball.radius
-            phase, v, w = grounded(v, w, ball.radius, ball.kappa, world.g, world.floor_mu)
+            phase, v, w = on_floor_with(world, ball, v, w)
     ball.phase = phase
     write_vector(ball.v, v)
     write_vector(ball.w, w)

@@ -18,8 +18,8 @@ from carom.laws.law import CALLED_WALL
 from carom.laws.pair import pair_as_wall, pair_contact, pair_slip, struck_as_wall
 from carom.simulation.cluster import collide_cluster, overlaps_in_time, place_all
 from carom.simulation.contacts.contact import DONE, NO_IMPULSE, ContactKind, Outcome, leave, leave_cluster
+from carom.simulation.motion import is_on_floor
 from carom.simulation.phrases import at, direction, speed
-from carom.simulation.predict import is_on_floor
 from carom.simulation.records import BALL, IN_CLUSTER, MEETINGS, NO_REGIME
 from carom.simulation.resting_contact import continue_ball_contact, is_pressed_on_ball, keep_on_floor
 

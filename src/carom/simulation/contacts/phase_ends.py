@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from carom.core.jit.kernel import kernel, vector
-from carom.core.motion.phases import grounded, next_phase
+from carom.core.motion.phases import next_phase
 from carom.simulation.contacts.contact import ContactKind, Outcome, without_impulse
-from carom.simulation.predict import write_vector
+from carom.simulation.motion import on_floor_with, phase_on_floor, write_vector
 from carom.simulation.records import PHASE, SETTLED
 
 __all__ = ["PHASE_END", "SETTLING", "end_phase", "settle_on_floor"]
@@ -17,7 +17,8 @@ __all__ = ["PHASE_END", "SETTLING", "end_phase", "settle_on_floor"]
 def end_phase(world: Any, features: Any, balls: Any, i: int, who: int, users: Any) -> Outcome:
     """Begin the phase that follows the one of ball i."""
     ball = balls[i]
-    ball.phase, v, w = next_phase(ball.phase, vector(ball.v), vector(ball.w), ball.radius, ball.kappa)
+    phase, v, w = next_phase(ball.phase, vector(ball.v), vector(ball.w), ball.radius, ball.kappa)
+    ball.phase = phase_on_floor(world, ball, phase)
     write_vector(ball.v, v)
     write_vector(ball.w, w)
     return without_impulse()
@@ -27,7 +28,7 @@ def end_phase(world: Any, features: Any, balls: Any, i: int, who: int, users: An
 def settle_on_floor(world: Any, features: Any, balls: Any, i: int, who: int, users: Any) -> Outcome:
     """Let ball i, whose bounces have ended, slide, roll or rest on the floor."""
     ball = balls[i]
-    ball.phase, v, w = grounded(vector(ball.v), vector(ball.w), ball.radius, ball.kappa, world.g, world.floor_mu)
+    ball.phase, v, w = on_floor_with(world, ball, vector(ball.v), vector(ball.w))
     write_vector(ball.v, v)
     write_vector(ball.w, w)
     return without_impulse()

@@ -29,8 +29,8 @@ from carom.simulation.contacts.contact import (
     leave_cluster,
     without_impulse,
 )
+from carom.simulation.motion import is_on_floor, write_vector
 from carom.simulation.phrases import at, speed
-from carom.simulation.predict import is_on_floor, write_vector
 from carom.simulation.records import NO_REGIME, WALL
 from carom.simulation.resting_contact import continue_wall_contact, is_driven_into_wall
 from carom.simulation.wall_and_floor import joint_impact

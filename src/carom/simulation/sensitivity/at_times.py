@@ -29,7 +29,7 @@ from carom.simulation.compiled import ENGINE_END, ENGINE_RUN, compiled_engine
 from carom.simulation.contacts.contact import DONE
 from carom.simulation.event_rows import ALL
 from carom.simulation.loop import FULL, LIMIT, QUIET
-from carom.simulation.predict import begin_phase, move_by, write_vector
+from carom.simulation.motion import begin_phase, move_by, write_vector
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.sensitivity.compiled import FOLLOW, SLOPES, STATES, X, compiled_follow, compiled_states
 from carom.simulation.sensitivity.pass_kernels import PASSAGES

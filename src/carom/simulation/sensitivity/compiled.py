@@ -21,7 +21,7 @@ from carom.laws.callbacks import NUMBERS, WallKernel, register_calls
 from carom.laws.law import Law
 from carom.laws.two_step import first_impact_and_way
 from carom.simulation.compiled import compiled_engine
-from carom.simulation.predict import move_by
+from carom.simulation.motion import move_by
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.sensitivity.parameters import ARRAYS, Parameters, unpacked
 from carom.simulation.sensitivity.pass_kernels import PASSAGES, follow_log, state_at_time

@@ -33,7 +33,7 @@ __all__ = ["NearMiss", "compiled_least_gaps", "near_misses"]
 Array = NDArray[np.float64]
 SAMPLES = 24  # of the gap on a stretch, between which the search begins
 STEPS = 48  # of the search: the bracket shrinks to 1e-10 of itself
-LONGEST_STRETCH = 0.1  # s, where the acceleration of a ball decays
+LONGEST_STRETCH = 0.1  # s, where the acceleration of a ball changes
 GOLDEN = (math.sqrt(5) - 1) / 2
 BLOCK = 1 << 8  # stretches at once
 MINIMA = 4  # of one gap on one stretch, at most
@@ -188,7 +188,8 @@ def _stretches(run: Any) -> tuple[Array, Array, NDArray[np.int64]]:
     """Return times (J + 1,), paths (J, B, 3, 3) and whether balls move (J, B), between the events of a run."""
     log, balls = run.log, len(run.scene.balls)
     times = np.unique(np.append(log["t"], run.end))
-    if run.scene.floor is not None and run.scene.floor.rolling_drag > 0:
+    floor = run.scene.floor
+    if floor is not None and (floor.rolling_drag > 0 or any(floor.slope)):
         # (a ball that rolls is on a parabola for a short time only: to 1e-7 m)
         pieces = np.maximum(np.ceil(np.diff(times) / LONGEST_STRETCH).astype(int), 1)
         inner = [np.linspace(a, b, n, endpoint=False) for a, b, n in zip(times, times[1:], pieces, strict=False)]

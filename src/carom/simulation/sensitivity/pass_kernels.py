@@ -21,10 +21,10 @@ from carom.core.geometry.features import FALLS, OVER, gap_derivatives, gap_to_fe
 from carom.core.geometry.gaps import contact_gap, contact_gap_rate, feature_gap, feature_gap_rate, pair_gap
 from carom.core.jit.dual.numbers import as_dual, depends, scaled, value_of, with_value
 from carom.core.jit.kernel import Vec, dot, kernel, steepest, vector
-from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, SLIDING, acts, grounded
+from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, SLIDING, acts
 from carom.simulation.contacts.kinds import resolve_event
 from carom.simulation.contacts.pair import line_of_centres, pair_friction
-from carom.simulation.predict import begin_phase, move_by, write_vector
+from carom.simulation.motion import begin_phase, move_by, on_floor_with, write_vector
 from carom.simulation.records import (
     BALL,
     FLOOR,
@@ -110,7 +110,7 @@ def _begin_all(world: Any, balls: Any, log: Any, out: Any, last: int) -> None:
         ball.next_kind, ball.next_at, ball.lasts = NOTHING, math.inf, math.inf
         if SLIDING <= ball.phase <= REST:
             ball.x[2] = ball.radius
-            _phase, v, w = grounded(vector(ball.v), vector(ball.w), ball.radius, ball.kappa, world.g, world.floor_mu)
+            _phase, v, w = on_floor_with(world, ball, vector(ball.v), vector(ball.w))
             write_vector(ball.v, v)
             write_vector(ball.w, w)
         _set_to_log(ball, log[i])

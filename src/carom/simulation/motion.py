@@ -1,0 +1,232 @@
+"""How a ball of a run moves: the numbers of its phase, and its state a time after its clock."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from carom.core.contact import slip_velocity
+from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, vector
+from carom.core.motion.bounces import bounces
+from carom.core.motion.decay import decay_integrals
+from carom.core.motion.phases import (
+    BOUNCING,
+    FLIGHT,
+    REST,
+    ROLLING,
+    SLIDING,
+    accelerations,
+    acts,
+    advance,
+    advance_decaying,
+    decays,
+    grounded,
+)
+from carom.core.motion.rolling import UP
+from carom.core.motion.tilt import (
+    Lean,
+    advance_on_slope,
+    course_error,
+    is_tilted,
+    lean_of,
+    phase_on_slope,
+    slope_acceleration,
+)
+
+__all__ = [
+    "acceleration_in",
+    "accelerations_of",
+    "begin_phase",
+    "error_ahead",
+    "has_no_parabola",
+    "is_on_floor",
+    "is_turned_downhill",
+    "lean",
+    "motion_in",
+    "move_by",
+    "on_floor_with",
+    "phase_on_floor",
+    "slows_down",
+    "state_after",
+    "state_at",
+    "write_vector",
+]
+
+STILL = 1e-12  # of the radius: a ball that moved by less is where it was
+
+
+@hot_kernel
+def write_vector(row: Any, value: Vec) -> None:
+    """Write three numbers into an array."""
+    row[0], row[1], row[2] = value[0], value[1], value[2]
+
+
+@hot_kernel
+def lean(ball: Any) -> Lean:
+    """Return how a tilted floor turns a ball downhill (carom.core.motion.tilt)."""
+    return (ball.lean[0], ball.lean[1], ball.lean[2], ball.lean[3])
+
+
+@hot_kernel
+def is_turned_downhill(ball: Any) -> bool:
+    """Return whether a ball is on a path that is no parabola, as a tilted floor turns it."""
+    return bool(ball.decays != 0 and ball.lean[3] > 0)
+
+
+@kernel
+def state_at(ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
+    """Return position, velocity and spin of a ball a time s after its clock, in its present phase."""
+    if ball.decays != 0:
+        x, v, w = advance_decaying(
+            vector(ball.x), vector(ball.v), vector(ball.w), vector(ball.acc), vector(ball.turn),
+            ball.fade, ball.spin_fade, ball.spin_gain, s,
+        )  # fmt: skip
+        if is_turned_downhill(ball):
+            z = w[2]
+            x, v, w = advance_on_slope(
+                ball.phase, vector(ball.x), vector(ball.v), vector(ball.w), ball.radius, ball.kappa, lean(ball), s
+            )
+            w = (w[0], w[1], z)
+        return x, v, w
+    return advance(vector(ball.x), vector(ball.v), vector(ball.w), vector(ball.acc), vector(ball.turn), s)
+
+
+@kernel
+def state_after(world: Any, ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
+    """Return position, velocity and spin of a ball a time s after its clock, also of one that bounces infinitely often."""
+    if ball.phase == BOUNCING:
+        x, v, w, _time = bounces(
+            vector(ball.x), vector(ball.v), vector(ball.w), ball.radius, ball.kappa,
+            world.g, world.floor_form, vector(world.floor_p), world.floor_mu, world.floor_beta, s,
+        )  # fmt: skip
+    else:
+        x, v, w = state_at(ball, s)
+    return x, v, w
+
+
+@kernel
+def move_by(world: Any, ball: Any, s: float, t: float) -> None:
+    """Advance a ball by s, to the time t."""
+    v = vector(ball.v)
+    x, v1, w = state_after(world, ball, s)
+    write_vector(ball.x, x)
+    write_vector(ball.v, v1)
+    write_vector(ball.w, w)
+    ball.repeats = ball.repeats + 1 if s * math.sqrt(dot(v, v)) <= STILL * ball.radius else 0
+    ball.clock = t
+
+
+@kernel
+def accelerations_of(world: Any, ball: Any) -> tuple[Vec, Vec, float]:
+    """Return acceleration, angular acceleration and duration of the phase that a ball is in."""
+    acc, turn, lasts = accelerations(
+        ball.phase, vector(ball.v), vector(ball.w), ball.radius, ball.kappa,
+        vector(world.force), world.g, world.floor_mu, world.resistance, world.spin_friction,
+        world.rolling_drag, world.spin_damping, world.spin_drag,
+    )  # fmt: skip
+    if _is_on_slope(world, ball):
+        z = turn[2]
+        acc, turn, lasts = slope_acceleration(
+            ball.phase, vector(ball.v), vector(ball.w), ball.radius, ball.kappa,
+            vector(world.force), world.g, world.floor_mu, world.resistance,
+        )  # fmt: skip
+        turn = (turn[0], turn[1], z)
+    return acc, turn, lasts
+
+
+@kernel
+def _is_on_slope(world: Any, ball: Any) -> bool:
+    """Return whether a ball slides or rolls on a tilted floor (one that is infinitely rough ends its slip at once)."""
+    moves = ball.phase == ROLLING or (ball.phase == SLIDING and world.floor_mu < math.inf)
+    return bool(moves and world.floor != 0 and is_tilted(vector(world.force)))
+
+
+@kernel
+def is_on_floor(world: Any, ball: Any) -> bool:
+    """Return whether a ball is on the floor: by its phase, or, where nothing presses it, by its position and velocity."""
+    if ball.phase == FLIGHT:
+        return bool(world.floor != 0 and not world.g > 0 and ball.v[2] == 0 and ball.x[2] == ball.radius)
+    return bool(SLIDING <= ball.phase <= REST)
+
+
+@kernel
+def on_floor_with(world: Any, ball: Any, v: Vec, w: Vec) -> tuple[int, Vec, Vec]:
+    """Return the phase of a ball that is on the floor with velocity v and spin w, and both without rounding errors."""
+    phase, v, w = grounded(v, w, ball.radius, ball.kappa, world.g, world.floor_mu)
+    return phase_on_floor(world, ball, phase), v, w
+
+
+@kernel
+def phase_on_floor(world: Any, ball: Any, phase: int) -> int:
+    """Return the phase of a ball that would be in ``phase`` on a level floor."""
+    if is_tilted(vector(world.force)) and SLIDING <= phase <= REST:
+        return phase_on_slope(phase, vector(world.force), ball.kappa, world.g, world.floor_mu, world.resistance)
+    return phase
+
+
+@kernel
+def begin_phase(world: Any, ball: Any) -> None:
+    """Set the accelerations and the duration of the phase that a ball has entered."""
+    acc, turn, lasts = accelerations_of(world, ball)
+    write_vector(ball.acc, acc)
+    write_vector(ball.turn, turn)
+    ball.decays = 0
+    if acts(world.rolling_drag) or acts(world.spin_damping) or acts(world.spin_drag):
+        ball.decays = 1
+        ball.fade, ball.spin_fade, ball.spin_gain = decays(
+            ball.phase, vector(ball.v), vector(ball.w), acc,
+            world.g, world.rolling_drag, world.spin_damping, world.spin_drag,
+        )  # fmt: skip
+    if _is_on_slope(world, ball):
+        ball.decays = 1
+        found = lean_of(
+            ball.phase, vector(ball.v), vector(ball.w), ball.radius, ball.kappa,
+            vector(world.force), world.g, world.floor_mu, world.resistance,
+        )  # fmt: skip
+        ball.lean[0], ball.lean[1], ball.lean[2], ball.lean[3] = found
+    elif ball.decays != 0:
+        ball.lean[3] = 0 * ball.radius
+    if ball.phase != BOUNCING:  # whose end was set when its bounces were found to be clear of everything else
+        ball.lasts = lasts
+
+
+@hot_kernel
+def slows_down(ball: Any) -> bool:
+    """Return whether the acceleration of a ball's centre decays: it rolls on a straight line."""
+    return bool(ball.decays != 0 and ball.fade > 0)
+
+
+@hot_kernel
+def has_no_parabola(ball: Any) -> bool:
+    """Return whether the acceleration of a ball's centre changes."""
+    return bool(ball.decays != 0 and (ball.fade > 0 or ball.lean[3] > 0))
+
+
+@kernel
+def motion_in(ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
+    """Return position, velocity and acceleration of a ball a time s after its clock."""
+    x, v, w = state_at(ball, s)
+    return x, v, acceleration_in(ball, v, w, s)
+
+
+@kernel
+def acceleration_in(ball: Any, v: Vec, w: Vec, s: float) -> Vec:
+    """Return the acceleration of a ball a time s after its clock, where it moves with v and w."""
+    if is_turned_downhill(ball):
+        fx, fy, m, q = lean(ball)
+        _un, u = slip_velocity(v, w, UP, ball.radius)
+        x, y = (v[0], v[1]) if ball.phase == ROLLING else (u[0], u[1])
+        size = math.sqrt(x * x + y * y)
+        c = q * m / size if size > 0 else 0 * m
+        return (fx - c * x, fy - c * y, 0 * c)
+    c = decay_integrals(ball.fade, s)[0] if slows_down(ball) else 1 + 0 * s
+    return (c * ball.acc[0], c * ball.acc[1], c * ball.acc[2])
+
+
+@hot_kernel
+def error_ahead(ball: Any, s: float, ahead: float) -> float:
+    """Return how far from its present parabola a tilted floor can turn a ball, a time s after its clock, within ``ahead``."""
+    if not is_turned_downhill(ball):
+        return 0 * ahead
+    _x, v, w = state_at(ball, s)
+    return course_error(ball.phase, v, w, ball.radius, lean(ball), ahead)
