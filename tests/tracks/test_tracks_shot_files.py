@@ -107,20 +107,24 @@ def test_the_shots_of_pooltool_are_read(films: list[Track], tmp_path: Path) -> N
     assert [one.group for one in read_tracks(path).tracks] == ["shot 0"] * 3 + ["shot 1"] * 3
 
 
-@pytest.mark.parametrize(
-    ("name", "text", "expected"),
-    [
-        ("a.json", '[{"id":0,"balls":{"1":{"t":[0,1],"x":[0],"y":[0,0]}}}]', "tailuge/billiards: shot 0: expected balls, each with t, x"),
-        ("a.json", '[{"id":0,"balls":{"1":{"t":[0,1],"x":[0,1],"y":[0,"a"]}}}]', "missing or no number: could not convert"),
-        ("a.json", '[{"id":0,"balls":{"1":{"t":[0,1', "tailuge/billiards: expected JSON, got: "),
-        ("a.json", '{"sim": {}, "truth": [{"ball": 0, "t": 1, "x": 2}]}', "missing or no number: 'y'"),
-        ("a.json", '[{"id":0,"balls":{"1":{"t":[0,1],"x":[0,1e999],"y":[0,0]}}}]', "1: x: expected"),
-        ("a.json", '{"balls": {"1": {"history_cts": {"states": []}}}}', "expected the path of a ball in steps of time, got none, but events"),
-        ("a.json", '{"balls": {"1": {"history_cts": {"states": [{"t": 0}]}}}}', "balls.1.history_cts.states.0.rvw: expected a field"),
-        ("a.json", '{"balls": {"1": {"history_cts": {"sta', "pooltool: expected JSON, got: "),
-        ("a.msgpack", b"\x84\xa3cue\x00\x00", "expected positions, as text, got a shot of pooltool as MessagePack; save it as JSON"),
-    ],
-)  # fmt: skip
+WRONG: list[tuple[str, str | bytes, str]] = [
+    ("a.json", '[{"id":0,"balls":{"1":{"t":[0,1],"x":[0],"y":[0,0]}}}]', "tailuge/billiards: shot 0: expected balls"),
+    ("a.json", '[{"id":0,"balls":{"1":{"t":[0,1],"x":[0,1],"y":[0,"a"]}}}]', "missing or no number: could not convert"),
+    ("a.json", '[{"id":0,"balls":{"1":{"t":[0,1', "tailuge/billiards: expected JSON, got: "),
+    ("a.json", '{"sim": {}, "truth": [{"ball": 0, "t": 1, "x": 2}]}', "missing or no number: 'y'"),
+    ("a.json", '[{"id":0,"balls":{"1":{"t":[0,1],"x":[0,1e999],"y":[0,0]}}}]', "1: x: expected"),
+    ("a.json", '{"balls": {"1": {"history_cts": {"states": []}}}}', "in steps of time, got none, but events"),
+    (
+        "a.json",
+        '{"balls": {"1": {"history_cts": {"states": [{"t": 0}]}}}}',
+        "balls.1.history_cts.states.0.rvw: expected",
+    ),
+    ("a.json", '{"balls": {"1": {"history_cts": {"sta', "pooltool: expected JSON, got: "),
+    ("a.msgpack", b"\x84\xa3cue\x00\x00", "got a shot of pooltool as MessagePack; save it as JSON"),
+]
+
+
+@pytest.mark.parametrize(("name", "text", "expected"), WRONG)
 def test_a_wrong_file_is_one_line(name: str, text: str | bytes, expected: str, tmp_path: Path) -> None:
     path = tmp_path / name
     path.write_bytes(text if isinstance(text, bytes) else text.encode())

@@ -23,8 +23,9 @@ SAME_FRAME = 0.25  # of the interval of frames
 def with_own_names(tracks: Sequence[Track], notes: list[str]) -> list[Track]:
     """Return the tracks of films in which no two balls have exchanged their names; a note says when they did.
 
-    The frames are followed in time. Where two balls leave the continuation of their paths at once, by more than a ball's diameter, and
-    each is on that of the other, their names are exchanged from there on. Two balls that collide are a diameter apart, and are left.
+    The frames are followed in time. Where two balls leave the continuation of their paths at once, by more than a ball's diameter,
+    and each is on that of the other, their names are exchanged from there on. Two balls that collide are a diameter apart: they are
+    left.
     """
     found = list(tracks)
     for group in dict.fromkeys(track.group for track in tracks):
@@ -103,7 +104,8 @@ def _continued(path: list[tuple[float, Array]], t: float, longest: float) -> Arr
     """Return where a ball is expected, from its last two frames; None after a gap."""
     if not path or t - path[-1][0] > longest:
         return None
-    (since, x), v = path[-1], 0.0
+    since, x = path[-1]
+    v = np.zeros(2)
     if len(path) > 1 and since - path[0][0] <= longest:
         v = (x - path[0][1]) / (since - path[0][0])
     return np.asarray(x + v * (t - since))

@@ -196,13 +196,9 @@ def feature_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: 
     """
     kind = f.kind
     if kind == RIM:
-<<<<<<< HEAD
-        return call_rim(f.at, vector(f.p), vector(f.d), f.R, vector(f.u), f.lo1, a, x, v, acc, until, slow)
-    if kind == CURVE:
-        return curve_hit(f, a, x, v, acc, until, slow)
-=======
         return call_rim(f.at, vector(f.p), vector(f.d), f.R, vector(f.u), f.lo1, a + error, x, v, acc, until, slow)
->>>>>>> 80793429 (WIP tilt)
+    if kind == CURVE:
+        return curve_hit(f, a + error, x, v, acc, until, slow)
     if kind >= LINE or (kind == OVER and f.R > 0):
         return _round_hit(f, a, x, v, acc, until, slow, error)
     return _face_hit(f, a, x, v, acc, until, slow, error)

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.tracks.formats.pooltool_fields import Field
 from carom.scene.pockets import Pockets
 from carom.scene.shapes.rounds import Arc
 from carom.scene.shapes.segments import Segment
 from carom.scene.shapes.table import Table
 from carom.scene.wall import WallShape
+from carom.tracks.formats.pooltool_fields import Field
 
 __all__ = ["walls_of"]
 

@@ -48,7 +48,7 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
 
 
 def recorded(history: Field) -> tuple[Array, Array] | None:
-    """Return the times and places (n, 4), s and m, of a history, and pooltool's numbers of the motions (n,); None for an empty one."""
+    """Return the times and places (n, 4), s and m, of a history, and pooltool's numbers of motions (n,); None if it is empty."""
     if history.value is None:  # (an empty one in MessagePack)
         return None
     if isinstance(history.value, list | tuple):  # arrays of all states, motions and times

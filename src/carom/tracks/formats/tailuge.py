@@ -1,6 +1,6 @@
-"""tailuge/billiards: filmed shots as JSON, a list of shots with t, x, y of each ball, or one shot with the samples it is fitted to.
+"""tailuge/billiards: filmed shots as JSON, a list of shots with t, x, y of each ball, or one with the samples that it is fitted to.
 
-Lengths are in units of that game's table: 92.36 by 46.18 ball radii of 0.03275, from its centre; here the same table is 2.84 m long.
+Lengths are in units of that game's table, 92.36 by 46.18 ball radii of 0.03275, from its centre; here that table is 2.84 m long.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ PROGRAM = "tailuge/billiards"
 UNIT = 2.84 / (92.36 * 0.03275)  # m
 BEGINNING = 4000  # characters in which the names of the first shot stand
 UNREADABLE = (KeyError, TypeError, ValueError, AttributeError, OverflowError)
-NOTE = "lengths of tailuge's table, whose balls have a radius of 0.03275, are read as those of a table of 2.84 m; `scale` overrides it"
+NOTE = "lengths of tailuge's table, with balls of radius 0.03275, are read as those of a table of 2.84 m; `scale` overrides it"
 Samples = dict[str, list[tuple[Any, Any, Any]]]
 
 
@@ -31,7 +31,7 @@ def matches(text: str) -> bool:
     if start[:1] not in ("[", "{"):
         return False
     packed = "".join(start[:400].split())
-    return '"balls":{' in packed and '"t":[' in packed or ('"sim"' in start and '"truth"' in text)
+    return ('"balls":{' in packed and '"t":[' in packed) or ('"sim"' in start and '"truth"' in text)
 
 
 def read(name: str, text: str, calibration: Calibration) -> list[Track]:
