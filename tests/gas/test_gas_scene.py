@@ -170,10 +170,6 @@ WRONG = {
         ROUGH.replace("[8.0, 7.5, 7.0]", "[80.0, 75.0, 2.5]"),
         "container.size[2]: expected at least 3 diameters of the largest ball, 3, got 2.5",
     ),
-    "small circle": (
-        ROUGH.replace('"periodic"', '"cylinder"').replace("size = [8.0, 7.5, 7.0]", "radius = 0.3\nheight = 4.0"),
-        "container: expected a width along x of at least the diameter of the largest ball, 1, got 0.6",
-    ),
     "no balls": (ROUGH.replace("count = 200", "count = 0"), "species[0].count: expected a whole number >= 1, got 0"),
     "part of a ball": (
         ROUGH.replace("count = 200", "count = 1.5"),

@@ -239,7 +239,7 @@ def _density_faults(scene: GasScene) -> list[Fault]:
     longest = LONGEST_SIDE * min(one.radius for one in scene.species)
     for axis, (length, around) in enumerate(zip(container.size, container.periodic, strict=True)):
         where, width = f"container.size[{axis}]", ""
-        if scene.container.shape not in BOXES:  # (a figure has sizes of its own)
+        if container.shape not in BOXES:  # (a figure has sizes of its own)
             where, width = ("container.height", "") if axis == 2 else ("container", f"a width along {'xy'[axis]} of ")
             if found and where == "container":  # (one width is enough)
                 continue
