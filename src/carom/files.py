@@ -55,6 +55,7 @@ OPTIONAL = {
     "imageio_ffmpeg": ("imageio-ffmpeg", "film"),
     "jax": ("JAX", "jax"),
     "matplotlib": ("Matplotlib", "plot"),
+    "mpmath": ("mpmath", "verify"),
     "msgpack": ("msgpack", "msgpack"),
     "pandas": ("pandas", "pandas"),
     "pyarrow": ("pyarrow", "parquet"),

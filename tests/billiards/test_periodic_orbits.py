@@ -13,7 +13,7 @@ from reference.precise_bounces import return_map_trace
 
 import carom
 from carom import billiards
-from carom.billiards.periodic import periods_of
+from carom.billiards.same_orbits import periods_of
 from carom.errors import CaromError
 
 GOLDEN = (3 - math.sqrt(5)) / 2

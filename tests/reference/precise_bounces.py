@@ -10,7 +10,7 @@ from typing import Any
 
 from mpmath import mp, mpf, sqrt
 
-__all__ = ["return_map_trace", "stadium_bounces"]
+__all__ = ["closed_orbit", "return_map_trace", "stadium_bounces"]
 
 
 def stadium_bounces(state: Any, count: int, straight: Any, radius: Any, kappa: Any, no_slip: bool) -> Any:
@@ -43,10 +43,10 @@ def stadium_bounces(state: Any, count: int, straight: Any, radius: Any, kappa: A
     return x, y, vx, vy, w
 
 
-def return_map_trace(state: Any, count: int, straight: Any, radius: Any, kappa: Any, no_slip: bool) -> tuple[Any, Any]:
-    """Return the distance of the state after a number of bounces from one on a wall, and the trace of the map between them.
+def _return_map(state: Any, count: int, straight: Any, radius: Any, kappa: Any, no_slip: bool) -> tuple[Any, Any, Any]:
+    """Return coordinates of a state on a wall, the state of such coordinates, and these after a number of bounces.
 
-    Central differences in the wall's arc length, the velocities along and across it, and sqrt(kappa) a omega.
+    The wall's arc length from there, the velocities along and across it, and sqrt(kappa) a omega.
     """
     x, y, vx, vy, w = map(mpf, state)
     half, scale = mpf(straight) / 2, sqrt(mpf(kappa))
@@ -79,6 +79,46 @@ def return_map_trace(state: Any, count: int, straight: Any, radius: Any, kappa: 
         s = (px - x) * ny if abs(x) <= half else radius * mp.asin(nx * my - ny * mx)
         return s, ux * my - uy * mx, ux * mx + uy * my, scale * spin
 
+    return first, state_of, after
+
+
+def closed_orbit(
+    state: Any, count: int, straight: Any, radius: Any, kappa: Any, no_slip: bool, move: Any = (0, 0, 0, 0)
+) -> list[Any]:
+    """Return the state on a wall near a given one, with the speed 1, to which a number of bounces leads back, and the others.
+
+    Newton's method in the least-squares sense with central differences, from the given state's coordinates plus ``move``.
+    """
+    first, state_of, after = _return_map(state, count, straight, radius, kappa, no_slip)
+    unknowns = 4 if no_slip else 3
+    c = [one + mpf(d) for one, d in zip(first, move, strict=True)]
+    h = mpf(10) ** (-mp.dps // 3)
+
+    def misses(c: Any) -> list[Any]:
+        return [*(p - q for p, q in zip(after(c), c, strict=True)), sum(one * one for one in c[1:]) - 1]
+
+    for _ in range(12):
+        slopes = []
+        for k in range(unknowns):
+            up, down = list(c), list(c)
+            up[k] += h
+            down[k] -= h
+            slopes.append([(p - q) / (2 * h) for p, q in zip(misses(up), misses(down), strict=True)])
+        f = misses(c)
+        step = mp.lu_solve(mp.matrix(slopes).T, mp.matrix(f))
+        c = [one - (step[k] if k < unknowns else 0) for k, one in enumerate(c)]
+        if max(abs(one) for one in f) < mpf(10) ** (5 - mp.dps):
+            break
+    begin = state_of(c)
+    return [stadium_bounces(begin, k, straight, radius, kappa, no_slip) if k else begin for k in range(count)]
+
+
+def return_map_trace(state: Any, count: int, straight: Any, radius: Any, kappa: Any, no_slip: bool) -> tuple[Any, Any]:
+    """Return the distance of the state after a number of bounces from one on a wall, and the trace of the map between them.
+
+    Central differences in the coordinates of :func:`_return_map`.
+    """
+    first, _state_of, after = _return_map(state, count, straight, radius, kappa, no_slip)
     gap = max(abs(p - q) for p, q in zip(after(first), first, strict=True))
     h = mpf(10) ** (-mp.dps // 3)
     trace = mpf(0)

@@ -207,11 +207,6 @@ class Boundary:
             pieces[first:] = first + self.curve.parts
         return pieces
 
-    def part_numbers(self, met: Any) -> NDArray[np.int64]:
-        """Return the smooth parts of pieces (...) that are met; the pieces themselves where there is no smooth curve."""
-        met = np.asarray(met, np.int64)
-        return met if self.curve is None else np.append(self.parts, -1)[self._number(met)]
-
     def wall_parts(self, met: Any) -> NDArray[np.int64]:
         """Return the smooth parts of pieces (...) that are met, without windows and with images as their obstacles; -1 for none."""
         found: NDArray[np.int64] = np.append(self.parts, -1)[self._number(np.asarray(met, np.int64))]

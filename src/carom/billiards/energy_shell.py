@@ -132,13 +132,14 @@ class EnergyShell:
         return found
 
     def _around(self, piece: Any, new: Array, old: Array) -> Array:
-        """Return differences of arc lengths (over the size), the shorter way around a closed wall."""
+        """Return differences of arc lengths (over the size), the shorter way around a closed wall if both are on it."""
         shape = self.setup.shape
-        d: Array = new - old % (shape.lengths.sum() / self.size)
+        begin = old % (shape.lengths.sum() / self.size)
+        d: Array = new - begin
         numbers = shape.wall_numbers(piece)
         for k, wall in enumerate(shape.connected()):
             length = (wall.last - wall.first) / self.size
-            here = (numbers == k) & np.full(len(d), wall.closed)
+            here = (numbers == k) & wall.closed & (begin >= wall.first / self.size) & (begin < wall.last / self.size)
             d[here] -= length * np.round(d[here] / length)
         return d
 

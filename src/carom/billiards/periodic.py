@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -19,6 +20,7 @@ from carom.billiards.same_orbits import (
     congruent,
     family_key,
     least_period,
+    periods_of,
     piece_symmetries,
     run_orbits,
     windings,
@@ -27,6 +29,7 @@ from carom.billiards.sampling import starts as sampled_starts
 from carom.billiards.setup import Start, start_rows
 from carom.billiards.symbols import code_numbers, letters_of
 from carom.billiards.tables import Table
+from carom.billiards.verified import Verified, verify
 from carom.bodies import Ball, Surface
 from carom.errors import CaromError, Fault
 from carom.formatting import counted
@@ -34,12 +37,11 @@ from carom.public.defaults import PERIODIC_STARTS
 from carom.public.progress import Progress, as_progress
 
 __all__ = [
-    "PeriodicOrbit", "PeriodicOrbits", "describe_periodic", "first_coordinates", "periodic_orbits", "periods_of",
+    "PeriodicOrbit", "PeriodicOrbits", "describe_periodic", "first_coordinates", "periodic_orbits",
     "refine_orbit", "third_and_trace",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
-MAX_PERIOD = 1000
 DEGENERATE = 1e-5  # flights and velocities across the wall below it, relative to the table's size and the ball's speed
 PARABOLIC = 1e-7  # distance of the trace from 2 or -2, relative to the size of the tangent map
 MOVE = 1e-3  # length of the step that shows whether orbits form a family
@@ -110,8 +112,16 @@ class PeriodicOrbit:
         walls = self.orbit.setup.shape.wall_parts(self.orbit.piece).tolist()
         return letters_of(min(walls[k:] + walls[:k] for k in range(self.period)))
 
+    @cached_property
+    def verified(self) -> Verified:
+        """Proof by interval arithmetic that exactly one orbit is near (extra ``verify``); computed when first asked for."""
+        return verify(EnergyShell(self.orbit.setup, self.energy), self.orbit, self.cells or (0, 0), self.family)
+
     def to_dict(self) -> dict[str, Any]:
-        """Return the orbit as plain numbers, for JSON: its multipliers as [real, imaginary], its bounces one after the other."""
+        """Return the orbit as plain numbers, for JSON: its multipliers as [real, imaginary], its bounces one after the other.
+
+        ``verified`` is among them if it has been asked for before.
+        """
         names = (
             "period",
             "duration",
@@ -130,7 +140,7 @@ class PeriodicOrbit:
             "multipliers": [[one.real, one.imag] for one in self.multipliers.tolist()],
             "position": run.position.tolist(), "velocity": run.velocity.tolist(), "spin": run.spin.tolist(),
             "piece": list(self.pieces),
-        }  # fmt: skip
+        } | ({"verified": asdict(self.verified)} if "verified" in self.__dict__ else {})  # fmt: skip
 
     def __repr__(self) -> str:
         """Return one line."""
@@ -227,7 +237,7 @@ def periodic_orbits(
 
     Starts are drawn from the invariant measure. Each is moved by Newton's steps until it closes after the given number of
     bounces; a step that does not bring it nearer is shortened. Nothing proves that a list is complete: it says how often each
-    orbit was found.
+    orbit was found. That an orbit is there, and the only one near, is proved by :attr:`PeriodicOrbit.verified`.
 
     Parameters
     ----------
@@ -332,7 +342,7 @@ def refine_orbit(
         raise CaromError(Fault("refine_orbit", "start", "a state that leads to a wall", "one that meets none"))
     energy = float(rough.excess(rough.rows(begin)[0], begin)[0][0] + rough.energy)
     shell = replace(rough, energy=energy)
-    solved = solve_periodic(shell, begin, _period(period))
+    solved = solve_periodic(shell, begin, periods_of(period)[0])
     if not len(solved):
         raise CaromError(
             Fault(
@@ -343,28 +353,6 @@ def refine_orbit(
             )
         )
     return describe_periodic(shell, solved[0], period)
-
-
-def periods_of(period: Any) -> list[int]:
-    """Return the periods that a number, several numbers, or a text of numbers and ranges mean, in ascending order."""
-    if isinstance(period, str):
-        parts = [[part.strip() for part in one.split("-")] for one in period.split(",")]
-        if not all(len(ends) <= 2 and all(end.isdecimal() and len(end) < 9 for end in ends) for ends in parts):
-            raise CaromError(Fault("orbit", "periodic", "numbers of bounces, such as 4, 2-6 or 3,5", repr(period)))
-        ends = [(_period(int(one[0])), _period(int(one[-1]))) for one in parts]
-        if turned := next((f"{first}-{last}" for first, last in ends if first > last), ""):
-            raise CaromError(
-                Fault("orbit", "periodic", "ranges from the smaller number to the larger, such as 2-6", repr(turned))
-            )
-        return sorted({p for first, last in ends for p in range(first, last + 1)})
-    return sorted({_period(p) for p in (period if isinstance(period, Iterable) else (period,))})
-
-
-def _period(period: Any) -> int:
-    p: int = require_integer("periodic", period)
-    if p > MAX_PERIOD:
-        raise CaromError(Fault("orbit", "periodic", f"at most {MAX_PERIOD} bounces", f"{p}"))
-    return p
 
 
 def first_coordinates(shell: EnergyShell, start: Start) -> Array:
@@ -397,7 +385,7 @@ def _distinct(shell: EnergyShell, y: Array, p: int) -> list[PeriodicOrbit]:
     for k in closed[np.lexsort((-short[closed], -slow[closed].round(6)))]:
         if not proper[k] or least_period(shell, run.folded[k], bounces[k]) != p:
             continue
-        key = family_key(shell.setup.shape.part_numbers(run.piece[k]).tolist(), symmetries, walls[k], cells[k])
+        key = family_key(shell.setup.shape.wall_parts(run.piece[k]).tolist(), symmetries, walls[k], cells[k])
         for place, (one, shown, family) in enumerate(kept):
             if (one.family and key == family) or congruent(bounces[shown], bounces[k], reverse[k]):
                 kept[place] = (replace(one, found=one.found + 1), shown, family)

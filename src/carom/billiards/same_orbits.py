@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -10,15 +11,18 @@ from numpy.typing import NDArray
 
 from carom.billiards.boundary import Boundary
 from carom.billiards.energy_shell import EnergyShell
-from carom.billiards.orbits import Orbit, orbit_from_setup
+from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer
 from carom.billiards.setup import Start
+from carom.errors import CaromError, Fault
 
 __all__ = [
-    "bounce_sequences", "cells_passed", "congruent", "family_key", "least_period", "piece_symmetries", "run_orbits", "windings",
+    "bounce_sequences", "cells_passed", "congruent", "family_key", "least_period", "periods_of", "piece_symmetries",
+    "run_orbits", "windings",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
 EQUAL = 1e-6  # relative: difference of flight times, velocities and spins of two orbits that are congruent
+MAX_PERIOD = 1000
 SYMMETRY_POINTS = 720  # of a boundary, by which its symmetries are found
 
 
@@ -42,6 +46,28 @@ def bounce_sequences(shell: EnergyShell, run: Orbit) -> tuple[Array, Array]:
     ahead = np.stack([np.roll(dt, -1, axis=1), *split(run.velocity), q], axis=-1)
     back = np.stack([dt, *split(-before), -np.roll(q, 1, axis=1)], axis=-1)[:, ::-1]
     return ahead, back
+
+
+def periods_of(period: Any) -> list[int]:
+    """Return the periods that a number, several numbers, or a text of numbers and ranges mean, in ascending order."""
+    if isinstance(period, str):
+        parts = [[part.strip() for part in one.split("-")] for one in period.split(",")]
+        if not all(len(ends) <= 2 and all(end.isdecimal() and len(end) < 9 for end in ends) for ends in parts):
+            raise CaromError(Fault("orbit", "periodic", "numbers of bounces, such as 4, 2-6 or 3,5", repr(period)))
+        ends = [(_period(int(one[0])), _period(int(one[-1]))) for one in parts]
+        if turned := next((f"{first}-{last}" for first, last in ends if first > last), ""):
+            raise CaromError(
+                Fault("orbit", "periodic", "ranges from the smaller number to the larger, such as 2-6", repr(turned))
+            )
+        return sorted({p for first, last in ends for p in range(first, last + 1)})
+    return sorted({_period(p) for p in (period if isinstance(period, Iterable) else (period,))})
+
+
+def _period(period: Any) -> int:
+    p: int = require_integer("periodic", period)
+    if p > MAX_PERIOD:
+        raise CaromError(Fault("orbit", "periodic", f"at most {MAX_PERIOD} bounces", f"{p}"))
+    return p
 
 
 def least_period(shell: EnergyShell, positions: Array, bounces: Array) -> int:
@@ -75,10 +101,11 @@ def piece_symmetries(shape: Boundary) -> list[list[int]]:
     the boundary. Arcs of a smooth curve count as one piece between its corners.
     """
     total = float(shape.lengths.sum())
-    pieces, x, _n = shape.place((np.arange(SYMMETRY_POINTS) + 0.5) * total / SYMMETRY_POINTS)
+    met, x, _n = shape.place((np.arange(SYMMETRY_POINTS) + 0.5) * total / SYMMETRY_POINTS)
+    pieces = shape.wall_parts(met)
     middles, lengths = shape.place(shape.starts + shape.lengths / 2)[1], shape.lengths
     if shape.curve is not None:
-        pieces, first = shape.part_numbers(pieces), np.unique(shape.parts, return_index=True)[1]
+        first = np.unique(shape.parts, return_index=True)[1]
         lengths = np.bincount(shape.parts, lengths).astype(float)
         middles = shape.place(shape.starts[first] + lengths / 2)[1]
     origin = (

@@ -140,6 +140,14 @@ def orbit(
     starts: Annotated[
         int, typer.Option(help="Starts of the search for periodic orbits, for each period.", rich_help_panel=OUTPUT)
     ] = PERIODIC_STARTS,
+    verify: Annotated[
+        bool,
+        typer.Option(
+            "--verify",
+            help="Prove by interval arithmetic that each periodic orbit is there, and the only one near.",
+            rich_help_panel=OUTPUT,
+        ),
+    ] = False,
     json_: Annotated[bool, shared("json", help="Print JSON on standard output, with every bounce.")] = False,
     radius: Old = None,
     major: Old = None,
@@ -190,6 +198,7 @@ def orbit(
             periodic=periodic,
             itinerary=codes,
             starts=starts,
+            verify=verify,
             progress=report,
             **options,
         )

@@ -45,18 +45,30 @@ class Jet:
     def __init__(self, x: Any, d: Any, dd: Any) -> None:
         self.x, self.d, self.dd = np.asarray(x, float), np.asarray(d, float), np.asarray(dd, float)
 
-    def of(self, x: Array, first: Array, second: Array) -> Jet:
+    def made(self, x: Any, d: Any, dd: Any) -> Jet:
+        """Return a jet of the same kind of numbers."""
+        return Jet(x, d, dd)
+
+    def like(self, x: Any) -> Jet:
+        """Return a number as a jet of the same kind without derivatives; a jet as it is."""
+        return x if isinstance(x, Jet) else self.made(x, 0.0, 0.0)
+
+    def of(self, x: Any, first: Any, second: Any) -> Jet:
         """Return a function of it that has the value x and these derivatives by it."""
-        return Jet(x, first * self.d, second * self.d**2 + first * self.dd)
+        return self.made(x, first * self.d, second * self.d**2 + first * self.dd)
+
+    def function(self, name: str) -> Jet:
+        """Return one of FUNCTIONS of it."""
+        return self.of(*FUNCTIONS[name](self.x))
 
     def __add__(self, other: Any) -> Jet:
         """Return the sum."""
-        q = as_jet(other)
-        return Jet(self.x + q.x, self.d + q.d, self.dd + q.dd)
+        q = self.like(other)
+        return self.made(self.x + q.x, self.d + q.d, self.dd + q.dd)
 
     def __neg__(self) -> Jet:
         """Return the negative."""
-        return Jet(-self.x, -self.d, -self.dd)
+        return self.made(-self.x, -self.d, -self.dd)
 
     def __pos__(self) -> Jet:
         """Return itself."""
@@ -64,7 +76,7 @@ class Jet:
 
     def __sub__(self, other: Any) -> Jet:
         """Return the difference."""
-        return self + -as_jet(other)
+        return self + -self.like(other)
 
     def __rsub__(self, other: Any) -> Jet:
         """Return the difference from a number."""
@@ -73,17 +85,17 @@ class Jet:
 
     def __mul__(self, other: Any) -> Jet:
         """Return the product."""
-        q = as_jet(other)
-        return Jet(self.x * q.x, self.d * q.x + self.x * q.d, self.dd * q.x + 2 * self.d * q.d + self.x * q.dd)
+        q = self.like(other)
+        return self.made(self.x * q.x, self.d * q.x + self.x * q.d, self.dd * q.x + 2 * self.d * q.d + self.x * q.dd)
 
     def __truediv__(self, other: Any) -> Jet:
         """Return the quotient."""
-        q = as_jet(other)
+        q = self.like(other)
         return self * q.of(1 / q.x, -1 / q.x**2, 2 / q.x**3)
 
     def __rtruediv__(self, other: Any) -> Jet:
         """Return the quotient of a number by it."""
-        return as_jet(other) / self
+        return self.like(other) / self
 
     def __pow__(self, other: Any) -> Jet:
         """Return a power; with an exponent that varies, of a positive number."""
@@ -93,11 +105,11 @@ class Jet:
             first = n * low[0]
             second = n * (n - 1) * np.where(n == 0, 0.0, low[1])
             return self.of(self.x**n, first, second)
-        return call("exp", as_jet(other) * call("log", self))
+        return call("exp", self.like(other) * call("log", self))
 
     def __rpow__(self, other: Any) -> Jet:
         """Return a number to the power of it."""
-        found: Jet = as_jet(other).__pow__(self)
+        found: Jet = self.like(other).__pow__(self)
         return found
 
     def __abs__(self) -> Jet:
@@ -115,7 +127,7 @@ class Jet:
         if name in FUNCTIONS and len(inputs) == 1:
             return call(name, inputs[0])
         if name in OPERATORS:
-            first = as_jet(inputs[0])
+            first = self.like(inputs[0])
             work: dict[str, Callable[..., Jet]] = {
                 "+": first.__add__, "-": first.__sub__, "*": first.__mul__, "/": first.__truediv__, "**": first.__pow__,
                 "neg": lambda: -first, "pos": lambda: first,
@@ -131,8 +143,7 @@ def as_jet(x: Any) -> Jet:
 
 def call(name: str, x: Any) -> Jet:
     """Return one of FUNCTIONS of a jet."""
-    q = as_jet(x)
-    return q.of(*FUNCTIONS[name](q.x))
+    return as_jet(x).function(name)
 
 
 def variable(t: Array) -> Jet:
