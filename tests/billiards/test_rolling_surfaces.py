@@ -324,3 +324,19 @@ def test_runs_are_pickled():
     run = billiards.roll(surfaces.hole(), (-0.06, 0.01, 0.02135), (0.6, 0, 0), ball=GOLF, duration=0.5, accuracy=1e-9)
     again = pickle.loads(pickle.dumps(run))
     assert np.array_equal(again.at(0.1).place, run.at(0.1).place)
+
+
+def test_lip_outs_of_the_rim_and_of_the_hole_are_told_apart():
+    """Hogan & Antali (2025): in a rim lip out the centre does not fall below the green, in a hole lip out it does."""
+    found = billiards.putts([0.62, 0.8636], [0.0312, 0.045])
+    assert [[billiards.OUTCOMES[k] for k in row] for row in found.outcome] == [
+        ["caught", "lips out"],
+        ["lips out", "lips out"],
+    ]
+    assert found.lips_out_of_hole.tolist() == [[False, False], [True, False]]
+    run = billiards.putt(0.8636, 0.0312)
+    heights = run.at(np.linspace(0, run.duration, 400)).place[:, 2]
+    assert found.lowest[1, 0] == pytest.approx(heights.min(), abs=2e-3 * 0.02135)
+    # it comes back to the green with the energy that impacts left it, and rolls
+    assert heights[-1] == pytest.approx(0.02135)
+    assert found.turn[1, 0] > math.radians(60)

@@ -23,6 +23,7 @@ RADIUS, DEPTH = 0.054, 0.1016
 STARTS = 1.05  # radii of the hole, from its centre: the place along the way at which a putt begins
 TURNED = math.radians(1.0)  # a ball that comes away in another direction by more than this has lipped out
 ACCURACY = 1e-9
+LOOKS = 5  # times in each phase at which the height is looked at: phases are steps of the integrator
 LONGEST = 20.0  # s: without losses a ball may go round in the hole, up to the rim and down again, for ever
 
 
@@ -40,6 +41,14 @@ class Putts:
     """Angle (rad) by which the velocity as seen from above is turned; NaN for a ball that is caught."""
     radius: float
     """Of the hole (m)."""
+    lowest: Array
+    """Least height of the centre over the green (m), (speeds, offsets): a ball that lips out with a negative one was in the hole,
+    the others stay on the rim (Hogan & Antali's hole and rim lip outs)."""
+
+    @property
+    def lips_out_of_hole(self) -> NDArray[np.bool_]:
+        """(speeds, offsets): whether the ball lips out after its centre was below the green."""
+        return (self.outcome == OUTCOMES.index("lips out")) & (self.lowest < 0)
 
 
 def putt(
@@ -122,9 +131,13 @@ def putts(
     """
     v, y = np.atleast_1d(np.asarray(speeds, dtype=float)), np.atleast_1d(np.asarray(offsets, dtype=float))
     outcome, turn = np.zeros((v.size, y.size), dtype=np.int64), np.full((v.size, y.size), math.nan)
+    lowest = np.zeros((v.size, y.size))
     for i, speed in enumerate(v):
         for k, offset in enumerate(y):
             run = putt(float(speed), float(offset), ball=ball, radius=radius, depth=depth, contact=contact)
+            lowest[i, k] = min(
+                float(phase.state(t)[2]) for phase in run.phases for t in np.linspace(phase.begin, phase.end, LOOKS)
+            )
             if run.end == "duration":
                 outcome[i, k] = 3
             elif run.end == "away":
@@ -134,4 +147,4 @@ def putts(
                 outcome[i, k] = 1 if turn[i, k] > TURNED else 4 if flew else 2
         if progress:
             progress(i + 1, v.size, f"putts at {speed:.3g} m/s")
-    return Putts(v, y, outcome, turn, radius)
+    return Putts(v, y, outcome, turn, radius, lowest)

@@ -21,6 +21,7 @@ ROLLS, FLIES = "#0072B2", "#D55E00"
 CAUGHT = {
     "caught": "#009E73", "lips out": "#D55E00", "rolls past": "#8a8a8a", "goes round": "#56B4E9", "flies over": "#CCCCCC"
 }  # fmt: skip
+FROM_HOLE = "lips out of the hole", "#7B1FA2"
 POINTS = 1200
 
 
@@ -98,22 +99,25 @@ def plot_putts(found: Putts) -> Figure:
         )
     from matplotlib.colors import ListedColormap
 
-    colours = ListedColormap([CAUGHT[name] for name in OUTCOMES])
+    shown = np.where(found.lips_out_of_hole, len(OUTCOMES), found.outcome)
+    names = {**{name: CAUGHT[name] for name in OUTCOMES}, FROM_HOLE[0]: FROM_HOLE[1]}
+    colours = ListedColormap(list(names.values()))
     with style():
         figure = new_figure(6.4, 4.6)
         axes = figure.add_subplot()
         axes.pcolormesh(
             1e3 * found.offsets,
             found.speeds,
-            found.outcome,
+            shown,
             cmap=colours,
             vmin=-0.5,
-            vmax=len(OUTCOMES) - 0.5,
+            vmax=len(names) - 0.5,
             shading="nearest",
             alpha=0.8,
         )
-        for name in (name for k, name in enumerate(OUTCOMES) if (found.outcome == k).any()):
-            axes.plot([], [], "s", ms=9, color=CAUGHT[name], alpha=0.8, label=name)
+        for name in (name for k, name in enumerate(names) if (shown == k).any()):
+            axes.plot([], [], "s", ms=9, color=names[name], alpha=0.8, label=name)
         axes.set(xlabel="offset from the centre (mm)", ylabel="speed at the edge (m/s)")
-        axes.legend(loc="upper center", bbox_to_anchor=(0.5, 1.13), ncols=len(OUTCOMES))
+        axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3)
+        figure.subplots_adjust(top=0.84)
     return figure
