@@ -1,42 +1,89 @@
-"""Whole shots of a film of your own: distances by horizon, numbers of the table, shots that are not followed.
+"""Whole shots of a film of your own: distances by horizon, numbers of the table, forms, halves, what first parts predict.
 
-    python campaigns/shots_real.py [N] --films FILE [--radius METRES]
+    python campaigns/shots_real.py [N] --films FILE [--radius METRES] [--only fit|forms|halves]
 
-Without a film, N shots (2) that carom draws are fitted, whose numbers are known.
+Without a film, N shots (2) that carom draws are fitted, whose numbers are known. Halves: the shots with even and odd numbers are
+fitted by themselves; their numbers are compared in error bars, and each half predicts the shots of the other from their first
+third and first half.
 """
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
-from campaign import campaign
+from campaign import Campaign, campaign
 
 import carom
 from carom.fitting.result import with_error_bar
-from carom.fitting.shots import drawn_films
+from carom.fitting.shots import HeldOut, ShotsFit, compare_forms, drawn_films, predict_rest
 from carom.fitting.shots.result import HORIZONS
+from carom.tracks.film_tracks import films_of
+
+KINDS = ("fit", "forms", "halves")
+
+
+def fitted(run: Campaign, tracks: Any, table: Any) -> ShotsFit:
+    """Fit shots, and say how far they are followed."""
+    begin = time.process_time()
+    given: dict[str, Any] = {"free": []} if run.small else {}
+    best = carom.fit_shots(tracks, table, run.given.radius if table is None else None, **given).best
+    run.say(f"{len(best.shots)} shots, {time.process_time() - begin:.0f} s of processors")
+    for name in (one for one in HORIZONS if len(best.horizon(one))):
+        run.say(f"{name:10} {1e3 * best.median(name):7.1f} mm, median of {len(best.horizon(name))}")
+    for name, estimate in best.estimates.items():
+        more = f", scatter between shots {best.scatter[name]:.2g}" if best.scatter else ""
+        run.say(f"{name:28} {with_error_bar(estimate)}{more}")
+    lost = [one.name for one in best.shots if not one.followed]
+    run.say(f"not followed: {', '.join(lost) or 'none'}")
+    return best
+
+
+def said_of(run: Campaign, found: Sequence[HeldOut], what: str) -> None:
+    """Say how far the rest of the shots was predicted, against time."""
+    every = HeldOut(found[0].share, tuple(shot for one in found for shot in one.shots))
+    one, two = every.coverage
+    run.say(
+        f"{what}: the rest {1e3 * every.median:.0f} mm; inside the regions of 68 and 95 %: {100 * one:.0f}, {100 * two:.0f} %"
+    )
+    for until, far, thought, count in every.against_time():
+        run.say(f"  up to {until:3g} s later {1e3 * far:5.0f} mm, expected {1e3 * thought:5.0f} ({count} shots)")
+
+
+def halves(run: Campaign, tracks: Sequence[Any], table: Any) -> None:
+    """Fit halves of the shots, compare their numbers, and predict each half with the table of the other."""
+    groups = list(dict.fromkeys(one.group for one in tracks))
+    parts = [[one for one in tracks if groups.index(one.group) % 2 == k] for k in range(2)]
+    fits = [fitted(run, part, table) for part in parts]
+    for name in fits[0].names:
+        first, second = (fit.estimates[name] for fit in fits)
+        if first.stderr and second.stderr:
+            apart = (first.value - second.value) / math.hypot(first.stderr, second.stderr)
+            run.say(f"{name:28} {with_error_bar(first)} and {with_error_bar(second)}: {apart:+.1f} error bars apart")
+    for share, what in ((1 / 3, "first third"), (1 / 2, "first half")):
+        found = [predict_rest(fits[k], share, [one.film for one in fits[1 - k].shots]) for k in range(2)]
+        said_of(run, found, f"{what}, by the table of the other half")
 
 
 def main(words: Sequence[str] | None = None) -> None:
-    """A line a horizon, a line a number."""
+    """A line a horizon, a line a number, a line a form."""
     options = {"films": {"type": Path}, "radius": {"type": float, "default": 0.03075}}
     with campaign("shots_real", __doc__, words, count=2, small=1, **options) as run:
-        begin = time.process_time()
         if run.given.films:
-            ranking = carom.fit_shots(run.given.films, radius=run.given.radius)
+            tracks, table = films_of(run.given.films)[0], None
         else:
             tracks, scenes = drawn_films(run.count, seed=5, until=1.5 if run.small else 6.0)
-            ranking = carom.fit_shots(tracks, scenes[0], free=[] if run.small else None)
-        best = ranking.best
-        run.say(f"{len(best.shots)} shots, {time.process_time() - begin:.0f} s of processors")
-        for name in (one for one in HORIZONS if len(best.horizon(one))):
-            run.say(f"{name:10} {1e3 * best.median(name):7.1f} mm, median of {len(best.horizon(name))}")
-        for name, estimate in best.estimates.items():
-            run.say(f"{name:28} {with_error_bar(estimate)}")
-        lost = [one.name for one in best.shots if not one.followed]
-        run.say(f"not followed: {', '.join(lost) or 'none'}")
+            table = scenes[0]
+        if run.wants("fit", KINDS) or run.wants("forms", KINDS):
+            best = fitted(run, tracks, table)
+            if run.wants("forms", KINDS) and best.names:
+                for form in compare_forms(best):
+                    run.say(form.describe())
+        if run.wants("halves", KINDS) and run.given.films:
+            halves(run, tracks, table)
 
 
 if __name__ == "__main__":

@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 
 import carom
-from carom.fitting.shots import drawn_films
+from carom.fitting.shots import compare_forms, drawn_films, predict_rest
 from carom.fitting.shots.film import filmed_shots
+from carom.fitting.shots.forms import FORMS
 from carom.fitting.shots.start import residuals
-from carom.fitting.shots.table import FREE, TableModel, scene_of_films
+from carom.fitting.shots.table import FREE, TERMS, TableModel, begun, scene_of_films
 from carom.tracks import Track
 
 RADIUS = 0.03075
@@ -67,28 +68,79 @@ def test_the_result_pickles_prints_and_goes_to_json(ranking):
 def test_derivatives_are_central_differences(films):
     tracks, scenes = films
     found = filmed_shots(tracks, RADIUS)
-    model = TableModel(scene_of_films(scenes[0], found.walls, None, 3, 60.0, "test"), FREE, {})
+    scene, paths = begun(scene_of_films(scenes[0], found.walls, None, 3, 60.0, "test"), FREE)
+    model = TableModel(scene, paths, {})
     shot, values = found.shots[1], np.array([one.value for one in model.shared])
-    table, frames = model.at(values), len(found.shots[1].time)
+    table, frames, p = model.at(values), len(found.shots[1].time), len(model.shared)
+    # the deviations of this shot's table from that of all shots come after its own numbers
+    deviations = 0.1 * np.array([one.scale for one in model.shared])
     start = np.array(
         [
             0.01,
             *scenes[1].balls[0].state.velocity[:2],
             *RADIUS * np.array(scenes[1].balls[0].state.spin),
             *shot.first.ravel(),
+            *deviations,
         ]
     )
-    at = residuals(table, shot, start, frames, shared=True)
+    at = residuals(table, shot, start, frames)
     for k in range(len(start)):
         h = 1e-6 * np.eye(len(start))[k]
         ends = [residuals(table, shot, start + sign * h, frames).gap for sign in (1, -1)]
         by = at.by_start[:, k]
         assert np.abs((ends[0] - ends[1]) / 2e-6 - by).max() < 1e-3 * max(1.0, np.abs(by).max())
-    for k in (0, 2, 6, 7):
-        h = 1e-6 * np.eye(len(values))[k]
-        ends = [residuals(model.at(values + sign * h), shot, start, frames).gap for sign in (1, -1)]
-        by = at.by_shared[:, k]
-        assert np.abs((ends[0] - ends[1]) / 2e-6 - by).max() < 1e-4 * max(1.0, np.abs(by).max())
+    # and a table with such deviations is the table at these numbers
+    again = residuals(model.at(values + deviations), shot, start[:-p], frames, shared=True)
+    assert np.abs(again.gap - at.gap).max() < 1e-9
+    assert np.abs(again.by_shared - at.by_start[:, -p:]).max() < 1e-6 * np.abs(again.by_shared).max()
+
+
+def test_terms_that_a_scene_leaves_at_zero_begin_at_a_usual_value(films):
+    _tracks, scenes = films
+    scene, paths = begun(scenes[0], FREE)
+    assert scene.walls[0].yield_time == TERMS["walls.0.yield_time"]
+    assert set(TERMS) < set(paths)
+    # one law of the loss of spin: the one that is asked for, or that the scene has
+    assert "floor.spin_drag" not in begun(scenes[0], [*FREE, "floor.spin_damping"])[1]
+    damped = carom.replaced(scenes[0], {"floor.spin_damping": 0.1})
+    assert "floor.spin_drag" not in begun(damped, FREE)[1]
+
+
+def test_a_scatter_between_shots_is_found_and_widens_the_errors():
+    name, spread = "walls.0.restitution", 0.04
+    tracks, scenes = drawn_films(5, seed=3, until=0.6, scatter={name: spread})
+    table = carom.replaced(scenes[0], {name: 0.85})
+    best = carom.fit_shots(tracks, table, free=[name], seed=1).best
+    met = np.array([one.restitution.value for one in (scene.walls[0] for scene in scenes)])
+    assert 0.3 * met.std() < best.scatter[name] < 3 * met.std()
+    estimate = best.estimates[name]
+    assert estimate.stderr > 0.5 * best.scatter[name] / np.sqrt(len(met))
+    assert abs(estimate.value - 0.85) < 3 * estimate.stderr
+    own = [one.scene.walls[0].restitution.value for one in best.shots]
+    assert own == pytest.approx([estimate.value + one.deviations[name] for one in best.shots], abs=1e-12)
+
+
+def test_the_first_part_predicts_the_rest_within_its_regions(ranking):
+    found = predict_rest(ranking.best, 0.6, draws=60)
+    assert found.median < 0.03
+    assert found.coverage[1] > 0.6
+    for until, far, expected, count in found.against_time((0, 0.5, 1.0)):
+        assert 0 < until <= 1
+        assert 0.1 < far / expected < 10
+        assert count == 2
+    with pytest.raises(carom.CaromError, match="share: expected a number between 0 and 1"):
+        predict_rest(ranking.best, 1.5)
+
+
+def test_forms_are_compared_on_the_same_shots(ranking):
+    (one,) = compare_forms(ranking.best, FORMS[-1:])
+    assert (one.part, set(one.numbers)) == (
+        "balls",
+        {"ball_contact.friction.at_rest", "ball_contact.friction.at_speed"},
+    )
+    assert one.nearer[1] == 2
+    assert one.describe().startswith("balls: friction that falls with the slip: AICc ")
+    assert compare_forms(ranking.best, FORMS[:1]) == ()  # (its cushions do not yield anyway)
 
 
 def still(name, place, count=40):

@@ -86,7 +86,8 @@ def fit(
         bool,
         typer.Option(
             "--forms",
-            help="Choose a form or a spline for each parameter of the best law, and the tails of errors, by rows held out.",
+            help="Choose a form or a spline for each parameter of the best law, and the tails of errors, by rows held out; of whole"
+            " shots: compare other forms of cushion, cloth and balls.",
             rich_help_panel=LAWS,
         ),
     ] = False,

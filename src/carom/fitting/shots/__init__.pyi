@@ -2,6 +2,11 @@ from .drawn import drawn_films as drawn_films
 from .film import FilmedEvent as FilmedEvent
 from .film import FilmedShot as FilmedShot
 from .fit import fit_shots as fit_shots
+from .forms import compare_forms as compare_forms
+from .held_out import HeldOut as HeldOut
+from .held_out import PredictedShot as PredictedShot
+from .held_out import predict_rest as predict_rest
+from .result import ComparedForm as ComparedForm
 from .result import EventMatch as EventMatch
 from .result import FittedShot as FittedShot
 from .result import ShotsFit as ShotsFit

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
-from carom.scene.paths import replaced
+from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
 from carom.simulation.simulate import simulate
 from carom.tracks.track import Track
@@ -19,12 +20,14 @@ SPIN_LOSS = 5.0  # rad/s^2
 
 
 def drawn_films(
-    count: int, *, seed: int = 0, noise: float = 1.5e-3, rate: float = 50.0, until: float = 12.0, law: str = "two-step"
-) -> tuple[list[Track], list[Scene]]:
+    count: int, *, seed: int = 0, noise: float = 1.5e-3, rate: float = 50.0, until: float = 12.0, law: str = "two-step",
+    numbers: Mapping[str, float] | None = None, scatter: Mapping[str, float] | None = None,
+) -> tuple[list[Track], list[Scene]]:  # fmt: skip
     """Draw shots on a carom table, and films of them: tracks of three balls, and the scenes with the true numbers.
 
     The cue ball hits another ball first. ``noise``: of one coordinate, m; ``rate``: frames per second; ``until``: length of a
-    film, s.
+    film, s. ``numbers``: of the table, by their paths in the scene; ``scatter``: standard deviations between shots, as shares of
+    these numbers.
 
     Examples
     --------
@@ -56,7 +59,10 @@ def drawn_films(
                       ball | {"name": "2", "position": tuple(places[1])}, ball | {"name": "3", "position": tuple(places[2])}],
             "ball_contact": {"restitution": 0.94, "friction": 0.06}, "run": {"duration": 60.0, "law": law},
         }  # fmt: skip
-        scene = Scene(**given)
+        scene = replaced(Scene(**given), dict(numbers or {}))
+        for path, share in (scatter or {}).items():
+            own = path_match(scene, path).values[0]
+            scene = replaced(scene, {path: getattr(own, "value", own) * (1 + share * rng.normal())})
         run = simulate(scene)
         first = next((event for event in run.events if event.kind in ("ball", "wall")), None)
         if first is None or first.kind != "ball":

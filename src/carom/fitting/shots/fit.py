@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,20 +14,31 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError, FaultList, did_you_mean
 from carom.files import require_library
-from carom.fitting.evidence import DECIDED, LEANS, Ranked, verdict_words, weigh
+from carom.fitting.by_shots import nearer_shots
+from carom.fitting.evidence import DECIDED, Ranked, verdict_words, weigh
 from carom.fitting.laws import FittedLaw, track_laws_named
 from carom.fitting.result import Estimate
-from carom.fitting.shots.film import FilmedShot, Films, filmed_shots
-from carom.fitting.shots.joint import JointFit, fit_shared, frames_of_events, information_of_shots
+from carom.fitting.shots.film import Films, filmed_shots
+from carom.fitting.shots.forms import compare_forms
+from carom.fitting.shots.joint import (
+    FEWEST,
+    JointFit,
+    ScatterFit,
+    covariance_of_shared,
+    deviance_of,
+    fit_scatter,
+    fit_shared,
+    frames_of_events,
+)
 from carom.fitting.shots.result import FittedShot, ShotsFit, ShotsRanking
 from carom.fitting.shots.search import SearchSettings, ShotStart, refined, rms, search_start
-from carom.fitting.shots.start import FIRST_PLACE, SPIN, VELOCITY, distances
-from carom.fitting.shots.table import FREE, TableModel, TableNumbers, scene_of_films, with_balls
-from carom.fitting.tracks.errors import covariance_by_shot
+from carom.fitting.shots.start import FIRST_PLACE, SPIN, VELOCITY, distances, start_size
+from carom.fitting.shots.table import FREE, TableModel, TableNumbers, begun, scene_of_films, with_balls
 from carom.laws.registry import one_or_several
 from carom.public.progress import Progress
 from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
+from carom.scene.schema import Model
 from carom.tracks.film_tracks import films_of
 
 __all__ = ["fit_shots"]
@@ -36,9 +48,7 @@ DURATION = 60.0  # s: no shot takes longer
 JOINT = (3, 4, 6)  # events up to which the shared numbers are fitted, one after the other
 KEPT = 12  # starts of earlier searches that are tried again
 LAW = "two-step"
-FOLLOWED = 1.3  # ratio of the median distance to the noise, up to which the frames' noise alone gives the errors
-FEWEST = 5  # shots for errors from their scatter
-SURE, HINT = 0.01, 0.1  # as for whole tracks
+WIDTH = 0.5  # of usual changes: the scatter between shots with which its search begins
 
 
 def fit_shots(
@@ -54,6 +64,7 @@ def fit_shots(
     scale: float | None = None,
     where: Any = (),
     seed: int = 0,
+    forms: bool = False,
     progress: Progress | None = None,
 ) -> ShotsRanking:
     """Fit whole filmed shots, from the stroke to rest, with all balls and all their contacts, as ``carom fit`` with ``shot``.
@@ -85,6 +96,8 @@ def fit_shots(
         The tracks that enter, ``"shot=NAME"`` or ``"ball=NAME"``.
     seed : int
         Of the starts that are drawn; one seed gives the same answer.
+    forms : bool
+        Whether other forms of cushion, cloth and balls are compared with the best fit.
     progress : callable(done, total, text), optional
 
     Returns
@@ -122,7 +135,10 @@ def fit_shots(
     balls = max(len(one.balls) for one in films.shots)
     scene = scene_of_films(table, films.walls, radius, balls, DURATION, "fit_shots")
     scene = replaced(scene, dict(fix)) if fix else scene
-    paths = _paths(scene, FREE if free is None else free, fix or {})
+    wanted = [free] if isinstance(free, str) else list(FREE if free is None else free)
+    _check_paths(scene, wanted)
+    scene, paths = begun(scene, [path for path in wanted if path not in (fix or {})])
+    paths = _paths(scene, paths)
     fits = []
     for number, law in enumerate(chosen):
 
@@ -133,28 +149,28 @@ def fit_shots(
         model = _model(scene, law, paths, bound or {})
         fits.append(_fit_law(model, law, films, seed, tell))
     fits.sort(key=lambda one: one.aicc)
-    return _ranked(fits, [*reading, *films.notes, *notes])
+    ranking = _ranked(fits, [*reading, *films.notes, *notes])
+    return replace(ranking, forms=compare_forms(ranking.best)) if forms else ranking
 
 
-def _paths(scene: Scene, free: Sequence[str], fixed: Mapping[str, float]) -> tuple[str, ...]:
-    """Return the paths that are fitted; CaromError for one that leads nowhere, or a ball's."""
+def _check_paths(scene: Scene, free: Sequence[str]) -> None:
+    """Raise CaromError for a path that leads nowhere, or a ball's."""
     faults = FaultList("fit_shots")
-    kept = []
-    for path in dict.fromkeys([free] if isinstance(free, str) else free):
-        if path in fixed:
-            continue
-        match = faults.attempt(path_match, scene, path, "fit_shots: free")
-        if match is None:
-            continue
-        if path.startswith("balls."):
+    for path in free:
+        if faults.attempt(path_match, scene, path, "fit_shots: free") is not None and path.startswith("balls."):
             faults.add("free", "a number of the table", f"{path}: the start of each shot is fitted anyway")
-        value = match.values[0]
-        form = getattr(value, "form", "constant")
-        if form == "constant":
-            kept.append(path)
-        else:
-            kept += [f"{path}.{name}" for name in type(value).model_fields if name != "form"]
     faults.raise_if_any()
+
+
+def _paths(scene: Scene, free: Sequence[str]) -> tuple[str, ...]:
+    """Return the paths that are fitted, of a form of the restitution or friction its numbers."""
+    kept = []
+    for path in free:
+        value = path_match(scene, path).values[0]
+        form = getattr(value, "form", "falling" if isinstance(value, Model) else "constant")
+        kept += (
+            [path] if form == "constant" else [f"{path}.{name}" for name in type(value).model_fields if name != "form"]
+        )
     return tuple(kept)
 
 
@@ -194,6 +210,8 @@ def _fit_law(
     starts: list[ShotStart | None] = [None] * len(films.shots)
     rounds = JOINT if len(values) else ()
     fitted: JointFit | None = None
+    scattered: ScatterFit | None = None
+    widths: Array | None = None
 
     def searched(part: float, share: float, events: int | None) -> list[ShotStart]:
         table, found = model.at(values), []
@@ -203,8 +221,10 @@ def _fit_law(
             last = None if events is None else frames_of_events(shot, events)
             rng = np.random.default_rng([seed, i, events or 0])
             found.append(
-                search_start(table, shot, films.noise, rng, settings, before=old.pool[-KEPT:] if old else (), last=last)
-            )
+                search_start(
+                    table, shot, films.noise, rng, settings, before=old.pool[-KEPT:] if old else (), last=last, widths=widths,
+                )
+            )  # fmt: skip
         return found
 
     for turn, events in enumerate(rounds):
@@ -218,10 +238,27 @@ def _fit_law(
             functools.partial(_said, tell, part, share),
         )  # fmt: skip
         values = fitted.values
-    final = searched(0.6, 0.4, None)
+    ready = [one for one in starts if one is not None]
+    frames = [frames_of_events(one.shot, JOINT[-1]) for one in ready]
+    if fitted is not None:
+        covariance, by_shots = covariance_of_shared(model.at(values), fitted, ready, films.noise)
+        likelihood = deviance_of(model.at(values), ready, frames, films.noise)
+        if len(ready) >= FEWEST:
+            begin = WIDTH * np.array([one.scale for one in model.shared])
+            scattered = fit_scatter(model, values, ready, frames, begin, functools.partial(_said, tell, 0.6, 0.1))
+            starts, values, widths = [*scattered.starts], scattered.values, scattered.widths
+            covariance, by_shots = scattered.covariance, True
+    final = searched(0.7, 0.3, None)
     table = model.at(values)
     shots = tuple(_fitted(table, model, one) for one in final)
-    return _with_errors(model, law, films, shots, values, final, fitted, table)
+    if fitted is None:
+        ready, covariance, by_shots = final, np.zeros((0, 0)), False
+        frames = [frames_of_events(one.shot, JOINT[-1]) for one in ready]
+        likelihood = deviance_of(table, ready, frames, films.noise)
+    return ShotsFit(
+        law, table.scene, shots, _estimates(model, values, covariance), covariance, *likelihood, JOINT[-1], films.noise, by_shots,
+        model=model, widths=widths, starts=tuple(ready),
+    )  # fmt: skip
 
 
 def _said(tell: Callable[[float, str], None], part: float, share: float, done: float) -> None:
@@ -241,10 +278,12 @@ def _fitted(table: TableNumbers, model: TableModel, start: ShotStart) -> FittedS
     squared = np.zeros(known.shape)
     squared[known] = distances(table, shot, best[None], len(shot.time))[0]
     far[shot.measured] = np.sqrt(squared[shot.measured])
-    a = table.scene.balls[0].radius
+    own = start_size(len(shot.balls))
+    scene = model.scene_at(table.at_deviations(best[own:])) if len(best) > own else table.scene
+    a = scene.balls[0].radius
     balls = []
     for k, name in enumerate(shot.balls):
-        old, place = table.scene.balls[k], best[FIRST_PLACE + 2 * k : FIRST_PLACE + 2 * k + 2]
+        old, place = scene.balls[k], best[FIRST_PLACE + 2 * k : FIRST_PLACE + 2 * k + 2]
         moves: dict[str, Any] = {}
         if k == 0:
             moves = {"velocity": tuple(best[VELOCITY].tolist()), "spin": tuple((best[SPIN] / a).tolist())}
@@ -256,70 +295,26 @@ def _fitted(table: TableNumbers, model: TableModel, start: ShotStart) -> FittedS
             "position": tuple(place.tolist()),
         }
         balls.append(given | moves)
-    return FittedShot(shot, best, with_balls(table.scene, balls), far, by_horizon)
+    deviations = dict(zip((one.name for one in model.shared), best[own:].tolist(), strict=False))
+    return FittedShot(shot, best[:own], with_balls(scene, balls), far, by_horizon, deviations)
 
 
-def _with_errors(
-    model: TableModel, law: FittedLaw, films: Films, shots: tuple[FittedShot, ...], values: Array, starts: Sequence[ShotStart],
-    fitted: JointFit | None, table: TableNumbers,
-) -> ShotsFit:  # fmt: skip
-    """Return the fit with the errors of the shared numbers, and its deviance at the joint horizon."""
-    shared, p = model.shared, len(model.shared)
-    events = JOINT[-1]
-    frames = [frames_of_events(one.shot, events) for one in starts]
-    found = [refined(table, one, n, 9, 2) for one, n in zip(starts, frames, strict=True)]
-    squares = np.array(
-        [rms(table, one.shot, got.start, n) ** 2 for one, n, got in zip(starts, frames, found, strict=True)]
-    )
-    counts = np.array([_independent(one.shot, n) for one, n in zip(starts, frames, strict=True)])
-    deviance = float((counts * np.log(squares + films.noise**2)).sum())
-    covariance = np.zeros((p, p))
-    stderr: list[float | None] = [None] * p
-    by_shots = False
-    if p and fitted is not None:
-        used = [i for i, n in enumerate(fitted.frames) if n]
-        some = [starts[i] for i in used]
-        ends = [fitted.frames[i] for i in used]
-        got = [refined(table, one, n, 9, 2) for one, n in zip(some, ends, strict=True)]
-        scores, matrices, _follows = information_of_shots(table, some, ends, got, p)
-        scale = np.array([one.scale for one in shared])
-        scores, matrices = scores * scale, matrices * scale[:, None] * scale
-        far = [rms(table, one.shot, start.start, n) for one, n, start in zip(some, ends, got, strict=True)]
-        frames_each = np.array([2 * one.shot.known[:n].sum() for one, n in zip(some, ends, strict=True)])
-        matrix = matrices.sum(axis=0) + 1e-12 * np.eye(p)
-        if np.median(far) < FOLLOWED * math.sqrt(2) * films.noise or len(some) < FEWEST:
-            # (each shot's information is that of its frames over its mean square)
-            covariance = np.linalg.inv((matrices * frames_each[:, None, None]).sum(axis=0) + 1e-9 * np.eye(p))
-        else:
-            covariance, by_shots = covariance_by_shot(matrix, scores, matrices), True
-        covariance = covariance * scale[:, None] * scale
-        stderr = [float(x) for x in np.sqrt(np.maximum(np.diag(covariance), 0.0))]
-    estimates = {}
-    for one, value, error in zip(shared, values.tolist(), stderr, strict=True):
+def _estimates(model: TableModel, values: Array, covariance: Array) -> dict[str, Estimate]:
+    found = {}
+    errors = np.sqrt(np.maximum(np.diag(covariance), 0.0)).tolist()
+    for one, value, error in zip(model.shared, values.tolist(), errors, strict=True):
         bound = min(value - one.low, one.high - value) < 1e-9 * max(abs(one.high - one.low), 1e-9)
-        estimates[one.name] = Estimate(value, None if bound else error, "at its bound" if bound else "")
-    return ShotsFit(
-        law, table.scene, shots, estimates, covariance, deviance, int(counts.sum()), events, films.noise, by_shots,
-    )  # fmt: skip
-
-
-def _independent(shot: FilmedShot, frames: int) -> int:
-    """Return how many independent numbers the frames up to a horizon are: two for each ball that moves and each stretch."""
-    until = shot.time[frames - 1]
-    met = sum(1 + (one.kind == "ball") for one in shot.events if one.high <= until)
-    return 2 * (1 + met)
+        found[one.name] = Estimate(value, None if bound else error, "at its bound" if bound else "")
+    return found
 
 
 def _ranked(fits: list[ShotsFit], notes: list[str]) -> ShotsRanking:
-    from scipy.stats import wilcoxon
-
     best, evidence = fits[0], weigh(fits)
     closer, chance, support, reason = None, math.nan, evidence.odds, ""
     if evidence.rival is not None:
-        ratio = np.log([b.rms / a.rms for a, b in zip(best.shots, evidence.rival.shots, strict=True)])
-        chance = float(wilcoxon(ratio).pvalue) if len(ratio) > 1 and np.any(ratio != 0) else 1.0
-        closer = (int((ratio > 0).sum()), len(ratio))
-        support = 0.0 if chance > HINT or closer[0] <= closer[1] / 2 else LEANS if chance > SURE else DECIDED
+        near, far = (np.array([one.rms for one in fit.shots]) for fit in (best, evidence.rival))
+        closer, chance = found = nearer_shots(near, far)
+        support = found.support
         reason = f"nearer than {evidence.rival.law.name} in {closer[0]} of {closer[1]} shots"
     words = verdict_words(best.law.called, evidence, "the shots", support, reason)
     lost = [one for one in best.shots if not one.followed]

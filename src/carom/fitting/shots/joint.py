@@ -7,24 +7,44 @@ has an unknown scatter of its own: one shot that changes to another sequence of 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.errors import CaromError
 from carom.fitting.shots.film import FilmedShot
 from carom.fitting.shots.search import FAILED, Refined, ShotStart, horizons, refined, rms, soft
-from carom.fitting.shots.start import residuals
+from carom.fitting.shots.start import residuals, start_size
 from carom.fitting.shots.table import TableModel, TableNumbers
+from carom.fitting.tracks.errors import covariance_by_shot
 
-__all__ = ["JointFit", "fit_shared", "frames_of_events", "information_of_shots"]
+__all__ = [
+    "FEWEST",
+    "Information",
+    "JointFit",
+    "ScatterFit",
+    "covariance_of_shared",
+    "fit_scatter",
+    "fit_shared",
+    "frames_of_events",
+    "information_of_shots",
+    "weights_of_shots",
+]
 
 Array = NDArray[np.float64]
 FLOOR = 5e-4  # m, of a distance: less has no more weight
 EVALUATIONS, STEPS = 6, 20
 GAIN = 1e-3  # of the mean logarithm, below which the search ends
 LARGEST_STEP = 4.0  # usual changes of a number
+SCATTER_ROUNDS = 5
+FOLLOWED = 1.3  # ratio of the median distance to the noise, up to which the frames' noise alone gives the errors
+FEWEST = 5  # shots for errors from their scatter
+LEAST_WIDTH, MOST_WIDTH = 0.02, 5.0  # of a scatter between shots, in usual changes of a number
+WINSOR = 3.0  # widths, beyond which the deviation of a shot counts no more
 
 
 @dataclass(eq=False)
@@ -64,25 +84,154 @@ def _mean_square(start: ShotStart, frames: int, found: Refined) -> float:
     return found.cost * found.sigma**2 / int(start.shot.known[:frames].sum()) + FLOOR**2
 
 
+def deviance_of(
+    table: TableNumbers, starts: Sequence[ShotStart], frames: Sequence[int], noise: float
+) -> tuple[float, int]:
+    """Return the deviance of shots up to a horizon on one table, without scatter, and how many numbers it counts."""
+    each = list(zip(starts, frames, strict=True))
+    squares = np.array([rms(table, one.shot, refined(table, one, n, 9, 2).start, n) ** 2 for one, n in each])
+    counts = np.array([_independent(one.shot, n) for one, n in each])
+    return float((counts * np.log(squares + noise**2)).sum()), int(counts.sum())
+
+
+def _independent(shot: FilmedShot, frames: int) -> int:
+    """Return how many independent numbers the frames up to a horizon are: two for each ball that moves and each stretch."""
+    until = shot.time[frames - 1]
+    met = sum(1 + (one.kind == "ball") for one in shot.events if one.high <= until)
+    return 2 * (1 + met)
+
+
+class Information(NamedTuple):
+    """What each of N shots says of the P shared numbers, with its start free, in units of the error of a frame."""
+
+    scores: Array
+    """(N, P)"""
+    matrices: Array
+    """(N, P, P)"""
+    follows: list[Array]
+    """N of (K, P): how each start follows the numbers."""
+    spreads: Array
+    """(N, R): errors of the deviations of the table's numbers of each shot."""
+
+    def weighted(self, weights: Array) -> tuple[Array, Array]:
+        """Return scores and matrices with weights (N,) of the shots."""
+        return self.scores * weights[:, None], self.matrices * weights[:, None, None]
+
+
+def weights_of_shots(starts: Sequence[ShotStart], frames: Sequence[int], found: Sequence[Refined]) -> Array:
+    """Return weights (N,), with which each shot counts by the logarithm of its mean square distance."""
+    each = zip(starts, frames, found, strict=True)
+    return np.array(
+        [got.sigma**2 / (_mean_square(one, n, got) * int(one.shot.known[:n].sum())) for one, n, got in each]
+    )
+
+
 def information_of_shots(
-    table: TableNumbers, starts: Sequence[ShotStart], frames: Sequence[int], found: Sequence[Refined], count: int
-) -> tuple[Array, Array, list[Array]]:
-    """Return scores (N, P) and information (N, P, P) of each shot on the shared numbers, with its start free, and how each start
-    follows these: N of (K, P)."""
+    table: TableNumbers, starts: Sequence[ShotStart], frames: Sequence[int], found: Sequence[Refined]
+) -> Information:
+    """Return what each shot says of the shared numbers."""
+    count, size = len(table.values), len(starts[0].prior.center) if starts else 0
+    own = start_size(len(table.arrays.balls))
     scores, matrices, follows = np.zeros((len(starts), count)), np.zeros((len(starts), count, count)), []
+    spreads = np.zeros((len(starts), size - own))
     for i, (one, n, got) in enumerate(zip(starts, frames, found, strict=True)):
         at = residuals(table, one.shot, got.start, n, shared=True)
-        gap, (by_start, by_shared) = soft(at.gap, [at.by_start, at.by_shared[:, :count]], got.sigma)
+        gap, (by_start, by_shared) = soft(at.gap, [at.by_start, at.by_shared], got.sigma)
         rows = np.concatenate([by_start, one.prior.rows])
         r = np.concatenate([gap, one.prior.rows @ (got.start - one.prior.center)])
         d = np.concatenate([by_shared, np.zeros((len(one.prior.rows), count))])
-        size = 1 / np.maximum(np.sqrt(np.square(rows).sum(axis=0)), 1e-300)
-        q, triangle = np.linalg.qr(rows * size)
-        follows.append(-size[:, None] * np.linalg.lstsq(triangle, q.T @ d, rcond=1e-12)[0])
+        unit = 1 / np.maximum(np.sqrt(np.square(rows).sum(axis=0)), 1e-300)
+        q, triangle = np.linalg.qr(rows * unit)
+        follows.append(-unit[:, None] * np.linalg.lstsq(triangle, q.T @ d, rcond=1e-12)[0])
+        inverse = unit[:, None] * np.linalg.pinv(triangle, rcond=1e-12)
+        spreads[i] = np.sqrt(np.square(inverse[own:]).sum(axis=1))
         d = d - q @ (q.T @ d)
-        weight = got.sigma**2 / (_mean_square(one, n, got) * int(one.shot.known[:n].sum()))
-        scores[i], matrices[i] = -weight * (d.T @ r), weight * (d.T @ d)
-    return scores, matrices, follows
+        scores[i], matrices[i] = -d.T @ r, d.T @ d
+    return Information(scores, matrices, follows, spreads)
+
+
+def covariance_of_shared(
+    table: TableNumbers, fitted: JointFit, starts: Sequence[ShotStart], noise: float
+) -> tuple[Array, bool]:
+    """Return the covariance (P, P) of the shared numbers, and whether it is from the scatter of shots: where they are not followed
+    to the noise, and are enough."""
+    used = [i for i, n in enumerate(fitted.frames) if n]
+    some, ends = [starts[i] for i in used], [fitted.frames[i] for i in used]
+    got = [refined(table, one, n, 9, 2) for one, n in zip(some, ends, strict=True)]
+    scale = np.array([one.scale for one in table.model.shared])
+    scores, matrices = information_of_shots(table, some, ends, got).weighted(weights_of_shots(some, ends, got))
+    scores, matrices = scores * scale, matrices * scale[:, None] * scale
+    far = [rms(table, one.shot, best.start, n) for one, n, best in zip(some, ends, got, strict=True)]
+    by_shots = len(some) >= FEWEST and bool(np.median(far) >= FOLLOWED * math.sqrt(2) * noise)
+    if by_shots:
+        covariance = covariance_by_shot(matrices.sum(axis=0) + 1e-12 * np.eye(len(scale)), scores, matrices)
+    else:
+        # (each shot's information is that of its frames over its mean square)
+        each = np.array([2 * one.shot.known[:n].sum() for one, n in zip(some, ends, strict=True)])
+        covariance = np.linalg.inv((matrices * each[:, None, None]).sum(axis=0) + 1e-9 * np.eye(len(scale)))
+    return covariance * scale[:, None] * scale, by_shots
+
+
+@dataclass(eq=False)
+class ScatterFit:
+    """Numbers of the table that scatter from shot to shot: their means and widths."""
+
+    values: Array
+    """(P,)"""
+    widths: Array
+    """(P,) standard deviations between shots."""
+    covariance: Array
+    """(P, P) of the means."""
+    starts: list[ShotStart]
+    used: list[int]
+    information: Information
+
+
+def fit_scatter(
+    model: TableModel, values: Array, starts: Sequence[ShotStart], frames: Sequence[int], widths: Array,
+    tell: Callable[[float], None], rounds: int = SCATTER_ROUNDS,
+) -> ScatterFit:  # fmt: skip
+    """Fit means and widths of the table's numbers, and the deviations of each shot.
+
+    Each shot has numbers of its own, normal about the means. A step moves the means by what all shots say with their starts and
+    deviations free; the widths follow from the deviations and their errors (expectation and maximisation).
+    """
+    shared = model.shared
+    low, high, scale = (np.array([getattr(one, name) for one in shared]) for name in ("low", "high", "scale"))
+    starts = [one.with_scatter(widths) for one in starts]
+    own = start_size(len(model.scene.balls))
+    for turn in range(rounds):
+        tell(turn / rounds)
+        table = model.at(values)
+        found = _all_refined(table, starts, frames, [None] * len(starts), [None] * len(starts))
+        used = [i for i, one in enumerate(starts) if rms(table, one.shot, found[i].start, frames[i]) < FAILED]
+        used = used or list(range(len(starts)))
+        for one, n, best in zip(starts, frames, found, strict=True):
+            one.best[n] = best.start
+            one.pool.append(best.start)
+        some, ends, got = [starts[i] for i in used], [frames[i] for i in used], [found[i] for i in used]
+        said = information_of_shots(table, some, ends, got)
+        matrix = said.matrices.sum(axis=0) * scale[:, None] * scale + 1e-9 * np.eye(len(scale))
+        covariance = np.linalg.inv(matrix) * scale[:, None] * scale
+        deviations = np.array([one.start[own:] for one in got])
+        if turn == rounds - 1:
+            break
+        step = np.clip(covariance @ said.scores.sum(axis=0), -LARGEST_STEP * scale, LARGEST_STEP * scale)
+        step = np.clip(values + step, low, high) - values
+        values = values + step
+        inside = np.clip(deviations, -WINSOR * widths, WINSOR * widths)
+        new = np.sqrt(np.mean(np.square(inside) + np.square(said.spreads), axis=0))
+        widths = np.clip(new, LEAST_WIDTH * scale, MOST_WIDTH * scale)
+        moved = dict(zip(used, said.follows, strict=True))
+        again = []
+        for i, one in enumerate(starts):
+            other = one.with_scatter(widths)
+            if i in moved:
+                other.best[frames[i]] = found[i].start + moved[i] @ step
+                other.pool.append(other.best[frames[i]])
+            again.append(other)
+        starts = again
+    return ScatterFit(values, widths, covariance, starts, used, said)
 
 
 def fit_shared(
@@ -103,7 +252,8 @@ def fit_shared(
     for step in range(STEPS):
         tell(step / STEPS)
         here = _objective(mine, ends, got)
-        scores, matrices, follows = information_of_shots(table, mine, ends, got, len(values))
+        said = information_of_shots(table, mine, ends, got)
+        follows, (scores, matrices) = said.follows, said.weighted(weights_of_shots(mine, ends, got))
         score, matrix = (scores.sum(axis=0) * scale), matrices.sum(axis=0) * scale[:, None] * scale
         better = None
         for _ in range(4):
@@ -113,7 +263,11 @@ def fit_shared(
             change[free] = np.linalg.solve(damped[np.ix_(free, free)], score[free])
             change *= min(1.0, LARGEST_STEP / max(np.abs(change).max(), 1e-12))
             tried = np.clip(values + scale * change, low, high)
-            other = model.at(tried)
+            try:
+                other = model.at(tried)
+            except CaromError:  # (a friction that would rise with the slip, for example)
+                damping *= 10
+                continue
             moved = [one.start + along @ (tried - values) for one, along in zip(got, follows, strict=True)]
             again = _all_refined(other, mine, ends, [one.sigma for one in got], moved)
             if _objective(mine, ends, again) < here:

@@ -9,18 +9,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.fitting.evidence import RankedLaws
+from carom.fitting.by_shots import RankedByShots
 from carom.fitting.laws import FittedLaw
 from carom.fitting.result import Estimate, common_dict, with_error_bar
 from carom.fitting.shots.film import FilmedEvent, FilmedShot
+from carom.fitting.shots.search import ShotStart
 from carom.fitting.shots.start import FIRST_PLACE, SPIN, TIME, VELOCITY
-from carom.fitting.shots.table import table_of
+from carom.fitting.shots.table import TableModel, TableNumbers, table_of
 from carom.formatting import counted, json_value
 from carom.scene.scene import Scene
 from carom.simulation.simulate import simulate
 from carom.simulation.trajectory import Trajectory
 
-__all__ = ["HORIZONS", "EventMatch", "FittedShot", "ShotsFit", "ShotsRanking"]
+__all__ = ["HORIZONS", "ComparedForm", "EventMatch", "FittedShot", "ShotsFit", "ShotsRanking", "criterion"]
 
 Array = NDArray[np.float64]
 HORIZONS = ("ball", "cushion 1", "cushion 2", "cushion 3", "whole")
@@ -28,6 +29,11 @@ HORIZONS = ("ball", "cushion 1", "cushion 2", "cushion 3", "whole")
 TOLERANCE_S, TOLERANCE_SHARE = 0.06, 0.02  # between an event of the film and one of the model, of the time
 TOO_LATE_S = 0.15  # before the last frame, in which a film does not show that a ball has turned
 FAILED = 0.1  # m: a shot whose distance (rms) is larger is not followed
+
+
+def criterion(deviance: float, k: int, n: int) -> float:
+    """Return Akaike's criterion for few data (Hurvich & Tsai 1989) of k numbers fitted to n."""
+    return deviance + 2 * k + 2 * k * (k + 1) / (n - k - 1) if n > k + 1 else float("inf")
 
 
 class EventMatch(NamedTuple):
@@ -50,6 +56,8 @@ class FittedShot:
     """(T, B) m, from film to model; NaN where the film has no row of a ball."""
     by_horizon: dict[str, float]
     """m: distance (rms) up to each horizon of HORIZONS that the shot reaches, with the start fitted to these frames."""
+    deviations: dict[str, float] = field(default_factory=dict)
+    """By how much the table's numbers differ for this shot, where they scatter from shot to shot."""
 
     @property
     def name(self) -> str:
@@ -161,6 +169,21 @@ class ShotsFit:
     """Whether the errors are from the scatter of shots (sandwich), not from the noise of frames."""
     degenerate: tuple[str, ...] = ()
     untold: tuple[str, ...] = ()
+    model: TableModel = field(kw_only=True)
+    widths: Array | None = field(kw_only=True, default=None)
+    """(P,) standard deviations of the shared numbers between shots; None where these are too few to tell."""
+    starts: tuple[ShotStart, ...] = field(kw_only=True, default=())
+    """Up to the joint horizon, where the numbers are fitted."""
+
+    @property
+    def table(self) -> TableNumbers:
+        """The table at the fitted numbers, with derivatives."""
+        return self.model.at(np.array([one.value for one in self.estimates.values()], dtype=float))
+
+    @property
+    def scatter(self) -> dict[str, float]:
+        """Standard deviations of the shared numbers between shots, by path."""
+        return {} if self.widths is None else dict(zip(self.names, self.widths.tolist(), strict=True))
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -175,8 +198,7 @@ class ShotsFit:
     @property
     def aicc(self) -> float:
         """Akaike's criterion for few data (Hurvich & Tsai 1989); the starts, which all laws have, are not counted."""
-        k, n = self.k, self.count
-        return self.deviance + 2 * k + 2 * k * (k + 1) / (n - k - 1) if n > k + 1 else float("inf")
+        return criterion(self.deviance, self.k, self.count)
 
     @property
     def chi2(self) -> float:
@@ -208,6 +230,9 @@ class ShotsFit:
             if len(self.horizon(name))
         ]
         found = [f"Distance from film to model, median of the shots (their number): {', '.join(parts)}."]
+        if self.scatter:
+            each = ", ".join(f"{name} {width:.2g}" for name, width in self.scatter.items())
+            found.append(f"Scatter between shots (standard deviation): {each}.")
         lost = [one for one in self.shots if not one.followed]
         if lost:
             each = ", ".join(f"{one.name} ({1e3 * one.rms:.0f} mm)" for one in lost)
@@ -224,11 +249,13 @@ class ShotsFit:
         """Return the fit for JSON."""
         return common_dict(self) | {
             "joint_horizon_events": self.events,
+            "scatter_between_shots": self.scatter,
             "median_rms": {name: json_value(self.median(name)) for name in HORIZONS},
             "shots": [
                 {
                     "shot": one.name, "balls": list(one.film.balls), "rms": one.rms, "rms_by_horizon": one.by_horizon,
                     "followed": one.followed, "time": one.time, "velocity": one.velocity.tolist(), "spin": one.spin.tolist(),
+                    "deviations": one.deviations,
                     "places": one.start[FIRST_PLACE:].reshape(-1, 2).tolist(),
                     "events_of_film_only": one.events().film_only, "events_of_model_only": one.events().model_only,
                 }
@@ -244,17 +271,37 @@ class ShotsFit:
         )
 
 
+@dataclass(frozen=True, eq=False)
+class ComparedForm:
+    """Another form of a part of the table beside the one that was fitted; made by :func:`compare_forms`."""
+
+    part: str
+    """cushion, cloth or balls."""
+    name: str
+    aicc: float
+    """Its AICc above that of the fit at the joint horizon: negative where it is better."""
+    numbers: dict[str, float]
+    """Its fitted values of the numbers that the fit does not have."""
+    nearer: tuple[int, int]
+    """Shots to which it is nearer than the fit, and shots in all."""
+
+    def describe(self) -> str:
+        """Return one line."""
+        numbers = "".join(f", {name} {value:.3g}" for name, value in self.numbers.items())
+        return f"{self.part}: {self.name}: AICc {self.aicc:+.1f}, nearer in {self.nearer[0]} of {self.nearer[1]} shots{numbers}."
+
+
 @dataclass(frozen=True, eq=False, repr=False)
-class ShotsRanking(RankedLaws[ShotsFit]):
+class ShotsRanking(RankedByShots[ShotsFit]):
     """Laws of the cushions fitted to whole shots, best first, with a verdict; made by :func:`carom.fit_shots`."""
 
-    closer: tuple[int, int] | None = None
-    """Shots that the best law is nearer to than the next, and shots in all."""
-    chance: float = field(default=float("nan"))
-    """Probability of such a difference between equally good laws (Wilcoxon's signed ranks)."""
-    decisive: bool = False
-    """Whether the verdict is a decision."""
+    forms: tuple[ComparedForm, ...] = ()
+    """Other forms of cushion, cloth and balls beside those of the best fit, where they were asked for."""
 
     def describe(self) -> list[str]:
         """Return the sentences of the best fit, after the verdict."""
-        return [self.verdict, *self.best.describe()]
+        return [self.verdict, *self.best.describe(), *(one.describe() for one in self.forms)]
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the ranking for JSON."""
+        return super().as_dict() | {"forms": [vars(one) for one in self.forms]}

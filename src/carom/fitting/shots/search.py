@@ -36,6 +36,7 @@ LEAST_SIGMA = 1e-3  # m: residuals below this count as noise
 SIGMA_SHARE = 0.5  # of the distance so far: the error that a frame is taken to have
 SOFT = 3.0  # of these, beyond which a residual counts in proportion
 ALIKE = 1e-3  # m between the places of two starts, below which they are one
+RECENT = 12  # starts of a pool that are tried again, where each has a table of its own
 AGAIN = 4  # descents with a smaller error of a frame, after the distance has become smaller
 FAILED = 0.06  # m of distance (rms) at a horizon, from which on more starts are drawn
 
@@ -62,6 +63,22 @@ class ShotStart:
     """The best start (K,) by the number of frames of a horizon."""
     pool: list[Array] = field(default_factory=list)
     """Other starts that are worth a try."""
+
+    def with_scatter(self, widths: Array) -> ShotStart:
+        """Return the starts with deviations of the table's numbers, of such widths (P,)."""
+        prior = self.prior.with_scatter(len(self.shot.balls), widths)
+        k = len(prior.center)
+        return ShotStart(
+            self.shot, prior, {n: padded([one], k)[0] for n, one in self.best.items()}, [*padded(self.pool, k)]
+        )
+
+
+def padded(starts: Sequence[Array], size: int) -> Array:
+    """Return starts (N, size) with no deviations of the table's numbers where they have none."""
+    found = np.zeros((len(starts), size))
+    for row, one in zip(found, starts, strict=True):
+        row[: len(one)] = one[:size]
+    return found
 
 
 def _guess(shot: FilmedShot) -> Array:
@@ -107,7 +124,7 @@ def _first_draws(shot: FilmedShot, prior: StartPrior, velocity: Array, count: in
     found[:, 5] = speed * rng.normal(0, 0.5, count)
     low, high = shot.set_off
     found[:, TIME] = rng.uniform(low, high, count)
-    found[:, FIRST_PLACE:] += rng.normal(0, 3e-4, (count, k - FIRST_PLACE))
+    found[:, FIRST_PLACE:k] += rng.normal(0, 3e-4, (count, k - FIRST_PLACE))
     return found
 
 
@@ -132,7 +149,7 @@ def descend(
     """Return the nearest minimum of the soft-L1 cost from a start, its cost, and the information (K, K) on it there."""
     from scipy.optimize import least_squares
 
-    scale = _scales(start)
+    scale = _scales(start, prior, start_size(len(shot.balls)))
     kept: dict[bytes, tuple[Array, Array]] = {}
 
     def evaluated(u: Array) -> tuple[Array, Array]:
@@ -156,21 +173,24 @@ def descend(
     return start + scale * found.x, float(2 * found.cost), jac.T @ jac
 
 
-def _scales(start: Array) -> Array:
+def _scales(start: Array, prior: StartPrior, own: int) -> Array:
     scale = np.full(len(start), 1e-3)
+    scale[own:] = 1 / np.diag(prior.rows)[own:]
     speed = max(float(np.hypot(*start[VELOCITY])), 0.1)
     scale[VELOCITY], scale[SPIN], scale[TIME] = 0.01 * speed, 0.1 * speed, 2e-3
     return scale
 
 
-def _drawn(start: Array, information: Array, count: int, rng: np.random.Generator, wide: float) -> Array:
-    """Return starts (N, K) from the region that the frames so far leave open, and wider."""
+def _drawn(start: Array, information: Array, count: int, rng: np.random.Generator, wide: float, own: int) -> Array:
+    """Return starts (N, K) from the region that the frames so far leave open, and wider, on the table as it is for this start."""
+    information = information[:own, :own]
     size = 1 / np.sqrt(np.maximum(np.diag(information), 1e-300))
     matrix = information * size[:, None] * size
     value, vector = np.linalg.eigh(matrix)
     root = (size[:, None] * vector) / np.sqrt(np.maximum(value, 1e-9))
     width = wide * rng.choice([1.0, 3.0, 10.0], (count, 1))
-    found = start + width * (rng.normal(size=(count, len(start))) @ root.T)
+    found = np.tile(start, (count, 1))
+    found[:, :own] += width * (rng.normal(size=(count, own)) @ root.T)
     speed = float(np.hypot(*start[VELOCITY]))
     some = rng.random(count) < 0.3
     found[some, 5] = start[5] + speed * rng.normal(0, 0.3, int(some.sum()))
@@ -195,15 +215,16 @@ def _distinct(
 def search_start(
     table: TableNumbers, shot: FilmedShot, noise: float, rng: np.random.Generator, settings: SearchSettings,
     before: Sequence[Array] = (),
-    last: int | None = None,
+    last: int | None = None, widths: Array | None = None,
 ) -> ShotStart:  # fmt: skip
     """Search for the starts of a shot, from horizon to horizon, up to the ``last`` number of frames.
 
-    ``before``: starts found at other numbers of the table.
+    ``before``: starts found at other numbers of the table; ``widths`` (P,): by how much these scatter from shot to shot.
     """
-    velocity = _guess(shot)
+    velocity, own = _guess(shot), start_size(len(shot.balls))
     prior = StartPrior.of(shot, velocity, noise)
-    result, old = ShotStart(shot, prior), np.array(before).reshape(-1, start_size(len(shot.balls)))
+    prior = prior if widths is None else prior.with_scatter(len(shot.balls), widths)
+    result, old = ShotStart(shot, prior), padded(before, len(prior.center))
     sigma, kept = LEAST_SIGMA, list[tuple[Array, float, Array]]()
     every = horizons(shot)
     for stage, frames in enumerate(n for n in every if last is None or n <= max(last, every[0])):
@@ -216,7 +237,7 @@ def search_start(
             count = settings.draws if far < FAILED else 4 * settings.draws
             each = -(-count // len(kept))
             tries = np.concatenate(
-                [np.array([one[0] for one in kept]), *(_drawn(one[0], one[2], each, rng, wide) for one in kept)]
+                [np.array([one[0] for one in kept]), *(_drawn(one[0], one[2], each, rng, wide, own) for one in kept)]
             )
             descents = settings.descents if far < FAILED else 2 * settings.descents
             sigma = error_of_a_frame(far)
@@ -249,7 +270,9 @@ def refined(
     """Return the best start up to a horizon at other numbers of the table, from ``first``, the best so far, and others."""
     shot = start.shot
     own = [one for one in (first, start.best.get(frames)) if one is not None]
-    tries = np.array([*own, *start.pool])
+    # (on a table of its own each start is a call of the engine)
+    pool = start.pool[-RECENT:] if len(start.prior.center) > start_size(len(shot.balls)) else start.pool
+    tries = np.array([*own, *pool])
     cost = _cost(table, shot, tries, frames, start.prior, sigma or 3 * LEAST_SIGMA)
     order = list(dict.fromkeys([0, *np.argsort(cost, kind="stable")[:others].tolist()]))
     given = sigma is not None

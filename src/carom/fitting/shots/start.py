@@ -14,7 +14,7 @@ from carom.fitting.shots.table import TableNumbers
 from carom.simulation.records import BALLS
 from carom.simulation.sensitivity.at_times import Limits, states_and_slopes, states_at
 
-__all__ = ["FIRST_PLACE", "SPIN", "Residuals", "StartPrior", "distances", "residuals", "start_size"]
+__all__ = ["FIRST_PLACE", "SPIN", "Residuals", "StartPrior", "distances", "places_of", "residuals", "start_size"]
 
 Array = NDArray[np.float64]
 TIME, VELOCITY, SPIN, FIRST_PLACE = 0, slice(1, 3), slice(3, 6), 6
@@ -31,10 +31,21 @@ def start_size(balls: int) -> int:
 
 
 class StartPrior(NamedTuple):
-    """A normal prior of a start: rows times (start - centre) are of unit width."""
+    """A normal prior of a start: rows times (start - centre) are of unit width.
+
+    After its own numbers a start may have those by which the table differs for this shot, normal about zero.
+    """
 
     center: Array
     rows: Array
+
+    def with_scatter(self, balls: int, widths: Array) -> StartPrior:
+        """Return the prior with deviations of the table's numbers, of such widths (R,), after the start's own numbers."""
+        k = start_size(balls)
+        center, rows = np.zeros(k + len(widths)), np.zeros((k + len(widths),) * 2)
+        center[:k], rows[:k, :k] = self.center[:k], self.rows[:k, :k]
+        rows[range(k, len(rows)), range(k, len(rows))] = 1 / widths
+        return StartPrior(center, rows)
 
     @classmethod
     def of(cls, shot: FilmedShot, velocity: Array, noise: float) -> StartPrior:
@@ -73,6 +84,7 @@ class Residuals(NamedTuple):
 def _balls(table: TableNumbers, starts: Array) -> NDArray[np.void]:
     """Return the balls (N, B) of starts (N, K)."""
     n, b = len(starts), len(table.arrays.balls)
+    starts = starts[:, : start_size(b)]
     balls = np.tile(table.arrays.balls, (n, 1))
     a = float(balls["radius"][0, 0])
     balls["x"][:, :, 2] = a
@@ -90,18 +102,34 @@ def _gap(shot: FilmedShot, states: Array, frames: int) -> tuple[Array, NDArray[n
     return np.where(np.isnan(gap), UNKNOWN, gap), known
 
 
+def places_of(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int | None = None) -> Array:
+    """Return the places (N, T, B, 2) at the times of frames for starts (N, K); NaN where the model has no state."""
+    many = len(shot.time) if frames is None else frames
+    time = np.maximum(shot.time[None, :many] - starts[:, :1], 0.0)
+    balls = _balls(table, starts)
+    places = np.empty((len(starts), many, len(shot.balls), 2))
+    deviations, group = np.unique(starts[:, start_size(len(shot.balls)) :], axis=0, return_inverse=True)
+    for k, one in enumerate(deviations):
+        which = np.flatnonzero(group.ravel() == k)
+        count = np.full(len(which), many)
+        places[which] = states_at(table.moved(one), balls[which], time[which], count, 2, LIMITS)
+    return places
+
+
 def distances(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int) -> Array:
     """Return squared distances (N, M) of the known frames up to a horizon, m^2, for starts (N, K)."""
-    time = np.maximum(shot.time[None, :frames] - starts[:, :1], 0.0)
-    states = states_at(table.arrays, _balls(table, starts), time, np.full(len(starts), frames), 2, LIMITS)
-    gap, known = _gap(shot, states, frames)
+    gap, known = _gap(shot, places_of(table, shot, starts, frames), frames)
     return np.asarray(np.square(gap).sum(axis=-1)[:, known])
 
 
 def residuals(table: TableNumbers, shot: FilmedShot, start: Array, frames: int, shared: bool = False) -> Residuals:
     """Return model less film up to a horizon, with exact derivatives by the start, and on request by the shared numbers."""
-    k, b = len(start), len(shot.balls)
-    parts = {name: table.slopes[name] for name in ("world", "features")} if shared and table.slopes else {}
+    b = len(shot.balls)
+    k = start_size(b)
+    deviations = start[k:]
+    parts = {name: table.slopes[name] for name in ("world", "features")} if table.slopes else {}
+    if not shared and not len(deviations):
+        parts = {}
     mine = -(-(k - 1) // LANES)
     own = len(parts["world"]) if parts else 0
     a = float(table.arrays.balls["radius"][0])
@@ -119,17 +147,20 @@ def residuals(table: TableNumbers, shot: FilmedShot, start: Array, frames: int, 
         for name, rows in (("world", table.arrays.world), ("features", table.arrays.features))
     }
     time = np.maximum(shot.time[None, :frames] - start[TIME], 0.0)
-    balls = _balls(table, start[None])
     states, slopes = states_and_slopes(
-        table.arrays, table.duals, balls, time, np.array([frames]), by_scene, by_start, 2, limits=LIMITS
-    )
+        table.moved(deviations), table.duals, _balls(table, start[None]), time, np.array([frames]), by_scene, by_start, 2,
+        limits=LIMITS,
+    )  # fmt: skip
     gap, known = _gap(shot, states[0], frames)
     d = np.moveaxis(slopes[0], 0, 3).reshape(frames, b, 2, -1)[known]
     moving = np.where(time[0] > 0, 1.0, 0.0)[:, None, None]
     by_time = -np.nan_to_num(states[0, :, :, 3:5] * moving)[known]
     found = np.concatenate([by_time[..., None], d[..., : k - 1]], axis=-1).reshape(-1, k)
-    count = d.shape[-1] - mine * LANES
-    by_shared = d[..., mine * LANES :].reshape(-1, count) if parts else np.zeros((len(found), 0))
+    by_shared = np.zeros((len(found), 0))
+    if parts:
+        by_shared = d[..., mine * LANES : mine * LANES + len(table.values)].reshape(len(found), -1)
     good = np.isfinite(found).all(axis=1) & np.isfinite(by_shared).all(axis=1)
     found[~good], by_shared[~good] = 0.0, 0.0
+    if len(deviations):
+        found = np.concatenate([found, by_shared], axis=1)
     return Residuals(gap[known].ravel(), found, by_shared)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -13,27 +12,45 @@ from numpy.typing import NDArray
 
 from carom.core.motion.phases import REST
 from carom.errors import CaromError
+from carom.fitting.cushions import cushions_between, reach_of
 from carom.scene.floor import Floor
 from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Run, Scene
 from carom.scene.shapes import Table
 from carom.simulation.sensitivity.compiled import dual_users
-from carom.simulation.sensitivity.parameters import parameters_of
+from carom.simulation.sensitivity.parameters import Parameters, parameters_of
 from carom.simulation.setup import SceneArrays, set_up
 from carom.tracks.events import WallLine
 
-__all__ = ["FREE", "SharedNumber", "TableModel", "TableNumbers", "scene_of_films", "table_of", "with_balls"]
+__all__ = [
+    "FREE",
+    "TERMS",
+    "SharedNumber",
+    "TableModel",
+    "TableNumbers",
+    "begun",
+    "scene_of_films",
+    "table_of",
+    "with_balls",
+]
 
 Array = NDArray[np.float64]
 NOSE, MASS = 0.037, 0.21  # m, of a carom cushion; kg, of a ball
-SPIN_LOSS, GRAVITY = 6.0, 9.80665  # rad/s^2 of spin about the vertical, where the search begins
+SPIN_LOSS, GRAVITY = 2.0, 9.80665  # rad/s^2 of spin about the vertical, where the search begins
+TERMS = {"walls.0.yield_time": 2.5e-3, "floor.rolling_drag": 2e-3, "floor.spin_drag": 3.0}
+"""Numbers that most scenes leave at zero, and where a search for them begins."""
 FREE = (
     "walls.0.restitution", "walls.0.friction", "floor.friction", "floor.rolling_resistance", "floor.spin_friction",
-    "ball_contact.restitution", "ball_contact.friction", "walls.0.length", "walls.0.width", "walls.0.center",
+    "ball_contact.restitution", "ball_contact.friction", "walls.0.length", "walls.0.width", "walls.0.center", *TERMS,
 )  # fmt: skip
 """The numbers of a scene that are fitted where nothing else is said."""
-# By the end of a path: how far a number may go (share of its value, or absolute), and its usual change.
+# By the end of a path: least and greatest value, and usual change; of lengths about their value.
 LENGTHS = ("length", "width", "x", "y")
+KNOWN = {
+    "restitution": (0.3, 1.0, 0.02), "coefficients.0": (0.3, 1.2, 0.02), "coefficients.1": (-0.3, 0.3, 0.01),
+    "coefficients.2": (-0.1, 0.1, 0.003), "yield_time": (0.0, 0.02, 5e-4), "rolling_drag": (0.0, 0.02, 5e-4),
+    "spin_damping": (0.0, 2.0, 0.03), "spin_drag": (0.0, 20.0, 0.3),
+}  # fmt: skip
 
 
 class SharedNumber(NamedTuple):
@@ -47,14 +64,50 @@ class SharedNumber(NamedTuple):
     """Of a usual change, for a search."""
 
 
-class TableNumbers(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class TableNumbers:
     """The table at values of its shared numbers."""
 
+    model: TableModel
+    values: Array
+    """(P,)"""
     scene: Scene
     arrays: SceneArrays
-    slopes: dict[str, Array]
-    """Derivatives of world and features, packed for compiled code: (C, rows, numbers, LANES)."""
+    parameters: Parameters | None
+    """Of a sensitivity: columns, and their derivatives; None where no number is fitted."""
     duals: NDArray[np.int64]
+
+    @property
+    def slopes(self) -> dict[str, Array]:
+        """Derivatives of world and features, packed for compiled code: (C, rows, numbers, LANES)."""
+        return {} if self.parameters is None else self.parameters.packed
+
+    @functools.cached_property
+    def _moved(self) -> list[tuple[str, str, Array]]:
+        """Arrays and fields that the numbers change, with their derivatives (P, rows, ...)."""
+        found = []
+        slopes = [] if self.parameters is None else self.parameters.slopes
+        for array in ("world", "features") if slopes else ():
+            for field, first in slopes[0][array].items():
+                every = np.array([one[array].get(field, 0.0 * first) for one in slopes])
+                if every.any():
+                    found.append((array, field, every))
+        return found
+
+    def at_deviations(self, by: Array) -> Array:
+        """Return the numbers (P,) of a shot for which they differ by so much, within their bounds."""
+        low, high = (np.array([getattr(one, end) for one in self.model.shared]) for end in ("low", "high"))
+        return np.asarray(np.clip(self.values + by, low, high))
+
+    def moved(self, by: Array) -> SceneArrays:
+        """Return the arrays of a shot for which the numbers differ by so much (P,); none at all: the table of all shots."""
+        if not np.any(by):
+            return self.arrays
+        by = self.at_deviations(by) - self.values
+        made = self.arrays._replace(world=self.arrays.world.copy(), features=self.arrays.features.copy())
+        for array, field, slopes in self._moved:
+            getattr(made, array)[field] += np.tensordot(by, slopes, 1)
+        return made
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,18 +132,20 @@ class TableModel:
 
     def _number(self, name: str, value: float) -> SharedNumber:
         last = name.rpartition(".")[2]
-        if last in LENGTHS:
+        known = next((end for end in KNOWN if name.endswith(f".{end}")), None)
+        if known is not None:
+            low, high, scale = KNOWN[known]
+            low, high = min(low, value), max(high, value)
+        elif last in LENGTHS and "coefficients" not in name:
             low, high, scale = value - 0.05, value + 0.05, 0.005
-        elif last == "restitution":
-            low, high, scale = 0.3, 1.0, 0.02
         else:
             size = max(abs(value), 1e-3)
             low, high, scale = (0.0 if value >= 0 else -10 * size), max(10 * size, 0.02), 0.1 * size
         low, high = self.bounds.get(name, (low, high))
         return SharedNumber(name, value, low, high, scale)
 
-    def at(self, values: Array) -> TableNumbers:
-        """Return the scene and its arrays, with derivatives, at values (P,) of the shared numbers."""
+    def scene_at(self, values: Array) -> Scene:
+        """Return the scene at values (P,) of the shared numbers."""
         scene, wanted = self.scene, dict(zip((one.name for one in self.shared), values.tolist(), strict=True))
         changes: dict[str, Any] = {}
         for column in self._parameters.columns if self.paths else ():
@@ -103,12 +158,14 @@ class TableModel:
                     changes[path] = tuple(
                         wanted[column.name] if k == column.component else x for k, x in enumerate(old)
                     )
-        scene = replaced(scene, changes) if changes else scene
+        return replaced(scene, changes) if changes else scene
+
+    def at(self, values: Array) -> TableNumbers:
+        """Return the scene and its arrays, with derivatives, at values (P,) of the shared numbers."""
+        scene = self.scene_at(values)
         arrays = set_up(scene)
-        slopes = {}
-        if self.paths:
-            slopes = parameters_of(scene, arrays, self.paths, [REST] * len(scene.balls)).packed
-        return TableNumbers(scene, arrays, slopes, dual_users(scene.called_laws))
+        found = parameters_of(scene, arrays, self.paths, [REST] * len(scene.balls)) if self.paths else None
+        return TableNumbers(self, values, scene, arrays, found, dual_users(scene.called_laws))
 
     def with_law(self, law: str) -> TableModel:
         """Return the model with another law of the cushions."""
@@ -144,6 +201,21 @@ def scene_of_films(
     return Scene(**given)
 
 
+def begun(scene: Scene, free: Sequence[str]) -> tuple[Scene, tuple[str, ...]]:
+    """Return the scene from which a search begins, and the paths of ``free``: of a term at zero a usual value (there it has no
+    derivative on one side), of the two laws of the loss of spin the one that the scene has.
+    """
+    paths = list(dict.fromkeys(free))
+    other = {"floor.spin_damping": "floor.spin_drag", "floor.spin_drag": "floor.spin_damping"}
+    for path, against in other.items():
+        taken = path_match(scene, against).values[0] > 0 or (path in TERMS and against in paths)
+        if path in paths and taken:
+            paths.remove(path)
+    starts = TERMS | {"floor.spin_damping": 0.1}
+    zero = {path: x for path, x in starts.items() if path in paths and path_match(scene, path).values[0] == 0}
+    return (replaced(scene, zero) if zero else scene), tuple(paths)
+
+
 def _fields(scene: Scene) -> dict[str, Any]:
     return {name: getattr(scene, name) for name in type(scene).model_fields if name != "rack"}
 
@@ -165,8 +237,8 @@ def with_balls(scene: Scene, balls: Sequence[dict[str, Any]]) -> Scene:
 
 
 def _apart(balls: Sequence[dict[str, Any]], wall: Table) -> list[dict[str, Any]]:
-    a, nose = balls[0]["radius"], wall.nose_height
-    reach = a if nose is None or nose <= a else math.sqrt(a * a - (nose - a) ** 2)
+    a = balls[0]["radius"]
+    reach = reach_of(a, wall.nose_height)
     half, middle = np.array([wall.length, wall.width]) / 2 - reach * (1 + 1e-9), np.array(wall.center)
     places = np.array([one["position"] for one in balls])
     for _ in range(3):
@@ -191,10 +263,4 @@ def _table_between(walls: Sequence[WallLine], a: float, where: str) -> Table:
         raise CaromError(
             f"{where}: expected shots that reach all four cushions, got none at {', '.join(missing)}: give the table as a scene"
         )
-    reach = math.sqrt(a * a - (NOSE - a) ** 2) if a < NOSE < 2 * a else a
-    nose = NOSE if a < NOSE < 2 * a else None
-    number: dict[str, Any] = {"restitution": 0.83, "friction": 0.22, "nose_height": nose}
-    return Table(
-        length=at["right"] - at["left"] + 2 * reach, width=at["top"] - at["bottom"] + 2 * reach,
-        center=((at["left"] + at["right"]) / 2, (at["bottom"] + at["top"]) / 2), **number,
-    )  # fmt: skip
+    return cushions_between(at, a, NOSE if a < NOSE < 2 * a else None, restitution=0.83, friction=0.22)

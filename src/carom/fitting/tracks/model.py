@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from carom.errors import CaromError
+from carom.fitting.cushions import cushions_between
 from carom.fitting.laws import FittedLaw, track_laws_named
 from carom.fitting.parameters import FORMS, PARAMETERS, Parameter
 from carom.fitting.setting import Setting, decided, forms_of, require_settings
@@ -21,7 +22,6 @@ from carom.scene.ball import SceneBall
 from carom.scene.floor import Floor
 from carom.scene.restitution import Constant
 from carom.scene.scene import Run, Scene
-from carom.scene.shapes import Table as Cushions
 from carom.tracks.events import WallLine
 
 __all__ = ["WALL_RANGE", "TrackModel", "TrackSetting", "side_of", "track_models"]
@@ -96,13 +96,11 @@ class TrackModel:
         assert engine is not None
         a = given.radius
         nose = None if self.law.upright or given.contact_height == 1 else (given.contact_height or 1.0) * a
-        reach = a if nose is None else math.sqrt(a * a - (nose - a) ** 2)
-        sides = {side_of(wall): at[f"wall_{side_of(wall)}"] for wall in self.walls}
-        x0, x1 = sides.get("left", -FAR) - reach, sides.get("right", FAR) + reach
-        y0, y1 = sides.get("bottom", -FAR) - reach, sides.get("top", FAR) + reach
-        center, smooth = ((x0 + x1) / 2, (y0 + y1) / 2), self.law.frictionless
-        table = Cushions(
-            length=x1 - x0, width=y1 - y0, center=center, nose_height=nose, stiffness_ratio=at["stiffness_ratio"],
+        lines = {"left": -FAR, "right": FAR, "bottom": -FAR, "top": FAR}
+        lines |= {side: at[f"wall_{side}"] for side in map(side_of, self.walls)}
+        smooth = self.law.frictionless
+        table = cushions_between(
+            lines, a, nose, stiffness_ratio=at["stiffness_ratio"],
             restitution=_form(given.restitution if "restitution" in self.law.free else "constant", at) if engine.surface else None,
             friction=None if not engine.surface else 0.0 if smooth else at["friction"],
             tangential_restitution=0.0 if smooth or not engine.surface else at["tangential_restitution"],
@@ -113,7 +111,7 @@ class TrackModel:
         )  # fmt: skip
         return Scene(
             gravity=(0.0, 0.0, -given.gravity), floor=floor, walls=(table,),
-            balls=(SceneBall(radius=a, mass=1.0, inertia=given.kappa, position=center),),
+            balls=(SceneBall(radius=a, mass=1.0, inertia=given.kappa, position=table.center),),
             run=Run(law=engine.law, floor_contact=engine.floor_contact, duration=duration),
         )  # fmt: skip
 

@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.files import require_library
-from carom.fitting.evidence import DECIDED, LEANS, Evidence, Ranked, RankedLaws, odds_in_words, verdict_words, weigh
+from carom.fitting.by_shots import RankedByShots, nearer_shots
+from carom.fitting.evidence import DECIDED, LEANS, Evidence, Ranked, odds_in_words, verdict_words, weigh
 from carom.fitting.ranking import step_callback
 from carom.fitting.setting import Setting, require_settings
 from carom.fitting.tracks.errors import ERROR_TOO_SMALL
@@ -31,25 +32,15 @@ from carom.tracks.measurement import Measured
 __all__ = ["TrackRanking", "fit_tracks"]
 
 Array = NDArray[np.float64]
-SURE, HINT = (
-    0.01,
-    0.1,
-)  # probabilities of such a difference between laws that are equally good (Wilcoxon's signed ranks)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class TrackRanking(RankedLaws[TrackFit]):
+class TrackRanking(RankedByShots[TrackFit]):
     """All laws fitted to whole tracks, best first, and the verdict; made by :func:`fit_tracks`, with an example there.
 
     If no law follows the frames to within their noise, weights are overconfident, and the verdict counts shots.
     """
 
-    closer: tuple[int, int] | None
-    """Shots in which the best law is nearer than that one, and shots in all."""
-    chance: float
-    """Probability of such a difference between equally good laws (Wilcoxon's signed-rank test on the distances of shots)."""
-    decisive: bool = False
-    """Whether the verdict is a decision."""
     distances: Array = field(default_factory=lambda: np.zeros(0))
     """m: of the best law, up to the first contact, through one contact, two, ...; empty where it follows the frames."""
 
@@ -169,10 +160,11 @@ def _ranked(fits: list[TrackFit], notes: list[str]) -> TrackRanking:
     rival: TrackFit | None = evidence.rival
     closer, chance, support, reason = None, math.nan, evidence.odds, ""
     if rival is not None:
-        closer, chance, medians = _shots_nearer(best, rival)
+        near, far = (np.array([fit.rms(rows) for rows in best.frames.groups]) for fit in (best, rival))
+        (closer, chance), medians = (found := nearer_shots(near, far)), _medians(near, far)
         reason = f"{odds_in_words(evidence.odds)} over {rival.law.name}"
         if not best.follows:
-            support = 0.0 if chance > HINT or closer[0] <= closer[1] / 2 else LEANS if chance > SURE else DECIDED
+            support = found.support
             reason = f"nearer than {rival.law.name} in {closer[0]} of {closer[1]} shots (median {medians})"
     verdict, decisive = _verdict(best, evidence, support, reason)
     distances = np.zeros(0) if best.follows else distances_through_contacts(best)
@@ -184,17 +176,10 @@ def _ranked(fits: list[TrackFit], notes: list[str]) -> TrackRanking:
     return TrackRanking(ranked, verdict, odds, against, tuple(notes), closer, chance, decisive, distances)
 
 
-def _shots_nearer(best: TrackFit, rival: TrackFit) -> tuple[tuple[int, int], float, str]:
-    """Return in how many shots of how many the best is nearer, the probability of that by chance, and the median distances."""
-    from scipy.stats import wilcoxon
-
+def _medians(near: Array, far: Array) -> str:
     from carom.formatting import format_length
 
-    near, far = (np.array([fit.rms(rows) for rows in best.frames.groups]) for fit in (best, rival))
-    ratio = np.log(np.maximum(far, 1e-12) / np.maximum(near, 1e-12))
-    chance = float(wilcoxon(ratio).pvalue) if len(ratio) > 1 and np.any(ratio != 0) else 1.0
-    medians = f"{format_length(float(np.median(near)))} against {format_length(float(np.median(far)))}"
-    return (int((ratio > 0).sum()), len(ratio)), chance, medians
+    return f"{format_length(float(np.median(near)))} against {format_length(float(np.median(far)))}"
 
 
 def _verdict(best: TrackFit, evidence: Evidence, support: float, reason: str) -> tuple[str, bool]:
