@@ -24,7 +24,7 @@ import { flat } from "./view/flat.js";
 import { VIEWS, boxAround } from "./view/shot.js";
 import { stage } from "./view/stage.js";
 
-/** `recorded`: a run that the page shows and does not compute. @typedef {{presets: Preset[], cards: LawCard[], rebounds: Rebound[], reboundsFrom: string, recorded?: import("./engine/types.js").Recording}} PageData */
+/** `recorded`: a run that the page shows and does not compute. @typedef {{presets: Preset[], cards: LawCard[], rebounds: Rebound[], reboundsFrom: string, film?: [number, number][][], recorded?: import("./engine/types.js").Recording}} PageData */
 
 let fading = 0;
 
@@ -208,7 +208,7 @@ function show(data, engine) {
     dirty = new Set();
     const of = colours();
     if (parts.has("scene") || parts.has("laws")) {
-      view.update({ scene: state.scene, ball: state.ball, followed: state.followed, runs: outcome.runs, colours: of, span: trailSpan(), box }, palette());
+      view.update({ scene: state.scene, ball: state.ball, followed: state.followed, runs: outcome.runs, colours: of, span: trailSpan(), box, film: data.film ?? [] }, palette());
       byId("key").hidden = !state.scene.floor;
       canvas.setAttribute("aria-label", `The scene: ${state.scene.balls.length} ball${state.scene.balls.length > 1 ? "s" : ""} under ${state.laws.join(", ") || "no law"}. Drag the ball or its arrow, or use the sliders.`);
       const compared = comparedAt(engine, state.scene, state.cards);

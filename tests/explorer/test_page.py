@@ -17,6 +17,7 @@ import carom
 from carom import cli
 from carom.data import make_rebounds
 from carom.explorer.page import ExplorerPage, presets
+from carom.fitting.shots import drawn_films
 from carom.laws.registry import law_styles
 
 ROOT = Path(__file__).parents[2]
@@ -31,6 +32,26 @@ def _data(page: ExplorerPage) -> dict:
 
 def _load(name: str) -> carom.Scene:
     return carom.load_scene(ROOT / f"src/carom/explorer/presets/{name}.toml")
+
+
+def test_the_dots_of_a_film_stand_beside_the_paths() -> None:
+    tracks, scenes = drawn_films(2, seed=5, until=0.2)
+    found = _data(carom.explore(scenes[0], ["two-step"], film=tracks[:3]))["film"]
+    assert [len(dots) for dots in found] == [10, 10, 10]
+    np.testing.assert_allclose(found[1], tracks[1].position, atol=1e-5)
+    # by names, whatever their order
+    assert _data(carom.explore(scenes[0], ["two-step"], film=[tracks[2], tracks[0]]))["film"][::2] == found[::2]
+    assert _data(carom.explore(scenes[1], ["two-step"], film=tracks, shot="shot 2"))["film"] != found
+    assert "film" not in _data(carom.explore(scenes[0], ["two-step"]))
+    for given, expected in (
+        ({"scene": scenes[0], "film": tracks}, r"film: expected one shot, got 2: shot 1, shot 2; name one with `shot`"),
+        ({"scene": scenes[0], "film": tracks, "shot": "shot 3"}, r"shot: expected one of shot 1, shot 2, got 'shot 3'"),
+        ({"film": tracks[:3]}, r"film: expected a scene beside it, .* got none"),
+        ({"scene": scenes[0], "film": "none.csv"}, r"none\.csv"),
+    ):
+        with pytest.raises(carom.CaromError, match=expected) as error:
+            carom.explore(**given)
+        assert len(error.value.faults) == 1
 
 
 # --- the file -----------------------------------------------------------------------------------------------------

@@ -35,7 +35,7 @@ def program(task: str, **more: str) -> str:
 @needs_numba_cuda
 def test_the_simulator_gives_the_bits_of_the_cores() -> None:
     lines = program("compare", NUMBA_ENABLE_CUDASIM="1").splitlines()
-    assert [line.rpartition(": ")[2] for line in lines] == ["the same bits"] * 5
+    assert [line.rpartition(": ")[2] for line in lines] == ["the same bits"] * 7
     assert "a table: 8 points, 8 with an outcome" in lines[0]
 
 

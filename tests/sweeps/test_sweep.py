@@ -67,6 +67,9 @@ def require_same(scene: carom.Scene, space: carom.Space, count: int = 12) -> Non
         {"run.duration": [0.5, 1.5, 4.0], "floor.rolling_resistance": np.linspace(0.005, 0.02, 10)},
         {"walls.*.friction": sweeps.sobol(0.1, 0.3, 16), "walls.*.restitution": sweeps.sobol(0.6, 0.95, 16)},
         {"gravity": [9.7, 9.8, 9.9]},
+        {"floor.rolling_drag": [0.0, 0.004], "floor.spin_damping": [0.0, 0.3], "walls.*.yield_time": [0.0, 0.003]},
+        {"floor.spin_drag": [0.0, 3.0], "balls.0.velocity.x": [1.0, 2.0]},
+        {"floor.slope": [[0.0, 0.0], [0.002, -0.001]], "floor.spin_damping": [0.0, 0.3]},
     ],
     ids="+".join,
 )  # fmt: skip

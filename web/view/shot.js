@@ -14,6 +14,7 @@ import { chainsOf, lineOf } from "./outline.js";
  * @property {Map<string, string>} colours of the laws, for the theme
  * @property {{from: number, until: number}} span s: where trails begin and end
  * @property {Box} box
+ * @property {[number, number][][]} film places of each ball in a film, m, from above
  */
 
 /** @typedef {{low: Vec, high: Vec}} Box */

@@ -1,8 +1,8 @@
-// Trails: a full line where a ball rolls, dashes where it slides, dots with threads to the floor where it flies.
+// Trails: a full line where a ball rolls, dashes where it slides, dots with threads to the floor where it flies; dots of a film.
 
 /** @import { Shot } from "./shot.js" */
 /** @import { Vec } from "../state/types.js" */
-import { BufferGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments } from "three";
+import { BufferGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, Points, PointsMaterial } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
@@ -19,12 +19,17 @@ function pairs(points) {
   return found;
 }
 
+/** Size of a film's dots, px. */
+const DOT = 4;
+
 /** All trails. Lines and materials are kept from change to change: a new one would have its shaders compiled anew. */
 export class Trails {
   constructor() {
     this.group = new Group();
     /** @type {Map<string, LineSegments2 | LineSegments>} */
     this.lines = new Map();
+    /** Of a film, one for each ball. @type {Points<BufferGeometry, PointsMaterial>[]} */
+    this.dots = [];
     this.pixels = { width: 1, height: 1 };
   }
 
@@ -62,8 +67,26 @@ export class Trails {
     }
   }
 
+  /** Draw where a film saw the balls. @param {Shot} shot @param {(ball: number) => string} bodyColour */
+  #film(shot, bodyColour) {
+    shot.film.forEach((places, i) => {
+      let dots = this.dots[i];
+      if (!dots) {
+        dots = new Points(new BufferGeometry(), new PointsMaterial({ size: DOT, sizeAttenuation: false, transparent: true, depthWrite: false }));
+        dots.frustumCulled = false;
+        dots.renderOrder = 4;
+        this.dots[i] = dots;
+        this.group.add(dots);
+      }
+      dots.material.color.set(bodyColour(i));
+      const a = shot.scene.balls[i]?.radius ?? 0;
+      dots.geometry.setAttribute("position", new Float32BufferAttribute(places.flatMap(([x, y]) => [x, y, a]), 3));
+    });
+  }
+
   /** @param {Shot} shot @param {(ball: number) => string} bodyColour */
   update(shot, bodyColour) {
+    this.#film(shot, bodyColour);
     for (const line of this.lines.values()) line.visible = false;
     const unit = sizeOf(shot.box) / 100;
     const many = shot.scene.balls.length > 6;

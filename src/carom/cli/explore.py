@@ -38,6 +38,17 @@ def explore(
             rich_help_panel=RUN,
         ),
     ] = None,
+    film: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILM",
+            help="A track file of one shot, in the coordinates of the scene: dots beside the balls' paths.",
+            rich_help_panel=RUN,
+        ),
+    ] = None,
+    shot: Annotated[
+        str | None, typer.Option(metavar="NAME", help="Its name in a film of several shots.", rich_help_panel=RUN)
+    ] = None,
     out: Annotated[
         Path | None,
         typer.Option(
@@ -55,7 +66,7 @@ def explore(
     found = FaultList()
     target = out or Path("carom_explorer.html")
     require_outputs(found, {"--out": target}, {"--out": (".html", ".htm")})
-    page = found.attempt(make_page, scene, None if laws is None else comma_separated(laws), data)
+    page = found.attempt(make_page, scene, None if laws is None else comma_separated(laws), data, film, shot)
     found.raise_if_any()
     page.save(target)
     if not quiet:

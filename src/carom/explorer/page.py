@@ -18,7 +18,7 @@ import numpy as np
 
 from carom.data.rebound_files import read_rebounds
 from carom.data.rebounds import Rebounds
-from carom.errors import CaromError, Fault, FaultList, require_type
+from carom.errors import CaromError, Fault, FaultList, require_type, shortened_list, suggestion
 from carom.explorer.module import engine_bytes, engine_layout
 from carom.files import as_path, require_writable, write_text
 from carom.laws.law import Law
@@ -30,6 +30,8 @@ from carom.scene.shapes import FigureWall
 from carom.scene.shapes.planes import Plane
 from carom.scene.toml import load_scene
 from carom.scene.wall import WallShape, law_name
+from carom.tracks import Calibration, read_tracks
+from carom.tracks.read import film_of
 
 __all__ = ["MOST_BALLS", "MOST_FEATURES", "ExplorerPage", "explore", "filled_page", "not_shown", "page_text", "presets"]
 
@@ -75,6 +77,8 @@ def explore(
     scene: Scene | str | os.PathLike[str] | None = None,
     laws: str | Iterable[str] | None = None,
     data: Rebounds | str | os.PathLike[str] | None = None,
+    film: Any = None,
+    shot: str | None = None,
 ) -> ExplorerPage:
     """Return a page in which a scene can be changed by hand and is run under several laws at once, by carom's own engine.
 
@@ -88,6 +92,11 @@ def explore(
         scene's own law leads.
     data : Rebounds or path, optional
         Measured rebounds, shown over the curves of reflection against incidence.
+    film : path, or Tracks, optional
+        A track file of one shot, or the tracks of its balls, in the coordinates of the scene: dots beside the balls' paths. They go
+        by their names, or in their order where the scene has other names.
+    shot : str, optional
+        Its name in a film of several shots.
 
     Returns
     -------
@@ -97,7 +106,8 @@ def explore(
     Raises
     ------
     CaromError
-        For a scene that is too large or has a law of its own code, for an unknown law, and for data that are no rebounds.
+        For a scene that is too large or has a law of its own code, an unknown law, data that are no rebounds, and for a film
+        without a scene, of several shots, or of more balls than the scene has.
 
     Examples
     --------
@@ -117,8 +127,37 @@ def explore(
     if rebounds is not None and len(rebounds) > MOST_REBOUNDS:
         wanted = f"at most {MOST_REBOUNDS:,} rebounds"
         faults.append(Fault("explore", "data", wanted, f"{len(rebounds):,}", "carom fit takes more"))
+    dots = [] if film is None else faults.attempt(_dots, film, shot, given) or []
     faults.raise_if_any()
-    return ExplorerPage(page_text(given, named, rebounds))
+    return ExplorerPage(page_text(given, named, rebounds, film=dots))
+
+
+def _dots(film: Any, shot: str | None, scene: Scene | None) -> list[list[list[float]]]:
+    """Return the places of each ball of a scene in a film."""
+    if scene is None:
+        raise CaromError(Fault("explore", "film", "a scene beside it, in whose coordinates it is", "none"))
+    found = film_of(film, 0, Calibration())
+    tracks = (read_tracks(found) if isinstance(found, Path) else found).tracks
+    shots = list(dict.fromkeys(track.group for track in tracks))
+    if len(shots) > 1 and shot is None:
+        got = f"{len(shots)}: {shortened_list(shots, 6)}"
+        raise CaromError(Fault("explore", "film", "one shot", got, "name one with `shot`"))
+    if shot is not None and shot not in shots:
+        raise CaromError(
+            Fault("explore", "shot", f"one of {shortened_list(shots, 6)}", repr(shot), suggestion(shot, shots))
+        )
+    tracks = tuple(track for track in tracks if shot is None or track.group == shot)
+    names = scene.ball_names
+    if len(tracks) > len(names):
+        raise CaromError(Fault("explore", "film", f"at most the {len(names)} balls of the scene", f"{len(tracks)}"))
+    if all(track.name in names for track in tracks):
+        order = [names.index(track.name) for track in tracks]
+    else:
+        order = list(range(len(tracks)))
+    dots: list[list[list[float]]] = [[] for _ in names]
+    for k, track in zip(order, tracks, strict=True):
+        dots[k] = track.position[track.seen][:, :2].round(5).tolist()
+    return dots
 
 
 def _scene(scene: Scene | str | os.PathLike[str], faults: FaultList) -> Scene | None:
@@ -202,8 +241,9 @@ def presets() -> list[dict[str, Any]]:
 
 
 def page_text(
-    scene: Scene | None, laws: list[str], rebounds: Rebounds | None = None, seen: dict[str, Any] | None = None
-) -> str:
+    scene: Scene | None, laws: list[str], rebounds: Rebounds | None = None, seen: dict[str, Any] | None = None,
+    film: list[list[list[float]]] | None = None,
+) -> str:  # fmt: skip
     """Return the page's HTML; ``seen``: further fields of the first preset, which is the scene (``web/state/types.js``)."""
     shown = presets()
     main = [law for law in all_laws().values() if not law.variant_of and not law.ignores_floor]
@@ -224,6 +264,7 @@ def page_text(
             "cards": [_card(name) for name in names],
             "rebounds": [] if rebounds is None else _angles(rebounds),
             "reboundsFrom": "" if rebounds is None else Path(rebounds.source).name or "the data given",
+            **({"film": film} if film else {}),
         }
     )
 

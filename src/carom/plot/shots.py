@@ -26,7 +26,7 @@ DOTS = 120  # of a ball's path
 
 
 def plot_shot(shot: FittedShot) -> Figure:
-    """Plot one shot: film (dots) and model (lines) from above, contacts marked, and distances over time. Returns a Figure."""
+    """Plot one shot: film (dots) and model (lines) from above, contacts of both, and distances over time. Returns a Figure."""
     with style():
         figure = new_figure(9.0, 3.8)
         left, right = figure.subplots(1, 2, width_ratios=[1.5, 1])
@@ -36,7 +36,7 @@ def plot_shot(shot: FittedShot) -> Figure:
                    for k, name in enumerate(shot.film.balls)]  # fmt: skip
         figure.legend(handles=handles, loc="lower center", ncols=len(handles), fontsize=8, frameon=False)
         figure.suptitle(
-            f"{literal(shot.name)}: film (dots) and model (lines), {1e3 * shot.rms:.3g} mm; circles: contacts of the model",
+            f"{literal(shot.name)}: film (dots) and model (lines), {1e3 * shot.rms:.3g} mm; contacts: circles model, crosses film",
             fontsize=9,
         )
         figure.subplots_adjust(left=0.02, right=0.97, top=0.88, bottom=0.2, wspace=0.16)
@@ -113,6 +113,12 @@ def _from_above(axes: Any, shot: FittedShot, *, marks: bool = False) -> None:
                     axes.plot(
                         *np.asarray(event.after.position)[:2], "o", ms=7, mfc="none", mec=colour, mew=0.6, zorder=4
                     )
+    if marks:
+        for one in shot.film.events:
+            rows = np.flatnonzero(shot.film.known[:, one.ball])
+            if len(rows):
+                near = rows[np.argmin(np.abs(shot.film.time[rows] - (one.low + one.high) / 2))]
+                axes.plot(*shot.film.position[near, one.ball], "x", ms=5, color=INK, mew=0.7, zorder=5)
     margin = 0.02 * table.length
     axes.set(aspect="equal", xticks=[], yticks=[])
     axes.set(xlim=(cx - half[0] - margin, cx + half[0] + margin), ylim=(cy - half[1] - margin, cy + half[1] + margin))

@@ -259,7 +259,7 @@ class Scene(Model):
         """Return one line: floor, walls, balls, laws, limits of the run."""
         words = [wall.describe() for wall in self.walls]
         shown = words if len(words) <= 3 else [*words[:2], f"{len(words) - 2} more walls"]
-        floor = [] if self.floor is None else ["a floor"]
+        floor = [] if self.floor is None else ["a tilted floor" if any(self.floor.slope) else "a floor"]
         balls = f"{len(self.balls)} ball{'s' if len(self.balls) > 1 else ''}"
         if self.rack is not None and self.rack.gap is not None:
             balls += f" ({self.rack.describe()})"
