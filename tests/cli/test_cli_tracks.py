@@ -217,13 +217,14 @@ def test_many_films_make_one_table(
 ) -> None:
     files, out = films(tmp_path), tmp_path / "rebounds.csv"
     names = list(map(str, files))
-    code, told, notes = run(capsys, monkeypatch, *names, "--out", str(out), "--view", "side")
+    words = ("--out", str(out), "--view", "side", "--drag", "0")  # (else films that are read together share the drag)
+    code, told, notes = run(capsys, monkeypatch, *names, *words)
     assert code == 0
     table = read_rebounds(out)
     assert set(table.extra["film"]) == {"film2", "film5"}
     alone = []
     for file in files[:2]:
-        run(capsys, monkeypatch, str(file), "--out", str(out), "--view", "side")
+        run(capsys, monkeypatch, str(file), *words)
         alone.append(read_rebounds(out))
     np.testing.assert_array_equal(table["v_n_out"], np.concatenate([one["v_n_out"] for one in alone]))
     np.testing.assert_array_equal(table["sigma_v_n_in"], np.concatenate([one["sigma_v_n_in"] for one in alone]))

@@ -11,7 +11,8 @@ from reference.exploring import tried
 from reference.known_films import Fall, drawn_fall, fallen, noise, rotated
 from reference.synthetic_tracks import RADIUS, Camera, seen, shot, truth
 
-from carom.tracks import Measured, Settings, Track, TrackContact, measure, usable_stages
+from carom.fitting import Setting, make_problem
+from carom.tracks import Measured, Settings, Track, TrackContact, measure, to_rebounds, usable_stages
 from carom.tracks.correlation import (
     GRID,
     WHITE,
@@ -23,7 +24,8 @@ from carom.tracks.correlation import (
     whitening,
 )
 from carom.tracks.events import wall_through
-from carom.tracks.flights import fit_flights, flight_path
+from carom.tracks.films import air_together, combined_rebounds
+from carom.tracks.flights import fit_flights, flight_path, joint_air
 
 
 def filmed(seed: int, correlation: float, rate: float = 240.0) -> tuple[Measured, list[dict[str, float]]]:
@@ -208,3 +210,26 @@ def test_fits_of_flights_that_diverge_give_no_result(seed: int) -> None:
     x = flight_path(rng.normal(0, 3, 2), np.array([0.0, -9.8]), rng.uniform(0, 1.5), t)
     x = x + rng.normal(0, rng.choice([1e-3, 1e-2, 5e-2]), x.shape)
     assert fit_flights([Track("ball", t, x)], 1e-3, float(t[1]), 9.8) is None
+
+
+def test_films_of_one_ball_share_the_drag_of_the_air() -> None:
+    falls = [Fall(0.78, 1.2 + 0.3 * i, 0.3, drag=0.035, last=1.6, rate=60.0, noise=1e-3) for i in range(2)]
+    alone = [measure([fallen(fall, i)[0]], Settings(view="side")) for i, fall in enumerate(falls)]
+    together, (note,) = air_together(alone)
+    (air,) = {one.air._replace(seen=None) for one in together}
+    assert abs(air.drag - 0.035) < 3 * air.drag_error
+    assert air.drag_error < min(one.air.drag_error for one in alone)
+    assert "from the flights of all films together" in note
+    # the velocities are those that a fit with this drag gives
+    known = measure([fallen(falls[0], 0)[0]], Settings(view="side", drag=air.drag))
+    for one, other, before in zip(together[0].measured, known.measured, alone[0].measured, strict=True):
+        for name in ("vn_in", "vt_in", "vn_out", "vt_out"):
+            assert abs(one.fit[name] - other.fit[name]) < 0.1 * before.fit.error(name)
+        assert one.fit.error("vn_out") <= before.fit.error("vn_out")
+    # and its error is one for the rows of all films
+    rows = combined_rebounds({str(i): to_rebounds(one) for i, one in enumerate(together)})
+    (shared,) = [one for one in make_problem(rows, Setting(0.1))[0].shared if one.name.startswith("air drag")]
+    assert shared.rows.any(axis=1).all()
+    # films whose flights contradict each other have air of their own
+    other = [one._replace(seen=(0.1, 0.002)) for one in (alone[0].air,)]
+    assert joint_air([*other, *(one.air for one in alone[1:])]) is None

@@ -31,7 +31,8 @@ class Shared:
 def shared_errors(rebounds: Rebounds, names: tuple[str, ...], floor: float) -> tuple[Shared, ...]:
     """Return the errors that rows share, from the columns cloth_, rolling_, blind_ and drag_ of a table that carom made from films.
 
-    Films measured separately (column ``film``) have an error each. Where a film has one row, nothing is shared: the error is
+    Films measured separately (column ``film``) have an error each; of the drag, films that were measured with the same one have one
+    (column ``air_drag``). Where a film has one row, nothing is shared: the error is
     part of that of the row. The law's floor friction is the mean of the films, and follows all their errors.
 
     Parameters
@@ -43,8 +44,9 @@ def shared_errors(rebounds: Rebounds, names: tuple[str, ...], floor: float) -> t
     floor : float
         Error bar of the floor's friction, if that is the cloth's; else 0.
     """
-    films, found = _films(rebounds), []
+    found = []
     for prefix, name in SHARED.items():
+        films = _films(rebounds, prefix)
         rows = np.nan_to_num(np.stack([numbers_of(rebounds, f"{prefix}_{column}") for column in names], axis=-1))
         if not rows.any():
             continue
@@ -104,9 +106,11 @@ def numbers_of(rebounds: Rebounds, name: str) -> Array:
         return np.full(len(rebounds), np.nan)
 
 
-def _films(rebounds: Rebounds) -> dict[str, NDArray[np.bool_]]:
-    """Return the rows (N,) of each film; all rows if the table names none."""
+def _films(rebounds: Rebounds, prefix: str) -> dict[str, NDArray[np.bool_]]:
+    """Return the rows (N,) of each film; all rows if the table names none, and films with the same air as one."""
     film = rebounds.extra.get("film")
+    if prefix == "drag" and "air_drag" in rebounds.extra:
+        film = rebounds.extra["air_drag"]
     if film is None:
         return {"": np.ones(len(rebounds), bool)}
     labels = np.array([str(cell) for cell in film.tolist()])

@@ -20,7 +20,7 @@ from carom.public.progress import Progress
 from carom.public.renamed import renamed_arguments
 from carom.tracks.contact import RENAMED, Settings
 from carom.tracks.events import wall_of_text
-from carom.tracks.films import combined_rebounds, film_names, hops_together
+from carom.tracks.films import air_together, combined_rebounds, film_names, hops_together
 from carom.tracks.formats.columns import HEADER_EXAMPLE
 from carom.tracks.formats.text_table import Calibration
 from carom.tracks.measurement import Measured, measure
@@ -57,6 +57,8 @@ class MeasuredFilms:
     files: tuple[TrackFile, ...]
     measured: tuple[Measured, ...]
     """The contacts of each."""
+    joint_notes: tuple[str, ...] = ()
+    """On what was measured from all films together."""
 
     def __repr__(self) -> str:
         """Return one line: the number of films, and of contacts."""
@@ -71,7 +73,7 @@ class MeasuredFilms:
     @property
     def notes(self) -> list[str]:
         """Notes of reading and of measuring, beginning with the film's name where there are several."""
-        return [*self.reading_notes, *self._by_film([one.notes for one in self.measured])]
+        return [*self.reading_notes, *self._by_film([one.notes for one in self.measured]), *self.joint_notes]
 
     @property
     def reading_notes(self) -> list[str]:
@@ -174,7 +176,8 @@ def measure_films(
         return measure(found[number].tracks, replace(settings, walls=lines[number], hops=hops), told)
 
     with noting(MeasuredFilms(found, ()).reading_notes):
-        return MeasuredFilms(found, tuple(hops_together([once(number) for number in range(len(found))], once)))
+        films, notes = air_together(hops_together([once(number) for number in range(len(found))], once))
+        return MeasuredFilms(found, tuple(films), tuple(notes))
 
 
 @renamed_arguments(**RENAMED)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,10 +12,14 @@ from numpy.typing import NDArray
 
 from carom.data.rebounds import Rebounds, make_rebounds
 from carom.errors import CaromError, shortened_list
+from carom.tracks.contact import TrackContact
+from carom.tracks.flight_fits import with_other_drag
+from carom.tracks.flights import drag_in_words, joint_air
+from carom.tracks.floor import FloorEstimates, WithError
 from carom.tracks.hops import DECISIVE, hop_excess
 from carom.tracks.measurement import Measured
 
-__all__ = ["combined_rebounds", "film_names", "hops_together"]
+__all__ = ["air_together", "combined_rebounds", "film_names", "hops_together"]
 
 
 def film_names(paths: Sequence[Path]) -> list[str]:
@@ -90,4 +95,27 @@ def hops_together(films: Sequence[Measured], again: Callable[[int, bool], Measur
     return [
         again(i, excess < 0) if any(one.fit is not None and one.hop != verdict for one in film.contacts) else film
         for i, film in enumerate(films)
+    ]
+
+
+def air_together(films: Sequence[Measured]) -> tuple[list[Measured], list[str]]:
+    """Return films of one ball with one drag of the air, if their flights agree on it, and a note; else the films as they are."""
+    air = joint_air([film.air for film in films])
+    if air is None:
+        return list(films), []
+
+    def moved(one: TrackContact, film: Measured) -> TrackContact:
+        return one if one.fit is None else replace(one, fit=with_other_drag(one.fit, film.air, air))
+
+    found = []
+    for film in films:
+        contacts = tuple(moved(one, film) for one in film.contacts)
+        floor = {name: value for name, value in film.floor.items() if name != "air drag"}
+        floor |= {"air drag": WithError(air.drag, air.drag_error)} if air.drag_shown else {}
+        notes = tuple(note for note in film.notes if not note.startswith("air drag:"))
+        own = film.air._replace(drag=air.drag, drag_error=air.drag_error)
+        found.append(replace(film, contacts=contacts, floor=FloorEstimates(floor), notes=notes, air=own))
+    return found, [
+        f"{drag_in_words(air)}, from the flights of all films together, as of one ball; its error is shared by all velocities"
+        " (`drag` gives k, 0 for none)"
     ]

@@ -91,3 +91,13 @@ def fit_flight(
     shift = np.nan_to_num(_outputs(best - np.linalg.lstsq(rates, change, rcond=None)[0]) - _outputs(best))
     value = fit.value + shift * ((air.drag - used) / air.drag_error)
     return replace(fit, value=value, covariance=fit.covariance + np.outer(shift, shift), drag_shift=shift)
+
+
+def with_other_drag(fit: ContactFit, was: Air, now: Air) -> ContactFit:
+    """Return a fit with another drag and error: the outputs are linear in the drag as far as these go."""
+    if fit.drag_shift is None or not was.drag_error:
+        return fit
+    slope = fit.drag_shift / was.drag_error
+    shift = slope * now.drag_error
+    covariance = fit.covariance - np.outer(fit.drag_shift, fit.drag_shift) + np.outer(shift, shift)
+    return replace(fit, value=fit.value + slope * (now.drag - was.drag), covariance=covariance, drag_shift=shift)

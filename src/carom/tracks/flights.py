@@ -38,6 +38,7 @@ SIGNIFICANT = 4.0  # error bars
 # 1/m: what is known of a ball's drag before its flights are seen. Golf, baseball 0.005; tennis, football, basketball, volleyball
 # 0.015 to 0.025 (half of 1.2 kg/m^3, drag coefficient and cross-section, by the mass)
 USUAL_DRAG = 0.03
+DIFFERENT = 3.0  # standard deviations of a chi^2, beyond which films have air of their own
 MIN_TILT = np.radians(0.2)
 ROUNDS = 6
 CORRELATED = 4.0  # standard deviations of the correlation of independent residuals
@@ -52,6 +53,8 @@ class Air(NamedTuple):
     drag: float = 0.0
     """1/m: the air slows a ball of speed v down by drag v^2."""
     drag_error: float = 0.0
+    seen: tuple[float, float] | None = None
+    """The drag as the flights alone show it, with its error; None: it was given, or there is no flight."""
 
     @property
     def drag_shown(self) -> bool:
@@ -124,7 +127,8 @@ def air_and_notes(
     if drag is None:
         weights = USUAL_DRAG**-2, found.drag_error**-2 if found is not None and found.drag_error > 0 else 0.0
         middle = found.drag * weights[1] / sum(weights) if found is not None else 0.0
-        air = air._replace(drag=max(middle, 0.0), drag_error=sum(weights) ** -0.5)
+        seen = (found.drag, found.drag_error) if found is not None and found.drag_error > 0 else None
+        air = air._replace(drag=max(middle, 0.0), drag_error=sum(weights) ** -0.5, seen=seen)
     notes: list[str] = []
     if found is None:
         return air, notes
@@ -144,10 +148,33 @@ def air_and_notes(
     if drag is None and found.drag > SIGNIFICANT * found.drag_error:
         air = air._replace(drag=found.drag, drag_error=found.drag_error)
         notes.append(
-            f"air drag: at the speed v the air slows the ball down by k v^2, k = {found.drag:.3g} ± {found.drag_error:.1g} 1/m, as"
-            " its flights show; the velocities at contacts allow for it (`drag` gives k, 0 for none)"
+            f"{drag_in_words(air)}, as its flights show; the velocities at contacts allow for it (`drag` gives k, 0 for none)"
         )
     return air, notes
+
+
+def drag_in_words(air: Air) -> str:
+    """Return the drag with its error."""
+    return (
+        f"air drag: at the speed v the air slows the ball down by k v^2, k = {air.drag:.3g} ± {air.drag_error:.1g} 1/m"
+    )
+
+
+def joint_air(airs: Sequence[Air]) -> Air | None:
+    """Return the drag that films of one ball show together; None where they differ by more than their errors, or one is given.
+
+    Each film's own estimate is drawn toward 0 by what is usual; taken one by one that would bias all of them to the same side.
+    """
+    seen = np.array([air.seen for air in airs if air.seen is not None])
+    if len(seen) < 2:
+        return None
+    weight = seen[:, 1] ** -2
+    mean = float((weight * seen[:, 0]).sum() / weight.sum())
+    apart, dof = float((weight * np.square(seen[:, 0] - mean)).sum()), len(seen) - 1
+    if apart > dof + DIFFERENT * (2 * dof) ** 0.5:
+        return None
+    total = float(weight.sum()) + USUAL_DRAG**-2
+    return Air(drag=max(mean * float(weight.sum()) / total, 0.0), drag_error=total**-0.5)
 
 
 def fit_flights(

@@ -17,7 +17,7 @@ from carom.tracks.contact_fits import ContactFitter, Progress
 from carom.tracks.correlation import WHITE, Correlation
 from carom.tracks.elsewhere import elsewhere_note, facing_up, with_turns
 from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
-from carom.tracks.flights import STILL_AIR, air_and_notes
+from carom.tracks.flights import STILL_AIR, Air, air_and_notes
 from carom.tracks.floor import FloorEstimates, WithError
 from carom.tracks.free_fall import axis_points_down, constant_acceleration, what_would_give
 from carom.tracks.plausibility import GRAVITY_TOLERANCE, MIN_JUDGED, drag_note, restitution_note, why_implausible
@@ -68,6 +68,8 @@ class Measured:
     floor: dict[str, WithError] = field(default_factory=dict)
     """Estimates from all contacts: ``floor friction`` and ``rolling resistance``, or ``gravity`` (m/s^2) and, if the
     flights show it, ``air drag`` (1/m), with their errors."""
+    air: Air = STILL_AIR
+    """Of a film from the side: the direction of gravity and the drag that the velocities at contacts allow for."""
     notes: tuple[str, ...] = ()
     gravity: float = 9.80665
     """m/s^2, by which decelerations were divided to give the friction of the floor."""
@@ -255,7 +257,7 @@ def _in_view(
     )
     return replace(
         film, view=view, walls=walls, events=events, contacts=tuple(contacts), noise=job.noise,
-        correlation=job.correlation.neighbours, frame_correlation=job.correlation, blind=job.blind,
+        correlation=job.correlation.neighbours, frame_correlation=job.correlation, blind=job.blind, air=air,
         floor=FloorEstimates(job.floor | ({"air drag": WithError(air.drag, air.drag_error)} if air.drag_shown else {})),
         notes=tuple(notes),
     )  # fmt: skip

@@ -124,7 +124,7 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
         bounces[one.group, one.track] += 1
         numbers = {"contact": number + 1, "bounce": bounces[one.group, one.track]}
         for name in usable_stages(one, stage, sliding)[0]:
-            rows.append(_row(one, numbers, name, spin) | _floor(one, name, measured))  # noqa: PERF401
+            rows.append(_row(one, numbers, name, spin) | _floor(one, name, measured) | _air(one, measured))  # noqa: PERF401
     if not rows:
         raise CaromError(_nothing(measured, stage, sliding))
     speeds = [f"{side}_{which}" for which in ("in", "out") for side in ("v_n", "v_t", spin)]
@@ -201,6 +201,13 @@ def _row(one: TrackContact, numbers: dict[str, int], stage: str, spin: str) -> d
                 row[f"slip_{axis}_{side}"] = sign * fit[f"u{axis}_{side}"] if resolved else np.nan
                 row[f"sigma_slip_{axis}_{side}"] = fit.error(f"u{axis}_{side}") if resolved else np.nan
     return row
+
+
+def _air(one: TrackContact, measured: Measured) -> dict[str, float]:
+    """Return the drag of the air, which rows share where it is the same."""
+    if one.fit is None or one.fit.drag_shift is None:
+        return {}
+    return {"air_drag": measured.air.drag, "sigma_air_drag": measured.air.drag_error}
 
 
 def _floor(one: TrackContact, stage: str, measured: Measured) -> dict[str, float]:
