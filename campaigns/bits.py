@@ -470,7 +470,7 @@ def obstacle(t: Throw, *, upright: bool) -> dict[str, Any]:
     ring = [
         [x + t.number(0.1, 0.3) * c, y + t.number(0.1, 0.3) * s] for c, s in ((1, 0), (0.3, 0.9), (-0.8, 0.6), (0, -1))
     ]
-    pillar = {} if upright or t.chance(0.5) else {"length": t.number(0.05, 0.6), "inside": t.chance(0.3)}
+    pillar = {} if upright or t.chance(0.5) else {"height": t.number(0.05, 0.6), "inside": t.chance(0.3)}
     sizes = [t.number(0.1, 0.4), t.number(0.1, 0.4), 4.0 if upright else t.number(0.1, 0.4)]
     known: dict[str, dict[str, Any]] = {
         "plane": {"point": [off * c for c in normal], "normal": normal},

@@ -16,7 +16,7 @@ from carom.scene.feature_builders import frame, unit
 from carom.scene.shapes import Arc, Box, Cylinder
 from carom.simulation.records import HELD_EVENT, LEFT_EVENT, WALL
 
-TUBE = {"point": (0, 0, 0), "radius": 0.03, "length": 0.3, "inside": True, "friction": 0.2}
+TUBE = {"point": (0, 0, 0), "radius": 0.03, "height": 0.3, "inside": True, "friction": 0.2}
 
 
 def thrown(walls: list[Any], x: Any, v: Any = (0, 0, 0), **limits: Any) -> carom.Trajectory:
@@ -131,7 +131,7 @@ def test_no_event_is_missed() -> None:
         ends = [
             i
             for i, wall in enumerate(scene.walls)
-            if (wall.kind == "cylinder" and wall.length < math.inf) or (wall.kind == "arc" and wall.height < math.inf)
+            if (wall.kind == "cylinder" and wall.height < math.inf) or (wall.kind == "arc" and wall.height < math.inf)
         ]
         if not ends:
             continue
@@ -175,8 +175,8 @@ def test_beside_the_middle_it_meets_one_side_and_then_the_other(off: float, e: f
 
 
 def test_a_mirrored_scene_runs_mirrored() -> None:
-    walls = [Cylinder(point=(0.1, 0.2, 0), axis=(0.2, 0.1, 1), radius=0.2, length=0.4, restitution=0.9, friction=0.1)]
-    other = [Cylinder(point=(-0.1, 0.2, 0), axis=(-0.2, 0.1, 1), radius=0.2, length=0.4, restitution=0.9, friction=0.1)]
+    walls = [Cylinder(point=(0.1, 0.2, 0), axis=(0.2, 0.1, 1), radius=0.2, height=0.4, restitution=0.9, friction=0.1)]
+    other = [Cylinder(point=(-0.1, 0.2, 0), axis=(-0.2, 0.1, 1), radius=0.2, height=0.4, restitution=0.9, friction=0.1)]
     one, two = thrown(walls, (0.35, 0.21, 1), max_events=3), thrown(other, (-0.35, 0.21, 1), max_events=3)
     assert len(one.events) > 0
     assert np.allclose(one.log["v"] * (-1, 1, 1), two.log["v"], rtol=1e-9)
@@ -197,10 +197,10 @@ def test_over_a_low_arc_and_against_its_edge() -> None:
 
 
 def test_a_pillar_has_a_top_to_bounce_on_and_a_tube_two_sides() -> None:
-    pillar = Cylinder(point=(0, 0, 0), radius=0.2, length=0.3, restitution=1.0, friction=0.0)
+    pillar = Cylinder(point=(0, 0, 0), radius=0.2, height=0.3, restitution=1.0, friction=0.0)
     run = thrown([pillar], (0.1, 0.1, 0.5), max_events=5)
     assert np.allclose(run.log["x"][1:, 2], 0.35, rtol=0, atol=1e-12)
-    tube = Cylinder(point=(0, 0, 0), radius=0.2, length=0.3, inside=True, restitution=1.0, friction=0.0)
+    tube = Cylinder(point=(0, 0, 0), radius=0.2, height=0.3, inside=True, restitution=1.0, friction=0.0)
     within = thrown([tube], (0, 0, 0.2), (3, 0, 1), max_events=2)
     assert math.hypot(*within.log["x"][1, :2]) == pytest.approx(0.15)
     outside = thrown([tube], (0.5, 0, 0.2), (-3, 0, 1), max_events=1)

@@ -53,7 +53,7 @@ CHANGES: list[tuple[str, Any]] = [
     ("walls", {}), ("walls[0].shape", "torus"), ("walls[0].length", 0), ("walls[0].nose_height", 0.07), ("walls[0].height", 0.01),
     ("walls[0].width", 0.05), ("walls[0].stiffness_ratio", 0), ("walls[0].friction", None), ("walls[0].restitution", None),
     ("walls[0].law", "maw!"), ("walls[1].normal", [0, 0, 0]), ("walls[1].point", [0.49, 0, 0]), ("walls[1].point", [9, 0, 0]),
-    ("walls[2].radius", -1), ("walls[2].length", 0), ("walls[2].axis", [0, 0]), ("walls[2].inside", "yes"),
+    ("walls[2].radius", -1), ("walls[2].height", 0), ("walls[2].axis", [0, 0]), ("walls[2].inside", "yes"),
     ("walls[3].to_angle", -1), ("walls[3].to_angle", 361), ("walls[3].low", 0.3), ("walls[4].points", [[0, 0], [1, 1]]),
     ("walls[4].points", [[5, 1], [6, 2], [6, 1], [5, 2]]), ("walls[4].points", [[5, 1], [5, 1], [6, 1], [5, 2]]),
     ("walls[5].from_angle", 90), ("walls[6].end", [5.0, -1.0]), ("walls[7].center", None), ("walls[7].size", [1, 1, 0]),

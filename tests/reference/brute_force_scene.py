@@ -86,8 +86,8 @@ def solids(scene: carom.Scene) -> Any:
             else:
                 rows.append([BLOCK, i, *low, *(low + size)])
         elif kind == "cylinder":
-            kinds = (TUBE, PILLAR) if w.length == math.inf else (SLEEVE, ROUND)
-            rows.append([kinds[not w.inside], i, *w.point, *unit(w.axis), w.radius, w.length])
+            kinds = (TUBE, PILLAR) if w.height == math.inf else (SLEEVE, ROUND)
+            rows.append([kinds[not w.inside], i, *w.point, *unit(w.axis), w.radius, w.height])
         elif kind == "sphere":
             rows.append([HOLLOW if w.inside else SPHERE, i, *w.center, w.radius])
         elif kind == "arc":
@@ -719,7 +719,7 @@ def random_scene(seed: int) -> carom.Scene:
         more = np.random.default_rng([seed, 1])
         for wall in walls:
             if wall["shape"] == "cylinder" and wall is not walls[0] and more.random() < 0.6:
-                wall["length"] = float(more.uniform(0.05, 0.6))
+                wall["height"] = float(more.uniform(0.05, 0.6))
                 if more.random() < 0.4:
                     wall["inside"] = True
             elif wall["shape"] == "arc" and more.random() < 0.6:

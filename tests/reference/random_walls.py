@@ -108,7 +108,7 @@ def _fields(shape: str, rng: np.random.Generator) -> dict[str, Any]:
         "polygon": lambda: _polygon(rng, not inside),
         "table": lambda: _table(rng),
         "cylinder": lambda: {
-            **({"length": length} if rng.random() < 0.6 else {}),
+            **({"height": length} if rng.random() < 0.6 else {}),
             "point": _numbers(rng, 3), "axis": _direction(rng), "radius": radius, "inside": inside,
         },
         "sphere": lambda: {"center": _numbers(rng, 3), "radius": radius, "inside": inside},

@@ -106,6 +106,57 @@ def test_a_stadium_of_the_release_before_is_read_with_a_note() -> None:
     assert old == carom.scene.Stadium(straight=2.0, radius=1.0, angle=30)
 
 
+# What a wall has besides the sizes of its figure: where it lies, and on which side the balls are.
+WHERE = {
+    "wedge": {"apex": (0, 0, 0)}, "cylinder": {"point": (0, 0, 0), "inside": True}, "sphere": {"center": (0, 0, 0), "inside": True},
+    "box": {"center": (0, 0, 0), "inside": True},
+    "strip": {"point": (0, -0.5, 0), "normal": (0, 1, 0)}, "polygon": {"closed": True},
+}  # fmt: skip
+TRIANGLE = {"points": [(0, 0), (2, 0), (0, 1)]}
+
+
+@pytest.mark.parametrize("name", sorted(FIGURES))
+def test_all_users_of_a_figure_take_its_sizes_by_the_same_names(name: str) -> None:
+    sizes = FIGURES[name].usual or (TRIANGLE if name == "polygon" else {"r": "1 + 0.1*cos(theta)"})
+    sizes = sizes | ({"height": 2.0} if name == "cylinder" else {})
+    made = FIGURES[name](**sizes)
+    assert carom.billiards.table(name, **sizes).figure == made
+    # scenes and gases take all names, or have no such figure at all
+    for user, take in (
+        (
+            "walls",
+            lambda: carom.Scene(walls=[{"shape": name, "restitution": 1.0, **sizes, **WHERE.get(name, {})}], gravity=0),
+        ),
+        ("container", lambda: carom.gas.container(name, **sizes)),
+    ):
+        said = ""
+        try:
+            take()
+        except carom.CaromError as error:
+            said = f"{user}: {error}"
+        assert not [one for one in sizes if f" {one}: " in said or f".{one}: " in said], said
+
+
+def test_cylinders_and_wedges_of_the_release_before_and_of_today() -> None:
+    with pytest.warns(DeprecationWarning, match="cylinder: length is called height now"):
+        old = carom.scene.Cylinder.model_validate({"point": (0, 0, 0), "radius": 1.0, "length": 2.0})
+    assert old == carom.scene.Cylinder(point=(0, 0, 0), radius=1.0, height=2.0)
+    with pytest.raises(carom.CaromError, match="Cylinder: length: expected height alone, got both"):
+        carom.scene.Cylinder(point=(0, 0, 0), radius=1.0, height=2.0, length=2.0)
+    wedge = carom.scene.Wedge(apex=(0, 0, 0), angle=40)
+    assert (wedge.from_angle, wedge.to_angle) == (-20, 20)
+    assert carom.scene.Wedge(apex=(0, 0, 0), from_angle=10, angle="1 rad").to_angle == pytest.approx(
+        10 + math.degrees(1)
+    )
+    for given, text in (
+        ({"angle": 40, "to_angle": 20}, "either angle or to_angle, got both"),
+        ({"angle": "x"}, "an angle in degrees"),
+    ):
+        with pytest.raises(carom.CaromError, match=text) as caught:
+            carom.scene.Wedge(apex=(0, 0, 0), **given)
+        assert len(str(caught.value).splitlines()) == 1
+
+
 class NotchFigure(PlaneFigure):
     """A square with a half circle cut out above and a notch below, for tests: arcs both ways, and re-entrant corners."""
 

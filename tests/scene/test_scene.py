@@ -714,7 +714,7 @@ position = [-0.1, 0.2, 0.3]
                   "slope": [0.0, 0.0]},
         "walls": [
             {"shape": "cylinder", "point": [0.0, 0.0, 0.0], "axis": [0.0, 0.0, 1.0], "radius": 0.5, "inside": True,
-             "length": "inf", "restitution": {"form": "power", "at_rest": 0.9, "speed": 0.2, "exponent": 0.25},
+             "height": "inf", "restitution": {"form": "power", "at_rest": 0.9, "speed": 0.2, "exponent": 0.25},
              "friction": 0.2, "tangential_restitution": 0.0, "stiffness_ratio": 14 / 17,
              "contact_time": 3e-4, "yield_time": 0.0, "law": None, "name": None},
         ],

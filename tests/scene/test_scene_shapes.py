@@ -163,11 +163,11 @@ SHAPES: dict[str, tuple[WallShape, Distance]] = {
     "cylinder, tilted": (Cylinder(point=(0, 1, 0), axis=(1, 1, 0.5), radius=0.7), to_tube((0, 1, 0), (1, 1, 0.5), 0.7)),
     "tube": (Cylinder(point=(0, 1, 0), axis=(1, 1, 0.5), radius=2, inside=True), to_tube((0, 1, 0), (1, 1, 0.5), 2)),
     "cylinder with ends": (
-        Cylinder(point=(0, 1, -0.5), axis=(1, 1, 0.5), radius=0.7, length=1.2),
+        Cylinder(point=(0, 1, -0.5), axis=(1, 1, 0.5), radius=0.7, height=1.2),
         to_pillar((0, 1, -0.5), (1, 1, 0.5), 0.7, 1.2, open=False),
     ),
     "open tube": (
-        Cylinder(point=(0, 1, -0.5), axis=(1, 1, 0.5), radius=0.9, length=1.2, inside=True),
+        Cylinder(point=(0, 1, -0.5), axis=(1, 1, 0.5), radius=0.9, height=1.2, inside=True),
         to_pillar((0, 1, -0.5), (1, 1, 0.5), 0.9, 1.2, open=True),
     ),
     "arc, low": (
@@ -246,7 +246,7 @@ def test_every_shape_can_be_drawn_and_named(name: str) -> None:
 
 
 def test_a_tilted_cylinder_with_ends_is_drawn_as_a_closed_rectangle() -> None:
-    pillar = Cylinder(point=(0, 1, -0.5), axis=(3, 4, 5), radius=0.7, length=math.sqrt(50))
+    pillar = Cylinder(point=(0, 1, -0.5), axis=(3, 4, 5), radius=0.7, height=math.sqrt(50))
     [outline] = pillar.outline()
     expected = [(-0.56, 1.42), (2.44, 5.42), (3.56, 4.58), (0.56, 0.58), (-0.56, 1.42)]
     np.testing.assert_allclose(outline, expected, atol=1e-12)
@@ -263,7 +263,7 @@ def test_the_room_inside_a_wall() -> None:
     assert Table(length=3, width=1.5).room == Table(length=1.5, width=3).room == 0.75
     assert Stadium(straight=2, radius=0.6).room == 0.6
     assert Cylinder(point=(0, 0, 0), radius=0.5, inside=True).room == 0.5
-    assert Cylinder(point=(0, 0, 0), radius=0.5, inside=True, length=2).room == INF  # outside of it
+    assert Cylinder(point=(0, 0, 0), radius=0.5, inside=True, height=2).room == INF  # outside of it
     assert Cylinder(point=(0, 0, 0), radius=0.5).room == INF
 
 
@@ -402,7 +402,7 @@ WRONG = {
         "Box: expected either center or corner (the lowest in x, y and z), got both",
     ),
     "flat cylinder": (
-        lambda: Cylinder(point=(0, 0, 0), radius=1, length=0), "Cylinder: length: expected a length greater than 0 m, got 0.0",
+        lambda: Cylinder(point=(0, 0, 0), radius=1, height=0), "Cylinder: height: expected a length greater than 0 m, got 0.0",
     ),
     "arc upside down": (
         lambda: Arc(center=(0, 0), radius=1, from_angle=0, to_angle=90, low=1, height=0.5),

@@ -154,7 +154,7 @@ function parts(wall, scene, box) {
       return [{ faces: new SphereGeometry(wall.radius, 48, 24).rotateX(Math.PI / 2).translate(.../** @type {Vec} */ (wall.center)), inside: wall.inside, lines: new BufferGeometry() }];
     case "cylinder": {
       const axis = unit(wall.axis);
-      const long = toNumber(wall.length);
+      const long = toNumber(wall.height);
       const upright = Math.abs(axis[2]) > 0.99;
       const shown = Number.isFinite(long) ? long : upright ? high - low : 2 * sizeOf(box);
       const faces = new CylinderGeometry(wall.radius, wall.radius, shown, 64, 1, wall.inside);

@@ -29,6 +29,7 @@ from carom.errors import (
     with_size_limit,
 )
 from carom.public.callers import called_from_outside
+from carom.public.renamed import with_new_names
 
 __all__ = [
     "Acceleration",
@@ -85,6 +86,16 @@ def refused(expected: str, got: str = "", advice: str = "", field: str = "") -> 
 
 def _error(fault: Fault) -> PydanticCustomError:
     return PydanticCustomError("carom", "{said}", {"said": str(fault), "fault": fault})
+
+
+def by_new_names(where: str, given: Any, names: dict[str, str]) -> Any:
+    """Return fields by the names of today, with a warning for each old one; ``names``: old -> new."""
+    if not isinstance(given, dict):
+        return given
+    for old, new in names.items():
+        if given.keys() >= {old, new}:
+            raise refused(f"{new} alone", "both", f"{old} is its old name", old)
+    return with_new_names(where, given, names)
 
 
 def raise_faults(faults: Iterable[Fault]) -> None:

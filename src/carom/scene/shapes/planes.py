@@ -7,10 +7,12 @@ from collections.abc import Sequence
 from typing import Any, ClassVar, Literal
 
 import numpy as np
+from pydantic import TypeAdapter, ValidationError, model_validator
 
 from carom.core.geometry.angles import direction
 from carom.core.geometry.features import FACE
 from carom.core.jit.kernel import cross, dot, kernel
+from carom.errors import shown
 from carom.formatting import format_length
 from carom.public.renamed import renamed_attribute
 from carom.scene.feature_builders import (
@@ -24,7 +26,7 @@ from carom.scene.feature_builders import (
     put_plane,
     unit,
 )
-from carom.scene.schema import Angle, Direction, Flag, Point, Size, Sizes, Vector
+from carom.scene.schema import Angle, Direction, Flag, Point, Size, Sizes, Vector, refused
 from carom.scene.wall import Outline, ShapeFault, ShapeKernels, WallShape, format_vector, put_fault
 
 __all__ = ["FAR", "Box", "Plane", "Strip", "Wedge", "track"]
@@ -197,6 +199,14 @@ def _wedge_faults(p: Numbers, out: Any) -> int:
     return 0 if 0 < p[7] - p[6] <= 360 else put_fault(0, 0.0, 0.0, 0.0, 0, out)
 
 
+def _degrees(field: str, value: Any) -> float:
+    """Return an angle in degrees, as a field of a wall takes it."""
+    try:
+        return TypeAdapter(Angle).validate_python(value)
+    except ValidationError:
+        raise refused("an angle in degrees", shown(value), field=field) from None
+
+
 class Wedge(WallShape):
     """Two half-planes that meet in a line, with the balls in the opening between them.
 
@@ -206,6 +216,7 @@ class Wedge(WallShape):
     axis : 3 numbers: direction of the line; default: vertical
     from_angle, to_angle : degrees: the opening, counterclockwise from one to the other as seen against the axis, from x (from y, if
         the axis is along x). An opening of more than 180 degrees has an edge; one of 360 is a half-plane that begins at the line
+    angle : degrees, in place of to_angle: the opening; without from_angle as much on both sides, as of the figure of this name
     restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
         of :class:`Plane`
 
@@ -232,6 +243,18 @@ class Wedge(WallShape):
     axis: Direction = UP
     from_angle: Angle
     to_angle: Angle
+
+    @model_validator(mode="before")
+    @classmethod
+    def _with_opening(cls, given: Any) -> Any:
+        if not isinstance(given, dict) or "angle" not in given:
+            return given
+        if "to_angle" in given:
+            raise refused("either angle or to_angle", "both", field="angle")
+        rest = {name: value for name, value in given.items() if name != "angle"}
+        opening = _degrees("angle", given["angle"])
+        begin = _degrees("from_angle", given.get("from_angle", -opening / 2))
+        return {**rest, "from_angle": begin, "to_angle": begin + opening}
 
     @property
     def opening_deg(self) -> float:

@@ -13,7 +13,7 @@ from carom.core.geometry.angles import direction
 from carom.core.geometry.features import FACE, LINE, OVER
 from carom.core.jit.kernel import dot, kernel
 from carom.formatting import format_length
-from carom.public.renamed import renamed_attribute, with_new_names
+from carom.public.renamed import renamed_attribute
 from carom.scene.feature_builders import (
     UP,
     Flat,
@@ -34,7 +34,7 @@ from carom.scene.feature_builders import (
     unit,
 )
 from carom.scene.figures.stadium import StadiumSizes
-from carom.scene.schema import Angle, Direction, Extent, Flag, Place, Point, Size, Vector, refused
+from carom.scene.schema import Angle, Direction, Extent, Flag, Place, Point, Size, Vector, by_new_names
 from carom.scene.shapes.planes import FAR, LEVEL
 from carom.scene.shapes.segments import LEVELS, Standing, level_faults, stands
 from carom.scene.wall import Outline, ShapeFault, ShapeKernels, WallShape, always, format_vector, put_fault
@@ -94,11 +94,12 @@ class Cylinder(WallShape):
 
     Parameters
     ----------
-    point : 3 lengths, m: a point of the axis; with a length, the centre of the first end
+    point : 3 lengths, m: a point of the axis; with a height, the centre of the first end
     axis : 3 numbers: direction of the axis; default: vertical
     radius : m
     inside : whether it is a tube with the balls inside; default: a pillar
-    length : m; default: infinite. A pillar is closed by two discs; a tube is open and thin, and is met from outside as well
+    height : m, along the axis; default: infinite. A pillar is closed by two discs; a tube is open and thin, and is met from outside
+        as well
     restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
         of :class:`Plane`
 
@@ -114,17 +115,24 @@ class Cylinder(WallShape):
     kernels: ClassVar = ShapeKernels(
         _cylinder_features, _blocked_by_cylinder, _vertical_cylinder, room=_room_in_tube, faults=_cylinder_faults
     )
-    shape_faults: ClassVar = (ShapeFault("length", "a length greater than 0 m", "{length}"),)
+    shape_faults: ClassVar = (ShapeFault("height", "a length greater than 0 m", "{height}"),)
     shape: Literal["cylinder"] = "cylinder"
     point: Point
     axis: Direction = UP
     radius: Size
     inside: Flag = False
-    length: Extent = math.inf
+    height: Extent = math.inf
+
+    length = renamed_attribute("length", "height")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _with_new_names(cls, given: Any) -> Any:
+        return by_new_names("cylinder", given, {"length": "height"})
 
     @property
     def _ends(self) -> bool:
-        return self.length < math.inf
+        return self.height < math.inf
 
     @property
     def bounded(self) -> bool:
@@ -145,7 +153,7 @@ class Cylinder(WallShape):
 
     def describe(self) -> str:
         """Return a description of a few words."""
-        long = f", {format_length(self.length)} long" if self._ends else ""
+        long = f", {format_length(self.height)} long" if self._ends else ""
         kind = "tube" if self.inside else "cylinder"
         return f"a {kind} of radius {format_length(self.radius)}{long} at {format_vector(self.point)}"
 
@@ -370,11 +378,7 @@ class Stadium(StadiumSizes, WallShape):
     @model_validator(mode="before")
     @classmethod
     def _with_new_names(cls, given: Any) -> Any:
-        if not isinstance(given, dict):
-            return given
-        if given.keys() >= {"length", "straight"}:
-            raise refused("straight alone", "both", "length is its old name", "length")
-        return with_new_names("stadium", given, {"length": "straight"})
+        return by_new_names("stadium", given, {"length": "straight"})
 
     def _point(self, along: float) -> Flat:
         c, s = direction(self.angle)
