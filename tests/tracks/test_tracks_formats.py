@@ -176,7 +176,8 @@ def test_a_guess_can_be_overruled() -> None:
     assert "expected the frame rate" in faults(HERE / "trackpy.csv", format="columns")[0]
     assert "did you mean 'tracker'" in faults(HERE / "tracker_multi.csv", format="traker")[0]
     assert set(FORMATS) == {
-        "tracker", "kinovea", "deeplabcut", "carom-table", "trackpy", "trackmate", "mtrack2", "idtracker", "sleap", "columns"
+        "tracker", "kinovea", "deeplabcut", "carom-table", "trackpy", "trackmate", "mtrack2", "idtracker", "sleap", "columns",
+        "tailuge", "pooltool",
     }  # fmt: skip
 
 

@@ -107,6 +107,16 @@ def test_the_shots_of_pooltool_are_read(films: list[Track], tmp_path: Path) -> N
     assert [one.group for one in read_tracks(path).tracks] == ["shot 0"] * 3 + ["shot 1"] * 3
 
 
+def test_a_shot_that_pooltool_wrote_itself_is_read() -> None:
+    """As MessagePack (tests/interop/files), the path every 0.02 s."""
+    pytest.importorskip("msgpack")
+    found = read_tracks(Path(__file__).parents[1] / "interop/files/bank.msgpack")
+    assert [one.name for one in found.tracks] == ["ball white", "ball red"]
+    white = found.tracks[0]
+    np.testing.assert_allclose(white.position[0], (0.4, 0.5))
+    assert np.ptp(np.diff(white.time)[:20]) < 0.03
+
+
 WRONG: list[tuple[str, str | bytes, str]] = [
     ("a.json", '[{"id":0,"balls":{"1":{"t":[0,1],"x":[0],"y":[0,0]}}}]', "tailuge/billiards: shot 0: expected balls"),
     ("a.json", '[{"id":0,"balls":{"1":{"t":[0,1],"x":[0,1],"y":[0,"a"]}}}]', "missing or no number: could not convert"),
@@ -120,7 +130,7 @@ WRONG: list[tuple[str, str | bytes, str]] = [
         "balls.1.history_cts.states.0.rvw: expected",
     ),
     ("a.json", '{"balls": {"1": {"history_cts": {"sta', "pooltool: expected JSON, got: "),
-    ("a.msgpack", b"\x84\xa3cue\x00\x00", "got a shot of pooltool as MessagePack; save it as JSON"),
+    ("a.msgpack", b"\x84\xa3cue\x00\x00", "expected a whole MessagePack file, got one that ends or errs"),
 ]
 
 

@@ -35,6 +35,7 @@ from carom.tracks.formats import (
     trackpy,
 )
 from carom.tracks.formats.missing import without_marked_places
+from carom.tracks.formats.pooltool_fields import open_file
 from carom.tracks.formats.projects import START, foreign_file
 from carom.tracks.formats.text_table import Calibration, first_rows
 from carom.tracks.frame_numbers import at_rate, without_rounding
@@ -42,6 +43,7 @@ from carom.tracks.free_fall import likely_unit
 from carom.tracks.preprocess import MIN_INTERVAL_S, position_noise
 from carom.tracks.track import Track
 
+MESSAGE_PACK = ".msgpack"
 OF_REBOUNDS = ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in")  # columns
 
 __all__ = [
@@ -84,7 +86,7 @@ FORMATS = {
     "sleap": Format("SLEAP analysis", sleap.matches, sleap.read),
     "carom-table": Format("carom table (JSON)", carom_table.matches, carom_table.read),
     "tailuge": Format("tailuge/billiards (JSON)", tailuge.matches, tailuge.read),
-    "pooltool": Format("pooltool's recorded shot (JSON)", pooltool.matches, pooltool.read),
+    "pooltool": Format("pooltool's recorded shot", pooltool.matches, pooltool.read),
     "trackpy": Format("trackpy data frame", trackpy.matches, trackpy.read),
     "trackmate": Format("TrackMate spots", trackmate.matches, trackmate.read),
     "mtrack2": Format("MTrack2 (ImageJ)", mtrack2.matches, mtrack2.read),
@@ -157,6 +159,8 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
         raise CaromError(
             Fault("tracks", "format", f"one of {', '.join(FORMATS)}", repr(format), suggestion(format, list(FORMATS)))
         )
+    if path.suffix.lower() == MESSAGE_PACK:
+        return _with_positions(path, "pooltool", pooltool.tracks_of(open_file(path), calibration), calibration)
     require_text(path, "positions")
     text = track_text(path)
     if not text.strip():
@@ -175,7 +179,10 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
 
 def _tracks_of_text(path: Path, text: str, name: str, calibration: Calibration) -> TrackFile:
     """Return the tracks in a text of a format; ``path`` says where it stands. Raises CaromError as :func:`read_tracks` does."""
-    tracks = FORMATS[name].read(str(path), text, calibration)
+    return _with_positions(path, name, FORMATS[name].read(str(path), text, calibration), calibration)
+
+
+def _with_positions(path: Path, name: str, tracks: list[Track], calibration: Calibration) -> TrackFile:
     if not tracks or not any(track.seen.any() for track in tracks):
         raise CaromError(f"{path}: {FORMATS[name].title}: expected positions of a ball, got none")
     if name != "columns":  # (which does so before its units are converted)

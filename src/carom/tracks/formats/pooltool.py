@@ -1,4 +1,4 @@
-"""pooltool's recorded shots: JSON of a System or a MultiSystem, the path of each ball in equal steps of time, in metres."""
+"""pooltool's recorded shots, a System or a MultiSystem as JSON or MessagePack: the path of each ball in steps of time, m."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from carom.tracks.formats.pooltool_fields import Field
 from carom.tracks.formats.text_table import Calibration
 from carom.tracks.track import Track
 
-__all__ = ["matches", "read", "recorded"]
+__all__ = ["matches", "read", "recorded", "tracks_of"]
 
 Array = NDArray[np.float64]
 POCKETED = 4  # pooltool's number of that motion
@@ -26,13 +26,17 @@ def matches(text: str) -> bool:
 
 
 def read(name: str, text: str, calibration: Calibration) -> list[Track]:
-    """Read one track per ball; each shot of a MultiSystem is a group. A ball in a pocket is seen no more."""
+    """Read the tracks of a file in JSON."""
     try:
-        file = Field(json.loads(text), name)
+        return tracks_of(Field(json.loads(text), name), calibration)
     except json.JSONDecodeError as error:
         raise CaromError(f"{name}: pooltool: expected JSON, got: {error.msg} at line {error.lineno}") from None
     except RecursionError:
         raise CaromError(f"{name}: pooltool: expected a shot, got brackets too deep to read") from None
+
+
+def tracks_of(file: Field, calibration: Calibration) -> list[Track]:
+    """Return one track per ball; each shot of a MultiSystem is a group. A ball in a pocket is seen no more."""
     several = "multisystem" in file
     shots = file["multisystem"].each() if several else [file]
     tracks = []

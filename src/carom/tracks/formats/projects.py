@@ -20,9 +20,6 @@ VERNIER = "export the positions with the program's menu File > Export > CSV"
 IDTRACKER = "write the trajectories of idtracker.ai as CSV (trajectories_formats = csv)"
 MATLAB = "write the positions as CSV with MATLAB's writetable, under names such as t, x, y"
 PANDAS = "write the data frame as CSV with its method to_csv"
-POOLTOOL = (
-    "save it as JSON, with its paths: pooltool.continuize(system, dt=0.01, inplace=True), system.save('shot.json')"
-)
 FILM = "track the ball first, with Tracker or Kinovea, and export its positions"
 TABLE = "export the positions as a table of text (CSV) from the program that made it"
 
@@ -75,7 +72,6 @@ ENDINGS = {
     ".vmbl": ("a file of Video Analysis", VERNIER), ".mat": ("a MATLAB file", MATLAB),
     ".pkl": ("a pickle of Python", PANDAS), ".pickle": ("a pickle of Python", PANDAS),
     ".xlsx": ("a spreadsheet", "save the sheet as CSV"), ".ods": ("a spreadsheet", "save the sheet as CSV"),
-    ".msgpack": ("a shot of pooltool as MessagePack", POOLTOOL),
     **dict.fromkeys((".mp4", ".mov", ".avi", ".mkv"), ("a film", FILM)),
 }  # fmt: skip
 
