@@ -340,3 +340,38 @@ def test_lip_outs_of_the_rim_and_of_the_hole_are_told_apart():
     # it comes back to the green with the energy that impacts left it, and rolls
     assert heights[-1] == pytest.approx(0.02135)
     assert found.turn[1, 0] > math.radians(60)
+
+
+def _at_the_middle_pocket(speed, offset):
+    """Return a scene with a ball that rolls towards a middle pocket of a pool table, and its state at the edge."""
+    table = {"shape": "table", "preset": "pool-9ft", "restitution": 0.9, "friction": 0.2}
+    shot = {"radius": 0.028575, "mass": 0.163, "position": (offset, -0.6), "velocity": (0.0, -speed), "rolling": True}
+    scene = carom.Scene(floor={"friction": 0.2}, walls=[table], balls=[shot])
+    return scene, carom.simulate(scene).events.of("pocketed")[0]
+
+
+def test_a_ball_at_the_edge_of_a_pocket_rolls_over_its_rim():
+    ends = []
+    for speed, offset in ((0.6, 0.02), (1.6, 0.02), (1.2, 0.0)):
+        scene, event = _at_the_middle_pocket(speed, offset)
+        run = billiards.pocket_rim(scene, event.name, event.after)
+        # the same hole in golf, seen along x: with the speed that the cloth has left
+        same = billiards.roll(
+            surfaces.hole(0.0645, 0.1, 0.028575),
+            (-math.sqrt(0.0645**2 * (1 + 1e-6) - offset**2), offset, 0.028575),
+            (float(np.linalg.norm(event.velocity)), 0, 0),
+            ball=carom.Ball(0.028575, 0.163), gravity=scene.gravity, duration=20.0, accuracy=1e-10,
+        )  # fmt: skip
+        ends.append(run.end)
+        assert run.end == same.end
+        assert [one.kind for one in run.events] == [one.kind for one in same.events]
+        x, y, z = same.events[1].place
+        assert np.abs(run.events[1].place - (y, -x, z)).max() < 1e-6
+    assert ends == ["bottom", "away", "bottom"]
+    scene, event = _at_the_middle_pocket(0.8, 0.035)  # it has met a jaw
+    with pytest.raises(carom.CaromError, match=r"state: expected a ball that rolls, got one that slides at 0.193 m/s"):
+        billiards.pocket_rim(scene, event.name, event.after)
+    with pytest.raises(carom.CaromError, match="pocket: expected one of bottom left pocket"):
+        billiards.pocket_rim(scene, "hole", event.after)
+    with pytest.raises(carom.CaromError, match="a ball on the cloth at the pocket's edge"):
+        billiards.pocket_rim(scene, event.name, carom.simulate(scene).events[0].before)

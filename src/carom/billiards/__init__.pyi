@@ -35,6 +35,7 @@ from .periodic import PeriodicOrbit as PeriodicOrbit
 from .periodic import PeriodicOrbits as PeriodicOrbits
 from .periodic import periodic_orbits as periodic_orbits
 from .periodic import refine_orbit as refine_orbit
+from .pocket_rim import pocket_rim as pocket_rim
 from .rolling_run import RollingEvent as RollingEvent
 from .rolling_run import RollingRun as RollingRun
 from .rolling_run import RollingStates as RollingStates

@@ -48,7 +48,8 @@ class Putts:
     @property
     def lips_out_of_hole(self) -> NDArray[np.bool_]:
         """(speeds, offsets): whether the ball lips out after its centre was below the green."""
-        return (self.outcome == OUTCOMES.index("lips out")) & (self.lowest < 0)
+        found: NDArray[np.bool_] = (self.outcome == OUTCOMES.index("lips out")) & (self.lowest < 0)
+        return found
 
 
 def putt(
