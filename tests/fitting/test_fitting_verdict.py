@@ -16,6 +16,7 @@ from carom.data.datasets import load
 from carom.data.published import published_rebounds
 from carom.fitting import Setting, fit_law, fit_laws, make_problem
 from carom.fitting.adequacy import adequacy, coverage
+from carom.fitting.conditions import odds_note
 from carom.fitting.evidence import UNLIKELY
 from carom.fitting.laws import laws_named
 
@@ -259,3 +260,11 @@ def test_two_springs_are_fitted_to_bounces_in_the_plane(tmp_path, monkeypatch, c
     assert text.count("stiffness_ratio") == 2
     for value, _stderr in ratios.values():
         assert f"{value:.3f} \u00b1" in text
+
+
+def test_the_error_rate_is_that_of_tables_of_this_size() -> None:
+    for rows, said in ((6, "tables of 8 rows"), (25, "tables of 30 rows"), (500, "tables of 200 rows")):
+        (note,) = odds_note(rows, 50.0)
+        assert said in note
+    assert "none was wrong (below 1.2 %)" in odds_note(500, 50.0)[0]
+    assert odds_note(30, 5.0) == []

@@ -65,7 +65,8 @@ def table(
     for i, name in ((2, "v_n_in"), (3, "v_t_in"), (5, "v_n_out"), (6, "v_t_out")):
         columns |= {name: made[:, i] + sigma * rng.normal(size=len(made)), f"sigma_{name}": np.full(len(made), sigma)}
     columns["spin_in"] = made[:, 4] if spins else np.full(len(made), np.nan)
-    return columns
+    # (contacts that graze the wall are not measured; the next one of the disc is then no known bounce's successor)
+    return {name: column[made[:, 2] > 5 * sigma] for name, column in columns.items()}
 
 
 def deviance(
