@@ -3,6 +3,7 @@ from .build import load_gas as load_gas
 from .build import new_gas as new_gas
 from .checkpoint import load_checkpoint as load_checkpoint
 from .checkpoint import save_checkpoint as save_checkpoint
+from .contact_forms import GasSurface as GasSurface
 from .containers import SHAPES as SHAPES
 from .containers import WALLS as WALLS
 from .containers import Container as Container

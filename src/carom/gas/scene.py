@@ -9,15 +9,16 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BeforeValidator, model_validator
 
-from carom.bodies import Surface
 from carom.errors import Fault, FaultList, shown, suggestion
 from carom.formatting import counted, format_number
+from carom.gas.contact_forms import GasSurface
 from carom.gas.containers import BOXES, WALLS
 from carom.gas.edmd.gas_records import ELLIPSE, MAX_BALLS
 from carom.gas.faces import JOINT_OVERLAP
 from carom.gas.initial import DENSEST
 from carom.gas.schema import AnyContainer, GasContact, GasDrive, GasSettings, GasSpecies, GasThermostat
 from carom.gas.sizes import LONGEST_SIDE
+from carom.gas.species import ANY, best_contact
 from carom.scene.plausible import FAST
 from carom.scene.schema import Components, Model, Number, raise_faults
 
@@ -98,14 +99,14 @@ class GasScene(Model):
         return balls / self.container.geometry.volume
 
     @property
-    def surfaces(self) -> dict[tuple[str, str], Surface]:
+    def surfaces(self) -> dict[tuple[str, str], GasSurface]:
         """The contacts of :class:`carom.gas.Gas`."""
-        return {contact.between: contact.surface for contact in self.contacts}
+        return {contact.between: contact for contact in self.contacts}
 
     @property
     def spins_change(self) -> bool:
         """Whether anything can change a spin: a contact that is not smooth, a heated wall, a thermostat."""
-        rough = any(one.friction > 0 and one.tangential_restitution > -1 for one in self.contacts)
+        rough = not all(one.is_smooth for one in self.contacts)
         return rough or self.thermostat is not None or any(one.temperature is not None for one in self.drives)
 
     @property
@@ -167,8 +168,9 @@ def _contact_faults(scene: GasScene) -> list[Fault]:
     found = FaultList()
     names = [one.name for one in scene.species]
     walls = scene.container.geometry.names
-    known = [*names, "wall", *dict.fromkeys((*WALLS[: 2 * scene.container.dimensions], *walls))]
+    known = [ANY, *names, "wall", *dict.fromkeys((*WALLS[: 2 * scene.container.dimensions], *walls))]
     given: set[frozenset[str]] = set()
+    pairs = [contact.between for contact in scene.contacts]
     names_known = True
     for i, contact in enumerate(scene.contacts):
         at = f"contacts[{i}].between"
@@ -176,7 +178,7 @@ def _contact_faults(scene: GasScene) -> list[Fault]:
         if strange:
             names_known = False
             found.add(at, "names of species, or of walls", shown(strange[0]), suggestion(strange[0], known))
-        elif not any(name in names for name in contact.between):
+        elif not any(name in {ANY, *names} for name in contact.between):
             found.add(at, "at least one species", _quoted(*contact.between))
         elif frozenset(contact.between) in given:
             found.add(at, "one contact for each pair", f"a second one for {_quoted(*contact.between)}")
@@ -184,13 +186,12 @@ def _contact_faults(scene: GasScene) -> list[Fault]:
     if not names_known:  # what seems to be missing may be a misspelled name
         return found
     for one, two in itertools.combinations_with_replacement(names, 2):
-        if frozenset((one, two)) not in given:
+        if best_contact(pairs, one, [two]) is None:
             found.append(_missing(one, two))
     for one in names:
-        if frozenset((one, "wall")) not in given:
-            bare = [wall for wall in walls if frozenset((one, wall)) not in given]
-            if bare:
-                found.append(_missing(one, "wall" if len(bare) == len(walls) else bare[0]))
+        bare = [wall for wall in walls if best_contact(pairs, one, [wall, "wall"]) is None]
+        if bare:
+            found.append(_missing(one, "wall" if len(bare) == len(walls) else bare[0]))
     return found
 
 

@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Union
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from carom.bodies import DISC_INERTIAS, INERTIAS, Ball, Disc, Surface
+from carom.bodies import DISC_INERTIAS, INERTIAS, Ball, Disc
 from carom.errors import Fault, shown, suggestion
 from carom.formatting import format_number
+from carom.gas.contact_forms import GasSurface
 from carom.gas.containers import WALLS, Container, container, container_figures, in_figure
 from carom.gas.old_containers import with_new_container
-from carom.gas.species import Drive, Species, Thermostat
+from carom.gas.species import ANY, Drive, Species, Thermostat
 from carom.scene.figures import FIGURES, Figure, PlaneFigure
 from carom.scene.figures.sector import SectorFigure
 from carom.scene.figures.solids import CylinderFigure, SphereFigure
@@ -23,14 +24,12 @@ from carom.scene.schema import (
     Components,
     Count,
     CountOrZero,
-    Friction,
     Length,
     Mass,
     Model,
     Number,
     Share,
     Size,
-    Spring,
     Time,
     raise_faults,
     refused,
@@ -188,7 +187,7 @@ def _inertia(value: Any) -> str | float:
 
 
 def _name(value: Any) -> str:
-    reserved = ("wall", *WALLS)
+    reserved = ("wall", ANY, *WALLS)
     if not isinstance(value, str) or not value or value in reserved:
         raise refused(f"a name other than {', '.join(reserved)}", shown(value))
     return value
@@ -228,26 +227,17 @@ class GasSpecies(Model):
         return Species(ball, self.count, self.name, self.temperature, self.temperature_rotational)
 
 
-class GasContact(Model):
+class GasContact(GasSurface):
     """The contact of two species, or of a species and a wall.
 
     Parameters
     ----------
-    between : two names: of species; "wall" for all walls, or a wall's own name
-    restitution : 0 to 1
-    friction : >= 0, or inf
-    tangential_restitution : -1 (smooth) to 1; default: 0
+    between : two names: of species; "wall" for all walls, or a wall's own name; "*" for every species and wall that no other
+        contact names
+    restitution, friction, tangential_restitution : as of :class:`carom.gas.GasSurface`
     """
 
     between: Annotated[tuple[str, str], BeforeValidator(Components("two names, such as ['a', 'wall']", (2,)))]
-    restitution: Share
-    friction: Friction
-    tangential_restitution: Spring = 0.0
-
-    @property
-    def surface(self) -> Surface:
-        """The surface of :class:`carom.gas.Gas`."""
-        return Surface(self.restitution, self.friction, self.tangential_restitution)
 
 
 # --- energy input --------------------------------------------------------------------------------------------------

@@ -10,6 +10,7 @@ from typing import NamedTuple
 from carom.errors import CaromError
 from carom.formatting import format_bytes, format_number
 from carom.gas.scene import GasScene
+from carom.gas.species import ANY
 
 __all__ = ["MAX_BYTES", "SnapshotSize", "expected_snapshots", "require_size"]
 
@@ -67,6 +68,14 @@ def expected_snapshots(scene: GasScene, every: int | float) -> SnapshotSize:
     return SnapshotSize(math.floor(frames) + 1 if frames < 1e15 else frames, scene.count * per_ball + INDEX)
 
 
+def _mean_speed(scene: GasScene) -> float:
+    """Return the thermal speed along an axis of balls of the mean mass and temperature."""
+    mass, temperature = (
+        sum(one.count * getattr(one, name) for one in scene.species) for name in ("mass", "temperature")
+    )
+    return math.sqrt(temperature / mass)
+
+
 def _rate(scene: GasScene) -> float:
     """Return the initial rate of collisions of a ball with others: Enskog's for balls of the mean size, mass and temperature."""
     count, axes = scene.count, scene.container.dimensions
@@ -74,7 +83,7 @@ def _rate(scene: GasScene) -> float:
     def mean(name: str) -> float:
         return float(sum(one.count * getattr(one, name) for one in scene.species) / count)
 
-    diameter, speed = 2 * mean("radius"), math.sqrt(mean("temperature") / mean("mass"))
+    diameter, speed = 2 * mean("radius"), _mean_speed(scene)
     density, filled = count / scene.container.geometry.volume, min(scene.packing_fraction, 0.7)
     if axes == 2:
         contact = (1 - 7 * filled / 16) / (1 - filled) ** 2
@@ -87,8 +96,8 @@ def _cooling(scene: GasScene) -> float:
     """Return by how much ln v falls per collision of a ball; 0 for gases that are supplied with energy."""
     if scene.thermostat is not None or scene.drives or any(scene.gravity_vector):
         return 0.0
-    names = {one.name for one in scene.species}
-    lost = [1 - one.restitution**2 for one in scene.contacts if set(one.between) <= names]
+    names, speed = {one.name for one in scene.species}, _mean_speed(scene)
+    lost = [1 - one.restitution_at(speed) ** 2 for one in scene.contacts if set(one.between) <= {ANY, *names}]
     return sum(lost) / len(lost) / (2 * scene.container.dimensions) if lost else 0.0
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,9 +12,11 @@ from numpy.typing import NDArray
 
 from carom.bodies import Ball, Surface
 from carom.errors import FaultList, checked_number, require_type, suggestion
+from carom.gas.contact_forms import GasSurface, contact_numbers
 from carom.gas.containers import WALLS, Container
 from carom.gas.edmd.driver import SystemRecords
 from carom.gas.edmd.gas_records import (
+    CONTACT_FORM,
     ELLIPSE,
     FACE,
     FLOW,
@@ -30,9 +32,10 @@ from carom.gas.faces import JOINT_OVERLAP
 from carom.gas.sizes import LONGEST_SIDE, cells_at_most
 from carom.gas.spatial_profiles import layers
 
-__all__ = ["Contacts", "Drive", "Species", "Thermostat", "layer_axis", "system_records"]
+__all__ = ["ANY", "Contacts", "Drive", "Species", "Thermostat", "best_contact", "layer_axis", "system_records"]
 
-Contacts = Surface | Mapping[tuple[str, str], Surface]
+Contacts = Surface | GasSurface | Mapping[tuple[str, str], Surface | GasSurface]
+ANY = "*"  # in contacts: every species and wall
 NO_TOTALS = (0, 0.0, 0.0, 0.0)  # of a contact that has not happened yet
 BALLS_PER_CELL = 0.5  # where the balls are small compared with their distances
 # Of the largest radius: a ball whose centre is further behind a wall that bounds centres overlaps it (snapshots are in single
@@ -176,39 +179,45 @@ def _check_contacts(faults: FaultList, contacts: Contacts, names: Sequence[str],
     """Add the faults of contacts: what is no surface, and names that are not known."""
     if (wrong := _wrong_contacts(contacts)) is not None:
         faults.add("contacts", "a carom.Surface, or one for each pair of names, {('a', 'wall'): Surface(...)}", wrong)
-    elif not isinstance(contacts, Surface):
-        known = [*names, "wall", *dict.fromkeys((*WALLS, *container.names))]
+    elif not isinstance(contacts, Surface | GasSurface):
+        known = [ANY, *names, "wall", *dict.fromkeys((*WALLS, *container.names))]
         for name in sorted({name for key in contacts for name in key} - set(known)):
             faults.add("contacts", "names of species or walls", f"{name!r}; {suggestion(name, known)}")
 
 
 def _wrong_contacts(contacts: Any) -> str | None:
     """Return what is neither a surface nor a mapping of pairs of names to surfaces; None if nothing is."""
-    if isinstance(contacts, Surface):
+    if isinstance(contacts, Surface | GasSurface):
         return None
     if not isinstance(contacts, Mapping):
         return f"{contacts!r:.60}"
     for pair, surface in contacts.items():
         named = isinstance(pair, tuple) and len(pair) == 2 and all(isinstance(name, str) for name in pair)
-        if not named or not isinstance(surface, Surface):
+        if not named or not isinstance(surface, Surface | GasSurface):
             return f"{pair!r:.40}: {surface!r:.40}"
     return None
 
 
-def _surface(faults: FaultList, contacts: Contacts, one: str, others: Sequence[str]) -> Surface:
+def best_contact(keys: Iterable[tuple[str, str]], one: str, others: Sequence[str]) -> tuple[str, str] | None:
+    """Return which of some pairs of names says most about a species and the first of others: "*" stands for every name."""
+    found: dict[tuple[int, int, int], tuple[str, str]] = {}
+    for order, key in enumerate(keys):
+        for first, second in (key, key[::-1]):
+            if first in {one, ANY} and second in {*others, ANY}:
+                rank = len(others) if second == ANY else list(others).index(second)
+                found.setdefault(((first, second).count(ANY), rank, order), key)
+    return found[min(found)] if found else None
+
+
+def _surface(faults: FaultList, contacts: Contacts, one: str, others: Sequence[str]) -> Surface | GasSurface:
     """Return the surface between a species and the first of others for which one is given."""
-    if isinstance(contacts, Surface):
+    if isinstance(contacts, Surface | GasSurface):
         return contacts
-    for other in others:
-        for key in ((one, other), (other, one)):
-            if key in contacts:
-                return contacts[key]
+    key = best_contact(contacts, one, others)
+    if key is not None:
+        return contacts[key]
     faults.add("contacts", f"a Surface for ({one!r}, {others[-1]!r})", f"keys {sorted(contacts)}")
     return Surface()
-
-
-def _coefficients(surface: Surface) -> tuple[float, float, float]:
-    return float(surface.restitution), float(surface.friction), float(surface.tangential_restitution)
 
 
 def _set_cells(faults: FaultList, one: Any, container: Container, widest: float, longest: float, count: int) -> None:
@@ -274,13 +283,6 @@ def _check_discs(faults: FaultList, species: Sequence[Species], axes: int) -> No
         )
 
 
-def _pair_record(faults: FaultList, contacts: Contacts, first: Species, second: Species) -> tuple[Any, ...]:
-    """Return the contact of two species."""
-    e, mu, beta = _coefficients(_surface(faults, contacts, first.name, [second.name]))
-    distance = first.ball.radius + second.ball.radius
-    return distance, distance * distance, e, mu, beta, mu == 0 or beta == -1, *NO_TOTALS
-
-
 def system_records(
     species: Sequence[Species],
     container: Container,
@@ -333,20 +335,32 @@ def system_records(
                 "species", f"radii below {min(face.vector[:2]):g}, the ellipse's smaller half axis", f"{widest:g}"
             )
     faces = _face_records(faults, container, drives, widest)
-    kinds = np.zeros(len(species), SPECIES)
-    pairs, with_walls = np.zeros(len(species) ** 2, PAIR), np.zeros(len(faces) * len(species), WALL_CONTACT)
-    for i, first in enumerate(species):
-        ball = first.ball
-        kinds[i] = (ball.radius, ball.mass, ball.kappa)
-        for j, second in enumerate(species):
-            pairs[i * len(species) + j] = _pair_record(faults, contacts, first, second)
-        for k, face in enumerate(container.faces):
-            surface = _surface(faults, contacts, first.name, [face.name, "wall"])
-            with_walls[k * len(species) + i] = (*face.offset(float(ball.radius)), *_coefficients(surface), *NO_TOTALS)
+    kinds = np.array([(kind.ball.radius, kind.ball.mass, kind.ball.kappa) for kind in species], SPECIES)
+    pairs, pair_forms, with_walls, wall_forms = _contact_records(faults, species, container, contacts)
     faults.raise_if_any()
-    return SystemRecords(
-        system, kinds, pairs, with_walls, faces, *_average_records(one, container, drives, len(species))
-    )
+    means = _average_records(one, container, drives, len(species))
+    return SystemRecords(system, kinds, pairs, pair_forms, with_walls, wall_forms, faces, *means)
+
+
+def _contact_records(
+    faults: FaultList, species: Sequence[Species], container: Container, contacts: Contacts
+) -> list[NDArray[np.void]]:
+    """Return the records of contacts of pairs and with walls, each with those of their forms."""
+    count = len(species)
+    sizes = (count**2, count**2, len(container.faces) * count, len(container.faces) * count)
+    kinds = (PAIR, CONTACT_FORM, WALL_CONTACT, CONTACT_FORM)
+    found = [np.zeros(size, kind) for size, kind in zip(sizes, kinds, strict=True)]
+    for i, first in enumerate(species):
+        for j, second in enumerate(species):
+            numbers, form, smooth = contact_numbers(_surface(faults, contacts, first.name, [second.name]))
+            distance = first.ball.radius + second.ball.radius
+            found[0][i * count + j] = (distance, distance * distance, *numbers, smooth, *NO_TOTALS)
+            found[1][i * count + j] = form
+        for k, face in enumerate(container.faces):
+            numbers, form, _smooth = contact_numbers(_surface(faults, contacts, first.name, [face.name, "wall"]))
+            found[2][k * count + i] = (*face.offset(float(first.ball.radius)), *numbers, *NO_TOTALS)
+            found[3][k * count + i] = form
+    return found
 
 
 def _average_records(one: Any, container: Container, drives: Collection[str], count: int) -> Any:

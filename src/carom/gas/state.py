@@ -172,7 +172,8 @@ def _forms(scene: GasScene, state: Arrays) -> dict[str, tuple[np.dtype[Any], tup
     balls, species, faces = scene.count, len(scene.species), len(scene.container.geometry.faces)
     count = {
         "system": 1, "motions": balls, "plans": balls + 1, "bodies": balls, "numbers": balls, "species": species,
-        "pairs": species**2, "contacts": faces * species, "faces": faces, "whole": 1, "flows": species,
+        "pairs": species**2, "pair_forms": species**2, "contacts": faces * species, "contact_forms": faces * species,
+        "faces": faces, "whole": 1, "flows": species,
         "layers": _layers(scene, state) * species,
     }  # fmt: skip
     forms: dict[str, tuple[np.dtype[Any], tuple[int, ...]]] = {

@@ -9,18 +9,20 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.core.contact import contact
+from carom.core.contact import contact, friction_at_slip
 from carom.core.jit.kernel import Vec, hot_kernel, kernel
+from carom.core.motion.restitution import restitution
+from carom.core.random import normals, uniform
 from carom.core.roots.first_root import hit2
 from carom.gas.edmd.averages import note_pair
 from carom.gas.edmd.calendar import I64, U64
 from carom.gas.edmd.cell_lists import INDEX_MASK
-from carom.gas.edmd.gas_records import INDEX_BITS, NO_BALL
-from carom.laws.pair import pair_contact
+from carom.gas.edmd.gas_records import INDEX_BITS, NO_BALL, RANDOM_NORMAL, RANDOM_UNIFORM
+from carom.laws.pair import pair_contact, pair_slip
 
 __all__ = [
     "LANES", "PATIENCE", "QUICK", "add_energies", "collide_balls", "count_if_feeble", "earliest_collision", "free_flight",
-    "next_cell_crossing", "set_velocity", "squared_length",
+    "next_cell_crossing", "restitution_of", "set_velocity", "squared_length",
 ]  # fmt: skip
 
 LANES = 4  # collision times computed at once
@@ -228,15 +230,47 @@ def count_if_feeble(system: Any, body: Any, now: float, e: float, approach: floa
         body.last_contact = max(body.last_contact, now) + QUICK * between * max(1.0, 8.0 - 16.0 * e)
 
 
+@kernel
+def _form_restitution(system: Any, form: Any, speed: float) -> float:
+    """Return the restitution of a form, at a normal speed of approach or by chance."""
+    code = I64(form.form)
+    if code == RANDOM_UNIFORM:
+        system.drawn += 1
+        return form.p0 + form.p1 * uniform(system.key[0], system.key[1], system.drawn - 1)  # type: ignore[no-any-return]
+    if code == RANDOM_NORMAL:
+        x, _y, system.drawn = normals(system.key[0], system.key[1], system.drawn)
+        return min(max(form.p0 + form.p1 * x, 0.0), 1.0)  # type: ignore[no-any-return]
+    return restitution(code, (form.p0, form.p1, form.p2), max(speed, 0.0))
+
+
 @hot_kernel
-def _pair_restitution(system: Any, pair: Any, first: Any, second: Any, now: float) -> float:
+def restitution_of(system: Any, e: float, form: Any, speed: float) -> float:
+    """Return the restitution of a contact at a normal speed of approach: the number e, unless it has a form."""
+    return e if form.form == 0 else _form_restitution(system, form, speed)
+
+
+@hot_kernel
+def _pair_restitution(system: Any, pair: Any, form: Any, first: Any, second: Any, speed: float, now: float) -> float:
     """Return the restitution of a contact of two balls: 1 soon after an earlier contact of the TC model."""
-    e = pair.e
+    e = restitution_of(system, pair.e, form, speed)
     if system.contact_time > 0:
         if now - max(first.last_contact, second.last_contact) < system.contact_time:
             e = 1.0
         first.last_contact = second.last_contact = now
-    return e  # type: ignore[no-any-return]
+    return e
+
+
+@hot_kernel
+def _pair_friction(
+    pair: Any, form: Any, v1: Vec, first: Any, v2: Vec, second: Any, n: Vec, a1: float, a2: float
+) -> float:
+    """Return the friction of a contact of two balls: its number, unless it falls with the slip."""
+    mu = pair.mu
+    if form.drop > 0.0:
+        w1, w2 = (first.wx, first.wy, first.wz), (second.wx, second.wy, second.wz)
+        slip = pair_slip(v1, w1, v2, w2, n, a1, a2)[1]
+        mu = friction_at_slip(mu, form.drop, form.rate, math.sqrt(squared_length(slip)))
+    return mu  # type: ignore[no-any-return]
 
 
 @hot_kernel
@@ -254,10 +288,11 @@ def collide_balls(
     rz = _nearest_image(a.z - b.z, grid.side[U64(2)], grid.periodic[U64(2)])
     distance = math.sqrt(rx * rx + ry * ry + rz * rz)
     n = (rx / distance, ry / distance, rz / distance)
-    e = _pair_restitution(system, pair, bodies[U64(i)], bodies[U64(j)], now)
+    form = materials.pair_forms[U64(species1 * system.species + species2)]
     ux, uy, uz = a.vx - b.vx, a.vy - b.vy, a.vz - b.vz
     # (the surfaces of growing balls approach by themselves)
     un = ux * n[0] + uy * n[1] + uz * n[2] - pair.distance * system.growth
+    e = _pair_restitution(system, pair, form, bodies[U64(i)], bodies[U64(j)], -un, now)
     if pair.e < 1.0 and system.contact_time == 0.0:
         count_if_feeble(system, bodies[U64(i)], now, e, -un, distance)
         count_if_feeble(system, bodies[U64(j)], now, e, -un, distance)
@@ -275,9 +310,10 @@ def collide_balls(
         pair.lost_normal -= (1 - e) / 2 * pn * un
     else:
         first, second = bodies[U64(i)], bodies[U64(j)]
+        mu = _pair_friction(pair, form, v1, first, v2, second, n, one.radius, two.radius)
         u1, w1, u2, w2, p, _required, _regime = pair_contact(
             v1, (first.wx, first.wy, first.wz), v2, (second.wx, second.wy, second.wz), n,
-            one.radius, one.mass, one.kappa, two.radius, two.mass, two.kappa, e, pair.mu, pair.beta,
+            one.radius, one.mass, one.kappa, two.radius, two.mass, two.kappa, e, mu, pair.beta,
         )  # fmt: skip
         pn = p[0] * n[0] + p[1] * n[1] + p[2] * n[2]
         # an impulse changes the energy of the centres by itself times the mean of the velocities before and after

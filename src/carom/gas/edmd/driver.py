@@ -16,6 +16,7 @@ from carom.gas.edmd.calendar import calendar_sizes
 from carom.gas.edmd.cell_lists import SLOTS, morton_offsets, neighbour_tables, walls_of_cells
 from carom.gas.edmd.gas_records import (
     BODY,
+    CONTACT_FORM,
     ELLIPSE,
     FACE,
     FLOW,
@@ -61,7 +62,9 @@ STATE = {
     "numbers": np.dtype("u4"),
     "species": SPECIES,
     "pairs": PAIR,
+    "pair_forms": CONTACT_FORM,
     "contacts": WALL_CONTACT,
+    "contact_forms": CONTACT_FORM,
     "faces": FACE,
     "whole": WHOLE,
     "flows": FLOW,
@@ -75,7 +78,9 @@ class SystemRecords(NamedTuple):
     system: NDArray[np.void]
     species: NDArray[np.void]
     pairs: NDArray[np.void]
+    pair_forms: NDArray[np.void]
     contacts: NDArray[np.void]
+    contact_forms: NDArray[np.void]
     faces: NDArray[np.void]
     whole: NDArray[np.void]
     flows: NDArray[np.void]
@@ -172,8 +177,8 @@ def _assemble(state: dict[str, Any], memory: dict[str, NDArray[Any]]) -> GasArra
     return GasArrays(
         system=state["system"],
         balls=Balls(*(state[name] for name in Balls._fields)),
-        materials=Materials(state["species"], state["pairs"]),
-        walls=WallRecords(state["faces"], state["contacts"], cell_sets, sets),
+        materials=Materials(*(state[name] for name in Materials._fields)),
+        walls=WallRecords(state["faces"], state["contacts"], state["contact_forms"], cell_sets, sets),
         averages=Averages(*(state[name] for name in Averages._fields)),
         calendar=Calendar(*(memory[name] for name in Calendar._fields)),
         cells=Cells(memory["slots"], memory["links"], offsets, shifts),

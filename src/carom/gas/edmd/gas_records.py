@@ -16,9 +16,42 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
-    "BODY", "COLLAPSED", "DONE", "ELLIPSE", "FACE", "FLOW", "FLUX", "INDEX_BITS", "INSIDE", "LAYER", "LIMIT", "MAX_BALLS",
-    "MOTION", "NO_BALL", "OUTSIDE", "PAIR", "PLAN", "PLANE", "SPECIES", "SYSTEM", "UNDERFLOW", "WALL_CONTACT", "WHOLE",
-    "Averages", "Balls", "Calendar", "Cells", "Features", "Grid", "Materials", "Neighbours", "Scratch", "WallRecords",
+    "BODY",
+    "COLLAPSED",
+    "CONTACT_FORM",
+    "DONE",
+    "ELLIPSE",
+    "FACE",
+    "FLOW",
+    "FLUX",
+    "INDEX_BITS",
+    "INSIDE",
+    "LAYER",
+    "LIMIT",
+    "MAX_BALLS",
+    "MOTION",
+    "NO_BALL",
+    "OUTSIDE",
+    "PAIR",
+    "PLAN",
+    "PLANE",
+    "RANDOM_NORMAL",
+    "RANDOM_UNIFORM",
+    "SPECIES",
+    "SYSTEM",
+    "UNDERFLOW",
+    "WALL_CONTACT",
+    "WHOLE",
+    "Averages",
+    "Balls",
+    "Calendar",
+    "Cells",
+    "Features",
+    "Grid",
+    "Materials",
+    "Neighbours",
+    "Scratch",
+    "WallRecords",
 ]  # fmt: skip
 
 # Why a call of the loop ended: the end time was reached (or no event is left); the number of collisions was reached; time no
@@ -76,13 +109,18 @@ PAIR = np.dtype(
     [
         ("distance", _FLOAT),  # of the centres in contact
         ("distance_squared", _FLOAT),
-        ("e", _FLOAT),
+        ("e", _FLOAT),  # (of a CONTACT_FORM a number below 1 that stands for it)
         ("mu", _FLOAT),
         ("beta", _FLOAT),
         ("smooth", "i8"),  # spins neither matter nor change
         *_TOTALS,
     ]
 )
+
+# A contact whose restitution or friction is no number, beside a PAIR or WALL_CONTACT: the form of the restitution (0: a number) and
+# its three numbers (core.motion.restitution, or a random one); what friction falls by with the slip, and how fast.
+RANDOM_UNIFORM, RANDOM_NORMAL = 100, 101
+CONTACT_FORM = np.dtype([("form", "i8"), *((name, _FLOAT) for name in ("p0", "p1", "p2", "drop", "rate"))])
 
 # A face of a wall: geometry, motion, temperature, totals.
 # The gap of a ball at x is n.(x - m) - d for a plane, d^2 - |q (x - m)|^2 inside a round wall and |q (x - m)|^2 - d^2 outside
@@ -221,6 +259,7 @@ class Materials(NamedTuple):
 
     species: NDArray[np.void]
     pairs: NDArray[np.void]
+    pair_forms: NDArray[np.void]
 
 
 class Averages(NamedTuple):
@@ -236,6 +275,7 @@ class WallRecords(NamedTuple):
 
     faces: NDArray[np.void]
     contacts: NDArray[np.void]
+    contact_forms: NDArray[np.void]
     cell_sets: NDArray[np.int32]
     """Place in ``sets`` at which the set of each cell begins."""
     sets: NDArray[np.int32]

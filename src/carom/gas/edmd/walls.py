@@ -14,14 +14,14 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.core.contact import one_contact
+from carom.core.contact import friction_at_slip, one_contact, slip_velocity
 from carom.core.geometry.ellipse import oval_depth, oval_hit
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel
 from carom.core.random import exponential, normals, uniform
 from carom.core.roots.first_root import hit2, hit4, next_hit4
 from carom.gas.edmd.averages import note_change
 from carom.gas.edmd.calendar import I64, U64
-from carom.gas.edmd.collisions import add_energies, count_if_feeble, set_velocity, squared_length
+from carom.gas.edmd.collisions import add_energies, count_if_feeble, restitution_of, set_velocity, squared_length
 from carom.gas.edmd.gas_records import ELLIPSE, OUTSIDE, PLANE
 
 __all__ = [
@@ -296,11 +296,14 @@ def _release_speed(
 
 @kernel
 def _wall_impact(
-    features: Any, system: Any, gravity: Any, face: Any, contact: Any, ball: Any, body: Any, one: Any, n: Vec, v0: Vec, w0: Vec,
-    now: float,
+    features: Any, system: Any, gravity: Any, face: Any, contact: Any, form: Any, ball: Any, body: Any, one: Any, n: Vec, v0: Vec,
+    w0: Vec, now: float,
 ) -> tuple[Vec, Vec, float]:  # fmt: skip
     """Return velocity, spin and normal impulse per mass of a ball after a contact, in the frame of the wall."""
-    e, least = contact.e, 0.0
+    e, least, mu = restitution_of(system, contact.e, form, -dot(v0, n)), 0.0, contact.mu
+    if form.drop > 0.0:
+        slip = slip_velocity(v0, w0, n, one.radius)[1]
+        mu = friction_at_slip(mu, form.drop, form.rate, math.sqrt(squared_length(slip)))
     if system.contact_time > 0.0:
         if now - body.last_contact < system.contact_time:
             e, least = 1.0, _release_speed(features, face, contact, gravity, ball, n, system.contact_time)
@@ -308,7 +311,7 @@ def _wall_impact(
         body.last_contact = now
     elif e < 1.0:
         count_if_feeble(system, body, now, e, -dot(v0, n), one.radius)
-    v, spin, j, _required, _regime = one_contact(v0, w0, n, one.radius, one.kappa, e, contact.mu, contact.beta)
+    v, spin, j, _required, _regime = one_contact(v0, w0, n, one.radius, one.kappa, e, mu, contact.beta)
     un, pn, half = dot(v0, n), dot(j, n), one.mass / 2.0
     translational = half * (j[0] * (v0[0] + v[0]) + j[1] * (v0[1] + v[1]) + j[2] * (v0[2] + v[2]))
     rotational = half * one.kappa * one.radius * one.radius * (squared_length(spin) - squared_length(w0))
@@ -343,11 +346,12 @@ def collide_wall(
     """Collide a ball with face ``w``."""
     face, one, gravity = walls.faces[U64(w)], species[U64(ball.species)], grid.gravity
     contact = walls.contacts[U64(w * system.species + I64(ball.species))]
+    form = walls.contact_forms[U64(w * system.species + I64(ball.species))]
     v0, w0 = (ball.vx, ball.vy, ball.vz), (body.wx, body.wy, body.wz)
     before = v0
     if features is None:
         n = (face.nx, face.ny, face.nz)
-        v, spin, pn = _wall_impact(features, system, gravity, face, contact, ball, body, one, n, v0, w0, now)
+        v, spin, pn = _wall_impact(features, system, gravity, face, contact, form, ball, body, one, n, v0, w0, now)
     else:
         n = _normal(features, face, ball)
         speed = 0.0
@@ -361,7 +365,7 @@ def collide_wall(
             v, spin, pn = _leave_heated_wall(system, face, body, one, n, v0, w0)
             contact.collisions += 1  # (what it gives or takes is the wall's energy)
         else:
-            v, spin, pn = _wall_impact(features, system, gravity, face, contact, ball, body, one, n, v0, w0, now)
+            v, spin, pn = _wall_impact(features, system, gravity, face, contact, form, ball, body, one, n, v0, w0, now)
         v = (v[0] + speed * n[0], v[1] + speed * n[1], v[2] + speed * n[2])
         face.energy += one.mass * pn * speed
     _set_motion(averages, grid, ball, body, plan, one, v, spin, before, w0, now)

@@ -1,0 +1,136 @@
+"""Contacts whose restitution or friction is no number: functions of the speed, as scenes have them, and random numbers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
+
+from pydantic import AfterValidator, BeforeValidator, Field, PlainSerializer, model_validator
+
+from carom.bodies import Surface
+from carom.gas.edmd.gas_records import RANDOM_NORMAL, RANDOM_UNIFORM
+from carom.scene.ball_contact import FallingFriction, Rubbing
+from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, Power, Restitution, Viscoelastic
+from carom.scene.schema import Model, Number, Share, Spring, Vector, refused
+
+__all__ = ["GasSurface", "NormalRestitution", "UniformRestitution", "contact_numbers"]
+
+UNKNOWN = 0.5  # in the place of a restitution that is no number
+NO_FORM = (0, 0.0, 0.0, 0.0, 0.0, 0.0)
+_DEVIATION = Number("a standard deviation from 0 to 1", least=0, most=1)
+
+
+class UniformRestitution(Restitution):
+    """A random restitution for each contact: uniformly distributed from ``low`` to ``high``."""
+
+    form: Literal["uniform"] = "uniform"
+    low: Share
+    high: Share
+    code: ClassVar[int] = RANDOM_UNIFORM
+
+    @model_validator(mode="after")
+    def _ordered(self) -> UniformRestitution:
+        if self.high < self.low:
+            raise refused(f"at least low = {self.low:g}", f"{self.high:g}", field="high")
+        return self
+
+    @property
+    def p(self) -> Vector:
+        """Return the lowest value and the width."""
+        return (self.low, self.high - self.low, 0.0)
+
+    def at(self, speed: float) -> float:
+        """Return the mean, at every speed."""
+        return (self.low + self.high) / 2 + 0 * speed
+
+
+class NormalRestitution(Restitution):
+    """A random restitution for each contact: normally distributed, held in [0, 1]."""
+
+    form: Literal["normal"] = "normal"
+    mean: Share
+    deviation: Annotated[float, BeforeValidator(_DEVIATION)]
+    code: ClassVar[int] = RANDOM_NORMAL
+
+    @property
+    def p(self) -> Vector:
+        """Return mean and standard deviation."""
+        return (self.mean, self.deviation, 0.0)
+
+    def at(self, speed: float) -> float:
+        """Return the mean of the normal distribution, at every speed."""
+        return self.mean + 0 * speed
+
+
+_NUMBER = Number("a number from 0 to 1, or a table { form = ... }", least=0, most=1)
+
+
+def _from_number(value: Any) -> Any:
+    return value if isinstance(value, (dict, Restitution)) else Constant(value=_NUMBER(value))
+
+
+def _as_number(value: Restitution) -> float | Restitution:
+    return value.value if isinstance(value, Constant) else value
+
+
+def _as_written(restitution: float | Restitution) -> Any:
+    return restitution.model_dump() if isinstance(restitution, Restitution) else restitution
+
+
+if TYPE_CHECKING:
+    GasBounce = float | Restitution
+else:
+    GasBounce = Annotated[
+        Annotated[
+            Constant | Polynomial | Han2005 | Power | Viscoelastic | Exponential | UniformRestitution | NormalRestitution,
+            Field(discriminator="form"),
+        ],
+        BeforeValidator(_from_number), AfterValidator(_as_number), PlainSerializer(_as_written),
+    ]  # fmt: skip
+
+
+class GasSurface(Model):
+    """The contact of two balls of a gas, or of a ball and a wall, with a restitution that may depend on the speed or on chance.
+
+    Parameters
+    ----------
+    restitution : number from 0 to 1, or a form of the normal speed of approach as in scenes ("viscoelastic" with c, "power",
+        "polynomial", "exponential"), or of a random number for each contact: "uniform" with low and high, "normal" with mean and
+        deviation
+    friction : >= 0, or inf, or a table of at_rest, at_speed, speed: friction that falls with the slip
+    tangential_restitution : -1 (smooth) to 1; default: 0
+
+    Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom.gas import GasSurface
+    >>> steel = GasSurface(restitution={"form": "viscoelastic", "c": 0.2}, friction=0.1)
+    >>> round(steel.restitution.at(1.0), 3)
+    0.822
+    """
+
+    restitution: GasBounce
+    friction: Rubbing
+    tangential_restitution: Spring = 0.0
+
+    def restitution_at(self, speed: float) -> float:
+        """Return the restitution at a normal speed of approach, its mean if it is random."""
+        return self.restitution.at(speed) if isinstance(self.restitution, Restitution) else self.restitution
+
+    @property
+    def is_smooth(self) -> bool:
+        """Whether the contact leaves spins as they are."""
+        rubs = self.friction.at_rest if isinstance(self.friction, FallingFriction) else self.friction
+        return rubs == 0 or self.tangential_restitution == -1
+
+
+def contact_numbers(surface: Surface | GasSurface) -> tuple[tuple[float, float, float], tuple[float, ...], bool]:
+    """Return restitution, friction and tangential restitution; the form of what is no number (code 0: all are); and smoothness."""
+    if not isinstance(surface, GasSurface):
+        e, mu, beta = (float(x) for x in (surface.restitution, surface.friction, surface.tangential_restitution))
+        return (e, mu, beta), NO_FORM, mu == 0 or beta == -1
+    bounce, rub, beta = surface.restitution, surface.friction, surface.tangential_restitution
+    form = (bounce.code, *bounce.p) if isinstance(bounce, Restitution) else NO_FORM[:4]
+    falls = rub.numbers if isinstance(rub, FallingFriction) else (rub, 0.0, 0.0)
+    number = UNKNOWN if isinstance(bounce, Restitution) else bounce
+    return (number, falls[0], beta), (*form, *falls[1:]), surface.is_smooth
