@@ -210,7 +210,7 @@ WRONG = {
     ),
     "no friction": (
         ROUGH.replace("friction = inf\n", ""),
-        "contacts[0].friction: expected a number >= 0 (inf: never slips), got nothing",
+        "contacts[0].friction: expected a number >= 0 (inf: never slips), or a table { at_rest, at_speed, speed }, got nothing",
     ),
     "twice": (
         ROUGH.replace("[run]", '[[contacts]]\nbetween = ["a", "a"]\nrestitution = 1\nfriction = 0\n[run]'),

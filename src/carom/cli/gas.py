@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import shlex
 import sys
 from collections.abc import Callable
@@ -21,6 +22,7 @@ from carom.formatting import counted
 
 if TYPE_CHECKING:
     from carom.cli.gas_output import Progress
+    from carom.gas.sampling import Every
     from carom.gas.scene import GasScene
     from carom.gas.session import Session
 
@@ -74,7 +76,11 @@ def gas(
     ] = None,
     every: Annotated[
         str | None,
-        typer.Option(metavar="T", help="Time between snapshots, or '5000 events'.", rich_help_panel=OUTPUT),
+        typer.Option(
+            metavar="T",
+            help="Time between snapshots, '5000 events', or '20 per decade' of time.",
+            rich_help_panel=OUTPUT,
+        ),
     ] = None,
     max_size: Annotated[
         str | None,
@@ -82,6 +88,9 @@ def gas(
             metavar="SIZE", help="Largest size of the snapshots: '20 GB'. Default: 1 GB.", rich_help_panel=OUTPUT
         ),
     ] = None,
+    yes: Annotated[
+        bool, typer.Option("--yes", help="Write snapshots of any size for which there is room.", rich_help_panel=OUTPUT)
+    ] = False,
     force: Annotated[bool, shared("force", help="Overwrite snapshots that exist.")] = False,
     checkpoint: Annotated[
         Path | None,
@@ -122,6 +131,7 @@ def gas(
                 "--checkpoint": checkpoint,
                 "--resume": resume,
                 "--max-size": max_size,
+                "--yes": yes or None,
             },
         )
     if snapshots is not None and resume is None and not force and snapshots.is_file():
@@ -131,8 +141,9 @@ def gas(
         found.add("--checkpoint-every", "--checkpoint FILE as well", "none")
     changes = {"max_events": max_events, "duration": duration, "from_time": from_time, "seed": seed}
     given = found.attempt(_scene, scene, resume, changes)
-    snapshot_every, most = _snapshot_options(found, snapshots, every, max_size)
+    snapshot_every, most = _snapshot_options(found, snapshots, every, max_size, given)
     found.raise_if_any()
+    most = math.inf if yes and most is None else most
     progress = Progress(quiet)
     if ensemble is not None:
         return run_ensemble(given, str(scene), ensemble, progress, plot, measures, as_json, quiet)
@@ -146,6 +157,10 @@ def gas(
         if snapshots is not None and snapshot_every is not None:
             file = open_frames(snapshots, session, resume is not None, snapshot_every, most, found, progress)
             stack.callback(file.close)
+            if (gap := session.snapshot_gap(snapshot_every)) is not None:
+                progress.say(
+                    f"snapshots from t = {gap[0]:.6g} to {gap[1]:.6g} are missing: the run went on without them"
+                )
         checkpoints = _Checkpoints(checkpoint or resume, interval, file, progress)
 
         def report_progress(*_progress: Any) -> None:
@@ -199,14 +214,34 @@ def _check_files(
 
 
 def _snapshot_options(
-    found: FaultList, snapshots: Path | None, every: str | None, max_size: str | None
-) -> tuple[int | float | None, float | None]:
+    found: FaultList, snapshots: Path | None, every: str | None, max_size: str | None, scene: GasScene | None
+) -> tuple[Every | None, float | None]:
     """Return the interval of snapshots and their largest size in bytes, None if not given; add faults to ``found``."""
-    interval = found.attempt(_interval, "--every", every) if every is not None else None
+    interval = found.attempt(_spacing, every, scene) if every is not None else None
     for option, value in (("--every", every), ("--max-size", max_size)):
         if value is not None and snapshots is None:
             found.add(option, "--snapshots FILE.gsd as well", "none")
     return interval, found.attempt(size_limit, max_size)
+
+
+def _spacing(text: str, scene: GasScene | None) -> Every:
+    """Return the interval of snapshots; of so many per decade of time the first is at the gas's mean free time."""
+    from carom.gas.sampling import LogTimes
+    from carom.gas.snapshot_sizes import mean_free_time
+
+    words = text.split()
+    if words[1:] in (["per", "decade"], ["per", "decade", "from", words[-1]]):
+        try:
+            count = float(words[0])
+            first = float(words[-1]) if len(words) > 3 else math.nan if scene is None else mean_free_time(scene)
+        except ValueError:
+            count = first = math.nan
+        if 0 < count < math.inf and 0 < first < math.inf:
+            return LogTimes(first, count)
+        raise CaromError(
+            f"--every: expected a number per decade of time, such as '20 per decade from 0.5', got {text!r}"
+        )
+    return _interval("--every", text)
 
 
 def _interval(option: str, text: str) -> int | float:
@@ -254,8 +289,8 @@ def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> G
 
 
 def _keep_outputs(
-    session: Session, outputs: dict[str, Path | None], every: int | float | None, progress: Progress
-) -> int | float | None:
+    session: Session, outputs: dict[str, Path | None], every: Every | None, progress: Progress
+) -> Every | None:
     """Keep the names of a run's files for those who resume it; say which files of the run resumed are not named again.
 
     Return the interval of snapshots, if there are any: as given, as before, or a hundredth of the run.
@@ -272,12 +307,19 @@ def _keep_outputs(
         return None
     run = session.scene.run
     if every is None and "--every" in before:
-        every = _interval("--every", before["--every"])
+        every = _spacing(before["--every"], None)
     elif every is None:
         every = run.duration / SNAPSHOTS if run.duration and run.max_events is None else 0.0
         every = every or max((run.max_events or 0) // SNAPSHOTS, 1)
-    session.outputs["--every"] = f"{every} events" if isinstance(every, int) else repr(every)
+    session.outputs["--every"] = _spaced(every)
     return every
+
+
+def _spaced(every: Every) -> str:
+    """Return an interval of snapshots as the option has it."""
+    if isinstance(every, int):
+        return f"{every} events"
+    return repr(every) if isinstance(every, float) else f"{every.per_decade!r} per decade from {every.first!r}"
 
 
 # --- run -----------------------------------------------------------------------------------------------------------
@@ -300,7 +342,7 @@ def _run(
     session: Session,
     signals: list[int],
     progress: Callable[..., None],
-    every: int | float | None,
+    every: Every | None,
     file: Frames | None,
     found: FaultList,
 ) -> bool:

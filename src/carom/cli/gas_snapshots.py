@@ -16,6 +16,7 @@ from carom.formatting import format_bytes
 
 if TYPE_CHECKING:
     from carom.cli.gas_output import Progress
+    from carom.gas.sampling import Every
     from carom.gas.scene import GasScene
     from carom.gas.session import Session
     from carom.gas.snapshots import Snapshots
@@ -38,7 +39,7 @@ def size_limit(text: str | None) -> float | None:
     raise CaromError(f"--max-size: expected a size > 0, such as '20 GB' or '500 MB', got {text!r}")
 
 
-def _allowed_size(path: Path, scene: GasScene, every: int | float, most: float | None, progress: Progress) -> float:
+def _allowed_size(path: Path, scene: GasScene, every: Every, most: float | None, progress: Progress) -> float:
     """Return how many bytes of snapshots may be written. CaromError where more are expected, and nobody can be asked or agrees."""
     from carom.gas.snapshot_sizes import MAX_BYTES, expected_snapshots, require_size
 
@@ -101,7 +102,7 @@ def open_frames(
     path: Path,
     session: Session,
     resumed: bool,
-    every: int | float,
+    every: Every,
     most: float | None,
     found: FaultList,
     progress: Progress,

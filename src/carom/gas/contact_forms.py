@@ -64,8 +64,11 @@ class NormalRestitution(Restitution):
 _NUMBER = Number("a number from 0 to 1, or a table { form = ... }", least=0, most=1)
 
 
-def _from_number(value: Any) -> Any:
-    return value if isinstance(value, (dict, Restitution)) else Constant(value=_NUMBER(value))
+class _NumberOrForm:
+    what = _NUMBER.what
+
+    def __call__(self, value: Any) -> Any:
+        return value if isinstance(value, (dict, Restitution)) else Constant(value=_NUMBER(value))
 
 
 def _as_number(value: Restitution) -> float | Restitution:
@@ -84,7 +87,7 @@ else:
             Constant | Polynomial | Han2005 | Power | Viscoelastic | Exponential | UniformRestitution | NormalRestitution,
             Field(discriminator="form"),
         ],
-        BeforeValidator(_from_number), AfterValidator(_as_number), PlainSerializer(_as_written),
+        BeforeValidator(_NumberOrForm()), AfterValidator(_as_number), PlainSerializer(_as_written),
     ]  # fmt: skip
 
 
@@ -116,6 +119,13 @@ class GasSurface(Model):
     def restitution_at(self, speed: float) -> float:
         """Return the restitution at a normal speed of approach, its mean if it is random."""
         return self.restitution.at(speed) if isinstance(self.restitution, Restitution) else self.restitution
+
+    @property
+    def surface(self) -> Surface | GasSurface:
+        """The contact as a :class:`carom.Surface` where it has only numbers."""
+        if isinstance(self.restitution, Restitution) or isinstance(self.friction, FallingFriction):
+            return self
+        return Surface(self.restitution, self.friction, self.tangential_restitution)
 
     @property
     def is_smooth(self) -> bool:

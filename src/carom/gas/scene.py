@@ -9,6 +9,7 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BeforeValidator, model_validator
 
+from carom.bodies import Surface
 from carom.errors import Fault, FaultList, shown, suggestion
 from carom.formatting import counted, format_number
 from carom.gas.contact_forms import GasSurface
@@ -99,9 +100,9 @@ class GasScene(Model):
         return balls / self.container.geometry.volume
 
     @property
-    def surfaces(self) -> dict[tuple[str, str], GasSurface]:
+    def surfaces(self) -> dict[tuple[str, str], Surface | GasSurface]:
         """The contacts of :class:`carom.gas.Gas`."""
-        return {contact.between: contact for contact in self.contacts}
+        return {contact.between: contact.surface for contact in self.contacts}
 
     @property
     def spins_change(self) -> bool:

@@ -187,7 +187,7 @@ def _inertia(value: Any) -> str | float:
 
 
 def _name(value: Any) -> str:
-    reserved = ("wall", ANY, *WALLS)
+    reserved = ("wall", *WALLS, ANY)
     if not isinstance(value, str) or not value or value in reserved:
         raise refused(f"a name other than {', '.join(reserved)}", shown(value))
     return value

@@ -15,7 +15,7 @@ from carom.gas.endings import AT_REST, EarlyEnd, EndedEarlyError
 from carom.gas.gas import Gas
 from carom.gas.measures import Measures
 from carom.gas.results import GasRun, Mark
-from carom.gas.sampling import spread_time
+from carom.gas.sampling import Every, LogTimes, next_due, spread_time
 from carom.gas.scene import GasScene
 from carom.gas.state import State, course_as_arrays, gas_as_arrays, gas_of_arrays, require_state, set_course
 from carom.public.progress import Progress, loop_callback
@@ -25,6 +25,7 @@ __all__ = ["SAMPLES", "Session"]
 SAMPLES = 50  # of the gas while it is measured
 PAIR_SAMPLING = 5  # every fifth sample counts pairs
 RATE_SAMPLES = 8  # over which the rate of collisions is taken where walls oscillate: over one it varies with the phase
+TINY = 1e-300
 CHUNK = 100_000  # collisions between two checks for progress and interrupts: a tenth of a second
 
 
@@ -142,19 +143,20 @@ class Session:
         *,
         stop: Callable[[], bool] = lambda: False,
         progress: Progress | None = None,
-        every: int | float | None = None,
+        every: Every | None = None,
         snapshot: Callable[[Session], None] | None = None,
     ) -> bool:
         """Continue to the end and return True, or return False where ``stop`` returns True.
 
         ``progress`` is called some ten times per second with the share of the part that is done, 1, and the part,
         "equilibrating" or "measuring". ``snapshot`` is called when the measurement begins, and then every so many
-        collisions (``every`` an int) or every so much simulated time (a float). What these raise ends the run.
+        collisions (``every`` an int), every so much simulated time (a float), or at :class:`LogTimes`. What these raise
+        ends the run.
 
         Raises EndedEarlyError as :meth:`carom.gas.Gas.run` does; :attr:`result` and :attr:`measures` then hold what was measured
         until then.
         """
-        if every is not None and not (isinstance(every, int | float) and 0 < every < math.inf):
+        if not isinstance(every, LogTimes | None) and not (isinstance(every, int | float) and 0 < every < math.inf):
             raise CaromError(f"Session.run: every: expected a whole number >= 1, or a time > 0, got {every!r}")
         try:
             tell = loop_callback(progress, lambda now: lambda session: now(session.completed, 1.0, session.part))
@@ -173,7 +175,7 @@ class Session:
         self,
         stop: Callable[[], bool],
         progress: Callable[[Session], None] | None,
-        every: int | float | None,
+        every: Every | None,
         snapshot: Callable[[Session], None] | None,
     ) -> bool:
         while True:
@@ -197,7 +199,7 @@ class Session:
             if self.measures is not None and self.gas.time >= self.next_sample:
                 self._take_sample(self.measures)
 
-    def _next_piece(self, every: int | float | None) -> tuple[int, float]:
+    def _next_piece(self, every: Every | None) -> tuple[int, float]:
         """Return how far to advance at once: a number of collisions, and a time."""
         run, least = self.scene.run, CHUNK
         if self.mark is None:
@@ -216,17 +218,28 @@ class Session:
             least = min(least, int(self.snapshot_due) - self.done)
         return least, until
 
-    def _take_snapshot(self, every: int | float, snapshot: Callable[[Session], None]) -> None:
+    def _take_snapshot(self, every: Every, snapshot: Callable[[Session], None]) -> None:
         """Take a snapshot if one is due, and set when the next one is: at the next multiple of ``every``."""
         assert self.mark is not None
-        timed = isinstance(every, float)
+        timed = not isinstance(every, int)
         passed = self.gas.time - self.mark.time if timed else self.done
         if timed != self.snapshots_by_time:  # another unit than before
             self.snapshots_by_time, self.snapshot_due = int(timed), passed
         if self.gas.time >= self.mark.time + self.snapshot_due if timed else self.done >= self.snapshot_due:
             self.snapshots_taken += 1
             snapshot(self)
-            self.snapshot_due = (math.floor(passed / every + 1e-9) + 1) * every
+            self.snapshot_due = next_due(every, passed)
+
+    def snapshot_gap(self, every: Every) -> tuple[float, float] | None:
+        """Return from when to when snapshots are missing, in simulated time, since the run was continued without them; or None."""
+        if self.mark is None or self.snapshots_taken == 0 or isinstance(every, int) == bool(self.snapshots_by_time):
+            return None
+        if isinstance(every, int):
+            rate = max(self.done, 1) / max(self.gas.time - self.mark.time, TINY)
+            due = self.mark.time + self.snapshot_due / rate if self.done > self.snapshot_due else math.inf
+        else:
+            due = self.mark.time + self.snapshot_due
+        return (due, self.gas.time) if due < self.gas.time else None
 
     def _start_measuring(self) -> None:
         """Begin the measurement after equilibration; set the time of the first sample once the collision rate is known."""

@@ -9,10 +9,11 @@ from typing import NamedTuple
 
 from carom.errors import CaromError
 from carom.formatting import format_bytes, format_number
+from carom.gas.sampling import Every, LogTimes
 from carom.gas.scene import GasScene
 from carom.gas.species import ANY
 
-__all__ = ["MAX_BYTES", "SnapshotSize", "expected_snapshots", "require_size"]
+__all__ = ["MAX_BYTES", "SnapshotSize", "expected_snapshots", "mean_free_time", "require_size"]
 
 MAX_BYTES = 1e9  # of a file of snapshots, unless a user allows more
 # Per ball and frame, in single precision: position and velocity; angular momentum; the periods crossed. Per frame: the index.
@@ -37,8 +38,8 @@ class SnapshotSize(NamedTuple):
         return f"about {format_bytes(self.total)}: {each}"
 
 
-def expected_snapshots(scene: GasScene, every: int | float) -> SnapshotSize:
-    """Return the expected size of the snapshots of a run at every so many collisions (an int), or so much time (a float).
+def expected_snapshots(scene: GasScene, every: Every) -> SnapshotSize:
+    """Return the expected size of the snapshots of a run, at every so many collisions, so much time, or equal ratios of time.
 
     Where a run is limited by collisions and snapshots are spaced in time, or the other way round, the rate of collisions is that of
     Enskog's theory, with Haff's law for gases that cool: an estimate within a factor of two or so of uniform gases.
@@ -64,7 +65,8 @@ def expected_snapshots(scene: GasScene, every: int | float) -> SnapshotSize:
         lengths += [run.duration] if run.duration is not None else []
         lengths += [_duration(scene, run.max_events)] if run.max_events is not None else []
     per_ball = MOVING + SPINNING * scene.spins_change + PERIODIC * any(scene.container.geometry.periodic)
-    frames = min((one for one in lengths if not math.isnan(one)), default=math.nan) / every
+    length = min((one for one in lengths if not math.isnan(one)), default=math.nan)
+    frames = every.count(length) if isinstance(every, LogTimes) else length / every
     return SnapshotSize(math.floor(frames) + 1 if frames < 1e15 else frames, scene.count * per_ball + INDEX)
 
 
@@ -99,6 +101,12 @@ def _cooling(scene: GasScene) -> float:
     names, speed = {one.name for one in scene.species}, _mean_speed(scene)
     lost = [1 - one.restitution_at(speed) ** 2 for one in scene.contacts if set(one.between) <= {ANY, *names}]
     return sum(lost) / len(lost) / (2 * scene.container.dimensions) if lost else 0.0
+
+
+def mean_free_time(scene: GasScene) -> float:
+    """Return the expected mean free time of a ball at the start; nan for a gas at rest, or of one ball."""
+    rate = _rate(scene) if scene.count > 1 else 0.0
+    return 1 / rate if rate > 0 else math.nan
 
 
 def _duration(scene: GasScene, collisions: float) -> float:

@@ -69,16 +69,19 @@ class FallingFriction(Model):
 _NUMBER = Number("a number >= 0 (inf: never slips), or a table { at_rest, at_speed, speed }", least=0, infinite=True)
 
 
-def _from_number(value: Any) -> float | FallingFriction:
-    falls = isinstance(value, dict | FallingFriction)
-    return checked_part(FallingFriction, value) if falls else _NUMBER(value)
+class _NumberOrTable:
+    what = _NUMBER.what
+
+    def __call__(self, value: Any) -> float | FallingFriction:
+        falls = isinstance(value, dict | FallingFriction)
+        return checked_part(FallingFriction, value) if falls else _NUMBER(value)
 
 
 def _as_written(friction: float | FallingFriction) -> Any:
     return friction.model_dump() if isinstance(friction, FallingFriction) else friction
 
 
-Rubbing = Annotated[float | FallingFriction, PlainValidator(_from_number), PlainSerializer(_as_written)]
+Rubbing = Annotated[float | FallingFriction, PlainValidator(_NumberOrTable()), PlainSerializer(_as_written)]
 
 
 class BallContact(Model):
