@@ -16,9 +16,10 @@ from typer.testing import CliRunner
 
 from carom import CaromError
 from carom.cli import app
-from carom.gas import GasScene, Session
+from carom.gas import GasScene, Session, gas_text
 from carom.gas.build import build, load_gas
-from carom.gas.snapshot_sizes import expected_snapshots, require_size
+from carom.gas.sampling import LogTimes
+from carom.gas.snapshot_sizes import expected_snapshots, mean_free_time, require_size
 from carom.gas.snapshots import Snapshots, spins_of
 
 
@@ -170,6 +171,36 @@ def test_the_size_of_a_file_is_estimated(tmp_path):
         file.close()
         assert size.frames == pytest.approx(session.snapshots_taken, rel=0.1)
         assert size.total == pytest.approx((tmp_path / "s.gsd").stat().st_size, rel=0.2)
+
+
+def test_snapshots_at_equal_ratios_of_time_and_gaps():
+    scene, times = cooling(duration=500.0), []
+    every = LogTimes(mean_free_time(scene), 8)
+    session = Session(scene)
+    session.run(every=every, snapshot=lambda now: times.append(now.gas.time))
+    assert times[:2] == [0.0, pytest.approx(every.first)]
+    assert np.diff(np.log10(times[1:])) == pytest.approx(1 / 8)
+    assert len(times) == expected_snapshots(scene, every).frames
+    # (a run that goes on without snapshots, and then with them again, says which are missing)
+    session, taken = Session(scene), []
+    assert not session.run(
+        every=20.0, snapshot=lambda now: taken.append(now.gas.time), stop=lambda: session.gas.time > 45.0
+    )
+    assert session.snapshot_gap(20.0) is None
+    assert not session.run(stop=lambda: session.gas.time > 150.0)
+    assert session.snapshot_gap(20.0) == (60.0, session.gas.time)
+    assert session.snapshot_gap(100) is None  # another unit: a new series
+
+
+@pytest.mark.parametrize("every", ["0 per decade", "x per decade", "5 per decade from -1"])
+def test_a_number_per_decade(tmp_path, every):
+    (tmp_path / "gas.toml").write_text(gas_text(cooling(max_events=2000)))
+    words = ["gas", str(tmp_path / "gas.toml"), "--quiet", "--snapshots", str(tmp_path / "s.gsd"), "--every"]
+    done = CliRunner().invoke(app, [*words, every])
+    assert "a number per decade of time" in str(done.exception)
+    assert CliRunner().invoke(app, [*words, "5 per decade", "--yes"]).exit_code == 0
+    with gsd.hoomd.open(tmp_path / "s.gsd") as frames:
+        assert len(frames) > 3
 
 
 def test_an_interval_of_time_counts_collisions_by_kinetic_theory():

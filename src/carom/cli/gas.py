@@ -116,6 +116,7 @@ def gas(
     from carom.cli.gas_output import Progress
 
     found = FaultList()
+    max_size = "inf" if yes and max_size is None else max_size
     kept = {
         "--checkpoint": checkpoint,
         "--resume": resume if checkpoint is None and resume and resume.exists() else None,
@@ -131,7 +132,6 @@ def gas(
                 "--checkpoint": checkpoint,
                 "--resume": resume,
                 "--max-size": max_size,
-                "--yes": yes or None,
             },
         )
     if snapshots is not None and resume is None and not force and snapshots.is_file():
@@ -143,7 +143,6 @@ def gas(
     given = found.attempt(_scene, scene, resume, changes)
     snapshot_every, most = _snapshot_options(found, snapshots, every, max_size, given)
     found.raise_if_any()
-    most = math.inf if yes and most is None else most
     progress = Progress(quiet)
     if ensemble is not None:
         return run_ensemble(given, str(scene), ensemble, progress, plot, measures, as_json, quiet)
