@@ -634,7 +634,7 @@ def test_a_profile_divides_by_the_room_in_each_slice(room):
     for axis in range(len(room.size)):
         profiles = Profiles(room, (0.0, 0.0, 0.0), (), np.ones(1), 36, 0.0)
         profiles.axis, profiles.bins, profiles.edges = axis, 24, np.linspace(0, room.size[axis], 25)
-        space = profiles._volumes(0.0)
+        space = profiles._volumes_within(0.0)
         assert space.sum() == pytest.approx(room.volume, rel=5e-3)
     if room.shape == "sector":  # a sector about (3, 0)
         assert space[0] < 0.1 * space[12]
