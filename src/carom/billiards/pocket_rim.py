@@ -36,8 +36,8 @@ def pocket_rim(
 
     A run of a scene ends for a ball where its centre passes a pocket's edge. Here it goes on: the ball rolls over the sharp edge,
     leaves it, meets it or the pocket's wall, an upright cylinder, and falls to the bottom or comes out again. What stands around
-    the pocket is left out, its jaws and the liner behind it, which stops fast balls: the answer is right for balls that pass the edge
-    slowly or from the side.
+    the pocket is left out, its jaws and the liner behind it, which stops fast balls: the answer is right for balls that pass the
+    edge slowly or from the side.
 
     Parameters
     ----------
