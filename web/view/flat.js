@@ -152,14 +152,6 @@ export function flat(host, drag) {
       c.lineTo(view.width, ground);
       c.stroke();
     }
-    shot.film.forEach((places, ball) => {
-      if (!shot) return;
-      c.fillStyle = ballColour(shot.scene.balls[ball], ball);
-      for (const [x, y] of places) {
-        const at = pair(view.above(x, y));
-        c.fillRect(at[0] - 1.5, at[1] - 1.5, 3, 3);
-      }
-    });
     for (const { law, ball, turns } of balls) {
       c.strokeStyle = ball === shot.ball ? (shot.colours.get(law) ?? palette.ink) : ballColour(shot.scene.balls[ball], ball);
       c.lineWidth = law === shot.followed && ball === shot.ball ? 2.4 : 1.4;
@@ -172,6 +164,11 @@ export function flat(host, drag) {
         }
       }
       c.setLineDash([]);
+    }
+    c.fillStyle = palette.ink;
+    for (const [x, y] of shot.film.flat()) {
+      const at = view.above(x, y);
+      c.fillRect(at[0] - 1, at[1] - 1, 2, 2);
     }
     const end = tip();
     const start = shot.scene.balls[shot.ball].position;

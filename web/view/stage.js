@@ -216,6 +216,7 @@ export function stage(host, drag, labels) {
       });
     }
     arrow.colour(palette.ink);
+    trails.film(next, palette.ink);
     if (!grasped) arrow.time = arrowTime(next);
     placeArrow();
     if (reframe) look("free");

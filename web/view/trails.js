@@ -20,7 +20,7 @@ function pairs(points) {
 }
 
 /** Size of a film's dots, px. */
-const DOT = 4;
+const DOT = 2;
 
 /** All trails. Lines and materials are kept from change to change: a new one would have its shaders compiled anew. */
 export class Trails {
@@ -67,8 +67,8 @@ export class Trails {
     }
   }
 
-  /** Draw where a film saw the balls. @param {Shot} shot @param {(ball: number) => string} bodyColour */
-  #film(shot, bodyColour) {
+  /** Draw where a film saw the balls, in an ink that their paths have not. @param {Shot} shot @param {string} ink */
+  film(shot, ink) {
     shot.film.forEach((places, i) => {
       let dots = this.dots[i];
       if (!dots) {
@@ -78,7 +78,7 @@ export class Trails {
         this.dots[i] = dots;
         this.group.add(dots);
       }
-      dots.material.color.set(bodyColour(i));
+      dots.material.color.set(ink);
       const a = shot.scene.balls[i]?.radius ?? 0;
       dots.geometry.setAttribute("position", new Float32BufferAttribute(places.flatMap(([x, y]) => [x, y, a]), 3));
     });
@@ -86,7 +86,6 @@ export class Trails {
 
   /** @param {Shot} shot @param {(ball: number) => string} bodyColour */
   update(shot, bodyColour) {
-    this.#film(shot, bodyColour);
     for (const line of this.lines.values()) line.visible = false;
     const unit = sizeOf(shot.box) / 100;
     const many = shot.scene.balls.length > 6;
