@@ -13,7 +13,7 @@ from reference.precise_bounces import closed_orbit
 import carom
 from carom import billiards
 from carom.billiards.energy_shell import EnergyShell
-from carom.billiards.verified import verify
+from carom.billiards.verified import Verified, verify
 from carom.errors import CaromError
 
 
@@ -118,6 +118,10 @@ def test_what_cannot_be_verified_is_said() -> None:
     falling = billiards.under(billiards.ellipse(2.0, 1.0), (0.0, -0.1))
     assert reason(falling, (0.0, 0.5)) == "a force acts on the ball"
     assert reason(billiards.table("flower:leaves=4"), (0.5, 0.0)) == "a curve that is not shown to be convex"
+
+
+def test_bounds_stay_bounds_in_print() -> None:
+    assert Verified(0.0999, 3.41e-15).describe() == "verified: the only one within 0.099, known to 3.5e-15"
 
 
 def test_the_command_says_what_is_verified() -> None:

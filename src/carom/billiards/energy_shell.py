@@ -10,11 +10,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.billiards.boundary import ConnectedWall
 from carom.billiards.setup import OrbitSetup, orbit_setup
 from carom.billiards.stability import end_coordinates, tangents_of_bounces
 from carom.billiards.table_records import DONE, POSITION, TIME, VELOCITY
@@ -86,7 +88,8 @@ class EnergyShell:
         """Return twice the energy per mass beyond the given one (N), and its derivative (N, 4) by the coordinates."""
         rolls = 1.0 + self.setup.ball.kappa if self.setup.rolls else 1.0
         g = np.array(self.setup.table.acceleration)
-        n = self.setup.shape.place(y[:, 0] * self.size)[2]
+        # (where no force acts, the energy does not depend on the place; to find this on a curve takes as long as a bounce)
+        n = self.setup.shape.place(y[:, 0] * self.size)[2] if g.any() else np.zeros((len(y), 2))
         value = rolls * (y[:, 1] ** 2 + y[:, 2] ** 2) + y[:, 3] ** 2 - 2 * rows[:, :3] @ g - self.energy
         slope = np.stack(
             [-2 * self.size * (n[:, 1] * g[0] - n[:, 0] * g[1]), 2 * rolls * y[:, 1], 2 * rolls * y[:, 2], 2 * y[:, 3]],
@@ -131,13 +134,24 @@ class EnergyShell:
         found[:, 1, 0], found[:, 2, 0] = k * y[:, 2], -k * y[:, 1]
         return found
 
+    @cached_property
+    def _walls(self) -> tuple[list[ConnectedWall], NDArray[np.int64]]:
+        """The connected walls, and the number of the wall of each piece; the first entry is for none, as those of windows."""
+        shape = self.setup.shape
+        found = np.full(1 + len(self.setup.pieces), -1)
+        first = len(shape.faces)
+        met = np.array([k for k in range(len(found) - 1) if not first <= k < first + len(shape.windows)], int)
+        found[1 + met] = shape.wall_numbers(met)
+        return shape.connected(), found
+
     def _around(self, piece: Any, new: Array, old: Array) -> Array:
         """Return differences of arc lengths (over the size), the shorter way around a closed wall if both are on it."""
         shape = self.setup.shape
         begin = old % (shape.lengths.sum() / self.size)
         d: Array = new - begin
-        numbers = shape.wall_numbers(piece)
-        for k, wall in enumerate(shape.connected()):
+        walls, table = self._walls
+        numbers = table[np.asarray(piece, int) + 1]
+        for k, wall in enumerate(walls):
             length = (wall.last - wall.first) / self.size
             here = (numbers == k) & wall.closed & (begin >= wall.first / self.size) & (begin < wall.last / self.size)
             d[here] -= length * np.round(d[here] / length)

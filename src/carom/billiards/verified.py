@@ -17,6 +17,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context
 from itertools import product
 from typing import Any
 
@@ -30,7 +31,7 @@ from carom.errors import CaromError
 from carom.laws.conventional import conventional_reflection
 from carom.laws.no_slip import no_slip_bounce
 
-__all__ = ["Verified", "verify"]
+__all__ = ["Verified", "rounded", "verify"]
 
 Array = NDArray[np.float64]
 EPS = float(np.finfo(float).eps)
@@ -69,7 +70,13 @@ class Verified:
         """Return one line."""
         if not self:
             return f"not verified: {self.reason}"
-        return f"verified: the only one within {self.radius:.1g}, known to {self.error:.1g}"
+        return f"verified: the only one within {rounded(self.radius, -1)}, known to {rounded(self.error, 1)}"
+
+
+def rounded(x: float, way: int) -> str:
+    """Return a number with two digits, rounded up (``way`` 1) or down (-1), so that a bound stays one."""
+    context = Context(prec=2, rounding=ROUND_CEILING if way > 0 else ROUND_FLOOR)
+    return f"{context.create_decimal_from_float(x):.2g}"
 
 
 def verify(shell: EnergyShell, run: Orbit, cells: Sequence[int], family: int = 0) -> Verified:

@@ -230,13 +230,16 @@ def _periodic_orbits(found: PeriodicOrbits) -> Any:
 
 def _verified(found: PeriodicOrbits) -> list[str]:
     """Return lines on the proofs, if they were asked for: how many orbits, how near the next may be, why others have none."""
+    from carom.billiards.verified import rounded
+
     asked = [one.verified for one in found if "verified" in one.__dict__]
     shown = [one for one in asked if one]
     lines = []
     if shown:
         lines.append(
             f"Verified: {len(shown)} of {counted(len(found), 'orbit')}, known to"
-            f" {max(one.error for one in shown):.2g} and each the only one within {min(one.radius for one in shown):.1g}"
+            f" {rounded(max(one.error for one in shown), 1)} and each the only one within"
+            f" {rounded(min(one.radius for one in shown), -1)}"
             " (relative to size and speed)."
         )
     reasons = dict.fromkeys(one.reason for one in asked if not one)
