@@ -3,7 +3,7 @@
 
 /** @import { Ball, Extended, Scene, Surface, Vec, Wall } from "./types.js" */
 import { kappaOf } from "./motion.js";
-import { length, unit } from "./vectors.js";
+import { unit } from "./vectors.js";
 
 /** @param {Extended | null | undefined} value */
 export const toNumber = (value) => (value === "inf" ? Infinity : value === "-inf" ? -Infinity : (value ?? Infinity));
@@ -272,6 +272,3 @@ export function valueFault(control, value) {
   const shown = (/** @type {number} */ x) => (x === Infinity ? "∞" : String(Number((x * scale).toPrecision(4))));
   return `${label}: expected a number from ${shown(low)} to ${shown(high)}${u ? ` ${u}` : ""}.`;
 }
-
-/** Whether a scene is a throw against one wall. @param {Scene} scene */
-export const hasMotion = (scene) => scene.balls.some((ball) => length(ball.velocity) > 0 || length(spinOf(ball)) > 0);
