@@ -1,4 +1,4 @@
-"""A shape and a law, one Python file each, in a copy of the package: refused by the old page, in the page once that is rebuilt."""
+"""A shape, a figure and a law, one Python file each, in a copy of the package: in the page, shape and law once that is rebuilt."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ import pytest
 import carom
 from carom.core.jit.cache import cache_folder
 
-HOWTO = Path(__file__).parents[2] / "docs" / "howto" / "scene.md"
+HOWTO = Path(__file__).parents[2] / "docs" / "howto"
 LAW = '''
 """A wall that takes a part of the velocity along it, an example."""
 
@@ -49,7 +49,7 @@ SCENE: dict[str, Any] = {
     "gravity": 0.0,
     "walls": [
         {"shape": "post", "center": [0.0, 0.0], "radius": 0.1, "height": 0.5, "restitution": 0.5, "friction": 0.2},
-        {"shape": "plane", "point": [2.0, 0.0, 0.0], "normal": [-1.0, 0.0, 0.0], "restitution": 0.5},
+        {"shape": "rhombus", "width": 4.0, "depth": 2.0, "restitution": 0.5},
     ],
     "balls": [
         {"radius": 0.03, "mass": 0.1, "position": [1.0, 0.02, 0.1], "velocity": [-1.0, 0.0, 0.0], "spin": [0, 0, 5]}
@@ -64,12 +64,17 @@ VERDICT = "import carom, json; print(json.dumps(carom.compare(carom.incoming(), 
 
 @pytest.fixture(scope="module")
 def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of the package with a shape and a law more, and a scene of both."""
+    """A copy of the package with a shape, a figure and a law more, and a scene of them."""
     folder = tmp_path_factory.mktemp("copy")
     shutil.copytree(Path(carom.__file__).parent, folder / "carom", ignore=shutil.ignore_patterns("__pycache__"))
-    post = re.search(r"`shapes/post.py`:\n\n```python\n(.*?)```", HOWTO.read_text(encoding="utf-8"), re.DOTALL)
-    assert post is not None
-    (folder / "carom" / "scene" / "shapes" / "post.py").write_text(post[1])
+    for page, path, language in (
+        ("scene", "shapes/post", "python"),
+        ("figures", "figures/rhombus", "{code-cell} ipython3"),
+    ):
+        text = (HOWTO / f"{page}.md").read_text(encoding="utf-8")
+        code = re.search(rf"`{path}.py`:\n\n```{language}\n(.*?)```", text, re.DOTALL)
+        assert code is not None
+        (folder / "carom" / "scene" / f"{path}.py").write_text(code[1])
     (folder / "carom" / "laws" / "three_quarters.py").write_text(LAW)
     import tomli_w
 
@@ -107,7 +112,7 @@ def test_a_wall_of_the_shape_is_checked_by_its_kernel(package: Path) -> None:
 
 
 @pytest.mark.skipif(find_spec("ziglang") is None, reason="builds the module; install carom's extra wasm")
-def test_both_are_in_the_page_once_the_module_is_built(package: Path, open_page: Any, tmp_path: Path) -> None:
+def test_all_are_in_the_page_once_the_module_is_built(package: Path, open_page: Any, tmp_path: Path) -> None:
     shutil.copytree(cache_folder(), tmp_path / cache_folder().name)
     built = python(package, "-m", "carom.explorer.build", cache=tmp_path)
     assert built.returncode == 0, built.stderr
@@ -117,7 +122,7 @@ def test_both_are_in_the_page_once_the_module_is_built(package: Path, open_page:
     times = page.evaluate("() => carom.run(carom.scene(), 'three-quarters').events.map((event) => event.t)")
     done = python(package, "-c", SIMULATE, cache=tmp_path)
     assert times == json.loads(done.stdout), done.stderr
-    assert len(times) >= 2  # the post, and then the plane
+    assert len(times) >= 2  # the post, and then the rhombus
     (said,) = json.loads(python(package, "-c", VERDICT, cache=tmp_path).stdout)
     assert said == "it leaves the spin as it is, 2.5 times"
     assert page.evaluate("() => document.body.textContent").count(said) == 1
