@@ -245,7 +245,9 @@ def _fit_law(
         likelihood = deviance_of(model.at(values), ready, frames, films.noise)
         if len(ready) >= FEWEST:
             begin = WIDTH * np.array([one.scale for one in model.shared])
-            scattered = fit_scatter(model, values, ready, frames, begin, functools.partial(_said, tell, 0.6, 0.1))
+            scattered = fit_scatter(
+                model, values, ready, frames, begin, films.noise, functools.partial(_said, tell, 0.6, 0.1)
+            )
             starts, values, widths = [*scattered.starts], scattered.values, scattered.widths
             covariance, by_shots = scattered.covariance, True
     final = searched(0.7, 0.3, None)

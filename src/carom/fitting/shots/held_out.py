@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.fitting.shots.film import FilmedShot, until_time
 from carom.fitting.shots.result import ShotsFit
-from carom.fitting.shots.search import SearchSettings, ShotStart, refined, search_start, soft
+from carom.fitting.shots.search import SearchSettings, ShotStart, error_of_frames, refined, search_start, soft
 from carom.fitting.shots.start import distances, places_of, residuals
 from carom.fitting.shots.table import TableNumbers
 
@@ -21,8 +21,6 @@ __all__ = ["HeldOut", "PredictedShot", "predict_rest"]
 
 Array = NDArray[np.float64]
 LEVELS = (0.68, 0.95)
-LAGS = 40  # frames, over which residuals are taken to be correlated
-CORRELATED = 0.05
 FEWEST_DRAWS = 20
 KEPT = 0.999  # of the draws' own probability: draws that the first part excludes are left out
 
@@ -128,7 +126,10 @@ def _predicted(
         return None
     start = search_start(table, first, fit.noise, rng, SearchSettings(), widths=fit.widths)
     best = refined(table, start, n, 30, 3)
-    tried = np.concatenate([best.start[None], _drawn(table, start, best.start, best.sigma, n, draws, rng)])
+    # a frame says less than its residual: it is correlated with its neighbours, and a start bends to whatever the laws lack
+    sigma = error_of_frames(table, start, best.start, n, _follows_to(fit))
+    best = refined(table, start, n, 30, 3, sigma, best.start)
+    tried = np.concatenate([best.start[None], _drawn(table, start, best.start, sigma, n, draws, rng)])
     places = places_of(table, shot, tried)
     places = (
         places[np.isfinite(places).all(axis=(1, 2, 3))] if np.isfinite(places).all(axis=(1, 2, 3)).any() else places
@@ -151,6 +152,12 @@ def _predicted(
     return PredictedShot(name, time, middle, far, expected, inside, fitted)
 
 
+def _follows_to(fit: ShotsFit) -> float:
+    """Return the distance (m) to which the laws follow shots through one cushion."""
+    found = fit.median("cushion 1")
+    return found if np.isfinite(found) else 0.0
+
+
 def _drawn(
     table: TableNumbers, start: ShotStart, best: Array, sigma: float, frames: int, count: int, rng: np.random.Generator
 ) -> Array:
@@ -158,11 +165,9 @@ def _drawn(
     from scipy.stats import chi2
 
     at = residuals(table, start.shot, best, frames)
-    gap, (jac,) = soft(at.gap, [at.by_start], sigma)
+    _gap, (jac,) = soft(at.gap, [at.by_start], sigma)
     rows = start.prior.rows
-    # each residual counts by its size, and by the number of residuals that are correlated with it
-    scale = max(float(np.mean(np.square(gap))), 1e-6) * _correlation(at.gap, start.shot, frames)
-    information = jac.T @ jac / scale + rows.T @ rows
+    information = jac.T @ jac + rows.T @ rows
     unit = 1 / np.sqrt(np.diag(information))
     value, vector = np.linalg.eigh(information * unit[:, None] * unit)
     root = (unit[:, None] * vector) / np.sqrt(np.maximum(value, 1e-12))
@@ -171,22 +176,8 @@ def _drawn(
     def cost(some: Array) -> Array:
         z = distances(table, start.shot, some, frames) / (3 * sigma) ** 2
         unlikely = np.square((some - start.prior.center) @ rows.T).sum(axis=1)
-        return np.asarray(18 * (np.sqrt(1 + z) - 1).sum(axis=1) / scale + unlikely)
+        return np.asarray(18 * (np.sqrt(1 + z) - 1).sum(axis=1) + unlikely)
 
     rise = cost(tried) - cost(best[None])[0]
     good = rise < chi2.ppf(KEPT, len(best))
     return np.asarray(tried[good] if good.sum() >= FEWEST_DRAWS else tried[np.argsort(rise)[:FEWEST_DRAWS]])
-
-
-def _correlation(gap: Array, shot: FilmedShot, frames: int) -> float:
-    """Return how many residuals are correlated with one, itself included: 1 for white noise."""
-    full = np.zeros((*shot.known[:frames].shape, 2))
-    full[shot.known[:frames]] = gap.reshape(-1, 2)
-    moves = full[shot.known[:frames]].std() > 0
-    variance, total = float(np.square(full).sum()), 1.0
-    for lag in range(1, min(LAGS, frames - 1)):
-        r = float((full[lag:] * full[:-lag]).sum()) / variance if moves and variance else 0.0
-        if r < CORRELATED:
-            break
-        total += 2 * r
-    return total

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.fitting.shots.film import FilmedShot
-from carom.fitting.shots.search import FAILED, Refined, ShotStart, horizons, refined, rms, soft
+from carom.fitting.shots.search import FAILED, Refined, ShotStart, error_of_frames, horizons, refined, rms, soft
 from carom.fitting.shots.start import residuals, start_size
 from carom.fitting.shots.table import TableModel, TableNumbers
 from carom.fitting.tracks.errors import covariance_by_shot
@@ -41,6 +41,7 @@ EVALUATIONS, STEPS = 6, 20
 GAIN = 1e-3  # of the mean logarithm, below which the search ends
 LARGEST_STEP = 4.0  # usual changes of a number
 SCATTER_ROUNDS = 5
+SETTLED = 0.2  # error bars of the means, and shares of the widths, below which a round ends the search
 FOLLOWED = 1.3  # ratio of the median distance to the noise, up to which the frames' noise alone gives the errors
 FEWEST = 5  # shots for errors from their scatter
 LEAST_WIDTH, MOST_WIDTH = 0.02, 5.0  # of a scatter between shots, in usual changes of a number
@@ -189,21 +190,27 @@ class ScatterFit:
 
 def fit_scatter(
     model: TableModel, values: Array, starts: Sequence[ShotStart], frames: Sequence[int], widths: Array,
-    tell: Callable[[float], None], rounds: int = SCATTER_ROUNDS,
+    noise: float, tell: Callable[[float], None], rounds: int = SCATTER_ROUNDS,
 ) -> ScatterFit:  # fmt: skip
     """Fit means and widths of the table's numbers, and the deviations of each shot.
 
     Each shot has numbers of its own, normal about the means. A step moves the means by what all shots say with their starts and
-    deviations free; the widths follow from the deviations and their errors (expectation and maximisation).
+    deviations free; the widths follow from the deviations and their errors (expectation and maximisation). Frames count by how far
+    their residuals are correlated: with all frames independent, deviations would take up whatever the laws lack.
     """
     shared = model.shared
     low, high, scale = (np.array([getattr(one, name) for one in shared]) for name in ("low", "high", "scale"))
     starts = [one.with_scatter(widths) for one in starts]
-    own = start_size(len(model.scene.balls))
+    own, settled = start_size(len(model.scene.balls)), False
+    errors: list[float | None] = [None] * len(starts)
     for turn in range(rounds):
         tell(turn / rounds)
         table = model.at(values)
-        found = _all_refined(table, starts, frames, [None] * len(starts), [None] * len(starts))
+        found = _all_refined(table, starts, frames, errors, [None] * len(starts))
+        errors = [
+            error_of_frames(table, one, got.start, n, math.sqrt(2) * noise)
+            for one, n, got in zip(starts, frames, found, strict=True)
+        ]
         used = [i for i, one in enumerate(starts) if rms(table, one.shot, found[i].start, frames[i]) < FAILED]
         used = used or list(range(len(starts)))
         for one, n, best in zip(starts, frames, found, strict=True):
@@ -214,14 +221,21 @@ def fit_scatter(
         matrix = said.matrices.sum(axis=0) * scale[:, None] * scale + 1e-9 * np.eye(len(scale))
         covariance = np.linalg.inv(matrix) * scale[:, None] * scale
         deviations = np.array([one.start[own:] for one in got])
-        if turn == rounds - 1:
+        if settled or turn == rounds - 1:
             break
-        step = np.clip(covariance @ said.scores.sum(axis=0), -LARGEST_STEP * scale, LARGEST_STEP * scale)
+        score = said.scores.sum(axis=0)
+        free = ~(((values <= low) & (score < 0)) | ((values >= high) & (score > 0)))
+        step = np.zeros(len(scale))
+        step[free] = np.linalg.solve((matrix / scale[:, None] / scale)[np.ix_(free, free)], score[free])
+        step = np.clip(step, -LARGEST_STEP * scale, LARGEST_STEP * scale)
         step = np.clip(values + step, low, high) - values
         values = values + step
         inside = np.clip(deviations, -WINSOR * widths, WINSOR * widths)
         new = np.sqrt(np.mean(np.square(inside) + np.square(said.spreads), axis=0))
-        widths = np.clip(new, LEAST_WIDTH * scale, MOST_WIDTH * scale)
+        before, widths = widths, np.clip(new, LEAST_WIDTH * scale, MOST_WIDTH * scale)
+        settled = bool((np.abs(step) < SETTLED * np.sqrt(np.diag(covariance))).all()) and bool(
+            (np.abs(widths - before) < SETTLED * before).all()
+        )
         moved = dict(zip(used, said.follows, strict=True))
         again = []
         for i, one in enumerate(starts):

@@ -23,6 +23,7 @@ __all__ = [
     "SearchSettings",
     "ShotStart",
     "error_of_a_frame",
+    "error_of_frames",
     "horizons",
     "refined",
     "rms",
@@ -34,6 +35,7 @@ Array = NDArray[np.float64]
 FIRST_FRAMES = 6  # of the cue ball, from which its velocity is guessed
 LEAST_SIGMA = 1e-3  # m: residuals below this count as noise
 SIGMA_SHARE = 0.5  # of the distance so far: the error that a frame is taken to have
+LAGS, CORRELATED = 40, 0.05  # frames over which residuals are correlated, and the least correlation that counts
 SOFT = 3.0  # of these, beyond which a residual counts in proportion
 ALIKE = 1e-3  # m between the places of two starts, below which they are one
 RECENT = 12  # starts of a pool that are tried again, where each has a table of its own
@@ -292,6 +294,28 @@ def refined(
 def error_of_a_frame(far: float) -> float:
     """Return the error that a frame is taken to have where the distance (rms) is ``far``, m."""
     return max(LEAST_SIGMA, SIGMA_SHARE * min(far, FAILED))
+
+
+def error_of_frames(table: TableNumbers, start: ShotStart, best: Array, frames: int, least: float) -> float:
+    """Return the error of a frame as if all were independent, m: residuals are correlated with their neighbours, and so many of
+    them count as one. ``least``: of a distance, m."""
+    gap = residuals(table, start.shot, best, frames).gap
+    size = max(float(np.sqrt(np.square(gap).mean())), least / np.sqrt(2), LEAST_SIGMA)
+    return float(size * np.sqrt(correlation(gap, start.shot, frames)))
+
+
+def correlation(gap: Array, shot: FilmedShot, frames: int) -> float:
+    """Return how many residuals are correlated with one, itself included: 1 for white noise."""
+    full = np.zeros((*shot.known[:frames].shape, 2))
+    full[shot.known[:frames]] = gap.reshape(-1, 2)
+    moves = full[shot.known[:frames]].std() > 0
+    variance, total = float(np.square(full).sum()), 1.0
+    for lag in range(1, min(LAGS, frames - 1)):
+        r = float((full[lag:] * full[:-lag]).sum()) / variance if moves and variance else 0.0
+        if r < CORRELATED:
+            break
+        total += 2 * r
+    return total
 
 
 def soft(gap: Array, by: Sequence[Array], sigma: float) -> tuple[Array, list[Array]]:
