@@ -22,7 +22,7 @@ def tables_of(curve: Any) -> list[Any]:
 
 
 def soonest(tables: list[Any], a: float, x: Any, v: Any, g: Any, until: float = math.inf) -> float:
-    return min(arc_hit(table, a, 0.0, *x.tolist(), *v.tolist(), *g.tolist(), until, 1e-14) for table in tables)
+    return min(arc_hit(table, 0, a, 0.0, *x.tolist(), *v.tolist(), *g.tolist(), until, 1e-14) for table in tables)
 
 
 @pytest.mark.parametrize("inside", [True, False])
@@ -64,14 +64,14 @@ def test_a_circle() -> None:
     assert soonest(outer, a, np.array([3.0, 0.0]), np.array([-2.0, 0.0]), zero) == pytest.approx(0.85, rel=1e-15)
     assert soonest(outer, a, np.array([1.3, 0.0]), np.array([1e-9, 1.0]), zero) == math.inf
     assert soonest(outer, a, np.array([1.3, 0.0]), np.array([1.0, 0.0]), np.array([-1.0, 0.0])) == pytest.approx(2.0)
-    nx, ny, kappa, far = arc_contact(outer[0], 1.1 * math.cos(-0.4), 1.1 * math.sin(-0.4))
+    nx, ny, kappa, far = arc_contact(outer[0], 0, 1.1 * math.cos(-0.4), 1.1 * math.sin(-0.4))
     assert (nx, ny, kappa, far) == pytest.approx((math.cos(-0.4), math.sin(-0.4), -1.0, 0.1), abs=1e-14)
 
 
 def test_gaps_end_with_the_arc() -> None:
     curve = CURVES["ellipse"][0]
     x = np.array([0.3, 0.2])
-    found = [arc_gap(table, 0.1, *x.tolist()) for table in tables_of(curve)]
+    found = [arc_gap(table, 0, 0.1, *x.tolist()) for table in tables_of(curve)]
     assert min(gap for gap, beyond, _x, _y in found if beyond <= 0) == pytest.approx(
         float(depth(curve, x[None])[0]) - 0.1, abs=1e-15
     )

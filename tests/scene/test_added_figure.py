@@ -1,4 +1,4 @@
-"""A figure, one Python file, in a copy of the package: scenes, gases, billiards, sweeps, the page's data, the list."""
+"""Figures, one Python file each, in a copy of the package: scenes, gases, billiards, sweeps, the page's data, the list."""
 
 from __future__ import annotations
 
@@ -45,21 +45,58 @@ places = numpy.c_[numpy.asarray(made.balls().position)[:, :2], numpy.zeros(8)]
 gap = filled.container.geometry.clearance(0.05, places)
 found["packed"] = [filled.packing_fraction, float(gap.min()), int(result.wall_collisions)]
 space = carom.Space(sweeps.OrbitCase(table=sizes, bounces=20, law="mirror"), {"table.width": [2.0, 3.0]})
+egg = {"shape": "egg", "blunt": 0.2, "radius": 1.0}
+ball |= {"position": (0.1, 0.2, 0.0)}
+wall = {**egg, "restitution": 1.0, "friction": 0.0}
+scene = carom.Scene(gravity=0, walls=[wall], balls=[ball], run={"law": "mirror", "max_events": 8})
+start = {"position": (0.1, 0.2), "velocity": (1.0, 0.7)}
+orbit = carom.orbit(billiards.table(egg, bounds="surface"), 8, law="mirror", ball_radius=0.05, **start)
+found["egg"] = [[one.t for one in carom.simulate(scene).events if one.kind == "wall"], orbit.t.tolist()]
+found["gas of eggs"] = gas.container(egg).volume
+try:
+    carom.explore(scene)
+except carom.CaromError as error:
+    found["no page"] = str(error)
 found["sweep"] = carom.sweep(space, ["bounces.count"]).run()["bounces.count"].values.tolist()
 print(json.dumps(found))
 """
 
 
+EGG = '''
+"""An egg, whose only piece is smooth."""
+
+from typing import Literal
+
+from carom.core.jets import call
+from carom.scene.figures import PlaneFigure
+from carom.scene.figures.curve import PolarPiece
+from carom.scene.schema import Share, Size
+
+
+class EggFigure(PlaneFigure):
+    """An egg about the origin."""
+
+    shape: Literal["egg"] = "egg"
+    blunt: Share
+    radius: Size
+
+    def outline(self):
+        return [[PolarPiece(lambda t: self.radius * (1.0 + self.blunt * call("cos", t)))]]
+'''
+
+
 @pytest.fixture(scope="module")
 def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of the package with a figure more, as the page of figures has it."""
+    """A copy of the package with two figures more, one as the page of figures has it."""
     folder = tmp_path_factory.mktemp("copy")
     shutil.copytree(Path(carom.__file__).parent, folder / "carom", ignore=shutil.ignore_patterns("__pycache__"))
     text = re.search(
         r"`figures/rhombus.py`:\n\n```{code-cell} ipython3\n(.*?)```", HOWTO.read_text(encoding="utf-8"), re.DOTALL
     )
     assert text is not None
-    (folder / "carom" / "scene" / "figures" / "rhombus.py").write_text(text[1])
+    figures = folder / "carom" / "scene" / "figures"
+    (figures / "rhombus.py").write_text(text[1])
+    (figures / "egg.py").write_text(EGG)
     return folder
 
 
@@ -90,6 +127,10 @@ def test_a_figure_that_is_added_as_a_file_is_everywhere(package: Path) -> None:
     fraction, gap, collisions = found["packed"]
     assert fraction == pytest.approx(8 * 3.141592653589793 * 0.05**2 / 1.5)
     assert (gap > -1e-12, collisions > 10) == (True, True)
+    assert found["egg"][0] == pytest.approx(found["egg"][1], rel=1e-9)
+    assert found["gas of eggs"] == pytest.approx(3.141592653589793 * (1 + 0.2**2 / 2))
+    assert "walls[0].shape" in found["no page"]
+    assert "'egg'" in found["no page"]
     assert found["sweep"] == [20.0, 20.0]
 
 

@@ -24,6 +24,7 @@ COMPILE_JOBS = (
     "carom.simulation.sensitivity.compiled:compiled_follow",
     f"{__name__}:measure_gas",
     f"{__name__}:measure_gas_in_ellipse",
+    f"{__name__}:measure_gas_in_curve",
     f"{__name__}:follow_called_laws",
     f"{__name__}:measure_gas_in_container",
     f"{__name__}:answer_many_rows",
@@ -198,6 +199,11 @@ def measure_gas_in_container() -> None:
 def measure_gas_in_ellipse() -> None:
     """Compile the event loop of gases in an ellipse that bounds their surfaces."""
     _run_in("ellipse", half_axes=(5.0, 3.0))
+
+
+def measure_gas_in_curve() -> None:
+    """Compile the event loop of gases in smooth curves."""
+    _run_in("limacon", eps=0.1, radius=5.0)
 
 
 def _run_in(shape: str, **sizes: Any) -> None:

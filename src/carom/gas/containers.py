@@ -14,9 +14,10 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.geometry.curve import ROW
 from carom.core.geometry.polygon import polygon_depth
 from carom.errors import FaultList, did_you_mean
-from carom.gas.edmd.gas_records import INSIDE, OUTSIDE, PLANE
+from carom.gas.edmd.gas_records import CURVE, INSIDE, OUTSIDE, PLANE
 from carom.gas.faces import ContainerFace, Floats, faces_of
 from carom.gas.old_containers import with_new_container
 from carom.scene.figures import FIGURES, Figure, PlaneFigure, figure
@@ -52,7 +53,7 @@ class Container:
     volume: float
     """Volume of the space that the walls bound; for discs the area."""
     outline: Array | None = None
-    """The corners (N, 2) of a polygon that is not convex: a point behind one of its sides may be inside."""
+    """The corners (N, 2) of a polygon that is not convex, or of one along a curve: a point behind a side may be inside."""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -64,11 +65,29 @@ class Container:
         least = np.full(len(x), math.inf)
         if self.outline is not None:
             bounds_surfaces = next(face.bounds_surfaces for face in self.faces if face.part)
-            least = polygon_depth(self.outline, x) - radius * bounds_surfaces
+            depth = polygon_depth(self.outline, x)
+            least = depth - radius * bounds_surfaces
+            if any(face.form == CURVE for face in self.faces):
+                least = self._clearance_of_curves(depth, least, np.broadcast_to(radius, len(x)), x)
         for face in self.faces:
             if not face.part:
                 least = np.minimum(least, face.clearance(radius, x))
         return least
+
+    @property
+    def curves(self) -> Array:
+        """The tables of all arcs of smooth curves, one after the other."""
+        return np.concatenate([np.empty((0, ROW)), *(face.table for face in self.faces)])
+
+    def _clearance_of_curves(self, depth: Array, gap: Array, radius: Array, x: Array) -> Array:
+        """Return the gaps where a polygon that is almost the curve does not tell them to rounding: near it, by the arcs."""
+        outline = cast(Array, self.outline)
+        error = float(np.linalg.norm(np.diff(outline, axis=0), axis=1).max())
+        near = (np.abs(depth) < error) | (np.abs(gap) < error)
+        faces = [face for face in self.faces if face.part]
+        found = gap.copy()
+        found[near] = np.min([face.clearance(radius[near], x[near]) for face in faces], axis=0)
+        return found
 
 
 # --- boxes and obstacles -------------------------------------------------------------------------------------------

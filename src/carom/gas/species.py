@@ -17,6 +17,7 @@ from carom.gas.containers import WALLS, Container
 from carom.gas.edmd.driver import SystemRecords
 from carom.gas.edmd.gas_records import (
     CONTACT_FORM,
+    CURVE,
     ELLIPSE,
     FACE,
     FLOW,
@@ -241,7 +242,7 @@ def _face_records(
     faults: FaultList, container: Container, drives: Mapping[str, Drive], widest: float
 ) -> NDArray[np.void]:
     """Return the records of the faces, with the drives of their walls."""
-    faces = np.zeros(len(container.faces), FACE)
+    faces, rows = np.zeros(len(container.faces), FACE), 0  # (of the tables of curves so far)
     for name in sorted(set(drives) - set(container.names)):
         faults.add("drives", "names of walls", f"{name!r}; {suggestion(name, list(container.names))}")
     for record, face in zip(faces, container.faces, strict=True):
@@ -250,7 +251,9 @@ def _face_records(
             for axis, component in zip("xyz", numbers, strict=True):
                 record[part + axis] = component
         record["bounded"], record["low"], record["high"] = face.bounded, face.low, face.high
-        if not face.bounds_surfaces:
+        if face.form == CURVE:
+            record["depth"], rows = rows, rows + len(face.table)
+        elif not face.bounds_surfaces:
             record["depth"] = CENTRE_DEPTH * widest
         drive = drives.get(face.name)
         if drive is None:
@@ -339,7 +342,7 @@ def system_records(
     pairs, pair_forms, with_walls, wall_forms = _contact_records(faults, species, container, contacts)
     faults.raise_if_any()
     means = _average_records(one, container, drives, len(species))
-    return SystemRecords(system, kinds, pairs, pair_forms, with_walls, wall_forms, faces, *means)
+    return SystemRecords(system, kinds, pairs, pair_forms, with_walls, wall_forms, faces, container.curves, *means)
 
 
 def _contact_records(

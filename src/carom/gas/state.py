@@ -148,7 +148,8 @@ def require_state(scene: GasScene, state: Arrays) -> None:
         forms |= {f"mark.{name}": forms[f"gas.{name}"] for name in MARKED}
         forms["mark.numbers"] = (np.dtype("f8"), (5,))
     for name in forms:
-        if name not in state:
+        # (the state of an earlier version has no curves)
+        if name not in state and not (name == "gas.curves" and forms[name][1] == (0,)):
             raise KeyError(name)
     for name in state:  # (read from a file one at a time)
         array = state[name]
@@ -175,6 +176,7 @@ def _forms(scene: GasScene, state: Arrays) -> dict[str, tuple[np.dtype[Any], tup
         "pairs": species**2, "pair_forms": species**2, "contacts": faces * species, "contact_forms": faces * species,
         "faces": faces, "whole": 1, "flows": species,
         "layers": _layers(scene, state) * species,
+        "curves": scene.container.geometry.curves.size,
     }  # fmt: skip
     forms: dict[str, tuple[np.dtype[Any], tuple[int, ...]]] = {
         f"gas.{name}": (kind, (count[name],)) for name, kind in STATE.items()
@@ -225,6 +227,7 @@ def _require_contents(scene: GasScene, state: Arrays) -> None:
         # (a ball's number of collisions is kept modulo 2^32; a kick of the thermostat counts as one, too)
         and (counted["motions"] - 2 * pairs - walls - int(one["kicks"])) % 2**32 == 0,
         "whole": int(state["gas.whole"][0]["axis"]) == axis,
+        "curves": np.array_equal(state.get("gas.curves", np.empty(0)), scene.container.geometry.curves.ravel()),
         "bodies": all(np.isfinite(bodies[name]).all() for name in ("wx", "wy", "wz")),
         "session": 0 <= first <= pairs + walls and 0 <= sampled <= pairs + walls and interval >= 1 and snapshots >= 0,
         "system": (pairs, walls, walls) == tuple(counted[name] for name in ("pairs", "contacts", "faces"))

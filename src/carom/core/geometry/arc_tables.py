@@ -9,11 +9,11 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.geometry.curve import HALF, ROW, TX, X
+from carom.core.geometry.curve import COEFFICIENTS, HALF, ROW, TX, X
 from carom.core.geometry.curve_arcs import COUNT, SENSE, SHARP_END, SHARPEST, SIZE
 from carom.core.geometry.panels import At, curvature, cut_into_panels
 
-__all__ = ["arc_circle", "arc_tables", "join_ends"]
+__all__ = ["arc_circle", "arc_length", "arc_tables", "join_ends"]
 
 Array = NDArray[np.float64]
 SAMPLES = 4096  # parameters at which the curvature is looked at
@@ -81,6 +81,15 @@ def join_ends(tables: Sequence[Array]) -> None:
         if near and np.abs(one[-1, TX : TX + 2] - two[1, TX : TX + 2]).max() <= JOINT:
             one[-1] = 0.0
             one[-1, [X, X + 1, TX, TX + 1]] = two[1, [X, X + 1, TX, TX + 1]]
+
+
+def arc_length(table: Array) -> float:
+    """Return the length of an arc, m."""
+    w, weights = np.polynomial.legendre.leggauss(16)
+    powers = np.arange(1, ROW - COEFFICIENTS)
+    half, c = table[1:-1, HALF], table[1:-1, COEFFICIENTS + 1 :]
+    slope = (c * powers) @ w ** (powers[:, None] - 1) / half[:, None]
+    return float((np.sqrt(1 + slope * slope) @ weights * half).sum())
 
 
 def arc_circle(table: Array) -> tuple[float, float, float]:

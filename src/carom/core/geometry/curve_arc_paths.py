@@ -33,6 +33,7 @@ BEHIND = 1e-3  # of the ball's radius: a ball that is deeper in the wall is behi
 NOISE = 4e-16  # of the size: so much of a gap is rounding
 SMALL = 1e-16  # of the size: so short a way is none
 OVERLAP = 1e-9  # of w: so much beyond its ends still belongs to a panel
+POINT = 1e-6  # of the size: tolerances of a smaller ball, or of a point, are those of a ball of this radius
 ROUNDS = 8  # so often may a parabola enter and leave an arc's convex set
 MOST_STEPS = 200
 FEW = 4  # nodes whose tangents are asked first
@@ -57,7 +58,7 @@ def _nodes_time(
     ``way`` 1: the earliest fall of a gap, from which on D = min h_t is not above it. -1: of those in front of which the ball is,
     the latest fall, before which D = max h_t is above it; infinity where one of them is never passed. 2: the earliest rise.
     """
-    j0, w0, j1, w1 = ends
+    j0, w0, j1, w1, _base = ends
     best = 0.0 if way < 0.0 else NEVER
     stride = 1 + (j1 - j0) // FEW
     for m in range(FEW + 2):
@@ -127,7 +128,7 @@ def _rising_part(
 
     Last, 0, or 1 or -1 where it does so after or before its extreme value within that panel. first, last: c at the ends.
     """
-    j0, _w0, j1, _w1 = ends
+    j0, _w0, j1, _w1, _base = ends
     turn, count = j0, j1 - j0 + 1
     while count > 1:
         half = count // 2
@@ -153,7 +154,7 @@ def _line_time(  # noqa: PLR0911  (one return per outcome)
 
     A graze whose depth is below ``near`` (m) counts where the curve bends towards the line from both sides.
     """
-    j0, w0, j1, w1 = ends
+    j0, w0, j1, w1, _base = ends
     ax, ay, au, av = node_of(table, j0, w0)
     bx, by, bu, bv = node_of(table, j1, w1)
     begins, ends_so = u * av - v * au > 0.0, u * bv - v * bu > 0.0
@@ -220,15 +221,16 @@ def _line_hit(
     table: Any, ends: Ends, d: float, x: float, y: float, vx: float, vy: float, until: float, slow: float
 ) -> float:
     """:func:`arc_hit` on a straight line."""
-    speed, near = math.sqrt(vx * vx + vy * vy), NOISE * table[0, SIZE]
+    speed, near = math.sqrt(vx * vx + vy * vy), NOISE * table[ends[4], SIZE]
+    large = max(d, POINT * table[ends[4], SIZE])
     s = _line_time(table, ends, d, near, x, y, vx, vy)
-    if s == NEVER or s * speed > SEAM * d:
+    if s == NEVER or s * speed > SEAM * large:
         return s if s <= until else NEVER
-    if s * speed < -2.0 * BEHIND * d:
+    if s * speed < -2.0 * BEHIND * large:
         return NEVER
     # in touch, or just behind the wall
     g, u, _half, bend, beyond = _gap(table, ends, d, 0.0, x, y, vx, vy, 0.0, 0.0, 0.0)
-    if not -BEHIND * d <= g <= max(near, SEAM * d) or beyond > SEAM * d:
+    if not -BEHIND * large <= g <= max(near, SEAM * large) or beyond > SEAM * large:
         return s if 0.0 <= s <= until else NEVER
     if u < -slow or (u <= 0.0 and bend < 0.0):
         return max(s, 0.0)
@@ -272,7 +274,9 @@ def _first_fall(
         short = length <= max(tiny, 4e-16 * right)
         if g1 > 0.0:
             # least of the chord less pull t (length - t)/2
-            t = length / 2.0 - (g1 - g0) / (length * pull)
+            t = length / 2.0
+            if pull > 0.0:
+                t = t - (g1 - g0) / (length * pull)
             least = min(g0, g1)
             if 0.0 < t < length:
                 least = g0 + (g1 - g0) * (t / length) - pull * t * (length - t) / 2.0
@@ -280,7 +284,7 @@ def _first_fall(
                 s0, g0, u0 = right, g1, u1
                 right = min(right + 2.0 * max(length, tiny, 4e-16 * right), end)
                 continue
-        elif u0 + pull * length < 0.0:
+        elif u0 + pull * length < 0.0 or pull == 0.0:
             return _fall_in(table, ends, d, dd, x, y, vx, vy, gx, gy, s0, right, g1, u1)
         elif short:
             return right
@@ -333,6 +337,7 @@ def _leave(
 @kernel
 def arc_hit(
     table: Any,
+    base: int,
     d: float,
     dd: float,
     x: float,
@@ -349,7 +354,7 @@ def arc_hit(
     As in :mod:`carom.core.roots.first_root`, a ball in touch hits now if it approaches faster than ``slow``, and not while it
     recedes.
     """
-    ends = touchable_part(table, d)
+    ends = touchable_part(table, base, d)
     if ends[2] < ends[0]:
         return NEVER
     pull, speed = math.sqrt(gx * gx + gy * gy), math.sqrt(vx * vx + vy * vy)
@@ -357,9 +362,9 @@ def arc_hit(
         return NEVER
     if pull == 0.0 and dd == 0.0:
         return _line_hit(table, ends, d, x, y, vx, vy, until, slow)
-    near = NOISE * table[0, SIZE]
+    near, large = NOISE * table[ends[4], SIZE], max(d, POINT * table[ends[4], SIZE])
     g, u, _half, bend, beyond = _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, 0.0)
-    touches = -BEHIND * d <= g <= near and beyond <= SEAM * d
+    touches = -BEHIND * large <= g <= near and beyond <= SEAM * large
     if touches and (u < -slow or (u <= 0.0 and bend < 0.0)):
         return 0.0
     return _parabola_hit(table, ends, d, dd, x, y, vx, vy, gx, gy, until, touches, g)
@@ -371,12 +376,14 @@ def _parabola_hit(
     touches: bool, g: float,
 ) -> float:  # fmt: skip
     """:func:`arc_hit` on a parabola, of a ball that does not hit now."""
-    sense, size = table[0, SENSE], table[0, SIZE]
+    sense, size = table[ends[4], SENSE], table[ends[4], SIZE]
     pull, speed = math.sqrt(gx * gx + gy * gy), math.sqrt(vx * vx + vy * vy)
-    near, seam = NOISE * size, SEAM * d
+    near, seam = NOISE * size, SEAM * max(d, POINT * size)
     # so far away the path is straight but for rounding, and no curve is there
-    far = math.sqrt(x * x + y * y) + table[0, SIZE] + d
-    last = min(until, (2.0 * speed + math.sqrt(4.0 * speed * speed + 2.0 * pull * far)) / pull)
+    far = math.sqrt(x * x + y * y) + table[ends[4], SIZE] + d
+    last = until
+    if pull > 0.0:
+        last = min(until, (2.0 * speed + math.sqrt(4.0 * speed * speed + 2.0 * pull * far)) / pull)
     tiny = SMALL * size / (speed + pull * last + abs(dd))
     s, out = 0.0, g > near
     for _ in range(ROUNDS):

@@ -34,7 +34,8 @@ Y, TY, OY, CY = X + 1, TX + 1, OX + 1, CX + 1
 SEAM = 1e-9  # of the ball's radius: a contact so far beyond an end is still on the arc
 CLOSE = 1e-9  # Newton's step in w after which the distance is exact: what is left out is of second order
 
-Ends = tuple[int, float, int, float]
+Ends = tuple[int, float, int, float, int]
+"""Panel and w at the beginning, panel and w at the end, the first row of the table."""
 Flat4 = tuple[float, float, float, float]
 Depth = tuple[float, float, float, float, float]
 
@@ -61,17 +62,17 @@ def _bend(table: Any, j: int, w: float) -> float:
 
 
 @kernel
-def touchable_part(table: Any, d: float) -> Ends:
-    """Return the ends of the part that a ball of radius d can touch, each as a panel and w; the second panel is 0 where none is."""
-    count = int(table[0, COUNT])
-    if table[0, SENSE] < 0.0 or table[0, SHARPEST] * d <= 1.0:
-        return 1, -1.0, count, 1.0
-    at_end = table[0, SHARP_END] > 0.0
+def touchable_part(table: Any, base: int, d: float) -> Ends:
+    """Return the ends of the part that a ball of radius d can touch; the last panel is before the first one where there is none."""
+    count = int(table[base, COUNT])
+    if table[base, SENSE] < 0.0 or table[base, SHARPEST] * d <= 1.0:
+        return base + 1, -1.0, base + count, 1.0, base
+    at_end = table[base, SHARP_END] > 0.0
     # from the flat end on
     for k in range(count):
-        j, far = (k + 1, 1.0) if at_end else (count - k, -1.0)
+        j, far = (base + k + 1, 1.0) if at_end else (base + count - k, -1.0)
         if k == 0 and _bend(table, j, -far) * d >= 1.0:
-            return 1, -1.0, 0, 1.0
+            return base + 1, -1.0, base, 1.0, base
         if _bend(table, j, far) * d > 1.0:
             flat, sharp = -far, far
             for _ in range(40):
@@ -80,8 +81,8 @@ def touchable_part(table: Any, d: float) -> Ends:
                     sharp = w
                 else:
                     flat = w
-            return (1, -1.0, j, flat) if at_end else (j, flat, count, 1.0)
-    return 1, -1.0, count, 1.0
+            return (base + 1, -1.0, j, flat, base) if at_end else (j, flat, base + count, 1.0, base)
+    return base + 1, -1.0, base + count, 1.0, base
 
 
 @kernel
@@ -121,12 +122,12 @@ def _foot(table: Any, j: int, x: float, y: float, low: float, high: float) -> tu
 @kernel
 def arc_depth(table: Any, ends: Ends, x: float, y: float) -> Depth:
     """Return D, its gradient (the normal towards the ball), the curvature, and how far beyond an end of the arc the foot lies."""
-    j0, w0, j1, w1 = ends
+    j0, w0, j1, w1, base = ends
     ax, ay, au, av = node_of(table, j0, w0)
     bx, by, bu, bv = node_of(table, j1, w1)
     ahead_a, ahead_b = (x - ax) * au + (y - ay) * av, (x - bx) * bu + (y - by) * bv
     depth_a, depth_b = (y - ay) * au - (x - ax) * av, (y - by) * bu - (x - bx) * bv
-    sense = table[0, SENSE]
+    sense = table[base, SENSE]
     left, right = 0, -1
     if ahead_a > 0.0 and ahead_b < 0.0:
         left, right = j0, j1
@@ -158,23 +159,23 @@ def arc_depth(table: Any, ends: Ends, x: float, y: float) -> Depth:
 
 
 @kernel
-def arc_contact(table: Any, x: float, y: float) -> tuple[float, float, float, float]:
+def arc_contact(table: Any, base: int, x: float, y: float) -> tuple[float, float, float, float]:
     """Return the normal towards a ball in touch with an arc, the curvature there, and the distance of its centre."""
-    count = int(table[0, COUNT])
-    best, least = 1, NEVER
-    for k in range(1, count + 2):
+    count = int(table[base, COUNT])
+    best, least = base + 1, NEVER
+    for k in range(base + 1, base + count + 2):
         dx, dy = x - table[k, X], y - table[k, Y]
         if dx * dx + dy * dy < least:
             best, least = k, dx * dx + dy * dy
-    j = best if best == 1 or (best <= count and _along(table, best, x, y) > 0.0) else best - 1
+    j = best if best == base + 1 or (best <= base + count and _along(table, best, x, y) > 0.0) else best - 1
     depth, nx, ny, kappa, _w = _foot(table, j, x, y, -1.0, 1.0)
     return nx, ny, kappa, depth
 
 
 @kernel
-def arc_gap(table: Any, d: float, x: float, y: float) -> tuple[float, float, float, float]:
+def arc_gap(table: Any, base: int, d: float, x: float, y: float) -> tuple[float, float, float, float]:
     """Return the gap between an arc and a ball of radius d, how far beyond an end the nearest point would be, and the normal."""
-    ends = touchable_part(table, d)
+    ends = touchable_part(table, base, d)
     if ends[2] < ends[0]:
         return NEVER, NEVER, 1.0, 0.0
     depth, nx, ny, _kappa, beyond = arc_depth(table, ends, x, y)

@@ -52,11 +52,11 @@ def arc_entry(
     """Write what is asked of an arc: as it is called by its address, :data:`NUMBERS` numbers, and a place to write to."""
     rows = table_at(int(table), LARGE, ROW)
     if what == HIT:
-        out[0] = arc_hit(rows, d, 0.0, x, y, vx, vy, gx, gy, until, slow)
+        out[0] = arc_hit(rows, 0, d, 0.0, x, y, vx, vy, gx, gy, until, slow)
     elif what == GAP:
-        out[0], out[1], out[2], out[3] = arc_gap(rows, d, x, y)
+        out[0], out[1], out[2], out[3] = arc_gap(rows, 0, d, x, y)
     else:
-        out[0], out[1], out[2], out[3] = arc_contact(rows, x, y)
+        out[0], out[1], out[2], out[3] = arc_contact(rows, 0, x, y)
 
 
 @functools.cache

@@ -16,10 +16,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.geometry.curve import HALF, X
+from carom.core.geometry.curve_arcs import COUNT
 from carom.core.geometry.ellipse import inner_axes
 from carom.core.jit.kernel import hot_kernel, kernel
 from carom.gas.edmd.calendar import I64, U64
-from carom.gas.edmd.gas_records import ELLIPSE, INDEX_BITS, INSIDE, NO_BALL, PLANE
+from carom.gas.edmd.gas_records import CURVE, ELLIPSE, INDEX_BITS, INSIDE, NO_BALL, PLANE
 
 __all__ = [
     "INDEX_MASK", "SLOTS", "Block", "block_around", "cell_index", "gather_neighbours", "insert_ball", "morton_offsets",
@@ -228,8 +230,10 @@ def _cell_spans(system: Any, axis: int) -> tuple[Any, Any]:
     return low, high
 
 
-def _reached_cells(system: Any, face: Any, distance: float) -> NDArray[np.bool_]:
+def _reached_cells(system: Any, face: Any, distance: float, curves: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Return which cells (z, y, x) a face reaches into, given its largest d (INSIDE: least d) of all species."""
+    if face["form"] == CURVE:
+        return _cells_along(system, face, distance, curves)
     scale = _inner_scale(face, distance) if face["form"] == ELLIPSE else None
     least: Any = 0.0
     most: Any = 0.0
@@ -268,6 +272,20 @@ def _reached_cells(system: Any, face: Any, distance: float) -> NDArray[np.bool_]
     return np.asarray(reached)
 
 
+def _cells_along(system: Any, face: Any, distance: float, curves: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return which cells (z, y, x) are as near as the distance to an arc, by the boxes of its panels."""
+    base = int(face["depth"])
+    rows = curves[base + 1 : base + 2 + int(curves[base, COUNT])]
+    wide = distance + rows[:-1, HALF] / 2  # (a panel turns by less than 0.4 rad, and stays that near to its chord)
+    found: Any = False
+    for axis, name in enumerate("xy"):
+        low, high = _cell_spans(system, axis)
+        ends = np.stack([rows[:-1, X + axis], rows[1:, X + axis]]) + float(face["m" + name])
+        over = (low <= (ends.max(axis=0) + wide)[:, None]) & (high >= (ends.min(axis=0) - wide)[:, None])
+        found = over[:, None, :] if axis == 0 else found & over[:, :, None]
+    return np.broadcast_to(found.any(axis=0), tuple(int(n) for n in system["cells"][::-1])).copy()
+
+
 def _inner_scale(face: Any, distance: float) -> tuple[float, float, float]:
     """Return one over the half axes of an ellipse within the curve of the centres at this distance from an ELLIPSE."""
     inner = inner_axes(float(face["nx"]), float(face["ny"]), distance)
@@ -286,7 +304,9 @@ def _interior(walled: NDArray[np.bool_]) -> list[int]:
     return [1, 0] * 3
 
 
-def walls_of_cells(system: Any, faces: Any, contacts: Any) -> tuple[list[int], NDArray[np.int32], NDArray[np.int32]]:
+def walls_of_cells(
+    system: Any, faces: Any, contacts: Any, curves: NDArray[np.float64]
+) -> tuple[list[int], NDArray[np.int32], NDArray[np.int32]]:
     """Return the interior of the grid, and ``cell_sets`` and ``sets`` of the WallRecords of a system."""
     shape = tuple(int(n) for n in system["cells"][::-1])
     if len(faces) == 0:
@@ -297,7 +317,8 @@ def walls_of_cells(system: Any, faces: Any, contacts: Any) -> tuple[list[int], N
     members: list[tuple[int, ...]] = [()]
     for w, face in enumerate(faces):
         distances = contacts["distance"][w * species : (w + 1) * species]
-        reached = _reached_cells(system, face, float(distances.min() if face["form"] == INSIDE else distances.max()))
+        distance = float(distances.min() if face["form"] == INSIDE else distances.max())
+        reached = _reached_cells(system, face, distance, curves)
         known, number = np.unique(2 * number + reached, return_inverse=True)
         number = number.reshape(shape)
         members = [(*members[k // 2], w) if k % 2 else members[k // 2] for k in known.tolist()]

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.geometry.curve import ROW
 from carom.core.jit.slices import Pace, block_slices
 from carom.gas.edmd import loop
 from carom.gas.edmd.calendar import calendar_sizes
@@ -17,6 +18,7 @@ from carom.gas.edmd.cell_lists import SLOTS, morton_offsets, neighbour_tables, w
 from carom.gas.edmd.gas_records import (
     BODY,
     CONTACT_FORM,
+    CURVE,
     ELLIPSE,
     FACE,
     FLOW,
@@ -69,6 +71,7 @@ STATE = {
     "whole": WHOLE,
     "flows": FLOW,
     "layers": LAYER,
+    "curves": np.dtype("f8"),
 }
 
 
@@ -82,6 +85,7 @@ class SystemRecords(NamedTuple):
     contacts: NDArray[np.void]
     contact_forms: NDArray[np.void]
     faces: NDArray[np.void]
+    curves: NDArray[np.float64]
     whole: NDArray[np.void]
     flows: NDArray[np.void]
     layers: NDArray[np.void]
@@ -172,13 +176,14 @@ def _max_neighbours(one: Any, species: Any) -> int:
 def _assemble(state: dict[str, Any], memory: dict[str, NDArray[Any]]) -> GasArrays:
     """Return all arrays of a gas in this state, with calendar and cells empty."""
     one = state["system"][0]
-    interior, cell_sets, sets = walls_of_cells(one, state["faces"], state["contacts"])
+    curves = state["curves"].reshape(-1, ROW)
+    interior, cell_sets, sets = walls_of_cells(one, state["faces"], state["contacts"], curves)
     offsets, shifts = neighbour_tables(one)
     return GasArrays(
         system=state["system"],
         balls=Balls(*(state[name] for name in Balls._fields)),
         materials=Materials(*(state[name] for name in Materials._fields)),
-        walls=WallRecords(state["faces"], state["contacts"], state["contact_forms"], cell_sets, sets),
+        walls=WallRecords(state["faces"], state["contacts"], state["contact_forms"], cell_sets, sets, curves),
         averages=Averages(*(state[name] for name in Averages._fields)),
         calendar=Calendar(*(memory[name] for name in Calendar._fields)),
         cells=Cells(memory["slots"], memory["links"], offsets, shifts),
@@ -247,7 +252,8 @@ def restore(state: Mapping[str, NDArray[Any]]) -> GasArrays:
     memory = _allocate(state["system"][0], state["species"])
     copies = {}
     for name in STATE:
-        given = state[name]
+        # (a state of an earlier version has no curves)
+        given = state[name] if name in state or name != "curves" else np.empty(0)
         copies[name] = memory[name] if name in memory else np.empty_like(given)
         copies[name][:] = given
         del given  # (a state read from a file has one array in memory at a time)
@@ -265,7 +271,7 @@ def saved_blocks(arrays: GasArrays, name: str) -> tuple[int, Iterator[NDArray[An
     """Return the length of an array of the state, and copies of it block by block (one block at least)."""
     parts = (arrays.balls, arrays.materials, arrays.walls, arrays.averages)
     found = {name: one for part in parts for name, one in part._asdict().items()} | {"system": arrays.system}
-    array: NDArray[Any] = found[name]
+    array: NDArray[Any] = found[name].ravel() if name == "curves" else found[name]
 
     def blocks() -> Iterator[NDArray[Any]]:
         for rows in block_slices(max(len(array), 1), BLOCK):
@@ -288,7 +294,8 @@ def _features(arrays: GasArrays) -> Features | None:
     )
     if not (special.any() or one["growth"] != 0 or one["rate"] != 0):
         return None
-    return Features(1 if (faces["form"] == ELLIPSE).any() else None)
+    curved = (faces["form"] == CURVE).any()
+    return Features(1 if curved or (faces["form"] == ELLIPSE).any() else None, arrays.walls.curves if curved else None)
 
 
 def advance(arrays: GasArrays, until: float, max_collisions: int) -> None:

@@ -19,6 +19,7 @@ __all__ = [
     "BODY",
     "COLLAPSED",
     "CONTACT_FORM",
+    "CURVE",
     "DONE",
     "ELLIPSE",
     "FACE",
@@ -125,8 +126,9 @@ CONTACT_FORM = np.dtype([("form", "i8"), *((name, _FLOAT) for name in ("p0", "p1
 # A face of a wall: geometry, motion, temperature, totals.
 # The gap of a ball at x is n.(x - m) - d for a plane, d^2 - |q (x - m)|^2 inside a round wall and |q (x - m)|^2 - d^2 outside
 # one: q is 0 along the axis of a cylinder, 1 across it; d depends on the species. Within an ellipse that bounds the balls'
-# surfaces (ELLIPSE) it is the distance from the curve, less d.
-PLANE, INSIDE, OUTSIDE, ELLIPSE = range(4)
+# surfaces (ELLIPSE) it is the distance from the curve, less d; and so it is at an arc of a smooth CURVE, whose table begins at the
+# row ``depth`` of the curves.
+PLANE, INSIDE, OUTSIDE, ELLIPSE, CURVE = range(5)
 FACE = np.dtype(
     [
         ("form", "i8"),
@@ -280,6 +282,8 @@ class WallRecords(NamedTuple):
     """Place in ``sets`` at which the set of each cell begins."""
     sets: NDArray[np.int32]
     """One set after the other: the number of faces, then their indices."""
+    curves: NDArray[np.float64]
+    """Tables (R, columns) of the arcs of smooth curves (:mod:`carom.core.geometry.curve_arcs`), one after the other."""
 
 
 class Calendar(NamedTuple):
@@ -345,4 +349,6 @@ class Features(NamedTuple):
     """Compile-time switch: what a gas needs beyond fixed planes. None in its place compiles the short loop."""
 
     ellipse: int | None
-    """Not None where a wall is an ELLIPSE."""
+    """Not None where a wall is an ELLIPSE, or a CURVE."""
+    curve: NDArray[np.float64] | None
+    """The curves of the walls, where there are any."""

@@ -1,9 +1,10 @@
 """Walls and thermostat: when a ball reaches a wall, what that does, and the thermostat's kicks.
 
-All walls but one have one mechanism: a gap that is a polynomial of time, of degree 2 for a plane or where no force acts across a
-round wall, of degree 4 where one does; an ellipse that bounds the balls' surfaces has its own
-(:mod:`carom.core.geometry.ellipse`). Each cell has a set of the walls that a ball in it can touch; for most cells it is empty,
-and a block of those, the interior of the grid, skips the walls altogether.
+All walls but two have one mechanism: a gap that is a polynomial of time, of degree 2 for a plane or where no force acts across a
+round wall, of degree 4 where one does. An ellipse that bounds the balls' surfaces has its own
+(:mod:`carom.core.geometry.ellipse`), and so have arcs of smooth curves (:mod:`carom.core.geometry.curve_arcs`). Each cell has a
+set of the walls that a ball in it can touch; for most cells it is empty, and a block of those, the interior of the grid, skips the
+walls altogether.
 
 What only round, oscillating or heated walls, growing balls and a thermostat need is compiled only for a gas that has some of them:
 it takes as long as all the rest. ``features`` says so: None where all walls are fixed planes, else :class:`.records.Features`.
@@ -15,6 +16,8 @@ import math
 from typing import Any
 
 from carom.core.contact import friction_at_slip, one_contact, slip_velocity
+from carom.core.geometry.curve_arc_paths import arc_hit
+from carom.core.geometry.curve_arcs import arc_contact
 from carom.core.geometry.ellipse import oval_depth, oval_hit
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel
 from carom.core.random import exponential, normals, uniform
@@ -22,7 +25,7 @@ from carom.core.roots.first_root import hit2, hit4, next_hit4
 from carom.gas.edmd.averages import note_change
 from carom.gas.edmd.calendar import I64, U64
 from carom.gas.edmd.collisions import add_energies, count_if_feeble, restitution_of, set_velocity, squared_length
-from carom.gas.edmd.gas_records import ELLIPSE, OUTSIDE, PLANE
+from carom.gas.edmd.gas_records import CURVE, ELLIPSE, OUTSIDE, PLANE
 
 __all__ = [
     "FIRST_WALL", "PREDICT_AGAIN", "collide_wall", "draw_ball", "next_kick_time", "next_wall_collision", "thermostat_kick",
@@ -161,6 +164,40 @@ def _ellipse_pressing(ellipse: Any, face: Any, gravity: Any, ball: Any) -> float
 
 
 @kernel
+def _curve_collision_time(
+    curves: Any, face: Any, contact: Any, gravity: Any, ball: Any, scale: float, growth: float, most: float, slow: float
+) -> float:  # fmt: skip
+    """Return when a ball reaches an arc of a smooth curve. ``curves`` is None where the gas has none."""
+    if curves is None:
+        return math.inf
+    return arc_hit(
+        curves, I64(face.depth), contact.distance + contact.radius_part * (scale - 1.0), contact.radius_part * growth,
+        ball.x - face.mx, ball.y - face.my, ball.vx, ball.vy, gravity[U64(0)], gravity[U64(1)], most, slow,
+    )  # fmt: skip
+
+
+@kernel
+def _curve_normal(curves: Any, face: Any, ball: Any) -> Vec:
+    """Return the normal of an arc at a ball in touch with it."""
+    if curves is None:
+        return (1.0, 0.0, 0.0)
+    found = arc_contact(curves, I64(face.depth), ball.x - face.mx, ball.y - face.my)
+    return (found[0], found[1], 0.0)
+
+
+@kernel
+def _curve_pressing(curves: Any, face: Any, gravity: Any, ball: Any) -> float:
+    """Return the acceleration of a ball towards an arc: by gravity, and by its motion along the curve."""
+    if curves is None:
+        return 0.0
+    nx, ny, kappa, depth = arc_contact(curves, I64(face.depth), ball.x - face.mx, ball.y - face.my)
+    along = ball.vx * ny - ball.vy * nx
+    return along * along * (kappa / max(1.0 - kappa * depth, 1e-9)) - (  # type: ignore[no-any-return]
+        nx * gravity[U64(0)] + ny * gravity[U64(1)]
+    )
+
+
+@kernel
 def wall_collision_time(
     features: Any,
     face: Any,
@@ -179,6 +216,8 @@ def wall_collision_time(
     slow = APPROACH_ROUNDING * math.sqrt(squared_length((ball.vx, ball.vy, ball.vz)))
     if features is not None and face.form == ELLIPSE:
         return _ellipse_collision_time(features.ellipse, face, contact, gravity, ball, scale, growth, most, slow), True
+    if features is not None and face.form == CURVE:
+        return _curve_collision_time(features.curve, face, contact, gravity, ball, scale, growth, most, slow), True
     c = _gap_polynomial(features, face, contact, gravity, ball, scale, growth)
     if features is None:
         return hit2(c[0], c[1], c[2], most, slow), True
@@ -233,6 +272,8 @@ def _normal(features: Any, face: Any, ball: Any) -> Vec:
         return (face.nx, face.ny, face.nz)
     if face.form == ELLIPSE:
         return _ellipse_normal(features.ellipse, face, ball)
+    if face.form == CURVE:
+        return _curve_normal(features.curve, face, ball)
     # (the gradient of the gap: q twice)
     x, y, z = (
         face.nx * face.nx * (ball.x - face.mx),
@@ -283,6 +324,8 @@ def _release_speed(
     """Return the speed at which a ball pressed on a wall, by a force or its curvature, returns after the contact time."""
     if features is not None and face.form == ELLIPSE:
         return max(_ellipse_pressing(features.ellipse, face, gravity, ball), 0.0) * contact_time / 2.0
+    if features is not None and face.form == CURVE:
+        return max(_curve_pressing(features.curve, face, gravity, ball), 0.0) * contact_time / 2.0
     c = _gap_polynomial(features, face, contact, gravity, ball, 1.0, 0.0)
     press = -2.0 * c[2]
     if features is None:

@@ -138,7 +138,6 @@ class CurvedWallShape(FigureWall):
     """
 
     kernels: ClassVar = ShapeKernels(_no_features)
-    is_of_arcs: ClassVar[bool] = False
     inside: Flag = True
 
     @model_validator(mode="after")
@@ -155,6 +154,11 @@ class CurvedWallShape(FigureWall):
         """Return its boundary in the frame of the figure. (No property that is kept: an address is one of this process.)"""
         fields = tuple((name, getattr(self, name)) for name in self.of.model_fields if getattr(self, name) is not None)
         return _built(self.of, fields, self.inside, self._is_closed)
+
+    @property
+    def is_of_arcs(self) -> bool:
+        """Whether it is straight sides and arcs of circles alone, with the balls inside: the page has its outline."""
+        return self._is_closed and self.inside and not self._boundary.arcs
 
     @property
     def numbers(self) -> tuple[float, ...]:
@@ -237,6 +241,4 @@ def figure_walls(beside: Sequence[str]) -> dict[str, type[FigureWall]]:
 
 
 def _of_sides_and_arcs(kind: type[PlaneFigure]) -> bool:
-    if issubclass(kind, CurveFigure):
-        return False
-    return not kind.usual or all(map(_is_simple, (one for loop in kind(**kind.usual).outline() for one in loop)))
+    return bool(kind.usual) and all(map(_is_simple, (one for loop in kind(**kind.usual).outline() for one in loop)))

@@ -115,8 +115,6 @@ class FigureWall(WallShape):
 
     kernels: ClassVar = KERNELS
     in_page: ClassVar[bool] = False
-    is_of_arcs: ClassVar[bool] = True
-    """Whether it is straight sides and arcs of circles alone, of which the page has the outline."""
     of: ClassVar[type[PlaneFigure]]
     center: Place = (0.0, 0.0)
     angle: Angle = 0.0
@@ -134,6 +132,11 @@ class FigureWall(WallShape):
         """The figure."""
         fields = {name: getattr(self, name) for name in self.of.model_fields}
         return self.of(**{name: value for name, value in fields.items() if value is not None})
+
+    @property
+    def is_of_arcs(self) -> bool:
+        """Whether it is straight sides and arcs of circles alone, with the balls inside: the page has its outline."""
+        return True
 
     @functools.cached_property
     def as_outline(self) -> OutlineWall:
