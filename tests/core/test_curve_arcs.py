@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from reference.curve_walls import Backwards, drawn_flights, first_contact
-from reference.curves import CURVES, depth
+from reference.curves import CURVES, PolarSum, depth
 
 from carom.core.geometry.arc_tables import arc_tables
 from carom.core.geometry.curve_arc_paths import arc_hit
@@ -66,6 +66,19 @@ def test_a_circle() -> None:
     assert soonest(outer, a, np.array([1.3, 0.0]), np.array([1.0, 0.0]), np.array([-1.0, 0.0])) == pytest.approx(2.0)
     nx, ny, kappa, far = arc_contact(outer[0], 0, 1.1 * math.cos(-0.4), 1.1 * math.sin(-0.4))
     assert (nx, ny, kappa, far) == pytest.approx((math.cos(-0.4), math.sin(-0.4), -1.0, 0.1), abs=1e-14)
+
+
+def test_growing_balls() -> None:
+    """In a room with inflections, with no limit of the time: the gap is closed then, and not before."""
+    curve, rng = PolarSum(((3, 1 / 6, 0.0),)), np.random.default_rng(1)
+    tables = tables_of(curve)
+    for a, x, v, _g in drawn_flights(curve, rng, 40, inside=True):
+        rate = float(rng.uniform(0, 1.2)) * float(np.linalg.norm(v))
+        s = min(arc_hit(table, 0, a, rate, *x.tolist(), *v.tolist(), 0.0, 0.0, math.inf, 1e-14) for table in tables)
+        t = np.linspace(0, s, 200)[1:]
+        gap = depth(curve, x + np.outer(t, v)) - a - rate * t
+        assert abs(gap[-1]) < 1e-12
+        assert gap[:-1].min() > 0
 
 
 def test_gaps_end_with_the_arc() -> None:

@@ -379,11 +379,12 @@ def _parabola_hit(
     sense, size = table[ends[4], SENSE], table[ends[4], SIZE]
     pull, speed = math.sqrt(gx * gx + gy * gy), math.sqrt(vx * vx + vy * vy)
     near, seam = NOISE * size, SEAM * max(d, POINT * size)
-    # so far away the path is straight but for rounding, and no curve is there
+    # after the last of these times its centre is outside all of the curve, or it has grown to be larger
     far = math.sqrt(x * x + y * y) + table[ends[4], SIZE] + d
-    last = until
     if pull > 0.0:
         last = min(until, (2.0 * speed + math.sqrt(4.0 * speed * speed + 2.0 * pull * far)) / pull)
+    else:
+        last = min(until, 4.0 * far / max(speed, abs(dd)))
     tiny = SMALL * size / (speed + pull * last + abs(dd))
     s, out = 0.0, g > near
     for _ in range(ROUNDS):

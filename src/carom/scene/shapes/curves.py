@@ -66,7 +66,7 @@ def _built(of: type[Any], fields: tuple[tuple[str, Hashable], ...], inside: bool
     if not closed:
         pieces = figure.open_pieces()
     ends = [(piece, *piece.at(np.array(piece.span()))) for piece in pieces]
-    outline = np.concatenate([piece.at(np.linspace(*piece.span(), _samples(piece)))[0] for piece in pieces])
+    outline = np.concatenate([one[:-1] if closed else one for one in _polylines(pieces)])
     size = float(np.abs(outline).max())
     if not np.isfinite(outline).all():
         raise_faults([Fault("", "", "a curve of finite places", "others")])
@@ -74,7 +74,7 @@ def _built(of: type[Any], fields: tuple[tuple[str, Hashable], ...], inside: bool
     if closed and max(gaps) > OPEN * size:
         got = f"one whose last place is {max(gaps):.6g} m from the first"
         raise_faults([Fault("", "closed", "true for a curve that closes", got, "let it close, or set closed = false")])
-    if closed and outline_faults(np.concatenate([one[:-1] for one in _polylines(pieces)])):
+    if closed and outline_faults(outline):
         raise_faults([Fault("", "", "a curve that does not meet itself", "one that does")])
     if closed and not inside:
         pieces = _way_round(pieces)
