@@ -281,7 +281,7 @@ def test_portraits_have_a_title_a_legend_and_one_ink_for_chaotic_orbits() -> Non
     for figure in (plot_portrait(found), plot_boundary(found)):
         (axes,) = figure.axes
         assert axes.get_title() == (
-            "stadium, straight 2, radius 1; bounds the centre\nno-slip, $\\kappa$ = 0.5; 60 orbits of 1,500 bounces"
+            "stadium, straight = 2, radius = 1; bounds the centre\nno-slip, $\\kappa$ = 0.5; 60 orbits of 1,500 bounces"
         )
         (sea,) = [one for one in axes.collections if one.get_label() == "_sea"]
         islands = [one for one in axes.collections if one.get_label() == "_island"]
