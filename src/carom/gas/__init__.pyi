@@ -28,3 +28,5 @@ from .snapshots import Snapshots as Snapshots
 from .species import Drive as Drive
 from .species import Species as Species
 from .species import Thermostat as Thermostat
+from .transport import Viscosity as Viscosity
+from .transport import viscosity as viscosity

@@ -15,7 +15,7 @@ from carom.formatting import counted, format_number
 from carom.gas.containers import Container, as_container
 from carom.gas.edmd import driver as engine
 from carom.gas.edmd.driver import GasArrays
-from carom.gas.edmd.gas_records import COLLAPSED, DONE, UNDERFLOW
+from carom.gas.edmd.gas_records import COLLAPSED, DONE, UNDERFLOW, Averages
 from carom.gas.endings import AT_REST, COLLAPSE, TOO_SLOW, EarlyEnd, EndedEarlyError, collapse_of
 from carom.gas.results import GasBalls, GasRun, Mark
 from carom.gas.species import Contacts, Drive, Species, Thermostat, system_records
@@ -247,10 +247,14 @@ class Gas:
             raise
         return self.measured_since(mark)
 
+    def integrals(self) -> Averages:
+        """Return the integrals over time, until now, of what :class:`carom.gas.time_averages.TimeAverages` are made of."""
+        return engine.averages_until(self.arrays, self._time)
+
     def mark(self) -> Mark:
         """Begin a measurement: return what :meth:`measured_since` needs, in this process or in another one."""
         self.arrays.system[0]["overlap"] = -math.inf
-        one, averages = self.arrays, engine.averages_until(self.arrays, self._time)
+        one, averages = self.arrays, self.integrals()
         totals = (one.materials.pairs.copy(), one.walls.contacts.copy(), one.walls.faces.copy())
         return Mark(one.system.copy()[0], *totals, *averages, self.energy(), self._time, self.cpu_seconds)
 
@@ -328,7 +332,7 @@ class Gas:
         one, before, energy0, t = self.arrays.system[0], since.system, since.energy, self._time - since.time
         count, energy = int(one["balls"]), self.energy()
         pairs = int(one["pair_collisions"] - before["pair_collisions"])
-        means = averages_between(self.arrays, since, engine.averages_until(self.arrays, self._time), t)
+        means = averages_between(self.arrays, since, self.integrals(), t)
         faces = self.arrays.walls.faces
         areas, pushes, feeds = (
             self._sum_by_wall(part)
