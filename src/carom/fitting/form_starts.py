@@ -9,13 +9,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.fitting.parameters import viscous_loss
+
 __all__ = ["form_starts"]
 
 Array = NDArray[np.float64]
 SPEED_SHARES = (0.3, 1.0, 3.0)  # of the median speed: over which an exponential is tried
 LEAST_SPEEDS = 3
 MOST_RATIO = 1.2  # of normal speeds: larger ones are errors of measurement
-VISCOUS = 2 / 5
 
 
 def form_starts(form: str, speed: Array, ratio: Array) -> list[tuple[float, ...]]:
@@ -50,9 +51,7 @@ def form_starts(form: str, speed: Array, ratio: Array) -> list[tuple[float, ...]
         slope, height = np.polyfit(np.log(v / v.min()), np.log(e), 1)
         return [(float(np.exp(height)), float(v.min()), -float(slope))]
     if form == "viscoelastic":
-        # 1/e = 1 + c + 2/5 c^2, c proportional to v^(1/5)
-        c = (np.sqrt(1 + 4 * VISCOUS * np.maximum(1 / e - 1, 0.0)) - 1) / (2 * VISCOUS)
-        return [(float(np.median(c / v**0.2)),)]
+        return [(float(np.median(viscous_loss(e) / v**0.2)),)]
     if form == "exponential":
         found: list[tuple[float, ...]] = []
         for share in SPEED_SHARES:

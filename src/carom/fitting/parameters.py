@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,8 +11,15 @@ import numpy as np
 
 __all__ = [
     "ALONG", "ALONG_FORMS", "FORMS", "INDEX", "LAW_NUMBERS", "LINE", "NUMBERS", "PARAMETERS", "PLACES", "RENAMED",
-    "RESTITUTION_FORMS", "Form", "Parameter",
+    "RESTITUTION_FORMS", "Form", "Parameter", "viscous_loss",
 ]  # fmt: skip
+
+LEAST_RESTITUTION = 0.05  # of a start
+
+
+def viscous_loss(restitution: Any) -> Any:
+    """Return c of a viscoelastic ball, 1/e = 1 + c + 2/5 c^2 with c proportional to v^(1/5); 0 where e is 1 or more."""
+    return (np.sqrt(1 + 1.6 * np.maximum(1 / np.maximum(restitution, LEAST_RESTITUTION) - 1, 0.0)) - 1) / 0.8
 
 
 @dataclass(frozen=True)
@@ -95,8 +101,8 @@ class Form:
         """Return the three numbers with which the form has about this value at a speed, and near it."""
         if any(one.name.endswith("_at_speed") for one in self.parameters):
             return constant, constant, 1.0
-        if [one.name for one in self.parameters] == ["restitution_c"]:  # 1/e = 1 + c + 2/5 c^2
-            return (math.sqrt(1 + 1.6 * (1 / max(constant, 0.05) - 1)) - 1) / 0.8 / speed**0.2, 0.0, 0.0
+        if [one.name for one in self.parameters] == ["restitution_c"]:
+            return float(viscous_loss(constant)) / speed**0.2, 0.0, 0.0
         if "restitution_exponent" in [one.name for one in self.parameters]:
             return constant, speed, 0.0
         return constant, 0.0, 0.0
