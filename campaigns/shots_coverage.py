@@ -72,6 +72,8 @@ def main(words: Sequence[str] | None = None) -> None:
         each += [(name, good, name) for name in dict.fromkeys(name for row in good for name in row["pulls"])]
         for label, some, name in each:
             z = [x for row in some for key, x in row["pulls"].items() if name in (None, key)]
+            if not z:
+                continue
             within, errors = held(z), counting_errors(len(z))
             size = np.median([x for row in some for key, x in row["errors"].items() if name in (None, key)] or [0.0])
             run.say(
