@@ -129,23 +129,27 @@ def table_at(address: int, rows: int, columns: int) -> NDArray[np.float64]:
 def register_tables() -> None:
     """Tell the compiler what :func:`table_at` is."""
     from llvmlite import ir
-    from numba import carray, types
-    from numba.extending import intrinsic, overload
+    from numba import types
+    from numba.core import cgutils
+    from numba.extending import lower_builtin, type_callable
+    from numba.np import arrayobj
 
-    @intrinsic  # type: ignore[untyped-decorator]
-    def pointer(_context: Any, address: Any) -> Any:
-        def build(_context: Any, builder: Any, _signature: Any, args: Any) -> Any:
-            return builder.inttoptr(args[0], ir.DoubleType().as_pointer())
+    table = types.Array(types.float64, 2, "C")
 
-        return types.CPointer(types.float64)(types.int64), build
+    # (no overload: where references are not counted, a function returns no array)
+    @type_callable(table_at)  # type: ignore[untyped-decorator]
+    def _typed(_context: Any) -> Any:
+        return lambda address, rows, columns: table
 
-    # (Numba compares the annotations of the two signatures as well)
-    @overload(table_at)  # type: ignore[untyped-decorator]
-    def _table_at(address: Any, rows: Any, columns: Any) -> Any:
-        def found(address: Any, rows: Any, columns: Any) -> Any:
-            return carray(pointer(address), (rows, columns))
-
-        return found
+    @lower_builtin(table_at, types.Integer, types.Integer, types.Integer)  # type: ignore[untyped-decorator]
+    def _view(context: Any, builder: Any, _signature: Any, args: Any) -> Any:
+        made = arrayobj.make_array(table)(context, builder)
+        size = context.get_constant(types.intp, 8)
+        arrayobj.populate_array(
+            made, data=builder.inttoptr(args[0], ir.DoubleType().as_pointer()), shape=cgutils.pack_array(builder, args[1:]),
+            strides=cgutils.pack_array(builder, [builder.mul(args[2], size), size]), itemsize=size, meminfo=None,
+        )  # fmt: skip
+        return made._getvalue()
 
 
 def compiled_address(compiled: Any) -> int:
