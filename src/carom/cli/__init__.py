@@ -24,7 +24,7 @@ app = typer.Typer(
 # fmt: off
 MODULES: tuple[str, ...] = (
     "compare", "catalog", "paper", "predict", "scene", "simulate", "aim", "explore", "gas", "orbit", "sweep", "tracks", "fit",
-    "design", "doctor", "warm",
+    "design", "judge", "doctor", "warm",
 )
 # fmt: on
 

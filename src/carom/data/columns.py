@@ -87,8 +87,13 @@ def _columns_by_name(table: Any) -> Mapping[Any, Any] | None:
 def read_columns(path: Path) -> tuple[Columns, list[str]]:
     """Return all columns of a CSV or Parquet file by name, and the labels of its rows, such as "line 7".
 
-    A column of which every cell is a number or empty is one of floats, NaN where empty; another one is text.
+    A column of which every cell is a number or empty is one of floats, NaN where empty; another one is text. Raises CaromError, one
+    line, for a file that cannot be opened.
     """
+    try:
+        path.open("rb").close()
+    except OSError as error:
+        raise CaromError(f"{path}: expected a file that can be read, got: {error.strerror}") from None
     if path.suffix.lower() in (".parquet", ".pq"):
         from carom.data.parquet import ParquetTable
 

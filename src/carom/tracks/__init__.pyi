@@ -3,6 +3,9 @@ from .contact import TrackContact as TrackContact
 from .events import TrackEvent as TrackEvent
 from .events import WallLine as WallLine
 from .formats.text_table import Calibration as Calibration
+from .judgement import Judgement as Judgement
+from .judgement import Violation as Violation
+from .judgement import judge as judge
 from .least_squares import ContactFit as ContactFit
 from .measurement import Measured as Measured
 from .measurement import measure as measure

@@ -1,0 +1,80 @@
+"""``carom judge``: the laws of mechanics that a trajectory of balls violates."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from carom.cli.options import quantity, shared
+
+if TYPE_CHECKING:
+    from carom.tracks.judgement import Judgement
+
+
+def register(app: typer.Typer) -> None:
+    """Add the verb to the command."""
+    app.command()(judge)
+
+
+def judge(
+    file: Annotated[
+        Path,
+        typer.Argument(
+            metavar="FILE",
+            help="Columns t, x, y, maybe z, ball, wx, wy, wz, radius, mass: .csv or .parquet.",
+        ),
+    ],
+    radius: Annotated[
+        float | None,
+        typer.Option(help="Of the balls, m. Default: each ball's least height.", **quantity("--radius", "m")),
+    ] = None,
+    mass: Annotated[float, typer.Option(help="Of the balls, kg.", **quantity("--mass", "kg"))] = 0.17,
+    friction: Annotated[float, typer.Option(help="Largest friction between balls that counts as possible.")] = 1.0,
+    floor_friction: Annotated[float, typer.Option(help="Largest friction of the floor that counts as possible.")] = 1.0,
+    noise: Annotated[
+        float | None,
+        typer.Option(help="Standard deviation of a coordinate, m. Default: estimated.", **quantity("--noise", "m")),
+    ] = None,
+    as_json: Annotated[bool, shared("json")] = False,
+) -> None:
+    """Find which laws of mechanics a trajectory violates, when, and by how many error bars: of an engine, a film, a video model."""
+    from carom.cli.streams import say_json, say_notes
+    from carom.tracks.judgement import judge as find
+
+    found = find(file, radius=radius, mass=mass, friction=friction, floor_friction=floor_friction, noise=noise)
+    if as_json:
+        say_json(vars(found) | {"violations": [vars(one) | {"sigmas": one.sigmas} for one in found.violations]})
+        return
+    say_notes(found.notes)
+    _show(found)
+
+
+def _show(found: Judgement) -> None:
+    from rich.table import Table
+
+    from carom.cli.console import out
+    from carom.formatting import counted, format_number
+    from carom.tracks.judgement import LAWS
+
+    table = Table(box=None)
+    for name, side in (
+        ("law", "left"),
+        ("checked", "right"),
+        ("violated", "right"),
+        ("the clearest violation", "left"),
+    ):
+        table.add_column(name, justify=side)  # type: ignore[arg-type]
+    for law, text in LAWS.items():
+        worst = found.worst(law)
+        said = text if found.checked[law] else "not checked: no such motion, or not enough columns"
+        if worst is not None:
+            errors = "more than 1000" if worst.sigmas > 1000 else format_number(worst.sigmas, 2)
+            said = f"{worst.time:.4g} s, {' and '.join(worst.balls)}: {worst.text} ({errors} errors)"
+        table.add_row(law, f"{found.checked[law]:,}", f"{len(found.of(law)):,}", said)
+    out().print(table)
+    count = len(found.violations)
+    out().print(
+        f"\n{counted(count, 'violation') if count else 'No violation'}; noise of a coordinate {found.noise:.2g} m"
+    )

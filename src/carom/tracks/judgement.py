@@ -1,0 +1,375 @@
+"""Laws of mechanics in a trajectory of balls, of another engine, a video model or a film: which are violated, when, by how much.
+
+Tracks are cut into pieces of constant acceleration (:mod:`carom.tracks.judgement_paths`). Velocities just before and after an
+event, with their errors, follow from the pieces; the event is where their paths meet. Nothing else is assumed of the program that
+made the trajectory: not its law of impact, nor its steps. An event that moves no place by 27 standard deviations of the noise
+within a frame is not seen.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.polynomial import Polynomial
+from numpy.typing import NDArray
+
+from carom.errors import FaultList, checked_number
+from carom.laws.results import GRAVITY
+from carom.tracks.judgement_paths import EXACT, FEW, BallPath, PathPiece, read_paths
+
+__all__ = ["LAWS", "Judgement", "Violation", "judge"]
+
+Array = NDArray[np.float64]
+LAWS = {
+    "penetration": "balls, and a ball and the floor, do not overlap",
+    "gravity": "a ball in the air falls freely",
+    "momentum": "two balls that meet keep their momentum",
+    "energy": "no contact adds energy",
+    "friction": "a contact's friction is at most mu times its normal force",
+    "slip": "friction acts against the slip, and a ball that rolls goes on rolling",
+}
+UNITS = {"penetration": "m", "gravity": "m/s^2", "momentum": "N s", "energy": "J", "friction": "", "slip": ""}
+SIGMAS = 5.0  # a violation is larger than so many of its standard errors
+LEAST = 1e-6  # relative: what is less is the rounding of a file
+RESOLVED = 2e-3  # relative: more than two events between the same two frames change
+PRESSED = 0.03  # of the impulse: the floor's friction on a ball that another presses down takes more of the momentum
+SAME = 1e-3  # of the speed: a ball that slips less rolls
+
+
+@dataclass(frozen=True)
+class Violation:
+    """A law that a trajectory violates."""
+
+    law: str
+    """One of :data:`LAWS`."""
+    time: float
+    """s."""
+    balls: tuple[str, ...]
+    size: float
+    """m, m/s^2, N s, J; of friction and slip, a coefficient or a share."""
+    error: float
+    """Standard error of the size."""
+    text: str
+
+    @property
+    def sigmas(self) -> float:
+        """The size over its error."""
+        return self.size / self.error if self.error > 0 else math.inf
+
+
+@dataclass
+class Judgement:
+    """What :func:`judge` finds."""
+
+    noise: float
+    """Standard deviation of a coordinate in a frame, m."""
+    notes: list[str]
+    checked: dict[str, int] = field(default_factory=lambda: dict.fromkeys(LAWS, 0))
+    """How often each law was checked."""
+    violations: list[Violation] = field(default_factory=list)
+    """In order of time."""
+
+    def of(self, law: str) -> list[Violation]:
+        """Return the violations of a law."""
+        return [one for one in self.violations if one.law == law]
+
+    def worst(self, law: str) -> Violation | None:
+        """Return the violation of a law that is the largest in its own errors; None if there is none."""
+        return max(self.of(law), key=lambda one: one.sigmas, default=None)
+
+    def check(
+        self, law: str, time: float, balls: Sequence[str], size: float, error: float, least: float, text: str
+    ) -> None:
+        """Count a check; keep it if it is larger than its errors and than rounding."""
+        self.checked[law] += 1
+        if size > SIGMAS * error and size > least:
+            self.violations.append(Violation(law, time, tuple(balls), size, error, text))
+
+
+def judge(
+    table: Any,
+    *,
+    radius: float | None = None,
+    mass: float = 0.17,
+    kappa: float = 0.4,
+    friction: float = 1.0,
+    floor_friction: float = 1.0,
+    gravity: float = GRAVITY,
+    noise: float | None = None,
+) -> Judgement:
+    """Find which laws of mechanics a trajectory of balls violates, when, and by how many standard errors.
+
+    Parameters
+    ----------
+    table : path, or columns
+        A row per ball and frame: ``t`` (s), ``x``, ``y``, ``z`` (m), where there are several balls ``ball``; where they are known
+        ``wx``, ``wy``, ``wz`` (rad/s), ``radius`` (m), ``mass`` (kg). ``carom simulate --out`` writes these. Without ``z`` the
+        balls lie on the floor.
+    radius, mass, kappa : float
+        Of balls without a column for them, m, kg; the moment of inertia is kappa m R^2. Default of the radius: the least height of
+        the ball's own centre, so that it is never in the floor.
+    friction, floor_friction : float
+        The largest coefficients that count as possible, between balls and at the floor.
+    gravity : float
+        m/s^2, downwards.
+    noise : float, optional
+        Standard deviation of a coordinate, m. Default: estimated from third differences.
+
+    Returns
+    -------
+    Judgement
+
+    Raises CaromError, all problems at once, for columns that are missing or are no numbers, and numbers out of range.
+
+    Examples
+    --------
+    >>> import carom, tempfile, pathlib
+    >>> from carom.tracks import judge
+    >>> run = carom.simulate(carom.new_scene("pool-9ft"), duration=1.0)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     found = judge(run.save_frames(pathlib.Path(folder) / "run.csv", 240))
+    >>> len(found.violations)
+    0
+    """
+    faults = FaultList("judge")
+    for name, value in {"radius": radius, "mass": mass, "kappa": kappa}.items():
+        if value is not None:
+            checked_number(faults, name, value, "a number > 0", lambda x: x > 0)
+    for name, value in {
+        "friction": friction,
+        "floor_friction": floor_friction,
+        "gravity": gravity,
+        "noise": noise,
+    }.items():
+        if value is not None:
+            checked_number(faults, name, value, "a number >= 0", lambda x: x >= 0)
+    faults.raise_if_any()
+    balls, sigma, notes = read_paths(table, radius, mass, noise)
+    found = Judgement(sigma, notes)
+    for ball in balls:
+        _in_the_floor(ball, sigma, found)
+        for piece in ball.pieces:
+            _between_contacts(ball, piece, sigma, gravity, floor_friction, found)
+    for one, other in ((a, b) for i, a in enumerate(balls) for b in balls[i + 1 :]):
+        _overlap(one, other, sigma, found)
+    for event in _events(balls, sigma):
+        t, late = _time(event)
+        if not math.isnan(t):
+            _energy(t, late, event, kappa, gravity, found)
+            if len(event.members) == 2:
+                _momentum(t, late, event, friction, gravity, found)
+    found.violations.sort(key=lambda one: one.time)
+    return found
+
+
+# --- without contacts ---------------------------------------------------------------------------------------------------
+
+
+def _in_the_floor(ball: BallPath, sigma: float, found: Judgement) -> None:
+    depth = ball.radius - ball.x[:, 2]
+    k = int(np.argmax(depth))
+    least = 1e-4 * ball.radius
+    found.check("penetration", float(ball.t[k]), [ball.name], float(depth[k]), sigma, least, "the ball is in the floor")
+
+
+def _overlap(one: BallPath, other: BallPath, sigma: float, found: Judgement) -> None:
+    _times, i, j = np.intersect1d(one.t, other.t, return_indices=True)
+    if len(i):
+        depth = one.radius + other.radius - np.linalg.norm(one.x[i] - other.x[j], axis=1)
+        k = int(np.argmax(depth))
+        names, error = [one.name, other.name], math.sqrt(2) * sigma
+        found.check(
+            "penetration", float(one.t[i[k]]), names, float(depth[k]), error, 1e-4 * one.radius, "the balls overlap"
+        )
+
+
+def _between_contacts(
+    ball: BallPath, piece: PathPiece, sigma: float, g: float, floor_friction: float, found: Judgement
+) -> None:
+    """Check free fall in the air; friction and its direction on the floor."""
+    up = ball.x[piece.first : piece.last + 1, 2] - ball.radius
+    a, error = piece.acceleration
+    t, names = float(ball.t[piece.first]), [ball.name]
+    if len(up) <= FEW:
+        return
+    if up.min() > SIGMAS * sigma + LEAST * ball.radius:
+        off = float(np.linalg.norm(a + np.array([0.0, 0.0, g])))
+        said = ", ".join(f"{x:.3g}" for x in a)
+        found.check("gravity", t, names, off, error, LEAST * g, f"the ball in the air accelerates by ({said}) m/s^2")
+    elif np.abs(up).max() < SIGMAS * sigma + 1e-4 * ball.radius and g > 0:
+        along = float(np.hypot(a[0], a[1])) / g
+        text = f"the floor's friction would be {along:.3g}"
+        found.check("friction", t, names, along - floor_friction, error / g, LEAST, text)
+        if piece.spins is not None:
+            _slip(ball, piece, a[:2], error, found)
+
+
+def _slip(ball: BallPath, piece: PathPiece, a: Array, error: float, found: Judgement) -> None:
+    """Check that friction acts against the slip of a ball on the floor, and that a ball that rolls goes on rolling."""
+    t0, t1 = float(ball.t[piece.first]), float(ball.t[piece.last])
+    slips = []
+    for t in (t0, t1):
+        v, w = piece.velocity(t)[0], piece.spin(t)
+        slips.append(v[:2] + ball.radius * np.array([-w[1], w[0]]))  # (19) at the floor
+    speed, size, size1 = (float(np.linalg.norm(x)) for x in (piece.velocity(t0)[0], *slips))
+    dv = math.hypot(piece.velocity(t0)[1], piece.velocity(t1)[1])
+    if size <= SAME * speed:
+        share = size1 / max(speed, 1e-300)
+        text = "a ball that rolls begins to slip"
+        found.check("slip", t0, [ball.name], share - 2 * SAME, dv / max(speed, 1e-300), LEAST, text)
+    elif min(size, size1) > SAME * speed and slips[0] @ slips[1] > 0:
+        pull = float(np.hypot(*a))
+        along, across = float(a @ slips[0]) / size, abs(float(a[0] * slips[0][1] - a[1] * slips[0][0])) / size
+        share = max(along, across) / max(pull, 1e-300)
+        found.check(
+            "slip", t0, [ball.name], share, error / max(pull, 1e-300), SAME, "friction does not act against the slip"
+        )
+
+
+# --- contacts -----------------------------------------------------------------------------------------------------------
+
+
+class _Change(NamedTuple):
+    """A ball, and its pieces before and after an event."""
+
+    ball: BallPath
+    before: PathPiece
+    after: PathPiece
+
+
+class _Event(NamedTuple):
+    """Balls whose acceleration changes between the same two frames."""
+
+    low: float
+    high: float
+    members: tuple[_Change, ...]
+
+
+def _events(balls: Sequence[BallPath], sigma: float) -> Iterator[_Event]:
+    """Yield events: changes of one ball, joined where two balls are in reach of each other at the same time."""
+    most = 1 if sigma < EXACT else 5  # frames between two pieces, with one event there
+    changes = [
+        _Change(ball, a, b)
+        for ball in balls
+        for a, b in zip(ball.pieces, ball.pieces[1:], strict=False)
+        if b.first - a.last <= most
+    ]
+    changes.sort(key=lambda one: float(one.ball.t[one.before.last]))
+    used: set[int] = set()
+    for i, first in enumerate(changes):
+        if i in used:
+            continue
+        low, high = float(first.ball.t[first.before.last]), float(first.ball.t[first.after.first])
+        group = [first]
+        for j in range(i + 1, len(changes)):
+            other = changes[j]
+            if float(other.ball.t[other.before.last]) >= high:
+                break
+            if j not in used and any(_in_reach(member, other, high - low, sigma) for member in group):
+                group.append(other)
+                used.add(j)
+        if not any(_takes_part(ball, group, low, high, sigma) for ball in balls):
+            yield _Event(low, high, tuple(group))
+
+
+def _takes_part(ball: BallPath, group: Sequence[_Change], low: float, high: float, sigma: float) -> bool:
+    """Return whether a ball beside a group is in reach of it, and is not on one path meanwhile: the event is not resolved."""
+    if any(one.ball is ball for one in group):
+        return False
+    if any(ball.t[piece.first] <= low and ball.t[piece.last] >= high for piece in ball.pieces):
+        return False
+    k = int(np.argmin(np.abs(ball.t - low)))
+    fastest = max(*(one.ball.fastest for one in group), ball.fastest)
+    gaps = [np.linalg.norm(ball.x[k] - one.ball.x[one.before.last]) - ball.radius - one.ball.radius for one in group]
+    return bool(min(gaps) < SIGMAS * sigma + 4 * fastest * (high - low))
+
+
+def _in_reach(one: _Change, other: _Change, interval: float, sigma: float) -> bool:
+    if one.ball is other.ball:
+        return False
+    t = float(one.ball.t[one.before.last])
+    closing = float(np.linalg.norm(one.before.velocity(t)[0] - other.before.velocity(t)[0]))
+    gap = np.linalg.norm(one.before.place(t)[0] - other.before.place(t)[0]) - one.ball.radius - other.ball.radius
+    return bool(gap < SIGMAS * sigma + 2 * closing * interval)
+
+
+def _time(event: _Event) -> tuple[float, float]:
+    """Return when an event is, and its error: where the paths before and after meet; NaN where several events lie between."""
+    best, error = math.nan, math.inf
+    span = event.high - event.low
+    for ball, a, b in event.members:
+        # how far both paths are apart, squared, over the share of the interval that has gone by
+        x, v, half = (
+            b.place(event.low)[0] - a.place(event.low)[0],
+            b.velocity(event.low)[0] - a.velocity(event.low)[0],
+            b.numbers[2] - a.numbers[2],
+        )
+        gone = np.stack([x, v * span, half * span * span])
+        squares = [Polynomial(one) ** 2 for one in gone.T]
+        apart = squares[0] + squares[1] + squares[2]
+        turns = np.real(apart.deriv().trim(1e-12 * float(np.abs(apart.coef).max())).roots())
+        shares = [0.0, 1.0, *turns[(turns > 0) & (turns < 1)].tolist()]
+        share = min(shares, key=lambda one: float(apart(one)))
+        t = event.low + share * span
+        off = math.hypot(a.place(t)[1], b.place(t)[1])
+        if math.sqrt(max(float(apart(share)), 0.0)) > SIGMAS * off + LEAST * ball.radius:
+            return math.nan, 0.0
+        jump = float(np.linalg.norm(b.velocity(t)[0] - a.velocity(t)[0]))
+        bend = float(np.linalg.norm(b.acceleration[0] - a.acceleration[0]))
+        # the paths cross at an angle, or touch
+        own = min(off / max(jump, 1e-300), math.sqrt(2 * off / max(bend, 1e-300)), span)
+        if own < error:
+            best, error = t, own
+    return best, error
+
+
+def _energy(t: float, late: float, event: _Event, kappa: float, g: float, found: Judgement) -> None:
+    """Check that no energy appears; where spins are unknown, up to that of rolling may come from them."""
+    sums, variance, hidden, most = [0.0, 0.0], 0.0, 0.0, 0.0
+    for ball, *pieces in event.members:
+        moment = kappa * ball.mass * ball.radius**2
+        for k, piece in enumerate(pieces):
+            (v, dv), a = piece.velocity(t), piece.acceleration[0]
+            energy = ball.mass * (float(v @ v) / 2 + g * float(piece.place(t)[0][2] - ball.radius))
+            power = ball.mass * float(v @ a + g * v[2])
+            if piece.spins is not None:
+                w = piece.spin(t)
+                energy, power = energy + moment * float(w @ w) / 2, power + moment * float(w @ piece.spins[1])
+            elif k == 0:
+                hidden += kappa * ball.mass * float(v @ v) / 2
+            sums[k] += energy
+            variance += (ball.mass * float(np.linalg.norm(v)) * dv) ** 2 + (power * late) ** 2
+        most = max(most, ball.mass * ball.fastest**2 / 2)
+    had, has = sums
+    if had > LEAST * most:  # (else a cue strikes a ball at rest, or all has come to rest)
+        names = [ball.name for ball, *_pieces in event.members]
+        text = f"{100 * (has - had) / had:.3g} % more energy after an event than before"
+        found.check("energy", t, names, has - had - hidden, math.sqrt(variance), RESOLVED * had, text)
+
+
+def _momentum(t: float, late: float, event: _Event, friction: float, g: float, found: Judgement) -> None:
+    """Check the momentum of two balls along the floor, but for what the floor can give them; and their contact's friction."""
+    (one, a, b), (other, c, d) = event.members
+    (x, dx), (y, dy) = a.place(t), c.place(t)
+    reach = one.radius + other.radius
+    if np.linalg.norm(x - y) - reach > SIGMAS * math.hypot(dx, dy) + SAME * reach:
+        return  # two events side by side
+    p, q = one.mass * (b.velocity(t)[0] - a.velocity(t)[0]), other.mass * (d.velocity(t)[0] - c.velocity(t)[0])
+    of_one, of_other = (math.hypot(x.velocity(t)[1], y.velocity(t)[1]) for x, y in ((a, b), (c, d)))
+    error = math.hypot(one.mass * of_one, other.mass * of_other, (one.mass + other.mass) * g * late)
+    size, extra = float(np.linalg.norm(p)), float(np.linalg.norm((p + q)[:2]))
+    floor = abs(float(p[2])) + abs(float(q[2]))  # of its friction, where a ball is pressed down
+    floor = floor if floor > SIGMAS * error else 0.0
+    names = [one.name, other.name]
+    text = f"{extra:.3g} N s of momentum appear in a contact of {size:.3g} N s"
+    found.check("momentum", t, names, extra - floor, error, PRESSED * size, text)
+    n = (x - y) / np.linalg.norm(x - y)
+    normal = float(p @ n)
+    if normal > SIGMAS * error:
+        mu = (float(np.linalg.norm(p - normal * n)) - floor) / normal
+        wrong = math.hypot(error / normal, 2 * math.hypot(dx, dy) / float(np.linalg.norm(x - y)))
+        found.check("friction", t, names, mu - friction, wrong, RESOLVED, f"the balls' friction would be {mu:.3g}")

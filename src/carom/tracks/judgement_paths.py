@@ -1,0 +1,170 @@
+"""Trajectories of balls from a table, cut into pieces of constant acceleration: what :mod:`carom.tracks.judgement` looks at.
+
+Between two pieces third differences of the positions show an event. A parabola is fitted to each piece, with the errors of its
+numbers.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.data.columns import as_columns, is_columns, read_columns
+from carom.errors import CaromError, FaultList
+from carom.files import as_path
+
+__all__ = ["EXACT", "FEW", "BallPath", "PathPiece", "read_paths"]
+
+Array = NDArray[np.float64]
+FEW = 4  # frames: three numbers of a parabola, and one to spare
+EXACT = 1e-12  # m: with less noise the numbers are a program's
+POOL_BALL = 0.028575  # m
+NUMBERS = ("t", "x", "y", "z", "wx", "wy", "wz", "radius", "mass")
+
+
+@dataclass(frozen=True)
+class PathPiece:
+    """Frames of one ball with one acceleration: its parabola about the middle, with the covariance of a coordinate's numbers."""
+
+    first: int
+    last: int
+    middle: float
+    numbers: Array  # (3, 3): place, velocity, half the acceleration; by coordinate
+    covariance: Array  # (3, 3)
+    spins: Array | None  # (2, 3): spin, and its rate of change
+
+    def place(self, t: float) -> tuple[Array, float]:
+        """Return the place (3,) at a time, and the standard error of a coordinate."""
+        tau = t - self.middle
+        g = np.array([1.0, tau, tau * tau])
+        return g @ self.numbers, math.sqrt(g @ self.covariance @ g)
+
+    def velocity(self, t: float) -> tuple[Array, float]:
+        """Return the velocity (3,) at a time, and the standard error of a component."""
+        tau = t - self.middle
+        g = np.array([0.0, 1.0, 2 * tau])
+        return g @ self.numbers, math.sqrt(g @ self.covariance @ g)
+
+    def spin(self, t: float) -> Array:
+        """Return the spin (3,) at a time."""
+        assert self.spins is not None
+        return np.array([1.0, t - self.middle]) @ self.spins
+
+    @property
+    def acceleration(self) -> tuple[Array, float]:
+        """Return the acceleration (3,), and the standard error of a component."""
+        return 2 * self.numbers[2], 2 * math.sqrt(self.covariance[2, 2])
+
+
+@dataclass(frozen=True)
+class BallPath:
+    """A ball with its frames: times (n,), s, and places (n, 3), m; and its pieces."""
+
+    name: str
+    t: Array
+    x: Array
+    radius: float
+    mass: float
+    pieces: tuple[PathPiece, ...]
+
+    @property
+    def fastest(self) -> float:
+        """The largest speed in the middle of a piece, m/s."""
+        return max((float(np.linalg.norm(piece.numbers[1])) for piece in self.pieces), default=0.0)
+
+
+def read_paths(
+    table: Any, radius: float | None, mass: float, noise: float | None
+) -> tuple[list[BallPath], float, list[str]]:
+    """Return the balls of a table with their pieces, the noise of a coordinate (m), and what was assumed."""
+    where, notes = "judge", list[str]()
+    if is_columns(table):
+        columns = as_columns(table, where)
+    else:
+        where = str(path := as_path("judge", table))
+        columns, _labels = read_columns(path)
+    faults = FaultList(where)
+    for name in ("t", "x", "y"):
+        if name not in columns:
+            faults.add(
+                "", f"a column {name}", f"columns {', '.join(columns):.60}", "in m and s, a row per ball and frame"
+            )
+    faults.raise_if_any()
+    numbers = {name: _numbers(faults, name, columns[name]) for name in NUMBERS if name in columns}
+    faults.raise_if_any()
+    if "z" not in numbers:
+        notes.append("no column z: all balls lie on the floor")
+    spins = {"wx", "wy", "wz"} <= set(numbers)
+    if not spins:
+        notes.append("no columns wx, wy, wz: spins are unknown; a contact may add as much energy as rolling has")
+    label = next((name for name in ("name", "ball") if name in columns), None)
+    names = np.array([str(one) for one in columns[label]]) if label else np.full(len(numbers["t"]), "ball")
+    split = []
+    for name in dict.fromkeys(names.tolist()):
+        own = np.flatnonzero(names == name)
+        own = own[np.argsort(numbers["t"][own], kind="stable")]
+        own = own[np.isfinite(numbers["x"][own])]
+        if len(own) == 0:
+            continue
+        least = float(numbers["z"][own].min()) if "z" in numbers else POOL_BALL
+        a = float(numbers["radius"][own][0]) if "radius" in numbers else least if radius is None else radius
+        m = float(numbers["mass"][own][0]) if "mass" in numbers else mass
+        z = numbers["z"] if "z" in numbers else np.full(len(names), a)
+        x = np.stack([numbers["x"], numbers["y"], z], axis=-1)[own]
+        w = np.stack([numbers[f"w{axis}"] for axis in "xyz"], axis=-1)[own] if spins else None
+        if len(own) > FEW and np.any(np.diff(numbers["t"][own]) <= 0):
+            raise CaromError(
+                f"{where}: {name}: expected one row per frame, got two of the same time; give each ball a name"
+            )
+        split.append((name, numbers["t"][own], x, w, a, m))
+    if not any(len(one[1]) > FEW for one in split):
+        raise CaromError(f"{where}: expected more than {FEW} frames of a ball, got fewer")
+    sigma = _noise([one[2] for one in split]) if noise is None else float(noise)
+    scale = max(float(np.abs(one[2]).max(initial=0.0)) for one in split)
+    sigma = max(sigma, 4e-16 * scale)
+    return [BallPath(name, t, x, a, m, tuple(_pieces(t, x, w, sigma))) for name, t, x, w, a, m in split], sigma, notes
+
+
+def _numbers(faults: FaultList, name: str, column: NDArray[Any]) -> Array:
+    try:
+        return np.asarray(column, dtype=float)
+    except (TypeError, ValueError):
+        faults.add(name, "numbers", f"{str(column[0])!r:.40}")
+        return np.zeros(len(column))
+
+
+def _noise(places: Sequence[Array]) -> float:
+    """Estimate the noise of a coordinate from third differences, which events affect in few frames: their median is taken."""
+    sizes = np.concatenate(
+        [np.abs(np.diff(x, 3, axis=0))[np.abs(x[3:] - x[:-3]).max(axis=1) > 0].ravel() for x in places]
+    )
+    # the median of |N(0, 1)| is 0.6745; 1 + 9 + 9 + 1 = 20
+    return float(np.median(sizes[sizes > 0]) / 0.6745 / math.sqrt(20)) if (sizes > 0).any() else 0.0
+
+
+def _pieces(t: Array, x: Array, w: Array | None, sigma: float) -> Iterator[PathPiece]:
+    """Yield pieces of constant acceleration: runs of frames in which third differences are noise."""
+    if len(t) < FEW:
+        return
+    step = np.diff(t)
+    even = np.abs(step - np.median(step)) < 1e-3 * np.median(step)
+    calm = (np.abs(np.diff(x, 3, axis=0)) < 6 * math.sqrt(20) * sigma + 1e-9).all(axis=1)
+    calm &= even[:-2] & even[1:-1] & even[2:]
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], calm, [False]])))
+    for low, high in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        first, last = low, high + 2  # window i has the frames i to i + 3
+        if sigma > EXACT and last - first > FEW + 2:  # (noise may hide an event within the last of them)
+            first, last = first + 1, last - 1
+        middle = (t[first] + t[last]) / 2
+        tau = t[first : last + 1] - middle
+        design = np.stack([np.ones_like(tau), tau, tau * tau], axis=-1)
+        numbers = np.linalg.lstsq(design, x[first : last + 1], rcond=None)[0]
+        misfit = float(np.square(design @ numbers - x[first : last + 1]).sum()) / (3 * max(len(tau) - 3, 1))
+        covariance = np.linalg.inv(design.T @ design) * max(sigma**2, misfit)
+        spins = None if w is None else np.linalg.lstsq(design[:, :2], w[first : last + 1], rcond=None)[0]
+        yield PathPiece(first, last, float(middle), numbers, covariance, spins)

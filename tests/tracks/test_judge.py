@@ -1,0 +1,178 @@
+"""Laws that a trajectory violates: runs of carom violate none; each violation that is put into motions by hand is found, alone."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import carom
+from carom.cli import app
+from carom.errors import CaromError
+from carom.tracks import judge
+
+R, M, G = 0.03, 0.2, 9.80665
+
+
+def parabola(t: Any, x: Any, v: Any, a: Any) -> Any:
+    return np.add.outer(np.zeros_like(t), x) + np.multiply.outer(t, v) + np.multiply.outer(t * t / 2, a)
+
+
+def two_balls(
+    *, after: tuple[Any, Any], spin_after: Any = (0, 0, 0), noise: float = 0.0, seed: int = 1, rate: float = 200.0
+) -> dict[str, Any]:
+    """One ball slides without friction to another at rest, and both go on with given velocities from 0.1037 s on."""
+    t, at = np.arange(60) / rate, 0.1037
+    rng = np.random.default_rng(seed)
+    rows: dict[str, list[Any]] = {name: [] for name in ("t", "ball", "x", "y", "z", "wx", "wy", "wz")}
+    for name, x, before, then in (
+        ("a", (0, 0, R), (1, 0, 0), after[0]),
+        ("b", (at + 2 * R, 0, R), (0, 0, 0), after[1]),
+    ):
+        met = np.add(x, np.multiply(at, before))
+        path = np.where((t < at)[:, None], parabola(t, x, before, (0, 0, 0)), parabola(t - at, met, then, (0, 0, 0)))
+        path = path + noise * rng.normal(size=path.shape)
+        w = np.where((t < at)[:, None], (0, 0, 0), spin_after)
+        for values, column in ((t, "t"), (np.full(len(t), name), "ball"), *zip(path.T, "xyz", strict=True)):
+            rows[column].extend(values.tolist())
+        for values, axis in zip(w.T, "xyz", strict=True):
+            rows[f"w{axis}"].extend(values.tolist())
+    return rows
+
+
+def laws_of(found: Any) -> dict[str, int]:
+    return {law: len(found.of(law)) for law in found.checked if found.of(law)}
+
+
+@pytest.mark.parametrize("scene", ["pool-9ft", "carom"])
+@pytest.mark.parametrize("rate", [60, 240])
+def test_runs_of_carom_violate_nothing(scene: str, rate: float, tmp_path: Path) -> None:
+    run = carom.simulate(carom.new_scene(scene), duration=4)
+    found = judge(run.save_frames(tmp_path / "run.csv", rate))
+    assert found.violations == []
+    assert found.checked["energy"] > 5
+    assert found.checked["slip"] > 8
+    assert found.noise < 1e-14
+
+
+@pytest.mark.parametrize("noise", [0.0, 2e-5])
+@pytest.mark.parametrize(
+    ("after", "laws"),
+    [
+        (((0.03, 0, 0), (0.97, 0, 0)), set()),
+        (((0.0, 0, 0), (1.0, 0, 0)), set()),
+        (((0.1, 0, 0), (1.2, 0, 0)), {"momentum", "energy"}),
+        (((-0.2, 0, 0), (1.2, 0, 0)), {"energy"}),
+        (((0.2, 0, 0), (0.2, 0, 0)), {"momentum"}),
+        (((0.4, 0.4, 0), (0.6, -0.4, 0)), set()),  # friction 0.67, possible
+    ],
+)
+def test_contacts_of_two_balls(after: Any, laws: set[str], noise: float) -> None:
+    found = judge(two_balls(after=after, noise=noise))
+    assert set(laws_of(found)) == laws
+    assert found.checked["momentum"] == 1
+    assert found.noise == pytest.approx(noise, rel=0.2, abs=1e-12)
+    if "energy" in laws:
+        gained = M * (np.square(after).sum() - 1) / 2
+        one = judge(two_balls(after=after, noise=noise), mass=M).worst("energy")
+        assert one is not None
+        assert one.size == pytest.approx(gained, abs=4 * one.error + 1e-9)
+        assert one.balls == ("a", "b")
+
+
+def test_friction_of_two_balls() -> None:
+    columns = two_balls(after=((0.4, 0.4, 0), (0.6, -0.4, 0)))
+    assert judge(columns, friction=0.67).violations == []
+    assert laws_of(judge(columns, friction=0.6)) == {"friction": 1}
+    assert judge(columns, friction=0.6).violations[0].size == pytest.approx(2 / 3 - 0.6, abs=1e-9)
+
+
+def test_error_bars_are_those_of_many_films() -> None:
+    """The momentum that appears, over its error bar, scatters by one."""
+    pulls = []
+    for seed in range(150):
+        found = judge(two_balls(after=((0.1, 0, 0), (1.2, 0, 0)), noise=2e-5, seed=seed), mass=M, noise=2e-5)
+        worst = found.worst("momentum")
+        if worst is not None:
+            pulls.append((worst.size - 0.3 * M) / worst.error)
+    assert len(pulls) > 140
+    assert 0.75 < np.std(pulls) < 1.25
+    assert abs(np.mean(pulls)) < 0.3
+
+
+def test_a_ball_in_the_air_falls_freely() -> None:
+    t = np.arange(40) / 100
+    for g, wrong in ((G, False), (9.0, True)):
+        x = parabola(t, (0, 0, 1.0), (1, 0, 0), (0, 0, -g))
+        found = judge({"t": t, "x": x[:, 0], "y": x[:, 1], "z": x[:, 2]}, radius=R)
+        assert laws_of(found) == ({"gravity": 1} if wrong else {})
+        if wrong:
+            assert found.violations[0].size == pytest.approx(G - 9, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("a", "spin", "change", "law"),
+    [
+        (-2.0, 0.0, 2.0 / (0.4 * R), None),  # slides, and friction turns it
+        (2.0, 0.0, 0.0, "slip"),  # pushed along its slip
+        (-12.0, 0.0, 0.0, "friction"),
+        (-0.1, 1.0 / R, -0.1 / R, None),  # rolls
+        (-0.1, 1.0 / R, 3.0 / R, "slip"),  # rolls, and begins to slip
+    ],
+)
+def test_on_the_floor(a: float, spin: float, change: float, law: str | None) -> None:
+    t = np.arange(12) / 100
+    x = parabola(t, (0, 0, R), (1, 0, 0), (a, 0, 0))
+    columns = {"t": t, "x": x[:, 0], "y": x[:, 1], "z": x[:, 2], "wx": 0 * t, "wy": spin + change * t, "wz": 0 * t}
+    assert set(laws_of(judge(columns))) == ({law} if law else set())
+
+
+def test_balls_in_each_other_and_in_the_floor() -> None:
+    t = np.tile(np.arange(6) / 100, 2)
+    columns = {
+        "t": t,
+        "ball": np.repeat(["a", "b"], 6),
+        "x": np.repeat([0.0, 0.055], 6),
+        "y": 0 * t,
+        "z": np.repeat([R, 0.02], 6),
+    }
+    found = judge(columns, radius=R)
+    assert [(one.balls, round(one.size, 4)) for one in found.of("penetration")] == [
+        (("b",), 0.01),
+        (("a", "b"), 0.0041),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("columns", "settings", "said"),
+    [
+        ({"t": [0.0], "y": [0.0]}, {}, "judge: expected a column x, got columns t, y"),
+        ({"t": [0.0], "x": [0.0], "y": [0.0]}, {}, "judge: expected more than 4 frames of a ball"),
+        ({"t": [0.0] * 9, "x": [0.0] * 9, "y": [0.0] * 9}, {}, "expected one row per frame, got two of the same time"),
+        ({"t": [0.0], "x": ["far"], "y": [0.0]}, {}, "judge: x: expected numbers, got 'far'"),
+        ({"t": [0.0], "x": [0.0], "y": [0.0]}, {"mass": -1.0}, "judge: mass: expected a number > 0, got -1"),
+    ],
+)
+def test_what_cannot_be_judged(columns: dict[str, Any], settings: dict[str, float], said: str) -> None:
+    with pytest.raises(CaromError) as caught:
+        judge(columns, **settings)
+    assert said in str(caught.value)
+    assert len(caught.value.faults) == 1
+
+
+def test_the_command_prints_the_table(tmp_path: Path) -> None:
+    rows = two_balls(after=((0.1, 0, 0), (1.2, 0, 0)))
+    file = tmp_path / "run.csv"
+    file.write_text(
+        "\n".join([",".join(rows), *(",".join(map(str, row)) for row in zip(*rows.values(), strict=True))]) + "\n"
+    )
+    said = CliRunner().invoke(app, ["judge", str(file), "--mass", "200g"])
+    assert said.exit_code == 0
+    assert "2 violations" in said.output
+    assert "45 % more energy" in said.output
+    found = json.loads(CliRunner().invoke(app, ["judge", str(file), "--json"]).output)
+    assert [one["law"] for one in found["violations"]] == ["energy", "momentum"]
