@@ -17,6 +17,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import carom
 from carom import billiards, data, derive, fitting, gas, scene, sweeps, tracks
+from carom.fitting import shots
 from carom.fitting.shots import drawn_films
 from carom.fitting.tracks import fit_tracks
 from carom.interop import pooltool
@@ -162,6 +163,17 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
         path_after_wall(m, carom.LAWS["maw"].answer(m)),
     ],
     "whole shots": a_whole_shot,
+    "parts of longer fits and runs": lambda: [
+        shots.HeldOut(
+            0.3, (shots.PredictedShot("1", *(np.zeros((2, 1)),) * 4, np.zeros((2, 2, 1), dtype=bool), 0.001),)
+        ),
+        shots.ComparedForm("cushion", "not yielding", 3.0, {"e": 0.8}, (1, 2)),
+        gas.Viscosity(0.2, 0.01, np.ones(3), np.ones(3)),
+        gas.GasSurface(restitution=0.9, friction=0.1),
+    ],
+    "judgements": lambda: [
+        tracks.judge({"t": np.arange(9.0), "x": np.arange(9.0), "y": np.zeros(9), "z": 1 + np.arange(9.0)}, radius=0.1)
+    ],
     "scenes": lambda: [
         a_scene(),
         carom.load_scene("pool-9ft"),

@@ -19,6 +19,7 @@ UNTYPED = {
     "Settings.cloth": RENAMED,
     "Settings.rolling": RENAMED,
     "Wedge.opening": RENAMED,
+    "Cylinder.length": RENAMED,
 }
 
 

@@ -52,7 +52,7 @@ class Bend(NamedTuple):
     span: float
 
 
-class Place(NamedTuple):
+class WallPlace(NamedTuple):
     """A place on the parallel curve."""
 
     element: int
@@ -94,24 +94,24 @@ class ParallelCurve:
         rate[here] = (self.a * span / 2)[:, None] * np.stack([u[:, 1], -u[:, 0]], axis=-1)
         return x, rate
 
-    def moved(self, place: Place, step: float) -> Place:
+    def moved(self, place: WallPlace, step: float) -> WallPlace:
         """Return a place that is so far further along, over the next element's beginning; no further than a corner of the wall."""
         k, w = place.element, place.w + step
         while abs(w) > 1.0:
             way = 1 if w > 1.0 else -1
             new = int(self.after[k] if way > 0 else self.before[k])
             if self.corner[new if way > 0 else k]:
-                return Place(k, float(way))
+                return WallPlace(k, float(way))
             beyond = (abs(w) - 1.0) * self._speed(k) / self._speed(new)
             k, w = new, -way + way * min(beyond, 2.0)
-        return Place(k, w)
+        return WallPlace(k, w)
 
     def _speed(self, k: int) -> float:
         if self.panel[k] < 0:
             return float(self.a * self.circle[k, 3] / 2)
         return float(self.wall.loops[self.loop[k]].rows[self.panel[k], HALF])
 
-    def parts(self, begin: Place, end: Place, *, whole: bool = False) -> list[Stretch | Bend]:
+    def parts(self, begin: WallPlace, end: WallPlace, *, whole: bool = False) -> list[Stretch | Bend]:
         """Return what lies between two places, divided at corners of the wall; ``whole``: all around."""
         found: list[Stretch | Bend] = []
         k, low, panels, first = begin.element, begin.w, list[int](), -1.0
@@ -171,7 +171,7 @@ def _all_around(curve: ParallelCurve, number: int) -> list[Stretch | Bend]:
     # (after a circle, so that the loop ends with it)
     first = int(here[0] if not len(breaks) else breaks[0])
     first = int(curve.after[first]) if curve.panel[first] < 0 else first
-    return curve.parts(Place(first, -1.0), Place(first, -1.0), whole=True)
+    return curve.parts(WallPlace(first, -1.0), WallPlace(first, -1.0), whole=True)
 
 
 def _sample(curve: ParallelCurve) -> tuple[Array, NDArray[np.bool_]]:
@@ -268,7 +268,7 @@ def _end_from(later: Index, begin: int, ends: Index) -> int:
     return numbers[begin]
 
 
-def _border(curve: ParallelCurve, w: Array, samples: Index, way: int) -> list[Place]:
+def _border(curve: ParallelCurve, w: Array, samples: Index, way: int) -> list[WallPlace]:
     """Return the places from samples on, or before them, up to which the ball touches: by halving."""
     k, i = samples // len(w), samples % len(w)
     beyond = np.clip(i + way, 0, len(w) - 1)
@@ -277,10 +277,10 @@ def _border(curve: ParallelCurve, w: Array, samples: Index, way: int) -> list[Pl
         middle = (touching + not_touching) / 2
         on = _touches(curve, k, middle)
         touching, not_touching = np.where(on, middle, touching), np.where(on, not_touching, middle)
-    return [Place(int(one), float(at)) for one, at in zip(k, touching, strict=True)]
+    return [WallPlace(int(one), float(at)) for one, at in zip(k, touching, strict=True)]
 
 
-def _pairs(curve: ParallelCurve, ends: list[Place], begins: list[Place]) -> list[int]:
+def _pairs(curve: ParallelCurve, ends: list[WallPlace], begins: list[WallPlace]) -> list[int]:
     """Return the number of the beginning that lies where each stretch ends."""
     (x, _d), (y, _e) = (curve.at(*(np.array(one) for one in zip(*places, strict=True))) for places in (ends, begins))
     apart = np.linalg.norm(x[:, None] - y, axis=-1)
@@ -290,7 +290,7 @@ def _pairs(curve: ParallelCurve, ends: list[Place], begins: list[Place]) -> list
     return [int(one) for one in found]
 
 
-def _crossing(curve: ParallelCurve, end: Place, begin: Place) -> tuple[Place, Place]:
+def _crossing(curve: ParallelCurve, end: WallPlace, begin: WallPlace) -> tuple[WallPlace, WallPlace]:
     """Return the places of both branches at a crossing, the one that ends there first: Newton's method."""
     wall = curve.wall
     places = [end, begin]

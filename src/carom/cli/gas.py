@@ -115,25 +115,15 @@ def gas(
     from carom.cli.gas_ensemble import require_no_files, run_ensemble
     from carom.cli.gas_output import Progress
 
-    found = FaultList()
-    max_size = "inf" if yes and max_size is None else max_size
+    found, max_size = FaultList(), "inf" if yes and max_size is None else max_size
     kept = {
         "--checkpoint": checkpoint,
         "--resume": resume if checkpoint is None and resume and resume.exists() else None,
     }
     _check_files(found, plot, measures, snapshots, kept)
     if ensemble is not None:
-        require_no_files(
-            found,
-            ensemble,
-            {
-                "--snapshots": snapshots,
-                "--every": every,
-                "--checkpoint": checkpoint,
-                "--resume": resume,
-                "--max-size": max_size,
-            },
-        )
+        files = {"--snapshots": snapshots, "--every": every, "--max-size": max_size}
+        require_no_files(found, ensemble, files | {"--checkpoint": checkpoint, "--resume": resume})
     if snapshots is not None and resume is None and not force and snapshots.is_file():
         found.add(f"--snapshots {snapshots}", "a new file", "an existing one", "--force overwrites it")
     interval = found.attempt(_interval, "--checkpoint-every", checkpoint_every)

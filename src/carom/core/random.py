@@ -20,7 +20,7 @@ LOG2_HIGH = (
     6.93147180369123816490e-01  # the first 33 bits of ln 2, so that small multiples of it are exact, and the rest
 )
 LOG2_LOW = 1.90821492927058770002e-10
-ROOT_HALF = 0.7071067811865476
+ROOT_HALF, LEAST_STEP = 0.7071067811865476, 1.0 / 65536.0
 
 
 @kernel
@@ -50,7 +50,13 @@ def uniform(key0: int, key1: int, n: int) -> float:
 @kernel
 def logarithm(x: float) -> float:
     """Natural logarithm of a number > 0, to 1e-15, with + - * / alone."""
-    m, n = math.frexp(x)
+    m, n = x, 0  # x = m 2^n, 1/2 <= m < 1, without rounding; not by frexp, which the package's own loops cannot call
+    while m < LEAST_STEP:
+        m, n = m / LEAST_STEP, n - 16
+    while m < 0.5:
+        m, n = 2.0 * m, n - 1
+    while m >= 1.0:
+        m, n = 0.5 * m, n + 1
     if m < ROOT_HALF:
         m, n = 2.0 * m, n - 1
     # 2 artanh, by its series: |s| < 0.172

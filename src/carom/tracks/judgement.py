@@ -107,7 +107,7 @@ def judge(
     ----------
     table : path, or columns
         A row per ball and frame: ``t`` (s), ``x``, ``y``, ``z`` (m), where there are several balls ``ball``; where they are known
-        ``wx``, ``wy``, ``wz`` (rad/s), ``radius`` (m), ``mass`` (kg). ``carom simulate --out`` writes these. Without ``z`` the
+        ``wx``, ``wy``, ``wz`` (rad/s), ``radius`` (m), ``mass`` (kg). ``Trajectory.save_frames`` writes these. Without ``z`` the
         balls lie on the floor.
     radius, mass, kappa : float
         Of balls without a column for them, m, kg; the moment of inertia is kappa m R^2. Default of the radius: the least height of

@@ -50,13 +50,8 @@ def _gap_polynomial(
     qx, qy, qz = face.nx, face.ny, face.nz
     vx, vy, vz = ball.vx, ball.vy, ball.vz
     gx, gy, gz = gravity[U64(0)], gravity[U64(1)], gravity[U64(2)]
-    flat = (
-        qx * rx + qy * ry + qz * rz - d,
-        qx * vx + qy * vy + qz * vz - dd,
-        (qx * gx + qy * gy + qz * gz) / 2.0,
-        0.0,
-        0.0,
-    )
+    speed, pull = qx * vx + qy * vy + qz * vz, qx * gx + qy * gy + qz * gz
+    flat = (qx * rx + qy * ry + qz * rz - d, speed - dd, pull / 2.0, 0.0, 0.0)
     if features is None:
         return flat
     if face.form == PLANE:
