@@ -83,6 +83,24 @@ def test_an_open_curve_has_two_sides_and_two_ends() -> None:
     assert "curve" in str(inside.scene.walls[0].describe())
 
 
+def test_a_straight_arc_ends_where_it_ends() -> None:
+    """Its tangents are one line, on which a ball beyond an end touches nothing, at rest and on a parabola."""
+    straight = {"shape": "curve", "points": [(0, 0), (0.3, 0), (0.6, 0), (1, 0)], "closed": False, **MIRROR}
+    for x, met in ((-0.5, 0), (0.5, 1), (1.5, 0)):
+        run = run_in(straight, g=(0.02, -1.0, 0.0), position=(x, 0.5), velocity=(0.0, 0.0), events=1)
+        assert len(contacts(run)) == met
+        if not met:
+            run_in(straight, position=(x, 0.0), events=1)
+    # 0.27 m from a post with flat sides, on the line of one of them
+    post = {
+        "shape": "superellipse",
+        "half_axes": (0.49603796510439463, 1.5767749600539827),
+        "power": 5,
+        "inside": False,
+    }
+    run_in(post | MIRROR, position=(-0.89045667, 2.00572573), radius=0.455, velocity=(-1.0, 0.0), events=1)
+
+
 @pytest.mark.parametrize("law", [law.name for law in laws().values() if law.kernel is not None])
 def test_every_law_has_the_normal_of_the_ellipse(law: str) -> None:
     """The first contact is one with the plane that touches the ellipse there."""
