@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 from typing import Any
 
@@ -147,6 +148,21 @@ def test_balls_in_each_other_and_in_the_floor() -> None:
     ]
 
 
+@pytest.mark.parametrize("name", ["t", "y", "z", "wy"])
+@pytest.mark.parametrize("value", [math.nan, math.inf])
+def test_a_row_without_a_number_hides_nothing(name: str, value: float) -> None:
+    rows = two_balls(after=((0.1, 0, 0), (1.2, 0, 0)))
+    rows["z"][90] = 0.02  # in the floor
+    expected = judge(rows, radius=R)
+    rows[name][100] = value
+    found = judge(rows, radius=R)
+    assert laws_of(found) == laws_of(expected) == {"penetration": 1, "energy": 1, "momentum": 1}
+    assert math.isfinite(found.noise)
+    assert [note for note in found.notes if "left out" in note] == (
+        [] if name == "wy" else ["1 row without a time and a place in finite numbers left out"]
+    )
+
+
 @pytest.mark.parametrize(
     ("columns", "settings", "said"),
     [
@@ -154,6 +170,15 @@ def test_balls_in_each_other_and_in_the_floor() -> None:
         ({"t": [0.0], "x": [0.0], "y": [0.0]}, {}, "judge: expected more than 4 frames of a ball"),
         ({"t": [0.0] * 9, "x": [0.0] * 9, "y": [0.0] * 9}, {}, "expected one row per frame, got two of the same time"),
         ({"t": [0.0], "x": ["far"], "y": [0.0]}, {}, "judge: x: expected numbers, got 'far'"),
+        ({"t": [0.0, 1.0], "x": [0.0, 1.0], "y": ["0", "far"]}, {}, "judge: y: expected numbers, got 'far'"),
+        ({"t": [0.0], "x": [1e200], "y": [0.0]}, {}, "judge: x: expected numbers up to 1e+30, got 1e+200"),
+        ({"t": [0.0], "x": [0.0], "y": [0.0], "radius": [math.nan]}, {}, "radius: expected numbers > 0, got nan"),
+        ({"t": [0.0], "x": [0.0], "y": [0.0], "mass": [0.0]}, {}, "mass: expected numbers > 0, got 0"),
+        (
+            {"t": range(9), "x": [0] * 9, "y": [0] * 9, "z": [0] * 9},
+            {},
+            "the radius of the ball, got none, and a least",
+        ),
         ({"t": [0.0], "x": [0.0], "y": [0.0]}, {"mass": -1.0}, "judge: mass: expected a number > 0, got -1"),
     ],
 )

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from carom.data.columns import as_columns, is_columns, read_columns
 from carom.errors import CaromError, FaultList
 from carom.files import as_path
+from carom.formatting import counted
 
 __all__ = ["EXACT", "FEW", "BallPath", "PathPiece", "read_paths"]
 
@@ -24,6 +25,7 @@ Array = NDArray[np.float64]
 FEW = 4  # frames: three numbers of a parabola, and one to spare
 EXACT = 1e-12  # m: with less noise the numbers are a program's
 POOL_BALL = 0.028575  # m
+LARGEST = 1e30  # in SI units: no squares of squares overflow
 NUMBERS = ("t", "x", "y", "z", "wx", "wy", "wz", "radius", "mass")
 
 
@@ -97,6 +99,7 @@ def read_paths(
     faults.raise_if_any()
     numbers = {name: _numbers(faults, name, columns[name]) for name in NUMBERS if name in columns}
     faults.raise_if_any()
+    known = _known_rows(faults, numbers, notes)
     if "z" not in numbers:
         notes.append("no column z: all balls lie on the floor")
     spins = {"wx", "wy", "wz"} <= set(numbers)
@@ -108,11 +111,15 @@ def read_paths(
     for name in dict.fromkeys(names.tolist()):
         own = np.flatnonzero(names == name)
         own = own[np.argsort(numbers["t"][own], kind="stable")]
-        own = own[np.isfinite(numbers["x"][own])]
+        own = own[known[own]]
         if len(own) == 0:
             continue
         least = float(numbers["z"][own].min()) if "z" in numbers else POOL_BALL
         a = float(numbers["radius"][own][0]) if "radius" in numbers else least if radius is None else radius
+        if not a > 0:
+            got = f"none, and a least height of {a:g} m"
+            faults.add(name, "the radius of the ball", got, "give it, or heights of the ball's centre")
+            continue
         m = float(numbers["mass"][own][0]) if "mass" in numbers else mass
         z = numbers["z"] if "z" in numbers else np.full(len(names), a)
         x = np.stack([numbers["x"], numbers["y"], z], axis=-1)[own]
@@ -122,6 +129,7 @@ def read_paths(
                 f"{where}: {name}: expected one row per frame, got two of the same time; give each ball a name"
             )
         split.append((name, numbers["t"][own], x, w, a, m))
+    faults.raise_if_any()
     if not any(len(one[1]) > FEW for one in split):
         raise CaromError(f"{where}: expected more than {FEW} frames of a ball, got fewer")
     sigma = _noise([one[2] for one in split]) if noise is None else float(noise)
@@ -130,12 +138,33 @@ def read_paths(
     return [BallPath(name, t, x, a, m, tuple(_pieces(t, x, w, sigma))) for name, t, x, w, a, m in split], sigma, notes
 
 
+def _known_rows(faults: FaultList, numbers: dict[str, Array], notes: list[str]) -> NDArray[np.bool_]:
+    """Return which rows have a time and a place; a note says how many have not. Raises for radii and masses that are none."""
+    known = np.isfinite([numbers[name] for name in ("t", "x", "y", "z") if name in numbers]).all(axis=0)
+    for name in ("radius", "mass"):
+        wrong = np.flatnonzero(known & ~(numbers[name] > 0)) if name in numbers else ()
+        if len(wrong):
+            faults.add(name, "numbers > 0", f"{numbers[name][wrong[0]]:g}")
+    faults.raise_if_any()
+    if not known.all():
+        notes.append(f"{counted(int((~known).sum()), 'row')} without a time and a place in finite numbers left out")
+    return known  # type: ignore[no-any-return]
+
+
 def _numbers(faults: FaultList, name: str, column: NDArray[Any]) -> Array:
-    try:
-        return np.asarray(column, dtype=float)
-    except (TypeError, ValueError):
-        faults.add(name, "numbers", f"{str(column[0])!r:.40}")
-        return np.zeros(len(column))
+    numbers = np.full(len(column), math.nan)
+    for k, value in enumerate(column if column.dtype.kind not in "fiu" else ()):
+        try:
+            numbers[k] = math.nan if value is None else float(value)
+        except (TypeError, ValueError):
+            faults.add(name, "numbers", f"{str(value)!r:.40}")
+            return numbers
+    if column.dtype.kind in "fiu":
+        numbers = np.asarray(column, dtype=float)
+    large = np.flatnonzero(np.isfinite(numbers) & (np.abs(numbers) > LARGEST))
+    if len(large):
+        faults.add(name, f"numbers up to {LARGEST:g}", f"{numbers[large[0]]:g}")
+    return numbers
 
 
 def _noise(places: Sequence[Array]) -> float:
@@ -166,5 +195,6 @@ def _pieces(t: Array, x: Array, w: Array | None, sigma: float) -> Iterator[PathP
         numbers = np.linalg.lstsq(design, x[first : last + 1], rcond=None)[0]
         misfit = float(np.square(design @ numbers - x[first : last + 1]).sum()) / (3 * max(len(tau) - 3, 1))
         covariance = np.linalg.inv(design.T @ design) * max(sigma**2, misfit)
-        spins = None if w is None else np.linalg.lstsq(design[:, :2], w[first : last + 1], rcond=None)[0]
+        turns = w is not None and bool(np.isfinite(w[first : last + 1]).all())
+        spins = None if w is None or not turns else np.linalg.lstsq(design[:, :2], w[first : last + 1], rcond=None)[0]
         yield PathPiece(first, last, float(middle), numbers, covariance, spins)

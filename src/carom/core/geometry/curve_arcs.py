@@ -146,9 +146,7 @@ def arc_depth(table: Any, ends: Ends, x: float, y: float) -> Depth:
     depth, nx, ny, kappa, beyond = depth_b, -bv, bu, 0.0, ahead_b
     if first:
         depth, nx, ny, beyond = depth_a, -av, au, -ahead_a
-    if (
-        beyond < 0.0
-    ):  # (both distances are the same but for rounding, as on a straight arc: the other end is the nearer one)
+    if beyond < 0.0:  # both distances are the same but for rounding, as on a straight arc: the other end is nearer
         beyond = max(-ahead_a, ahead_b)
     if left <= right:
         count = right - left + 1
