@@ -140,15 +140,17 @@ def read_paths(
 
 def _known_rows(faults: FaultList, numbers: dict[str, Array], notes: list[str]) -> NDArray[np.bool_]:
     """Return which rows have a time and a place; a note says how many have not. Raises for radii and masses that are none."""
-    known = np.isfinite([numbers[name] for name in ("t", "x", "y", "z") if name in numbers]).all(axis=0)
+    known = np.ones(len(numbers["t"]), dtype=bool)
+    for name in {"t", "x", "y", "z"} & set(numbers):
+        known &= np.isfinite(numbers[name])
     for name in ("radius", "mass"):
-        wrong = np.flatnonzero(known & ~(numbers[name] > 0)) if name in numbers else ()
+        wrong = numbers[name][known & ~(numbers[name] > 0)] if name in numbers else np.array([])
         if len(wrong):
-            faults.add(name, "numbers > 0", f"{numbers[name][wrong[0]]:g}")
+            faults.add(name, "numbers > 0", f"{wrong[0]:g}")
     faults.raise_if_any()
     if not known.all():
         notes.append(f"{counted(int((~known).sum()), 'row')} without a time and a place in finite numbers left out")
-    return known  # type: ignore[no-any-return]
+    return known
 
 
 def _numbers(faults: FaultList, name: str, column: NDArray[Any]) -> Array:
