@@ -16,7 +16,7 @@ import carom
 from carom.plot.comparison import path_after_wall
 
 pytest.importorskip("matplotlib")
-from carom import plot
+from carom import billiards, plot
 from carom.plot.style import law_styles, spread_apart
 
 CASES: list[dict[str, Any]] = [
@@ -215,3 +215,20 @@ def test_labels_of_the_laws_do_not_overlap_and_their_lines_do_not_cross(given: d
         assert figure.bbox.x0 <= one.x0 <= one.x1 <= figure.bbox.x1
         for other in boxes[:i]:
             assert one.y1 <= other.y0 + 1 or other.y1 <= one.y0 + 1 or one.x1 <= other.x0 or other.x1 <= one.x0
+
+
+def test_labels_of_a_branch_keep_off_its_curve_and_each_other() -> None:
+    one = billiards.refine_orbit(billiards.sinai(0.3), ((0.5, 0.0), (1.0, 0.0), 0.0), 2)
+    branch = billiards.continue_orbit(one, lambda radius: {"table": billiards.sinai(radius)}, 0.3, 0.45)
+    figure = plot.plot_branch(branch, "radius (m)")
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    boxes = [text.get_window_extent() for text in figure.axes[0].texts]
+    u = np.linspace(branch.parameter.min(), branch.parameter.max(), 500)
+    order = np.argsort(branch.parameter)
+    curve = figure.axes[0].transData.transform(
+        np.column_stack([u, np.interp(u, branch.parameter[order], branch.trace[order])])
+    )
+    assert len(boxes) == 4
+    assert not any(box.contains(*place) for box in boxes for place in curve)
+    assert not any(box.overlaps(other) for k, box in enumerate(boxes) for other in boxes[:k])

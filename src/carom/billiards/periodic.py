@@ -82,7 +82,7 @@ class PeriodicOrbit:
     """Number of directions in which there are neighbouring periodic orbits of the same energy; 0: it is isolated."""
     error: float
     """Estimated error of the first state, relative to the table's size and the ball's speed: residual and rounding, through the
-    inverse of Newton's matrix."""
+    inverse of Newton's matrix; where that is singular although the orbit is isolated, some 1e-5."""
     energy: float
     """Twice the energy per mass, m^2/s^2."""
     found: int
@@ -100,6 +100,11 @@ class PeriodicOrbit:
     def rotation_number(self) -> float | None:
         """Of the neighbours of an elliptic orbit: the angle of the multipliers over 2 pi, from 0 to 1/2; None for others."""
         return math.acos(self.trace / 2) / math.tau if self.stability == "elliptic" else None
+
+    @property
+    def multiple(self) -> bool:
+        """Whether it is a multiple root of its equations: parabolic and isolated, so that it is known less well (``error``)."""
+        return self.stability == "parabolic" and not self.family
 
     @property
     def pieces(self) -> tuple[int, ...]:
@@ -123,18 +128,9 @@ class PeriodicOrbit:
         ``verified`` is among them if it has been asked for before.
         """
         names = (
-            "period",
-            "duration",
-            "stability",
-            "trace",
-            "rotation_number",
-            "winding",
-            "cells",
-            "itinerary",
-            "family",
-            "error",
+            "period", "duration", "stability", "trace", "rotation_number", "winding", "cells", "itinerary", "family", "error",
             "found",
-        )
+        )  # fmt: skip
         run = self.orbit
         return {name: getattr(self, name) for name in names} | {
             "multipliers": [[one.real, one.imag] for one in self.multipliers.tolist()],
@@ -386,12 +382,25 @@ def _distinct(shell: EnergyShell, y: Array, p: int) -> list[PeriodicOrbit]:
         if not proper[k] or least_period(shell, run.folded[k], bounces[k]) != p:
             continue
         key = family_key(shell.setup.shape.wall_parts(run.piece[k]).tolist(), symmetries, walls[k], cells[k])
+        described: PeriodicOrbit | None = None
         for place, (one, shown, family) in enumerate(kept):
             if (one.family and key == family) or congruent(bounces[shown], bounces[k], reverse[k]):
                 kept[place] = (replace(one, found=one.found + 1), shown, family)
                 break
+            # a multiple root of the equations is found to some cube root of rounding only, and no other is within MOVE of it
+            if one.multiple and congruent(bounces[shown], bounces[k], reverse[k], equal=MOVE):
+                described = described or describe_periodic(shell, y[k], p)
+                if described.multiple:
+                    kept[place] = (
+                        replace(min(one, described, key=lambda each: each.error), found=one.found + 1),
+                        shown,
+                        family,
+                    )
+                    break
         else:
-            kept.append((describe_periodic(shell, y[k], p), int(k), key))
+            described = described or describe_periodic(shell, y[k], p)
+            if not (described.multiple and least_period(shell, run.folded[k], bounces[k], equal=MOVE) != p):
+                kept.append((described, int(k), key))
     return [one for one, _shown, _family in kept]
 
 
@@ -412,13 +421,15 @@ def describe_periodic(shell: EnergyShell, y: Array, p: int) -> PeriodicOrbit:
     run = orbit_from_setup(shell.setup, start, p)
     winding = windings(shell, many)[0]
     sizes = np.linalg.svd(derivative, compute_uv=False)
-    least = min(sizes[sizes > NULL * sizes[0]], default=sizes[0])
     rounding = np.finfo(float).eps * p * (1 + np.abs(matrix).max())
+    family = _family(shell, y, p, derivative)
+    # along a family the equations are singular; another singular value that is small, at a multiple root, bounds the error
+    least = max(sizes[len(sizes) - 1 - family], rounding / MOVE) if family < len(sizes) else sizes[0]
     stability = "parabolic" if flat else "elliptic" if abs(trace) < 2 else "hyperbolic"
     cells = None if shell.setup.shape.cell is None else cells_passed(shell, many)[0]
     return PeriodicOrbit(
         run, p, float(run.t[-1]), math.copysign(2.0, trace) if flat else trace, third, stability,
-        None if winding < 0 else min(winding, p - winding), cells, _family(shell, y, p, derivative),
+        None if winding < 0 else min(winding, p - winding), cells, family,
         float((np.linalg.norm(f[0]) + rounding) / least), shell.energy, 1,
     )  # fmt: skip
 

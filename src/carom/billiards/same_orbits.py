@@ -70,26 +70,26 @@ def _period(period: Any) -> int:
     return p
 
 
-def least_period(shell: EnergyShell, positions: Array, bounces: Array) -> int:
+def least_period(shell: EnergyShell, positions: Array, bounces: Array, equal: float = EQUAL) -> int:
     """Return the least number of bounces after which positions (p, 2) and bounces (p, 4) repeat."""
     p, shape = len(bounces), shell.setup.shape
     for d in range(1, p):
         if p % d == 0:
             moved = shape.folded(np.roll(positions, -d, axis=0) - positions)
             turned = np.roll(bounces, -d, axis=0) - bounces
-            if max(np.abs(moved).max() / shell.size, np.abs(turned).max()) < EQUAL:
+            if max(np.abs(moved).max() / shell.size, np.abs(turned).max()) < equal:
                 return d
     return p
 
 
-def congruent(one: Array, other: Array, reversed_other: Array) -> bool:
+def congruent(one: Array, other: Array, reversed_other: Array, equal: float = EQUAL) -> bool:
     """Whether the bounces (p, 4) of two orbits agree up to where they begin, a reflection and the direction of time."""
-    if abs(one[:, 0].sum() - other[:, 0].sum()) > EQUAL * len(one):
+    if abs(one[:, 0].sum() - other[:, 0].sum()) > equal * len(one):
         return False
     for variant in (other, reversed_other):
         for sign in (1.0, -1.0):
             shown = variant * np.array([1.0, 1.0, sign, sign])
-            if any(np.abs(np.roll(shown, k, axis=0) - one).max() < EQUAL for k in range(len(one))):
+            if any(np.abs(np.roll(shown, k, axis=0) - one).max() < equal for k in range(len(one))):
                 return True
     return False
 

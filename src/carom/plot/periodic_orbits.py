@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from carom.billiards.continuation import OrbitBranch
 from carom.billiards.manifolds import Manifold
 from carom.billiards.periodic import PeriodicOrbit
@@ -113,19 +115,28 @@ def plot_branch(branch: OrbitBranch, name: str = "parameter") -> Figure:
         figure = new_figure(6.0, 3.8)
         axes = figure.add_subplot()
         axes.axhspan(-2, 2, color=COLOURS["elliptic"], alpha=0.08, lw=0)
+        at, trace = branch.parameter, branch.trace
+        # (at the end of the band where the curve is outside it)
+        free_left = abs(trace[at.argmax()]) <= 2 < abs(trace[at.argmin()])
         axes.text(
-            0.99, 2, "elliptic", transform=axes.get_yaxis_transform(), ha="right", va="top", fontsize=8,
+            0.01 if free_left else 0.99, 2, "elliptic", transform=axes.get_yaxis_transform(),
+            ha="left" if free_left else "right", va="top", fontsize=8,
             color=COLOURS["elliptic"],
         )  # fmt: skip
-        axes.plot(branch.parameter, branch.trace, color=INK, lw=1.2)
+        axes.plot(at, trace, color=INK, lw=1.2)
         for event in branch.events:
-            trace = event.trace
-            axes.plot(event.parameter, trace, "o", ms=4, color=COLOURS["hyperbolic"], zorder=4)
-            # (beside the point, on the side that has room)
-            left = event.parameter > (branch.parameter.min() + branch.parameter.max()) / 2
+            axes.plot(event.parameter, event.trace, "o", ms=4, color=COLOURS["hyperbolic"], zorder=4)
+            # (towards the middle of the picture, above the curve where it falls towards there, else below)
+            left = event.parameter > (at.min() + at.max()) / 2
+            k = int(
+                np.hypot((at - event.parameter) / np.ptp(at), (trace - event.trace) / (np.ptp(trace) or 1.0)).argmin()
+            )
+            lower, upper = max(k - 1, 0), min(k + 1, len(at) - 1)
+            above = ((trace[upper] - trace[lower]) * (at[upper] - at[lower]) > 0) == left
             axes.annotate(
-                f"{event.kind}\n{event.parameter:.6g}", (event.parameter, trace), xytext=(-6 if left else 6, 6),
-                textcoords="offset points", ha="right" if left else "left", fontsize=8, color=GREY,
+                f"{event.kind}\n{event.parameter:.6g}", (event.parameter, event.trace),
+                xytext=(-6 if left else 6, 6 if above else -6), textcoords="offset points", ha="right" if left else "left",
+                va="bottom" if above else "top", fontsize=8, color=GREY,
             )  # fmt: skip
         axes.set(xlabel=name, ylabel="trace of the pair of multipliers")
         axes.margins(x=0.02, y=0.12)
