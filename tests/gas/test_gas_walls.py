@@ -11,7 +11,7 @@ from reference.exploring import tried
 from carom import Ball, CaromError, Disc, Surface
 from carom.gas import Drive, Gas, Species, Thermostat, container
 from carom.gas.edmd.gas_records import ELLIPSE
-from carom.gas.edmd.walls import _is_present, _release_speed
+from carom.gas.edmd.walls import _is_present, _oscillating_collision_time, _release_speed
 from carom.gas.old_containers import with_new_container
 from carom.gas.spatial_profiles import Profiles
 
@@ -538,6 +538,20 @@ def test_a_collapse_is_told_of():
     )  # fmt: skip
     with pytest.raises(CaromError, match=r"collapse at t = .*contact_time"):
         gas.run(until=100.0)
+
+
+def test_time_goes_on_past_the_turns_of_a_swinging_wall():
+    """A ball that stays out of its reach is predicted again later, also where rounding leaves nothing of a half period."""
+    rng = np.random.default_rng(1)
+    for frequency, phase, turn in zip(
+        rng.uniform(0.2, 3, 2000), rng.uniform(size=2000), rng.integers(4, 2000, 2000), strict=True
+    ):
+        face = SimpleNamespace(half_period=0.5 / frequency, start=-phase / frequency, amplitude=0.3)
+        turns = float(face.start + turn * face.half_period)
+        for now in (math.nextafter(turns, 0.0), turns, math.nextafter(turns, math.inf)):
+            s, collides = _oscillating_collision_time(face, (0.2999, 3.0, 0.0), now, 50.0, 0.0)
+            assert not collides
+            assert now + s > now
 
 
 def test_saved_and_restored_with_everything_on():

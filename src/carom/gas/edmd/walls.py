@@ -38,6 +38,7 @@ MAX_ARCS = 16  # of an oscillating wall that are searched at once
 # An approach slower than this share of the speed is the rounding of a ball that moves along a wall, and no collision. A ball
 # released from a wall by the TC model leaves at least at the second share.
 APPROACH_ROUNDING, LEAST_RELEASE = 1e-14, 1e-9
+LEAST_STEP = 4e-16  # of a time, by which it grows when it is added, whatever rounding does
 
 
 @kernel
@@ -85,6 +86,9 @@ def _oscillation(face: Any, now: float) -> tuple[float, float, float, float]:
     """Return an oscillating plane's position along its normal, as a parabola of the time from now, and how long it holds."""
     k = math.floor((now - face.start) / face.half_period)
     t = (now - face.start) - k * face.half_period
+    if face.half_period - t <= LEAST_STEP * now:
+        # rounding hides the rest of this parabola: without the next one, time would stand still
+        k, t = k + 1, t - face.half_period
     c = 4.0 * face.amplitude / (face.half_period * face.half_period)
     if k % 2.0 != 0.0:
         c = -c
