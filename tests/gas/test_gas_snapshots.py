@@ -203,6 +203,19 @@ def test_a_number_per_decade(tmp_path, every):
         assert len(frames) > 3
 
 
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--yes"], "--yes: expected --snapshots FILE.gsd as well, got none"),
+        (["--from", "50 events"], "--from: expected a time > 0, such as 0.5, or '10 min', got '50 events'"),
+        (["--duration", "50 events"], "--duration: expected a time > 0, such as 0.5, or '10 min', got '50 events'"),
+    ],
+)
+def test_options_that_do_not_fit(tmp_path, words, said):
+    (tmp_path / "gas.toml").write_text(gas_text(cooling(max_events=20)))
+    assert str(CliRunner().invoke(app, ["gas", str(tmp_path / "gas.toml"), *words]).exception) == said
+
+
 def test_an_interval_of_time_counts_collisions_by_kinetic_theory():
     scene = cooling(duration=200.0)
     session = Session(scene)

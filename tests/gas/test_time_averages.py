@@ -147,3 +147,19 @@ def test_a_cooling_gas_reports_its_end_and_a_window():
     gas, run = simulate_gas(scene, from_time="30 s", duration=10.0)
     assert gas.time == pytest.approx(40.0)
     assert run.temperature_translational == part["temperature_translational"]
+
+
+def test_a_ratio_of_few_shaken_discs_is_one_of_means():
+    """Their temperature differs from sample to sample by more than a factor of two, and does not cool."""
+    contact = {"between": ("*", "*"), "restitution": 0.9, "friction": 0.3, "tangential_restitution": 0.4}
+    scene = GasScene(
+        container={"shape": "box", "size": (10, 30), "periodic": ["x"]}, species=[{"count": 40, "radius": 0.5}],
+        contacts=[contact], gravity=1.0, contact_time=1e-5, drives=[{"wall": "front", "amplitude": 0.6, "frequency": 1.0}],
+        run={"equilibrate": 4000, "max_events": 10_000, "seed": 3},
+    )  # fmt: skip
+    session = Session(scene)
+    session.run()
+    warm, found = session.measures.series["translational"], report(session)
+    assert warm.max() > 2 * warm.min()
+    ratio = found["temperature_rotational"] / found["temperature_translational"]
+    assert found["temperature_ratio"] == found["species"]["a"]["temperature_ratio"] == pytest.approx(ratio, rel=1e-12)

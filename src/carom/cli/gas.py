@@ -115,14 +115,14 @@ def gas(
     from carom.cli.gas_ensemble import require_no_files, run_ensemble
     from carom.cli.gas_output import Progress
 
-    found, max_size = FaultList(), "inf" if yes and max_size is None else max_size
+    found = FaultList()
     kept = {
         "--checkpoint": checkpoint,
         "--resume": resume if checkpoint is None and resume and resume.exists() else None,
     }
     _check_files(found, plot, measures, snapshots, kept)
     if ensemble is not None:
-        files = {"--snapshots": snapshots, "--every": every, "--max-size": max_size}
+        files = {"--snapshots": snapshots, "--every": every, "--max-size": max_size, "--yes": yes or None}
         require_no_files(found, ensemble, files | {"--checkpoint": checkpoint, "--resume": resume})
     if snapshots is not None and resume is None and not force and snapshots.is_file():
         found.add(f"--snapshots {snapshots}", "a new file", "an existing one", "--force overwrites it")
@@ -131,7 +131,7 @@ def gas(
         found.add("--checkpoint-every", "--checkpoint FILE as well", "none")
     changes = {"max_events": max_events, "duration": duration, "from_time": from_time, "seed": seed}
     given = found.attempt(_scene, scene, resume, changes)
-    snapshot_every, most = _snapshot_options(found, snapshots, every, max_size, given)
+    snapshot_every, most = _snapshot_options(found, snapshots, every, max_size, yes, given)
     found.raise_if_any()
     progress = Progress(quiet)
     if ensemble is not None:
@@ -169,7 +169,7 @@ def gas(
             "--from": from_time,
             "--snapshots": snapshots,
             "--every": every,
-            "--max-size": max_size,
+            "--max-size": "inf" if yes and max_size is None else max_size,
         }
         _stopped(session, scene, checkpoints.path, signals[0], again, found)
     if finished:
@@ -203,14 +203,14 @@ def _check_files(
 
 
 def _snapshot_options(
-    found: FaultList, snapshots: Path | None, every: str | None, max_size: str | None, scene: GasScene | None
+    found: FaultList, snapshots: Path | None, every: str | None, max_size: str | None, yes: bool, scene: GasScene | None
 ) -> tuple[Every | None, float | None]:
     """Return the interval of snapshots and their largest size in bytes, None if not given; add faults to ``found``."""
     interval = found.attempt(_spacing, every, scene) if every is not None else None
-    for option, value in (("--every", every), ("--max-size", max_size)):
+    for option, value in (("--every", every), ("--max-size", max_size), ("--yes", yes or None)):
         if value is not None and snapshots is None:
             found.add(option, "--snapshots FILE.gsd as well", "none")
-    return interval, found.attempt(size_limit, max_size)
+    return interval, math.inf if yes and max_size is None else found.attempt(size_limit, max_size)
 
 
 def _spacing(text: str, scene: GasScene | None) -> Every:
@@ -235,21 +235,25 @@ def _spacing(text: str, scene: GasScene | None) -> Every:
 
 def _interval(option: str, text: str) -> int | float:
     """Return a number of collisions (an int), or a time (a float; in s if it has a unit)."""
-    from carom.scene.schema import Number
-
     words = text.replace("_", "").replace(",", "").split()
     if len(words) == 2 and words[1] in {"event", "events"} and words[0].isdecimal() and int(words[0]) > 0:
         return int(words[0])
+    return _time(option, text, "0.5, '10 min', or '5000 events'")
+
+
+def _time(option: str, text: str, such_as: str = "0.5, or '10 min'") -> float:
+    """Return a time (in s if it has a unit)."""
+    from carom.scene.schema import Number
+
     try:
         value: Any = float(text)
     except ValueError:
         value = text
     try:
-        return Number("a time > 0", "s", least=0, above=True)(value)
+        found: float = Number("a time > 0", "s", least=0, above=True)(value)
+        return found
     except Exception:  # pydantic's own error, which only a model makes a line of
-        raise CaromError(
-            f"{option}: expected a time > 0, such as 0.5, '10 min', or '5000 events', got {text!r}"
-        ) from None
+        raise CaromError(f"{option}: expected a time > 0, such as {such_as}, got {text!r}") from None
 
 
 def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> GasScene | None:
@@ -272,7 +276,7 @@ def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> G
         return scene
     for name in ("duration", "from_time"):
         if name in changes:
-            changes[name] = float(_interval(OPTIONS[name], changes[name]))
+            changes[name] = _time(OPTIONS[name], changes[name])
     run = GasSettings(**{name: getattr(scene.run, name) for name in GasSettings.model_fields} | changes)
     return scene.model_copy(update={"run": run}) if isinstance(scene, GasScene) else scene
 
