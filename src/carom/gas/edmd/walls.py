@@ -120,16 +120,8 @@ def _oscillating_collision_time(
 
 @kernel
 def _ellipse_collision_time(
-    ellipse: Any,
-    face: Any,
-    contact: Any,
-    gravity: Any,
-    ball: Any,
-    scale: float,
-    growth: float,
-    most: float,
-    slow: float,
-) -> float:
+    ellipse: Any, face: Any, contact: Any, gravity: Any, ball: Any, scale: float, growth: float, most: float, slow: float
+) -> float:  # fmt: skip
     """Return when a ball reaches an ellipse that bounds its surface. ``ellipse`` is None where the gas has none."""
     if ellipse is None:
         return math.inf
