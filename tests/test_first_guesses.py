@@ -150,7 +150,8 @@ def test_what_cannot_be_meant_is_said_once_with_what_is_meant(tmp_path: Path) ->
          "measure_tracks: files: expected the name of a track file, columns t, x, y, or Tracks, got int 3"),
         (lambda: carom.Scene(walls=[{"shape": "boks"}], balls=balls),
          "Scene: walls[0].shape: expected one of plane, segment, polygon, table, box, strip, wedge, cylinder, arc, sphere, stadium,"
-         " outline, circle, curve, lemon, mushroom, regular, rectangle, sector, squash, got 'boks'; did you mean 'box'?"),
+         " outline, circle, curve, ellipse, lemon, mushroom, regular, rectangle, limacon, oval, flower, sector, squash,"
+         " superellipse, tokarsky, got 'boks'; did you mean 'box'?"),
     ):  # fmt: skip
         with pytest.raises(carom.CaromError) as error:
             call()

@@ -465,8 +465,8 @@ WRONG = {
     ),
     "tilted floor": (
         "gravity = [1, 0, -9.8]\n" + SOUND,
-        "gravity: expected gravity along -z, as there is a floor, got (1, 0, -9.8); balls on a tilted floor are"
-        " not simulated; leave the floor out and use a wall of shape 'plane', on which the ball flies and bounces",
+        "gravity: expected gravity along -z, as there is a floor, got (1, 0, -9.8); for a tilted floor give"
+        " floor.slope, such as [0.001, 0] for a fall of 1 mm per metre along x",
     ),
     "gravity upwards": (
         "gravity = -9.8\n" + SOUND, "gravity: expected gravity along -z, as there is a floor, got (0, 0, 9.8)",
@@ -511,8 +511,8 @@ WRONG = {
     ),
     "several of the whole": (
         "gravity = [0, 1, -1]\n" + SOUND.replace("[1, 0]", "[-1, 0, 0]") + BALL.replace("[1, 0]", "[-1, 0]"),
-        "gravity: expected gravity along -z, as there is a floor, got (0, 1, -1); balls on a tilted floor are not"
-        " simulated; leave the floor out and use a wall of shape 'plane', on which the ball flies and bounces",
+        "gravity: expected gravity along -z, as there is a floor, got (0, 1, -1); for a tilted floor give"
+        " floor.slope, such as [0.001, 0] for a fall of 1 mm per metre along x",
         "balls[0].position[2]: expected z of at least the radius, 0.03, got 0, which overlaps the floor by 30 mm; leave out z"
         " to put it on the floor",
         "balls[0].position: expected a place on the free side of walls[0] (plane 0), got (-1, 0, 0), where a plane through (0,"

@@ -19,7 +19,7 @@ def register(app: typer.Typer) -> None:
 
 
 def judge(
-    file: Annotated[
+    table: Annotated[
         Path,
         typer.Argument(
             metavar="FILE",
@@ -43,7 +43,7 @@ def judge(
     from carom.cli.streams import say_json, say_notes
     from carom.tracks.judgement import judge as find
 
-    found = find(file, radius=radius, mass=mass, friction=friction, floor_friction=floor_friction, noise=noise)
+    found = find(table, radius=radius, mass=mass, friction=friction, floor_friction=floor_friction, noise=noise)
     if as_json:
         say_json(vars(found) | {"violations": [vars(one) | {"sigmas": one.sigmas} for one in found.violations]})
         return

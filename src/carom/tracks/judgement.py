@@ -214,7 +214,7 @@ def _slip(ball: BallPath, piece: PathPiece, a: Array, error: float, found: Judge
     slips = []
     for t in (t0, t1):
         v, w = piece.velocity(t)[0], piece.spin(t)
-        slips.append(v[:2] + ball.radius * np.array([-w[1], w[0]]))  # (19) at the floor
+        slips.append(v[:2] + ball.radius * np.array([-w[1], w[0]]))
     speed, size, size1 = (float(np.linalg.norm(x)) for x in (piece.velocity(t0)[0], *slips))
     dv = math.hypot(piece.velocity(t0)[1], piece.velocity(t1)[1])
     if size <= SAME * speed:
