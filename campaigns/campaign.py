@@ -222,6 +222,8 @@ def held(pulls: Sequence[float | Sequence[bool]]) -> tuple[float, float]:
 def shares(pulls: Sequence[float | Sequence[bool] | None]) -> str:
     """Format shares with their counting errors; an exclamation mark where one is off by more than two of them."""
     good = [one for one in pulls if one is not None]
+    if not good:
+        return f"without an error bar in any of {len(pulls)}"
     one, two = held(good)
     errors = counting_errors(len(good))
     mark = "!" if any(abs(s - 100 * p) > 2 * e for s, p, e in zip((one, two), SHARES, errors, strict=True)) else " "
