@@ -41,10 +41,6 @@ class Given(Piece):
     def span(self) -> object:  # type: ignore[override]
         """(replaced)"""
 
-    def reversed(self) -> Piece:
-        """Not needed."""
-        raise NotImplementedError
-
 
 def table(name: str) -> tuple[billiards.Table, carom.Disc]:
     """Return the table of a curve, and its ball."""

@@ -35,9 +35,6 @@ class Given(Piece):
     def span(self) -> tuple[float, float]:
         return self.curve.span()
 
-    def reversed(self) -> Piece:
-        raise NotImplementedError
-
 
 def table_of_outline(loops: Any, bounds: Any = "centre") -> billiards.Table:
     return billiards.table(OutlineFigure(loops=loops), bounds=bounds)
@@ -247,9 +244,6 @@ class Side(Piece):
 
     def span(self) -> tuple[float, float]:
         return 0.0, 1.0
-
-    def reversed(self) -> Piece:
-        raise NotImplementedError
 
 
 def square(bulge: float) -> list[list[Piece]]:

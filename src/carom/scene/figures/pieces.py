@@ -1,7 +1,7 @@
-"""Pieces of boundaries: segment, arc, arc of an ellipse; a further kind is one class with three methods.
+"""Pieces of boundaries: segment, arc, arc of an ellipse; a further kind is one class with two methods.
 
-A piece is a smooth curve x(t) in the plane with the open side on its left. Its three methods give the place and its derivatives,
-the span of the parameter, and the same curve from the other side; length, tangent, normal, curvature and the parallel curve follow.
+A piece is a smooth curve x(t) in the plane with the open side on its left. Its two methods give the place and its derivatives, and
+the span of the parameter; the same curve from the other side, length, tangent, normal, curvature and the parallel curve follow.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ STEPS = 8  # of Newton's method for the parameter at an arc length
 class Piece(ABC):
     """A smooth piece of a boundary, with the open side on its left.
 
-    A subclass has three methods: :meth:`at`, :meth:`span` and :meth:`reversed`. All others follow from these; a subclass with a
-    closed form replaces them.
+    A subclass has two methods: :meth:`at` and :meth:`span`. All others follow from these; a subclass with a closed form replaces
+    them.
 
     Examples
     --------
@@ -45,9 +45,9 @@ class Piece(ABC):
     def span(self) -> tuple[float, float]:
         """Return the parameters at its beginning and its end, the second one the greater."""
 
-    @abstractmethod
     def reversed(self) -> Piece:
         """Return the piece from its end to its beginning: its open side is the other one."""
+        return _Turned(self)
 
     @functools.cached_property
     def _lengths(self) -> tuple[Array, Array]:
@@ -106,6 +106,29 @@ class Piece(ABC):
         and the parallel curve runs backwards there; who uses it cuts that part off.
         """
         return self if a == 0 else ParallelPiece(self, a)
+
+
+@dataclass(frozen=True)
+class _Turned(Piece):
+    """A piece from its end to its beginning."""
+
+    of: Piece
+
+    def at(self, t: Any) -> tuple[Array, Array, Array]:
+        first, last = self.of.span()
+        x, d, dd = self.of.at(first + last - np.asarray(t, float))
+        return x, -d, dd
+
+    def span(self) -> tuple[float, float]:
+        return self.of.span()
+
+    @property
+    def cuts(self) -> tuple[float, ...]:
+        """Parameters at which a derivative jumps, as of a spline."""
+        return tuple(sum(self.span()) - cut for cut in reversed(getattr(self.of, "cuts", None) or ()))
+
+    def reversed(self) -> Piece:
+        return self.of
 
 
 def _left(t: Array) -> Array:
