@@ -166,7 +166,11 @@ def test_a_row_without_a_number_hides_nothing(name: str, value: float) -> None:
 @pytest.mark.parametrize(
     ("columns", "settings", "said"),
     [
-        ({"t": [0.0], "y": [0.0]}, {}, "judge: expected a column x, got columns t, y"),
+        (
+            {"t": [0.0], "y": [0.0]},
+            {},
+            "judge: expected columns t, x and y, in s and m, a row per ball and frame, got t, y",
+        ),
         ({"t": [0.0], "x": [0.0], "y": [0.0]}, {}, "judge: expected more than 4 frames of a ball"),
         ({"t": [0.0] * 9, "x": [0.0] * 9, "y": [0.0] * 9}, {}, "expected one row per frame, got two of the same time"),
         ({"t": [0.0], "x": ["far"], "y": [0.0]}, {}, "judge: x: expected numbers, got 'far'"),
@@ -185,6 +189,39 @@ def test_a_row_without_a_number_hides_nothing(name: str, value: float) -> None:
 def test_what_cannot_be_judged(columns: dict[str, Any], settings: dict[str, float], said: str) -> None:
     with pytest.raises(CaromError) as caught:
         judge(columns, **settings)
+    assert said in str(caught.value)
+    assert len(caught.value.faults) == 1
+
+
+@pytest.mark.parametrize("suffix", [".csv", ".json"])
+def test_a_tilted_floor(suffix: str, tmp_path: Path) -> None:
+    """A ball that slides and rolls across a slope violates nothing on it, and on a level floor it does not fall freely."""
+    floor = carom.Floor(friction=0.2, restitution=0.5, rolling_resistance=0.01, slope=(0.02, -0.01))
+    balls = [
+        carom.SceneBall(radius=R, mass=M, position=(0, 0), velocity=(1.0, 0.4)),
+        carom.SceneBall(radius=R, mass=M, position=(1.0, 1.0, 0.2), velocity=(0.3, 0.0, 0.0)),
+    ]
+    run = carom.simulate(carom.Scene(floor=floor, balls=balls, run=carom.Run(duration=2)))
+    file = run.save_frames(tmp_path / f"run{suffix}", 240)
+    assert judge(file, slope=(0.02, -0.01)).violations == []
+    assert laws_of(judge(file))["gravity"] > 3
+    said = CliRunner().invoke(app, ["judge", str(file), "--slope", "0.02,-0.01"])
+    assert "No violation" in said.output
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "said"),
+    [
+        ("scene.toml", "[floor]\nfriction = 0.2\n", "expected columns t, x and y"),
+        ("run.json", '{"t": [0, 1], "balls": []}', "as frames are saved, got KeyError: 'position'"),
+        ("run.json", "t,x\n", "expected a table (.csv, .parquet), or JSON with t, balls and position"),
+        ("run.json", '{"t": [0], "balls": [1], "position": [[[1]]]}', "as frames are saved, got ValueError"),
+    ],
+)
+def test_files_that_are_no_trajectory_get_one_line(name: str, text: str, said: str, tmp_path: Path) -> None:
+    (tmp_path / name).write_text(text)
+    with pytest.raises(CaromError) as caught:
+        judge(tmp_path / name)
     assert said in str(caught.value)
     assert len(caught.value.faults) == 1
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.common import require_outputs, wrote
-from carom.cli.options import OUTPUT, RUN, quantity, shared
+from carom.cli.options import OUTPUT, RUN, parse_pair, quantity, shared
 from carom.cli.streams import note, say_json
 from carom.errors import CaromError, FaultList
 
@@ -110,7 +110,7 @@ def aim(
     found = FaultList()
     require_outputs(found, {"--plot": plot})
     made = found.attempt(load_scene, scene, allow_own_laws=allow_own_laws)
-    place = None if point is None else found.attempt(_numbers, "--point", point, ",")
+    place = None if point is None else found.attempt(parse_pair, "--point", point)
     target: dict[str, Any] = {
         "ball": ball,
         "hit": tuple(hit) if hit else None,
@@ -160,14 +160,6 @@ def aim(
         wrote(plot)
 
 
-def _numbers(option: str, text: str, between: str) -> tuple[float, float]:
-    first, _sign, second = text.partition(between)
-    try:
-        return float(first), float(second)
-    except ValueError:
-        raise CaromError(f"{option}: expected two numbers, such as 1.2{between}0.4, got {text!r:.60}") from None
-
-
 def _ranges(free: list[str]) -> Any:
     """Return paths, with their ranges where any is given."""
     from carom.sweeps.unknowns import RANGES
@@ -180,7 +172,7 @@ def _ranges(free: list[str]) -> Any:
     for path, sign, text in pairs:
         last = path.rpartition(".")[2]
         usual = RANGES.get(first.get(last, last), (0.0, 1.0))
-        found[path] = _numbers(f"--free {path}", text, ":") if sign else usual
+        found[path] = parse_pair(f"--free {path}", text, ":") if sign else usual
     return found
 
 

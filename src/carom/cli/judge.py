@@ -23,7 +23,7 @@ def judge(
         Path,
         typer.Argument(
             metavar="FILE",
-            help="Columns t, x, y, maybe z, ball, wx, wy, wz, radius, mass: .csv or .parquet.",
+            help="Columns t, x, y, maybe z, ball, wx, wy, wz, radius, mass: .csv, .parquet, or .json of saved frames.",
         ),
     ],
     radius: Annotated[
@@ -33,6 +33,10 @@ def judge(
     mass: Annotated[float, typer.Option(help="Of the balls, kg.", **quantity("--mass", "kg"))] = 0.17,
     friction: Annotated[float, typer.Option(help="Largest friction between balls that counts as possible.")] = 1.0,
     floor_friction: Annotated[float, typer.Option(help="Largest friction of the floor that counts as possible.")] = 1.0,
+    slope: Annotated[
+        str | None,
+        typer.Option(metavar="X,Y", help="How far the floor falls per metre along x and y. Default: level."),
+    ] = None,
     noise: Annotated[
         float | None,
         typer.Option(help="Standard deviation of a coordinate, m. Default: estimated.", **quantity("--noise", "m")),
@@ -40,10 +44,14 @@ def judge(
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
     """Find which laws of mechanics a trajectory violates, when, and by how many error bars: of an engine, a film, a video model."""
+    from carom.cli.options import parse_pair
     from carom.cli.streams import say_json, say_notes
     from carom.tracks.judgement import judge as find
 
-    found = find(table, radius=radius, mass=mass, friction=friction, floor_friction=floor_friction, noise=noise)
+    falls = (0.0, 0.0) if slope is None else parse_pair("--slope", slope)
+    found = find(
+        table, radius=radius, mass=mass, friction=friction, floor_friction=floor_friction, slope=falls, noise=noise
+    )
     if as_json:
         say_json(vars(found) | {"violations": [vars(one) | {"sigmas": one.sigmas} for one in found.violations]})
         return

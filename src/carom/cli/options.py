@@ -24,6 +24,7 @@ __all__ = [
     "parse_bounds",
     "parse_length",
     "parse_number",
+    "parse_pair",
     "parse_with_unit",
     "quantity",
     "shared",
@@ -170,6 +171,15 @@ def parse_number(option: str, name: str, text: str) -> float:
         return float(text)
     except ValueError:
         raise CaromError(f"{option}: {name}: expected a number, got {text!r}") from None
+
+
+def parse_pair(option: str, text: str, between: str = ",") -> tuple[float, float]:
+    """Return the two numbers of X,Y."""
+    first, _sign, second = text.partition(between)
+    try:
+        return float(first), float(second)
+    except ValueError:
+        raise CaromError(f"{option}: expected two numbers, such as 1.2{between}0.4, got {text!r:.60}") from None
 
 
 def parse_bounds(name: str, text: str) -> tuple[float, float]:

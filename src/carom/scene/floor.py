@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
+
 from pydantic import model_validator
 
 from carom.errors import Fault, FaultList, shown
@@ -9,7 +12,13 @@ from carom.scene.restitution import Bounce, Constant
 from carom.scene.schema import Drag, Friction, Model, NotNegative, Slope, SpinDamping, SpinDrag, Spring, raise_faults
 from carom.scene.wall import ContactParameters, contact
 
-__all__ = ["Floor"]
+__all__ = ["Floor", "gravity_on_slope"]
+
+
+def gravity_on_slope(g: float, slope: Sequence[float]) -> tuple[float, float, float]:
+    """Return gravity of size g along the axes of a floor that falls by ``slope`` per metre of its own along x and y."""
+    x, y = slope
+    return (g * x, g * y, -g * math.sqrt(1 - x * x - y * y))
 
 
 class Floor(Model):

@@ -28,7 +28,7 @@ from carom.scene.among_balls import TOUCH, default_is_too_soft, name_faults, ove
 from carom.scene.ball import SceneBall
 from carom.scene.ball_contact import BallContact
 from carom.scene.feature_builders import Feature
-from carom.scene.floor import Floor
+from carom.scene.floor import Floor, gravity_on_slope
 from carom.scene.rack import Rack
 from carom.scene.restitution import Constant
 from carom.scene.schema import (
@@ -156,10 +156,7 @@ class Scene(Model):
     def pull(self) -> tuple[float, float, float]:
         """Return the acceleration of balls in flight, m/s^2, along the axes of the floor: gravity, turned by the floor's slope."""
         slope = (0.0, 0.0) if self.floor is None else self.floor.slope
-        if not any(slope):
-            return self.gravity
-        g, (x, y) = -self.gravity[2], slope
-        return (g * x, g * y, -g * math.sqrt(1 - x * x - y * y))
+        return gravity_on_slope(-self.gravity[2], slope) if any(slope) else self.gravity
 
     @property
     def wall_laws(self) -> tuple[str | Law, ...]:

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from carom.errors import FaultList, checked_number
 from carom.laws.results import GRAVITY
+from carom.scene.floor import gravity_on_slope
 from carom.tracks.judgement_paths import EXACT, FEW, BallPath, PathPiece, read_paths
 
 __all__ = ["LAWS", "Judgement", "Violation", "judge"]
@@ -99,6 +100,7 @@ def judge(
     friction: float = 1.0,
     floor_friction: float = 1.0,
     gravity: float = GRAVITY,
+    slope: tuple[float, float] = (0.0, 0.0),
     noise: float | None = None,
 ) -> Judgement:
     """Find which laws of mechanics a trajectory of balls violates, when, and by how many standard errors.
@@ -107,8 +109,8 @@ def judge(
     ----------
     table : path, or columns
         A row per ball and frame: ``t`` (s), ``x``, ``y``, ``z`` (m), where there are several balls ``ball``; where they are known
-        ``wx``, ``wy``, ``wz`` (rad/s), ``radius`` (m), ``mass`` (kg). ``Trajectory.save_frames`` writes these. Without ``z`` the
-        balls lie on the floor.
+        ``wx``, ``wy``, ``wz`` (rad/s), ``radius`` (m), ``mass`` (kg). ``Trajectory.save_frames`` writes these, as CSV,
+        Parquet or JSON. Without ``z`` the balls lie on the floor.
     radius, mass, kappa : float
         Of balls without a column for them, m, kg; the moment of inertia is kappa m R^2. Default of the radius: the least height of
         the ball's own centre, so that it is never in the floor.
@@ -116,6 +118,8 @@ def judge(
         The largest coefficients that count as possible, between balls and at the floor.
     gravity : float
         m/s^2, downwards.
+    slope : (x, y)
+        How far the floor falls per metre of its own along x and y (the sine of the angle, as in ``Floor``); z is normal to it.
     noise : float, optional
         Standard deviation of a coordinate, m. Default: estimated from third differences.
 
@@ -147,19 +151,22 @@ def judge(
     }.items():
         if value is not None:
             checked_number(faults, name, value, "a number >= 0", lambda x: x >= 0)
+    if not (len(slope) == 2 and math.hypot(*slope) < 1):
+        faults.add("slope", "two sines, of a floor that is less steep than upright", f"{slope}")
     faults.raise_if_any()
+    pull = np.array(gravity_on_slope(gravity, slope))
     balls, sigma, notes = read_paths(table, radius, mass, noise)
     found = Judgement(sigma, notes)
     for ball in balls:
         _in_the_floor(ball, sigma, found)
         for piece in ball.pieces:
-            _between_contacts(ball, piece, sigma, gravity, floor_friction, found)
+            _between_contacts(ball, piece, sigma, pull, floor_friction, found)
     for one, other in ((a, b) for i, a in enumerate(balls) for b in balls[i + 1 :]):
         _overlap(one, other, sigma, found)
     for event in _events(balls, sigma):
         t, late = _time(event)
         if not math.isnan(t):
-            _energy(t, late, event, kappa, gravity, found)
+            _energy(t, late, event, kappa, pull, found)
             if len(event.members) == 2:
                 _momentum(t, late, event, friction, gravity, found)
     found.violations.sort(key=lambda one: one.time)
@@ -188,7 +195,7 @@ def _overlap(one: BallPath, other: BallPath, sigma: float, found: Judgement) -> 
 
 
 def _between_contacts(
-    ball: BallPath, piece: PathPiece, sigma: float, g: float, floor_friction: float, found: Judgement
+    ball: BallPath, piece: PathPiece, sigma: float, pull: Array, floor_friction: float, found: Judgement
 ) -> None:
     """Check free fall in the air; friction and its direction on the floor."""
     up = ball.x[piece.first : piece.last + 1, 2] - ball.radius
@@ -197,15 +204,18 @@ def _between_contacts(
     if len(up) <= FEW:
         return
     if up.min() > SIGMAS * sigma + LEAST * ball.radius:
-        off = float(np.linalg.norm(a + np.array([0.0, 0.0, g])))
+        off = float(np.linalg.norm(a - pull))
         said = ", ".join(f"{x:.3g}" for x in a)
-        found.check("gravity", t, names, off, error, LEAST * g, f"the ball in the air accelerates by ({said}) m/s^2")
-    elif np.abs(up).max() < SIGMAS * sigma + 1e-4 * ball.radius and g > 0:
-        along = float(np.hypot(a[0], a[1])) / g
+        found.check(
+            "gravity", t, names, off, error, LEAST * -pull[2], f"the ball in the air accelerates by ({said}) m/s^2"
+        )
+    elif np.abs(up).max() < SIGMAS * sigma + 1e-4 * ball.radius and pull[2] < 0:
+        rubs = a[:2] - pull[:2]
+        along = float(np.hypot(*rubs)) / -pull[2]
         text = f"the floor's friction would be {along:.3g}"
-        found.check("friction", t, names, along - floor_friction, error / g, LEAST, text)
+        found.check("friction", t, names, along - floor_friction, error / -pull[2], LEAST, text)
         if piece.spins is not None:
-            _slip(ball, piece, a[:2], error, found)
+            _slip(ball, piece, rubs, error, found)
 
 
 def _slip(ball: BallPath, piece: PathPiece, a: Array, error: float, found: Judgement) -> None:
@@ -217,11 +227,12 @@ def _slip(ball: BallPath, piece: PathPiece, a: Array, error: float, found: Judge
         slips.append(v[:2] + ball.radius * np.array([-w[1], w[0]]))
     speed, size, size1 = (float(np.linalg.norm(x)) for x in (piece.velocity(t0)[0], *slips))
     dv = math.hypot(piece.velocity(t0)[1], piece.velocity(t1)[1])
-    if size <= SAME * speed:
+    rolls = SAME * speed + SIGMAS * dv
+    if size <= rolls:
         share = size1 / max(speed, 1e-300)
         text = "a ball that rolls begins to slip"
         found.check("slip", t0, [ball.name], share - 2 * SAME, dv / max(speed, 1e-300), LEAST, text)
-    elif min(size, size1) > SAME * speed and slips[0] @ slips[1] > 0:
+    elif min(size, size1) > rolls and slips[0] @ slips[1] > 0:
         pull = float(np.hypot(*a))
         along, across = float(a @ slips[0]) / size, abs(float(a[0] * slips[0][1] - a[1] * slips[0][0])) / size
         share = max(along, across) / max(pull, 1e-300)
@@ -327,15 +338,16 @@ def _time(event: _Event) -> tuple[float, float]:
     return best, error
 
 
-def _energy(t: float, late: float, event: _Event, kappa: float, g: float, found: Judgement) -> None:
+def _energy(t: float, late: float, event: _Event, kappa: float, pull: Array, found: Judgement) -> None:
     """Check that no energy appears; where spins are unknown, up to that of rolling may come from them."""
     sums, variance, hidden, most = [0.0, 0.0], 0.0, 0.0, 0.0
     for ball, *pieces in event.members:
         moment = kappa * ball.mass * ball.radius**2
+        base = pieces[0].place(t)[0] if pull[0] or pull[1] else np.array([0.0, 0.0, ball.radius])
         for k, piece in enumerate(pieces):
             (v, dv), a = piece.velocity(t), piece.acceleration[0]
-            energy = ball.mass * (float(v @ v) / 2 + g * float(piece.place(t)[0][2] - ball.radius))
-            power = ball.mass * float(v @ a + g * v[2])
+            energy = ball.mass * (float(v @ v) / 2 - float(pull @ (piece.place(t)[0] - base)))
+            power = ball.mass * float(v @ (a - pull))
             if piece.spins is not None:
                 w = piece.spin(t)
                 energy, power = energy + moment * float(w @ w) / 2, power + moment * float(w @ piece.spins[1])

@@ -6,15 +6,17 @@ numbers.
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.columns import as_columns, is_columns, read_columns
+from carom.data.columns import Columns, as_columns, is_columns, read_columns
 from carom.errors import CaromError, FaultList
 from carom.files import as_path
 from carom.formatting import counted
@@ -23,6 +25,7 @@ __all__ = ["EXACT", "FEW", "BallPath", "PathPiece", "read_paths"]
 
 Array = NDArray[np.float64]
 FEW = 4  # frames: three numbers of a parabola, and one to spare
+UNEVEN = 10.0  # times the noise, squared: more is no noise
 EXACT = 1e-12  # m: with less noise the numbers are a program's
 POOL_BALL = 0.028575  # m
 LARGEST = 1e30  # in SI units: no squares of squares overflow
@@ -89,13 +92,13 @@ def read_paths(
         columns = as_columns(table, where)
     else:
         where = str(path := as_path("judge", table))
-        columns, _labels = read_columns(path)
+        columns = _columns(path)
     faults = FaultList(where)
-    for name in ("t", "x", "y"):
-        if name not in columns:
-            faults.add(
-                "", f"a column {name}", f"columns {', '.join(columns):.60}", "in m and s, a row per ball and frame"
-            )
+    if not {"t", "x", "y"} <= set(columns):
+        got = ", ".join(columns)
+        faults.add(
+            "", "columns t, x and y, in s and m, a row per ball and frame", f"{got:.60}{'...' if got[60:] else ''}"
+        )
     faults.raise_if_any()
     numbers = {name: _numbers(faults, name, columns[name]) for name in NUMBERS if name in columns}
     faults.raise_if_any()
@@ -136,6 +139,27 @@ def read_paths(
     scale = max(float(np.abs(one[2]).max(initial=0.0)) for one in split)
     sigma = max(sigma, 4e-16 * scale)
     return [BallPath(name, t, x, a, m, tuple(_pieces(t, x, w, sigma))) for name, t, x, w, a, m in split], sigma, notes
+
+
+def _columns(path: Path) -> Columns:
+    """Return the columns of a file; of JSON, frames as ``save_frames`` writes them, with arrays (frame, ball, axis)."""
+    if path.suffix.lower() != ".json":
+        return read_columns(path)[0]
+    expected = f"{path}: expected a table (.csv, .parquet), or JSON with t, balls and position as frames are saved"
+    try:
+        given = json.loads(path.read_text(encoding="utf-8"))
+        count, balls = len(given["t"]), given["balls"]
+        found: Columns = {"t": np.repeat(np.array(given["t"], dtype=float), len(balls))}
+        for key, axes in (("position", "x y z"), ("spin", "wx wy wz")):
+            if key == "position" or key in given:
+                flat = np.array(given[key], dtype=float).reshape(count * len(balls), 3)
+                found |= dict(zip(axes.split(), flat.T, strict=True))
+        found |= {key: np.tile([ball[key] for ball in balls], count) for key in ("name", "radius", "mass")}
+    except OSError as error:
+        raise CaromError(f"{path}: expected a file that can be read, got: {error.strerror}") from None
+    except (ValueError, TypeError, KeyError) as error:
+        raise CaromError(f"{expected}, got {type(error).__name__}: {error}") from None
+    return found
 
 
 def _known_rows(faults: FaultList, numbers: dict[str, Array], notes: list[str]) -> NDArray[np.bool_]:
@@ -196,6 +220,8 @@ def _pieces(t: Array, x: Array, w: Array | None, sigma: float) -> Iterator[PathP
         design = np.stack([np.ones_like(tau), tau, tau * tau], axis=-1)
         numbers = np.linalg.lstsq(design, x[first : last + 1], rcond=None)[0]
         misfit = float(np.square(design @ numbers - x[first : last + 1]).sum()) / (3 * max(len(tau) - 3, 1))
+        # (more than noise is a path that is no parabola: it does not average out)
+        misfit *= len(tau) if misfit > UNEVEN * sigma**2 else 1
         covariance = np.linalg.inv(design.T @ design) * max(sigma**2, misfit)
         turns = w is not None and bool(np.isfinite(w[first : last + 1]).all())
         spins = None if w is None or not turns else np.linalg.lstsq(design[:, :2], w[first : last + 1], rcond=None)[0]
