@@ -271,7 +271,7 @@ def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> G
             raise CaromError(f"{options}: expected SCENE.toml as well, got only a checkpoint; name the scene too")
         return None
     scene = load_gas(path)
-    say_notes(scene.temperature_notes())
+    say_notes(scene.notes())
     if not changes:
         return scene
     for name in ("duration", "from_time"):

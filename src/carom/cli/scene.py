@@ -101,7 +101,7 @@ def check(
             _print(plain_model(gas))
             return
         say(f"{file}: {gas.describe()}: ok")
-        say_notes(gas.temperature_notes())
+        say_notes(gas.notes())
         return
     scene = load_scene(file, allow_own_laws=allow_own_laws)
     if as_json:

@@ -33,7 +33,7 @@ def build(scene: GasScene, where: str = "gas", progress: Progress | None = None)
     axes, run, container = scene.container.dimensions, scene.run, scene.container.geometry
     options: dict[str, Any] = {}
     if run.start == "random":
-        radii = np.repeat([one.radius for one in scene.species], [one.count for one in scene.species])
+        radii = np.concatenate([one.radii for one in scene.species])
         # (velocities are drawn from the seed itself)
         seed = int(np.random.SeedSequence([run.seed, 1]).generate_state(1)[0])
         try:

@@ -18,6 +18,7 @@ from carom.gas.edmd.driver import GasArrays
 from carom.gas.edmd.gas_records import COLLAPSED, DONE, UNDERFLOW, Averages
 from carom.gas.endings import AT_REST, COLLAPSE, TOO_SLOW, EarlyEnd, EndedEarlyError, collapse_of
 from carom.gas.results import GasBalls, GasRun, Mark
+from carom.gas.size_distributions import SizeClasses
 from carom.gas.species import Contacts, Drive, Species, Thermostat, system_records
 from carom.gas.starts import TOUCH, draw_thermal, require_no_overlap, start_positions, vectors
 from carom.gas.time_averages import averages_between
@@ -93,9 +94,19 @@ class Gas:
         touch: float = TOUCH,
     ) -> None:
         container = as_container(side, periodic)
-        records = system_records(species, container, contacts, gravity, contact_time, drives or {}, thermostat, seed)
-        kinds, axes = records.species, len(container.size)
-        which = np.repeat(np.arange(len(species), dtype=np.uint32), [one.count for one in species])
+        sizes = SizeClasses(species)
+        records = system_records(
+            sizes.kinds,
+            container,
+            contacts,
+            gravity,
+            contact_time,
+            drives or {},
+            thermostat,
+            seed,
+            sizes.groups.tolist(),
+        )
+        kinds, axes, which = records.species, len(container.size), sizes.which
         faults = FaultList("Gas")
         rng = np.random.default_rng(seed)
         if position is None:
@@ -109,8 +120,9 @@ class Gas:
         require_no_overlap(container, records, kinds["radius"][which], x, touch)
         memory = engine.put_in_place(records, which, x)
         del x
-        draw_thermal(memory, species, kinds, which, axes, rng, velocity is None, spin is None)
+        draw_thermal(memory, sizes.kinds, kinds, which, axes, rng, velocity is None, spin is None)
         self._names = tuple(face.name for face in container.faces)
+        self.groups = sizes.groups  # the species of each of the engine's, of which one has several if its radii differ
         self._begin(engine.arrays_at_start(records, memory, v, w))
 
     def __repr__(self) -> str:
@@ -137,6 +149,9 @@ class Gas:
         gas = object.__new__(cls)
         gas._begin(engine.restore(state))
         gas._names = tuple(str(name) for name in state["names"])
+        # (the state of an earlier version has species of one radius each)
+        kinds = len(state["species"])
+        gas.groups = state["groups"].copy() if "groups" in state else np.arange(kinds)
         gas._time = max(gas._time, float(state["time"][0]))
         return gas
 
@@ -149,6 +164,7 @@ class Gas:
         return {
             "time": np.array([self._time]),
             "names": np.array(self._names, dtype="U32"),
+            "groups": self.groups,
         }
 
     def _begin(self, arrays: GasArrays) -> None:
@@ -332,7 +348,7 @@ class Gas:
         one, before, energy0, t = self.arrays.system[0], since.system, since.energy, self._time - since.time
         count, energy = int(one["balls"]), self.energy()
         pairs = int(one["pair_collisions"] - before["pair_collisions"])
-        means = averages_between(self.arrays, since, self.integrals(), t)
+        means = averages_between(self.arrays, since, self.integrals(), t, self.groups)
         faces = self.arrays.walls.faces
         areas, pushes, feeds = (
             self._sum_by_wall(part)

@@ -47,7 +47,7 @@ class Measures:
     Parameters
     ----------
     gas : Gas
-    names : names of its species; default: "a", "b", ...
+    names : names of its species (of radii by distribution, too, one each); default: "a", "b", ...
     container : what holds it; default: a box with the same periodic axes
 
     Call :meth:`sample` between pieces of a run, at times that do not depend on the collisions: just after a collision two balls are
@@ -87,20 +87,31 @@ class Measures:
     def _set_constants(self, gas: Gas, names: tuple[str, ...], container: Container | None) -> None:
         """Set what does not change: species, lengths."""
         kinds, one = gas.arrays.materials.species, gas.arrays.system[0]
-        self.names = names or tuple(chr(ord("a") + k) for k in range(len(kinds)))
+        self.groups = gas.groups
+        species = int(self.groups.max()) + 1
+        self.names = names or tuple(chr(ord("a") + k) for k in range(species))
         self.dimensions, self.spin_components = (3, 3) if int(one["dimensions"]) == 3 else (2, 1)
-        self.mass, self.radius = kinds["mass"].copy(), kinds["radius"].copy()
-        count = np.bincount(gas.arrays.balls.motions["species"], minlength=len(kinds))
-        self.moment = kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2
+        # of each class of radii; of each species: means over its balls
+        self.class_mass, self.class_radius = kinds["mass"].copy(), kinds["radius"].copy()
+        self.class_moment = kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2
+        of_class = np.bincount(gas.arrays.balls.motions["species"], minlength=len(kinds))
+        count = np.bincount(self.groups, of_class, species)
+        self.class_shares = of_class / np.maximum(count, 1)[self.groups]
+        self.mass, self.radius, self.moment = (
+            one.copy()
+            if species == len(kinds)
+            else np.bincount(self.groups, of_class * one, species) / np.maximum(count, 1)
+            for one in (self.class_mass, self.class_radius, self.class_moment)
+        )
         self.side, self.periodic = one["side"].copy(), one["periodic"] == 1
         self.periodic[self.dimensions :] = False
         size, closed = self.side[: self.dimensions], self.periodic[: self.dimensions]
         self.container = container or containers.container("box", size.tolist(), periodic=closed.tolist())
         # no further than half a period; within walls no further than a quarter: balls near a wall are no central balls
         bound = float(np.where(closed, size / 2, size / 4).min())
-        self.width = float(2 * self.radius.min() / GAP_BINS_PER_DIAMETER)
-        self.bins = max(min(int((bound - 2 * self.radius.max()) / self.width), MAX_GAP_BINS), 0)
-        self.reach = float(2 * self.radius.max()) + self.width * self.bins
+        self.width = float(2 * self.class_radius.min() / GAP_BINS_PER_DIAMETER)
+        self.bins = max(min(int((bound - 2 * self.class_radius.max()) / self.width), MAX_GAP_BINS), 0)
+        self.reach = float(2 * self.class_radius.max()) + self.width * self.bins
         self.profiles, self.depth = None, self.reach
         if self.container.faces:
             faces = gas.arrays.walls.faces
@@ -108,7 +119,7 @@ class Measures:
             driven = {name for name, k in zip(gas.faces, drives, strict=True) if k}
             gravity = one["gravity"].tolist()
             if layers(self.container, gravity, driven)[1]:  # what is counted around a ball is where centres can be
-                self.depth += float(self.radius.max())
+                self.depth += float(self.class_radius.max())
             self.profiles = Profiles(self.container, gravity, driven, self.mass, int(count.sum()), self.depth)
         self.inner = volume_within(self.container, self.depth)
 
@@ -117,6 +128,10 @@ class Measures:
     def sample(self, gas: Gas, *, pairs: bool = True) -> None:
         """Add a sample of the gas as it is now; counting the pairs, which is optional, takes the most time."""
         motions, bodies, images = synchronized(gas.arrays, gas.time)
+        of_class = motions["species"].copy()
+        mass = self.class_mass[of_class]
+        if len(self.names) < len(self.class_mass):
+            self._join_classes(motions, bodies)
         # (fourth powers of the speeds of a gas that has cooled for long would underflow)
         units = np.array([_scale_to_unit(motions, ("vx", "vy", "vz")), _scale_to_unit(bodies, ("wx", "wy", "wz"))])
         sums = species_sums(motions, bodies, len(self.names))
@@ -133,7 +148,7 @@ class Measures:
         heat = square * units**2 * np.stack([self.mass, self.moment], axis=1)
         self.fourth_moments += fourth
         self.temperatures.append(heat)
-        mass, number = self.mass[motions["species"]], len(motions)
+        number = len(motions)
         x = _positions(motions)
         height = -float((mass @ x) @ gas.arrays.system[0]["gravity"])
         self.rows.append(
@@ -147,9 +162,20 @@ class Measures:
             self.profiles.add(motions, float(units[0]))
         self.samples += 1
         if pairs and self.bins > 0 and self.inner > 0:
-            self._count_pairs(motions)
+            self._count_pairs(motions, of_class)
 
-    def _count_pairs(self, motions: Any) -> None:
+    def _join_classes(self, motions: Any, bodies: Any) -> None:
+        """Give balls the numbers of their species, and velocities and spins with which the mean mass has their energy."""
+        of_class = motions["species"].copy()
+        groups = self.groups[of_class]
+        by_mass = np.sqrt(self.class_mass[of_class] / self.mass[groups])
+        by_moment = np.sqrt(self.class_moment[of_class] / self.moment[groups])
+        for name in ("x", "y", "z"):
+            motions["v" + name] *= by_mass
+            bodies["w" + name] *= by_moment
+        motions["species"] = groups
+
+    def _count_pairs(self, motions: Any, of_class: Any) -> None:
         x, kinds = _positions(motions), len(self.names)
         inner = np.flatnonzero(self.container.clearance(np.zeros(len(x)), x) >= self.depth)
         inside = np.bincount(motions["species"][inner], minlength=kinds)
@@ -160,17 +186,13 @@ class Measures:
         itself = np.eye(kinds) if self.has_diffusion else np.zeros((kinds, kinds))
         centers = np.bincount(motions["species"][chosen], minlength=kinds)
         self.expected_pairs += centers[:, None] * (inside[None, :] - itself) / self.inner
+        joined = kinds < len(self.class_mass)
+        counts = np.zeros((*2 * (len(self.class_mass),), self.bins), np.int64) if joined else self.pair_counts
         add_pair_histograms(
-            x,
-            motions["species"],
-            chosen,
-            self.radius,
-            self.side,
-            self.periodic,
-            self.reach,
-            self.width,
-            self.pair_counts,
+            x, of_class, chosen, self.class_radius, self.side, self.periodic, self.reach, self.width, counts
         )
+        if joined:
+            np.add.at(self.pair_counts, (self.groups[:, None], self.groups[None, :]), counts)
         self.pair_samples += 1
         if self.profiles is not None:
             self.profiles.add_centers(motions[chosen])
@@ -218,13 +240,19 @@ class Measures:
         """Return g(r) of two species, or of one with itself.
 
         It is relative to the mean density of the balls far from the walls or, where the gas :attr:`is_layered`, to the mean
-        density of those far from the side walls in each slice of the :meth:`profile`.
+        density of those far from the side walls in each slice of the :meth:`profile`. Where radii differ within a species it is a
+        function of the gap between two balls, given at this gap beyond their mean distance in contact.
         """
         i, j = self._kind(one), self._kind(two)
         reach = float(self.radius[i] + self.radius[j])
-        edges = reach + self.width * np.arange(self.bins + 1)
-        unit = math.pi if self.dimensions == 2 else 4 / 3 * math.pi
-        shells = unit * np.diff(edges**self.dimensions)
+        steps = self.width * np.arange(self.bins + 1)
+        edges, unit = reach + steps, math.pi if self.dimensions == 2 else 4 / 3 * math.pi
+        shells = np.zeros(self.bins)
+        for k in np.flatnonzero(self.groups == i):
+            for m in np.flatnonzero(self.groups == j):
+                around_one = float(self.class_radius[k] + self.class_radius[m]) + steps
+                share = self.class_shares[k] * self.class_shares[m]
+                shells += share * (unit * np.diff(around_one**self.dimensions))
         counts, expected = self.pair_counts[i, j], float(self.expected_pairs[i, j])
         if i != j:
             counts, expected = counts + self.pair_counts[j, i], expected + float(self.expected_pairs[j, i])

@@ -73,7 +73,9 @@ def channels(gas: Gas, since: Mark, names: tuple[str, ...]) -> list[Channel]:
     (('a', 'a'), 500, True)
     """
     arrays, kinds, t = gas.arrays, len(names), gas.time - since.time
-    count = [int((arrays.balls.motions["species"] == k).sum()) for k in range(kinds)]
+    classes = [np.flatnonzero(gas.groups == k).tolist() for k in range(kinds)]
+    every = len(gas.groups)
+    count = [int(np.isin(arrays.balls.motions["species"], classes[k]).sum()) for k in range(kinds)]
 
     def channel(between: tuple[str, str], table: Any, before: Any, rows: set[int], share: float) -> Channel:
         sums = {
@@ -88,12 +90,12 @@ def channels(gas: Gas, since: Mark, names: tuple[str, ...]) -> list[Channel]:
         for j in range(i, kinds):
             # a collision within a species involves two of its balls
             share = (2 if i == j else 1) / count[i]
-            rows = {i * kinds + j, j * kinds + i}
+            rows = {row for a in classes[i] for b in classes[j] for row in (a * every + b, b * every + a)}
             found.append(channel((names[i], names[j]), arrays.materials.pairs, since.pairs, rows, share))
     for wall in gas.walls:
         faces = [k for k, name in enumerate(gas.faces) if name == wall]
         for i in range(kinds):
-            rows = {face * kinds + i for face in faces}
+            rows = {face * every + a for face in faces for a in classes[i]}
             found.append(channel((names[i], wall), arrays.walls.contacts, since.contacts, rows, 1 / count[i]))
     return found
 

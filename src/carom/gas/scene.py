@@ -17,7 +17,16 @@ from carom.gas.containers import BOXES, WALLS
 from carom.gas.edmd.gas_records import ELLIPSE, MAX_BALLS
 from carom.gas.faces import JOINT_OVERLAP
 from carom.gas.initial import DENSEST
-from carom.gas.schema import AnyContainer, GasContact, GasDrive, GasSettings, GasSpecies, GasThermostat
+from carom.gas.schema import (
+    AnyContainer,
+    GasContact,
+    GasDrive,
+    GasSettings,
+    GasSpecies,
+    GasThermostat,
+    volume_of_balls,
+)
+from carom.gas.size_distributions import RadiiDistribution
 from carom.gas.sizes import LONGEST_SIDE
 from carom.gas.species import ANY, best_contact
 from carom.scene.plausible import FAST
@@ -95,8 +104,13 @@ class GasScene(Model):
     @property
     def packing_fraction(self) -> float:
         """Fraction of the volume (discs: of the area) that the balls fill."""
-        unit = math.pi if self.container.dimensions == 2 else 4 / 3 * math.pi
-        balls = sum(one.count * unit * one.radius**self.container.dimensions for one in self.species)
+        axes = self.container.dimensions
+        balls = sum(
+            float(volume_of_balls(one.radii, axes).sum())
+            if isinstance(one.radius, RadiiDistribution)
+            else one.count * (math.pi if axes == 2 else 4 / 3 * math.pi) * one.radius**axes
+            for one in self.species
+        )
         return balls / self.container.geometry.volume
 
     @property
@@ -119,13 +133,23 @@ class GasScene(Model):
         """Return one line for each species that the default temperature makes fast: k_B T = 1 J is much for balls of a gram."""
         found = []
         for one in self.species:
-            speed = math.sqrt(one.temperature / one.mass)
-            if "temperature" not in one.model_fields_set and speed > FAST and one.radius < SMALL:
+            mass = one.nominal_mass(self.container.dimensions)
+            speed = math.sqrt(one.temperature / mass)
+            if "temperature" not in one.model_fields_set and speed > FAST and one.nominal < SMALL:
                 found.append(
-                    f"species {one.name!r}: no temperature, so k_B T = 1 J: {speed:.3g} m/s along each axis for {one.mass:g} kg;"
-                    f" temperature = {one.mass:g} would be 1 m/s"
+                    f"species {one.name!r}: no temperature, so k_B T = 1 J: {speed:.3g} m/s along each axis for {mass:g} kg;"
+                    f" temperature = {mass:g} would be 1 m/s"
                 )
         return found
+
+    @property
+    def groups(self) -> Any:
+        """The species, by its number, of each class of radii: of each species of the engine."""
+        return np.repeat(np.arange(len(self.species)), [len(np.unique(one.radii)) for one in self.species])
+
+    def notes(self) -> list[str]:
+        """Return one line for each species with a distribution of radii, and for each that the default temperature makes fast."""
+        return [one.size_note for one in self.species if one.size_note] + self.temperature_notes()
 
     def describe(self) -> str:
         """Return one line: balls, container, packing fraction, length of the run."""
@@ -237,8 +261,8 @@ def _density_faults(scene: GasScene) -> list[Fault]:
     """Return faults of sides that are too short, and of more balls than can be packed in."""
     found = FaultList()
     axes, container = scene.container.dimensions, scene.container.geometry
-    widest = 2 * max(one.radius for one in scene.species)
-    longest = LONGEST_SIDE * min(one.radius for one in scene.species)
+    widest = 2 * max(float(one.radii.max()) for one in scene.species)
+    longest = LONGEST_SIDE * min(float(one.radii.min()) for one in scene.species)
     for axis, (length, around) in enumerate(zip(container.size, container.periodic, strict=True)):
         where, width = f"container.size[{axis}]", ""
         if container.shape not in BOXES:  # (a figure has sizes of its own)
@@ -256,12 +280,12 @@ def _density_faults(scene: GasScene) -> list[Fault]:
             found.add(where, expected, shown(length), why)
     narrow = min((min(wall.vector[:2]) for wall in container.faces if wall.form == ELLIPSE), default=math.inf)
     if not found and widest / 2 > narrow * (1 - JOINT_OVERLAP):
-        i = int(np.argmax([one.radius for one in scene.species]))
+        i = int(np.argmax([one.radii.max() for one in scene.species]))
         expected = f"a radius below the ellipse's smaller half axis, {format_number(narrow, 6)}"
-        found.add(f"species[{i}].radius", expected, shown(scene.species[i].radius))
+        found.add(f"species[{i}].radius", expected, shown(float(scene.species[i].radii.max())))
     if found or scene.container.bounds == "centre":  # (balls may then overlap the walls)
         return found
-    several = len({one.radius for one in scene.species}) > 1
+    several = len({radius for one in scene.species for radius in (one.radii.min(), one.radii.max())}) > 1
     # for mixed sizes the only bound is 1
     most, fraction = (1.0 if several else DENSEST[axes]), scene.packing_fraction
     if fraction > most * (1 + 1e-12):

@@ -6,8 +6,10 @@ The same from Python and from TOML, with the same names. :mod:`carom.gas.scene` 
 from __future__ import annotations
 
 import functools
+import math
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Union
 
+import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
 from carom.bodies import DISC_INERTIAS, INERTIAS, Ball, Disc
@@ -16,6 +18,7 @@ from carom.formatting import format_number
 from carom.gas.contact_forms import GasSurface
 from carom.gas.containers import WALLS, Container, container, container_figures, in_figure
 from carom.gas.old_containers import with_new_container
+from carom.gas.size_distributions import RadiiDistribution, SpeciesRadius, in_classes, size_moments
 from carom.gas.species import ANY, Drive, Species, Thermostat
 from carom.scene.figures import FIGURES, Figure, PlaneFigure
 from carom.scene.figures.sector import SectorFigure
@@ -43,6 +46,7 @@ _SIZE = Components("2 or 3 lengths > 0: along x, y (discs), and z (balls)", (2, 
 _KAPPA = Number("kappa = I/(m a^2) in (0, 1], or one of 'solid', 'hollow', 'disc', 'ring'", least=0, most=1, above=True)
 _TEMPERATURE = Number("a temperature k_B T >= 0", "J", least=0)
 _FREQUENCY = Number("a frequency > 0", "1/s", least=0, above=True)
+_DENSITY = Number("a density > 0 in kg/m^3 (discs: kg/m^2)", "", least=0, above=True)
 _RATE = Number("a rate > 0: kicks per ball per unit time", "1/s", least=0, above=True)
 _AMPLITUDE = Number("an amplitude >= 0", "m", least=0)
 _ENDINGS = (".csv", ".npz", ".gsd")
@@ -186,6 +190,11 @@ def _inertia(value: Any) -> str | float:
     return value
 
 
+def volume_of_balls(radius: Any, dimensions: int) -> Any:
+    """Return the volume of balls of a radius; in two dimensions the area of discs."""
+    return math.pi * radius**2 if dimensions == 2 else 4 / 3 * math.pi * radius**3
+
+
 def _name(value: Any) -> str:
     reserved = ("wall", *WALLS, ANY)
     if not isinstance(value, str) or not value or value in reserved:
@@ -200,7 +209,11 @@ class GasSpecies(Model):
     ----------
     name : what contacts and tables call it
     count : number of balls
-    radius, mass
+    radius : of all balls; or a distribution: a table of ``distribution`` ("lognormal" with median, sigma; "normal" with mean,
+        deviation, low, high; "uniform" with low, high; "values" with values, shares) and the ``seed`` of the drawn radii
+    mass : of a ball; of radii by distribution, of one with the median, the mean, the middle, or the first value, and the others
+        have the same density
+    density : instead of a mass (kg/m^3; of discs kg/m^2)
     inertia : kappa = I/(m a^2), or "solid", "hollow" (balls), "disc", "ring" (discs); default: solid, disc
     temperature : k_B T at the start, the mean of m v^2 along an axis; default: 1
     temperature_rotational : mean of I w^2 about an axis; default: the same
@@ -208,8 +221,9 @@ class GasSpecies(Model):
 
     name: Annotated[str, BeforeValidator(_name)] = "a"
     count: Count
-    radius: Size
+    radius: SpeciesRadius
     mass: Mass = 1.0
+    density: Annotated[float, BeforeValidator(_DENSITY)] | None = None
     inertia: Annotated[str | float, BeforeValidator(_inertia)] | None = None
     temperature: Annotated[float, BeforeValidator(_TEMPERATURE)] = 1.0
     temperature_rotational: Annotated[float, BeforeValidator(_TEMPERATURE)] | None = None
@@ -223,8 +237,50 @@ class GasSpecies(Model):
     def species(self, dimensions: int) -> Species:
         """Return the species of :class:`carom.gas.Gas`."""
         kind: Any = Disc if dimensions == 2 else Ball
-        ball = kind(self.radius, self.mass, self.kappa(dimensions))
-        return Species(ball, self.count, self.name, self.temperature, self.temperature_rotational)
+        ball = kind(self.nominal, self.nominal_mass(dimensions), self.kappa(dimensions))
+        radii = self.radii if isinstance(self.radius, RadiiDistribution) else None
+        return Species(ball, self.count, self.name, self.temperature, self.temperature_rotational, radii)
+
+    @property
+    def nominal(self) -> float:
+        """The radius of a ball with the mass."""
+        return self.radius.nominal if isinstance(self.radius, RadiiDistribution) else self.radius
+
+    def nominal_mass(self, dimensions: int) -> float:
+        """Return the mass of a ball with the nominal radius."""
+        return self.mass if self.density is None else self.density * volume_of_balls(self.nominal, dimensions)
+
+    @property
+    def radii(self) -> Any:
+        """The radii of all balls (m), (count,)."""
+        one = self.radius
+        return in_classes(one, self.count) if isinstance(one, RadiiDistribution) else np.full(self.count, one)
+
+    def total_mass(self, dimensions: int) -> float:
+        """Return the mass of all balls."""
+        if not isinstance(self.radius, RadiiDistribution):
+            return self.count * self.nominal_mass(dimensions)
+        return self.nominal_mass(dimensions) * float(((self.radii / self.nominal) ** dimensions).sum())
+
+    @property
+    def size_note(self) -> str:
+        """One line on radii by distribution: mean, standard deviation, skewness, classes; empty for balls of one radius."""
+        if not isinstance(self.radius, RadiiDistribution):
+            return ""
+        drawn, kept = self.radius.radii(self.count), self.radii
+        mean, deviation, skewness = size_moments(kept)
+        of = f"mean {mean:.5g}, standard deviation {deviation:.4g} ({100 * deviation / mean:.3g} %), skewness {skewness:.3g}"
+        said = f"species {self.name!r}: radii {drawn.min():.4g} to {drawn.max():.4g}, {of}"
+        classes = len(np.unique(kept))
+        if classes < len(np.unique(drawn)):
+            said += f"; in {classes} classes, with {deviation / size_moments(drawn)[1]:.4f} of the drawn deviation"
+        return said
+
+    @model_validator(mode="after")
+    def _one_of_mass_and_density(self) -> GasSpecies:
+        if self.density is not None and "mass" in self.model_fields_set:
+            raise refused("a mass or a density", "both", "omit one of them", field="density")
+        return self
 
 
 class GasContact(GasSurface):

@@ -330,7 +330,7 @@ def _max_wait(scene: GasScene, gas: Gas) -> float:
     Infinite where nothing can ever happen.
     """
     container = scene.container.geometry
-    side, mass = max(container.size), sum(one.count * one.mass for one in scene.species)
+    side, mass = max(container.size), sum(one.total_mass(scene.container.dimensions) for one in scene.species)
     pull = math.hypot(*scene.gravity_vector)
     speed = math.sqrt(2 * gas.energy()[0] / mass) + math.sqrt(pull * side)
     speed += sum(one.amplitude * (one.frequency or 0.0) for one in scene.drives)

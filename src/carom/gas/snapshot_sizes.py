@@ -72,9 +72,8 @@ def expected_snapshots(scene: GasScene, every: Every) -> SnapshotSize:
 
 def _mean_speed(scene: GasScene) -> float:
     """Return the thermal speed along an axis of balls of the mean mass and temperature."""
-    mass, temperature = (
-        sum(one.count * getattr(one, name) for one in scene.species) for name in ("mass", "temperature")
-    )
+    mass = sum(one.total_mass(scene.container.dimensions) for one in scene.species)
+    temperature = sum(one.count * one.temperature for one in scene.species)
     return math.sqrt(temperature / mass)
 
 
@@ -82,10 +81,8 @@ def _rate(scene: GasScene) -> float:
     """Return the initial rate of collisions of a ball with others: Enskog's for balls of the mean size, mass and temperature."""
     count, axes = scene.count, scene.container.dimensions
 
-    def mean(name: str) -> float:
-        return float(sum(one.count * getattr(one, name) for one in scene.species) / count)
-
-    diameter, speed = 2 * mean("radius"), _mean_speed(scene)
+    diameter = 2 * sum(one.count * float(one.radii.mean()) for one in scene.species) / count
+    speed = _mean_speed(scene)
     density, filled = count / scene.container.geometry.volume, min(scene.packing_fraction, 0.7)
     if axes == 2:
         contact = (1 - 7 * filled / 16) / (1 - filled) ** 2

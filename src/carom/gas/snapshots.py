@@ -202,7 +202,7 @@ def _chunks(gas: Gas, names: tuple[str, ...]) -> Iterator[Chunk]:
     yield "configuration/box", lambda: np.array([*side, 0, 0, 0], np.float32), (1, 1, 1, 0, 0, 0)
     yield "particles/N", lambda: np.array([count], np.uint32), 0
     yield "particles/types", lambda: types, None if names != ("A",) else types
-    yield "particles/typeid", of_all("u4", 1, lambda balls: balls.species), 0
+    yield "particles/typeid", of_all("u4", 1, lambda balls: gas.groups[balls.species]), 0
     yield "particles/mass", of_all("f4", 1, lambda balls: species["mass"][balls.species]), 1
     yield "particles/diameter", of_all("f4", 1, lambda balls: 2 * species["radius"][balls.species]), 1
     yield "particles/moment_inertia", of_all("f4", 3, lambda balls: moment[balls.species, None] * turns), 0

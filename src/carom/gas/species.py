@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, Surface
 from carom.errors import FaultList, checked_number, require_type, suggestion
@@ -46,9 +46,9 @@ CENTRE_DEPTH = 1e-4
 
 def _check(faults: FaultList, of: Any, **fields: tuple[str, Any]) -> None:
     """Add a fault for every given field that is not a finite number with the property asked of it."""
-    for field, (expected, holds) in fields.items():
-        if getattr(of, field) is not None:
-            checked_number(faults, field, getattr(of, field), expected, holds)
+    for name, (expected, holds) in fields.items():
+        if getattr(of, name) is not None:
+            checked_number(faults, name, getattr(of, name), expected, holds)
 
 
 @dataclass(frozen=True)
@@ -67,6 +67,9 @@ class Species:
         k_B T at the start (J, if masses and speeds are in SI units): the mean of m v^2 along each axis.
     temperature_rotational : float, optional
         Mean of I w^2 about each axis of spin; default: the same; 0 starts without spin.
+    radii : (count,) array, optional
+        Radius of each ball (m), where they differ; ``ball`` then gives the material: mass grows with the volume (of discs the
+        area). More than 48 different radii are divided into 48 classes of equal numbers of balls, each with their mean radius.
 
     Examples
     --------
@@ -81,6 +84,7 @@ class Species:
     name: str = "a"
     temperature: float = 1.0
     temperature_rotational: float | None = None
+    radii: ArrayLike | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True)
@@ -295,8 +299,12 @@ def system_records(
     drives: Mapping[str, Drive],
     thermostat: Thermostat | None,
     seed: int,
+    groups: Sequence[int] | None = None,
 ) -> SystemRecords:
-    """Return the records of a gas without its balls; CaromError with every fault."""
+    """Return the records of a gas without its balls; CaromError with every fault.
+
+    ``groups`` numbers the species of which the given ones are classes of radii, which may then have one name.
+    """
     faults = FaultList("Gas")
     for one in species:
         require_type("Gas", "species", one, Species)
@@ -304,7 +312,7 @@ def system_records(
     count = sum(one.count for one in species)
     if not names or min(one.count for one in species) < 0 or not 0 < count <= MAX_BALLS:
         faults.add("species", f"1 to {MAX_BALLS} balls in total", f"{[one.count for one in species]}")
-    if len(set(names)) < len(names):
+    if len(set(names)) < (len(names) if groups is None else len(set(groups))):
         faults.add("species", "a different name for each", f"{names}")
     axes = len(container.size)
     _check_discs(faults, species, axes)

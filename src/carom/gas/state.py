@@ -143,13 +143,16 @@ def _take(one: Any, names: tuple[str, ...], state: Arrays, free: Mapping[str, tu
 
 def require_state(scene: GasScene, state: Arrays) -> None:
     """Raise KeyError, TypeError or ValueError where an array of a session is missing, or has another form or other contents."""
-    forms = _forms(scene, state)
+    forms, species = _forms(scene, state), len(scene.groups)
     if any(name.startswith("mark.") for name in state):
         forms |= {f"mark.{name}": forms[f"gas.{name}"] for name in MARKED}
         forms["mark.numbers"] = (np.dtype("f8"), (5,))
     for name in forms:
-        # (the state of an earlier version has no curves)
-        if name not in state and not (name == "gas.curves" and forms[name][1] == (0,)):
+        # (the state of an earlier version has no curves, and no classes of radii)
+        absent = (name == "gas.curves" and forms[name][1] == (0,)) or (
+            name == "gas.groups" and species == len(scene.species)
+        )
+        if name not in state and not absent:
             raise KeyError(name)
     for name in state:  # (read from a file one at a time)
         array = state[name]
@@ -170,7 +173,7 @@ def require_same_form(name: str, array: NDArray[Any], kind: np.dtype[Any], shape
 
 def _forms(scene: GasScene, state: Arrays) -> dict[str, tuple[np.dtype[Any], tuple[int, ...]]]:
     """Return type and shape of every array of a gas and of its session, by name."""
-    balls, species, faces = scene.count, len(scene.species), len(scene.container.geometry.faces)
+    balls, species, faces = scene.count, len(scene.groups), len(scene.container.geometry.faces)
     count = {
         "system": 1, "motions": balls, "plans": balls + 1, "bodies": balls, "numbers": balls, "species": species,
         "pairs": species**2, "pair_forms": species**2, "contacts": faces * species, "contact_forms": faces * species,
@@ -183,7 +186,8 @@ def _forms(scene: GasScene, state: Arrays) -> dict[str, tuple[np.dtype[Any], tup
     }
     number, whole, text = np.dtype("f8"), np.dtype("i8"), np.dtype("U32")
     return forms | {
-        "gas.names": (text, (faces,)), "gas.time": (number, (1,)), "session": (whole, (5,)), "clock": (number, (3,)),
+        "gas.names": (text, (faces,)), "gas.time": (number, (1,)), "gas.groups": (whole, (species,)), "session": (whole, (5,)),
+        "clock": (number, (3,)),
     }  # fmt: skip
 
 
@@ -223,16 +227,17 @@ def _require_contents(scene: GasScene, state: Arrays) -> None:
     whole = {
         "numbers": np.array_equal(np.sort(state["gas.numbers"]), np.arange(count)),
         "motions": all(np.isfinite(motions[name]).all() for name in MOTION.names or () if motions[name].dtype.kind == "f")
-        and bool((motions["species"] < len(scene.species)).all())
+        and bool((motions["species"] < len(scene.groups)).all())
         # (a ball's number of collisions is kept modulo 2^32; a kick of the thermostat counts as one, too)
         and (counted["motions"] - 2 * pairs - walls - int(one["kicks"])) % 2**32 == 0,
         "whole": int(state["gas.whole"][0]["axis"]) == axis,
+        "groups": np.array_equal(state.get("gas.groups", scene.groups), scene.groups),
         "curves": np.array_equal(state.get("gas.curves", np.empty(0)), scene.container.geometry.curves.ravel()),
         "bodies": all(np.isfinite(bodies[name]).all() for name in ("wx", "wy", "wz")),
         "session": 0 <= first <= pairs + walls and 0 <= sampled <= pairs + walls and interval >= 1 and snapshots >= 0,
         "system": (pairs, walls, walls) == tuple(counted[name] for name in ("pairs", "contacts", "faces"))
         and one["balls"] == count
-        and one["species"] == len(scene.species)
+        and one["species"] == len(scene.groups)
         and one["bins"] == BINS_PER_BALL * count
         and one["dimensions"] == scene.container.dimensions
         and 0 <= one["bin"] <= one["bins"]

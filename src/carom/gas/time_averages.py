@@ -97,16 +97,24 @@ class TimeAverages:
         }
 
 
-def averages_between(arrays: GasArrays, before: Any, after: Averages, time: float) -> TimeAverages:
-    """Return the means over a time, from the integrals until its begin (a mark) and its end; over no time, the values then."""
+def averages_between(arrays: GasArrays, before: Any, after: Averages, time: float, groups: Any = None) -> TimeAverages:
+    """Return the means over a time, from the integrals until its begin (a mark) and its end; over no time, the values then.
+
+    ``groups`` numbers the species of which the engine's are classes of radii; default: each is one of its own.
+    """
     one, species, flows = arrays.system[0], arrays.materials.species, after.flows
-    axes, count, volume = int(one["dimensions"]), np.maximum(flows["n"], 1.0), float(one["volume"])
+    # sums over the classes of each species
+    groups = np.arange(len(flows)) if groups is None else groups
+    member = (groups == np.arange(groups.max() + 1)[:, None]).astype(float)
+    number = member @ flows["n"]
+    axes, count, volume = int(one["dimensions"]), np.maximum(number, 1.0), float(one["volume"])
     about = 3 if axes == 3 else 1
 
     def mean(name: str) -> Array:
         last = flows["ht" if name == "h" else f"{name}t"]
         found: Array = (flows[f"time_{name}"] - before.flows[f"time_{name}"]) / time if time > 0 else last
-        return found
+        joined: Array = member @ found
+        return joined
 
     def temperatures(of: Any) -> Array:
         moves = sum(of(name) for name in ("xx", "yy", "zz")) / (axes * count)
@@ -117,14 +125,16 @@ def averages_between(arrays: GasArrays, before: Any, after: Averages, time: floa
     collisional = np.array(whole) / (volume * time) if time > 0 else np.full((axes, axes), math.nan)
     layers = None
     if len(after.layers):
-        layers = _in_layers(one, species, before.layers, after, time, about)
+        layers = _in_layers(one, species, before.layers, after, time, about, member)
     return TimeAverages(
-        time, temperatures(mean), temperatures(lambda name: flows[f"{name}t"]), flows["n"] / flows["n"].sum(),
+        time, temperatures(mean), temperatures(lambda name: member @ flows[f"{name}t"]), number / number.sum(),
         float(mean("h").sum()), kinetic, collisional, layers,
     )  # fmt: skip
 
 
-def _in_layers(one: Any, species: Any, before: Any, after: Averages, time: float, about: int) -> LayerAverages:
+def _in_layers(
+    one: Any, species: Any, before: Any, after: Averages, time: float, about: int, member: Array
+) -> LayerAverages:
     axis, axes, kinds = int(after.whole[0]["axis"]), int(one["dimensions"]), len(species)
 
     def mean(name: str) -> Array:
@@ -132,13 +142,16 @@ def _in_layers(one: Any, species: Any, before: Any, after: Averages, time: float
         found = found / time if time > 0 else after.layers["n" if name == "n" else f"{name}t"]
         return found.reshape(-1, kinds).T
 
-    number, mass = mean("n"), species["mass"][:, None]
+    of_class, mass = mean("n"), species["mass"][:, None]
+    number = member @ of_class
     # (of a layer that a ball has just left, rounding is left)
     number = np.where(number > ROUNDING * number.max(), number, 0.0)
     with np.errstate(invalid="ignore", divide="ignore"):
-        v = np.stack([mean(f"p{name}") / (mass * number) for name in "xyz"[:axes]], axis=2)
-        moves = mean("vv") / number - mass * (v * v).sum(axis=2)
-        spins = mean("ww") / (about * number)
+        if len(member) < kinds:  # (the mean mass of the balls in a layer)
+            mass = member @ (mass * of_class) / number
+        v = np.stack([member @ mean(f"p{name}") / (mass * number) for name in "xyz"[:axes]], axis=2)
+        moves = member @ mean("vv") / number - mass * (v * v).sum(axis=2)
+        spins = member @ mean("ww") / (about * number)
     empty = number == 0
     v[empty], moves[empty], spins[empty] = math.nan, math.nan, math.nan
     edges = float(one["cell_size"][axis]) * np.arange(number.shape[1] + 1)
