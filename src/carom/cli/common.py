@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from carom.cli.streams import note, say_json
-from carom.errors import Fault, FaultList, noting
+from carom.errors import Fault, FaultList, collected, noting
 from carom.files import require_library, require_writable
 
 __all__ = [
@@ -15,6 +15,7 @@ __all__ = [
     "require_outputs",
     "tell",
     "tick",
+    "write_files",
     "write_report_page",
     "wrote",
 ]
@@ -46,6 +47,19 @@ def wrote(*paths: Path) -> None:
     """Print the names of files that were written, on standard error."""
     for path in paths:
         note(f"written: {path}")
+
+
+def write_files(
+    found: FaultList, result: Any, actions: Sequence[tuple[Path | None, Callable[[Any, Path], None]]]
+) -> list[Path]:
+    """Write the files of a result that were asked for; return the paths of those written, and add the faults to ``found``."""
+    written = []
+    for path, action in actions:
+        if path is not None:
+            with collected(found):
+                action(result, path)
+                written.append(path)
+    return written
 
 
 def write_report_page(write: Callable[[], Path], say: Callable[[str, float], None]) -> Path:

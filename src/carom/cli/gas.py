@@ -5,23 +5,22 @@ from __future__ import annotations
 import math
 import shlex
 import sys
-from collections.abc import Callable
-from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.common import of_option, require_outputs, wrote
-from carom.cli.gas_snapshots import Frames, open_frames, size_limit
+from carom.cli.common import of_option, require_outputs, write_files, wrote
+from carom.cli.gas_snapshots import allowed_size, size_limit
 from carom.cli.interrupts import stop_requests
 from carom.cli.options import OUTPUT, RUN, shared
 from carom.cli.streams import json_text, note, say_notes
-from carom.errors import CaromError, FaultList
+from carom.errors import CaromError, FaultList, collected
 from carom.formatting import counted
 
 if TYPE_CHECKING:
     from carom.cli.gas_output import Progress
+    from carom.gas.run_files import SessionEnd
     from carom.gas.sampling import Every
     from carom.gas.scene import GasScene
     from carom.gas.session import Session
@@ -114,6 +113,7 @@ def gas(
     """Simulate a gas of balls or discs, event by event, and report what was measured as tables, JSON or a plot."""
     from carom.cli.gas_ensemble import require_no_files, run_ensemble
     from carom.cli.gas_output import Progress
+    from carom.gas.run_files import RunFiles, run_with_files
 
     found = FaultList()
     kept = {
@@ -136,33 +136,24 @@ def gas(
     progress = Progress(quiet)
     if ensemble is not None:
         return run_ensemble(given, str(scene), ensemble, progress, plot, measures, as_json, quiet)
-    with ExitStack() as stack:
-        signals = stack.enter_context(stop_requests())
+    with stop_requests() as signals:
         session = _session(scene, given, resume, progress)
         snapshot_every = _keep_outputs(
             session, {"--snapshots": snapshots, "--measures": measures, "--plot": plot}, snapshot_every, progress
         )
-        file = None
-        if snapshots is not None and snapshot_every is not None:
-            file = open_frames(snapshots, session, resume is not None, snapshot_every, most, found, progress)
-            stack.callback(file.close)
-            if (gap := session.snapshot_gap(snapshot_every)) is not None:
-                progress.say(
-                    f"snapshots from t = {gap[0]:.6g} to {gap[1]:.6g} are missing: the run went on without them"
-                )
-        checkpoints = _Checkpoints(checkpoint or resume, interval, file, progress)
-
-        def report_progress(*_progress: Any) -> None:
-            progress.show(session)
-            checkpoints.save_if_due(session)
-
+        kept_files = RunFiles(
+            snapshots,
+            snapshot_every,
+            math.inf if snapshots is None else allowed_size(snapshots, session.scene, snapshot_every, most, progress),
+            checkpoint or resume,
+            interval,
+            Path(f"{(scene or resume or Path('gas')).stem}.checkpoint.npz"),
+        )
         with progress:
-            finished = _run(session, signals, report_progress, snapshot_every, file, found)
-        if not finished and checkpoints.path is None:
-            checkpoints.path = Path(f"{(scene or resume or Path('gas')).stem}.checkpoint.npz")
-        written: list[Path] = []
-        _write(found, written, checkpoints.path, checkpoints.save, session)
-    if not finished and checkpoints.path in written:
+            end = run_with_files(
+                session, kept_files, stop=lambda: bool(signals), progress=progress.show, say=progress.say
+            )
+    if end.checkpoint is not None and not end.finished:
         again = {
             "--max-events": max_events,
             "--duration": duration,
@@ -171,14 +162,15 @@ def gas(
             "--every": every,
             "--max-size": "inf" if yes and max_size is None else max_size,
         }
-        _stopped(session, scene, checkpoints.path, signals[0], again, found)
-    if finished:
+        _stopped(session, scene, end.checkpoint, signals[0], again, end.faults)
+    found += end.faults
+    if end.finished:
         # the report is printed even if a file cannot be written
-        _write(found, written, plot, _plot, session, plot)
-        _write(found, written, measures, _write_measures, session, measures)
-        found.attempt(_print_report, session, as_json, quiet)
+        written = write_files(found, session, [(plot, _plot), (measures, _write_measures)])
+        with collected(found):
+            _print_report(session, as_json, quiet)
         if not quiet:
-            _list_files(written, checkpoints.path, None if file is None or file.failed else snapshots)
+            _list_files(written, end)
     found.raise_if_any()
 
 
@@ -331,58 +323,6 @@ def _session(path: Path | None, scene: GasScene | None, resume: Path | None, pro
     return Session(scene, str(path), progress.growing)
 
 
-def _run(
-    session: Session,
-    signals: list[int],
-    progress: Callable[..., None],
-    every: Every | None,
-    file: Frames | None,
-    found: FaultList,
-) -> bool:
-    """Run a session; return whether it is over. Why a gas ended early while it was measured is added to ``found``."""
-    from carom.gas.endings import EndedEarlyError
-
-    write = None if file is None else file.write
-    try:
-        return session.run(stop=lambda: bool(signals), progress=progress, every=every, snapshot=write)
-    except EndedEarlyError as error:
-        if not session.measuring:
-            raise
-        found[:0] = error.records
-        return True
-
-
-class _Checkpoints:
-    """Writes checkpoints at intervals."""
-
-    def __init__(self, path: Path | None, every: int | float, file: Frames | None, progress: Progress) -> None:
-        import time
-
-        self.path, self.every, self.file, self.progress, self.clock = path, every, file, progress, time.monotonic
-        self.last: float | None = None
-
-    def save_if_due(self, session: Session) -> None:
-        """Write a checkpoint if one is due. If that fails, the run continues and the previous checkpoint stays."""
-        now = session.gas.collisions if isinstance(self.every, int) else self.clock()
-        if self.path is None or self.last is None:
-            self.last = now if self.last is None else self.last
-        elif now - self.last >= self.every:
-            self.last = now
-            try:
-                self.save(session)
-            except CaromError as error:
-                self.progress.say(f"carom: {error}; the previous checkpoint stays, and the run continues")
-
-    def save(self, session: Session) -> None:
-        """Write a checkpoint now."""
-        from carom.gas.checkpoint import save_checkpoint
-
-        if self.path is not None:
-            if self.file is not None:
-                self.file.flush()
-            save_checkpoint(session, self.path)
-
-
 def _stopped(
     session: Session,
     scene: Path | None,
@@ -407,19 +347,11 @@ def _stopped(
 # --- output --------------------------------------------------------------------------------------------------------
 
 
-def _write(found: FaultList, written: list[Path], path: Path | None, action: Callable[..., Any], *args: Any) -> None:
-    """Write a file if it was asked for, and add its path to ``written``, or its fault to ``found``."""
-    if path is not None:
-        before = len(found)
-        found.attempt(action, *args)
-        written += [path] * (len(found) == before)
-
-
-def _list_files(written: list[Path], checkpoint: Path | None, snapshots: Path | None) -> None:
+def _list_files(written: list[Path], end: SessionEnd) -> None:
     """Print the names of the files that were written, on standard error; a checkpoint is named as such."""
-    if checkpoint in written:
-        note(f"checkpoint written: {checkpoint}")
-    wrote(*(path for path in written if path != checkpoint), *([] if snapshots is None else [snapshots]))
+    if end.checkpoint is not None:
+        note(f"checkpoint written: {end.checkpoint}")
+    wrote(*written, *([] if end.snapshots is None else [end.snapshots]))
 
 
 def _plot(session: Session, plot: Path) -> None:

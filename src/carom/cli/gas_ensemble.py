@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from rich.text import Text
 
-from carom.cli.common import wrote
+from carom.cli.common import write_files, wrote
 from carom.cli.console import out
 from carom.cli.gas_output import (
     LINE_INTERVAL,
@@ -65,12 +65,7 @@ def run_ensemble(
     except KeyboardInterrupt:
         say_interrupted("carom: interrupted; nothing was saved")
         raise
-    written: list[Path] = []
-    for path, action in ((plot, _plot), (measures, _write)):
-        if path is not None:
-            before = len(found)
-            found.attempt(action, ensemble, path)
-            written += [path] * (len(found) == before)
+    written = write_files(found, ensemble, [(plot, _plot), (measures, _write)])
     # the report is printed even if a file cannot be written
     if as_json:
         say_json(_numbers(ensemble), 1)

@@ -22,10 +22,10 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.files import as_path, atomic_file
-from carom.gas.edmd.driver import STATE, saved_blocks
 from carom.gas.npz import npz_headers, require_npz_size
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
+from carom.gas.state import course_as_arrays
 from carom.scene.schema import from_file
 
 __all__ = ["FORMAT", "load_checkpoint", "require_checkpoint", "save_checkpoint"]
@@ -79,10 +79,10 @@ def save_checkpoint(session: Session, path: str | Path) -> None:
     with atomic_file(path) as file:
         with zipfile.ZipFile(file, "w", allowZip64=True) as archive:
             _write_array(archive, "carom_checkpoint", np.array(json.dumps(about)))
-            for name, array in session.own_state().items():
+            for name, array in course_as_arrays(session).items():
                 _write_array(archive, name, array)
-            for name in STATE:
-                _write_blocks(archive, f"gas.{name}", *saved_blocks(session.gas.arrays, name))
+            for name, blocks in session.gas.saved().items():
+                _write_blocks(archive, f"gas.{name}", *blocks)
         file.flush()
         os.fsync(file.fileno())
 

@@ -193,13 +193,8 @@ class _Work:
     def run(self, k: int) -> tuple[dict[str, Any], dict[str, tuple[Array, Array]], EndedEarlyError | None]:
         """Simulate member k; return its report, its curves, and why it ended early if it did."""
         try:
-            session, early = Session(member_scene(self.scene, self.seeds[k]), self.where, self._growing), None
-            try:
-                session.run(stop=self.stop.is_set, progress=lambda *_: self._note(k, session))
-            except EndedEarlyError as error:
-                if not session.measuring:
-                    raise
-                early = error
+            session = Session(member_scene(self.scene, self.seeds[k]), self.where, self._growing)
+            _, early = session.run_until_early(stop=self.stop.is_set, progress=lambda *_: self._note(k, session))
             return report(session), _curves(session), early
         except CaromError as error:
             raise CaromError(*(f"{fault} (the gas with seed {self.seeds[k]})" for fault in error.faults)) from None

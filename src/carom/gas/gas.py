@@ -157,14 +157,17 @@ class Gas:
 
     def state(self) -> dict[str, NDArray[Any]]:
         """Return all that a later run needs to continue with the same bits, as copies of a few arrays."""
-        return engine.saved_state(self.arrays) | self.own_state()
+        return {name: np.concatenate(list(blocks)) for name, (_length, blocks) in self.saved().items()}
 
-    def own_state(self) -> dict[str, NDArray[Any]]:
-        """Return the part of the :meth:`state` that the engine does not have."""
-        return {
+    def saved(self) -> dict[str, tuple[int, Iterator[NDArray[Any]]]]:
+        """Return the arrays of the :meth:`state`: of each its length, and copies block by block."""
+        own = {
             "time": np.array([self._time]),
             "names": np.array(self._names, dtype="U32"),
             "groups": self.groups,
+        }
+        return {name: engine.saved_blocks(self.arrays, name) for name in engine.STATE} | {
+            name: (len(array), iter([array])) for name, array in own.items()
         }
 
     def _begin(self, arrays: GasArrays) -> None:

@@ -17,7 +17,7 @@ from carom.gas.measures import Measures
 from carom.gas.results import GasRun, Mark
 from carom.gas.sampling import Every, LogTimes, next_due, spread_time
 from carom.gas.scene import GasScene
-from carom.gas.state import State, course_as_arrays, gas_as_arrays, gas_of_arrays, require_state, set_course
+from carom.gas.state import State, course_as_arrays, gas_of_arrays, require_state, set_course
 from carom.public.progress import Progress, loop_callback
 
 __all__ = ["SAMPLES", "Session"]
@@ -171,6 +171,18 @@ class Session:
             error.result = self.result
             raise
 
+    def run_until_early(self, **options: Any) -> tuple[bool, EndedEarlyError | None]:
+        """Continue as :meth:`run` does; return whether the run is over and, in place of an error, why the gas ended early.
+
+        Raises EndedEarlyError for a gas that ends while it equilibrates.
+        """
+        try:
+            return self.run(**options), None
+        except EndedEarlyError as error:
+            if not self.measuring:
+                raise
+            return True, error
+
     def _run(
         self,
         stop: Callable[[], bool],
@@ -303,11 +315,7 @@ class Session:
 
     def state(self) -> State:
         """Return all that a later session needs to continue with the same bits."""
-        return gas_as_arrays(self.gas) | self.own_state()
-
-    def own_state(self) -> State:
-        """Return the :meth:`state` without the large arrays of the gas."""
-        return course_as_arrays(self)
+        return {f"gas.{name}": array for name, array in self.gas.state().items()} | course_as_arrays(self)
 
     @classmethod
     def restore(

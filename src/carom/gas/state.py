@@ -21,7 +21,7 @@ from carom.gas.scene import GasScene
 from carom.gas.sizes import cells_at_most
 from carom.gas.species import layer_axis
 
-__all__ = ["State", "course_as_arrays", "gas_as_arrays", "gas_of_arrays", "require_state", "set_course"]
+__all__ = ["State", "course_as_arrays", "gas_of_arrays", "require_state", "set_course"]
 
 State = dict[str, NDArray[Any]]
 Arrays = Mapping[str, NDArray[Any]]
@@ -43,16 +43,12 @@ MARKED = ("system", *TOTALS)
 # --- as arrays -----------------------------------------------------------------------------------------------------
 
 
-def gas_as_arrays(gas: Gas) -> State:
-    """Return all of a gas, as it stands in the state of its session."""
-    return _named("gas.", gas.state())
-
-
 def course_as_arrays(session: Any) -> State:
-    """Return the state of a :class:`carom.gas.Session` without the large arrays of its gas."""
-    found = _named("gas.", session.gas.own_state())
-    found["session"] = np.array([getattr(session, name) for name in COUNTS], np.int64)
-    found["clock"] = np.array([getattr(session, name) for name in CLOCK])
+    """Return the state of a :class:`carom.gas.Session` without its gas."""
+    found = {
+        "session": np.array([getattr(session, name) for name in COUNTS], np.int64),
+        "clock": np.array([getattr(session, name) for name in CLOCK]),
+    }
     if session.mark is not None and session.measures is not None:
         mark, measures = session.mark, session.measures
         # (the processor time that the measurement has taken so far)

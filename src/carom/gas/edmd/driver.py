@@ -46,7 +46,7 @@ from carom.gas.edmd.gas_records import (
 
 __all__ = [
     "STATE", "GasArrays", "SystemRecords", "advance", "arrays_at_start", "averages_until", "compiled_loops", "loop_is_cached",
-    "put_in_place", "restore", "saved_blocks", "saved_state", "synchronized", "synchronized_blocks", "time_of_last_event",
+    "put_in_place", "restore", "saved_blocks", "synchronized", "synchronized_blocks", "time_of_last_event",
     "total_bytes",
 ]  # fmt: skip
 
@@ -262,13 +262,11 @@ def restore(state: Mapping[str, NDArray[Any]]) -> GasArrays:
     return arrays
 
 
-def saved_state(arrays: GasArrays) -> dict[str, NDArray[Any]]:
-    """Return a copy of the state, without the places in the calendar, which another run would fill in another order."""
-    return {name: np.concatenate(list(saved_blocks(arrays, name)[1])) for name in STATE}
-
-
 def saved_blocks(arrays: GasArrays, name: str) -> tuple[int, Iterator[NDArray[Any]]]:
-    """Return the length of an array of the state, and copies of it block by block (one block at least)."""
+    """Return the length of an array of the state, and copies of it block by block (one block at least).
+
+    The places in the calendar are left out: another run would fill it in another order.
+    """
     parts = (arrays.balls, arrays.materials, arrays.walls, arrays.averages)
     found = {name: one for part in parts for name, one in part._asdict().items()} | {"system": arrays.system}
     array: NDArray[Any] = found[name].ravel() if name == "curves" else found[name]
