@@ -112,6 +112,21 @@ def scalars() -> None:
         ("no_slip", lambda: carom.no_slip(ball, state)),
     ):
         report(alone(f"one state as Python: {name}", job, calls=1000, wanted=25_000))
+    rests, hits = carom.State((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), carom.State((1.0, 0.1, 0.0), (0.0, 0.0, 3.0))
+    cloth, nose = carom.Surface(0.5, 0.2), (math.sqrt(0.84), 0.0, -0.4)
+    rows = carom.rolling(ball, np.tile([-1.0, 0.5, 0.0], (1000, 1)))
+    out, why = carom.State(np.zeros((1, 3)), np.zeros((1, 3))), np.zeros(1, np.int8)
+    for name, wanted, calls, job in (
+        ("collide", 15e3, 1000, lambda: carom.collide(ball, hits, ball, rests, surface=rough)),
+        ("pressed on the floor", 60e3, 1000, lambda: carom.two_step(ball, state, rough, cloth, nose)),
+        ("impact_into, 1 row", 50e3, 1000, lambda: carom.impact_into(out, ball, rows[:1], surface=rough)),
+        ("two_step_into, 1 pressed row", 50e3, 100, lambda: carom.two_step_into(out, why, ball, rows[:1], rough, cloth, nose)),
+        ("two_step, 100 states", 2e6, 100, lambda: carom.two_step(ball, rows[:100])),
+        ("two_step, 1000 states", 1e6, 100, lambda: carom.two_step(ball, rows)),
+    ):  # fmt: skip
+        for _ in range(1000 if "pressed" in name else 1):
+            job()  # (Python finds that it takes long)
+        report(alone(name, job, calls=calls, wanted=wanted))
 
 
 def starts() -> None:

@@ -37,6 +37,8 @@ from .laws.comparison import incoming as incoming
 from .laws.contact import impact as impact
 from .laws.contact import impact_into as impact_into
 from .laws.conventional import conventional as conventional
+from .laws.domenech import Scattering as Scattering
+from .laws.domenech import domenech as domenech
 from .laws.landing import settle as settle
 from .laws.law import Card as Card
 from .laws.law import Law as Law
@@ -45,9 +47,7 @@ from .laws.law import wall_law as wall_law
 from .laws.mirror import mirror as mirror
 from .laws.no_slip import no_slip as no_slip
 from .laws.pair import Collision as Collision
-from .laws.pair import Scattering as Scattering
 from .laws.pair import collide as collide
-from .laws.pair import domenech as domenech
 from .laws.registry import CARDS as CARDS
 from .laws.registry import LAWS as LAWS
 from .laws.results import Flight as Flight

@@ -16,7 +16,7 @@ from carom.laws.landing import second_rows
 from carom.laws.pair import pair_rows
 from carom.laws.registry import LAWS
 from carom.laws.two_step import first_rows
-from carom.laws.two_step_batch import two_step_final_rows
+from carom.laws.two_step_batch import ROOM, two_step_final_rows
 
 COUNT = 20_000
 
@@ -96,7 +96,11 @@ def test_two_step_of_lifted_balls():
     both = np.array([1.0, 2 / 5, 0.8, 0.3, 0.0, 0.5, 0.2, 0.0, 9.81, 0.0])
     for wall_normal in (n[0], np.array([1.0, 0.0, 0.0])):
         args = (v.ravel(), w.ravel(), wall_normal, both, False)
-        same_bits(two_step_final_rows, args, lambda: [np.zeros(3 * count), np.zeros(3 * count), *room(count, -1)])
+        same_bits(
+            two_step_final_rows,
+            args,
+            lambda: [np.zeros(3 * count), np.zeros(3 * count), *room(count, -1), np.zeros((2, ROOM))],
+        )
 
 
 def test_two_step_of_pressed_balls():
@@ -140,7 +144,7 @@ def test_pairs():
     falls = [with_zeros(rng, rng.uniform(0, 0.3, (COUNT, 1)))[:, 0], rng.uniform(0, 2, COUNT)]  # of mu with the slip
     p = np.stack([*balls, *balls[::-1][1:], balls[2], *surfaces(rng, COUNT), *falls], axis=-1)
     p[:, 3], p[:, 4] = balls[0][::-1], balls[1][::-1]
-    same_bits(pair_rows, (v1, w1, v2, w2, n, p), lambda: room(COUNT, 15, 0, -1))
+    same_bits(pair_rows, (v1, w1, v2, w2, n, p), lambda: room(COUNT, 3, 3, 3, 3, 3, 0, -1))
 
 
 # --- the public verbs ---------------------------------------------------------------------------------------------

@@ -12,7 +12,7 @@ import pytest
 import carom
 from carom.laws import arrays
 from carom.laws.arrays import FEW_AT_FIRST
-from carom.laws.two_step import two_step_plain
+from carom.laws.two_step import first_rows, two_step_plain
 from carom.laws.two_step_batch import LANES, two_step_final_rows
 
 BALL = carom.Ball(1.0, 1.0, "solid")
@@ -86,6 +86,22 @@ def test_same_bits_as_python(count: int, spent: float, monkeypatch: pytest.Monke
     few = into(v[:count].copy(), w[:count].copy(), wall, floor, normal)
     for x, y in zip(many, few, strict=True):
         np.testing.assert_array_equal(x[:count], y)
+
+
+def test_a_single_state_takes_the_loop_once_python_has_found_it_slow(monkeypatch: pytest.MonkeyPatch) -> None:
+    """And has the same bits, whatever comes before; where single states are quick, Python goes on."""
+    wall, floor, normal = carom.Surface(0.85, 0.2), carom.Surface(0.5, 0.2), (math.sqrt(0.84), 0.0, -0.4)
+    v, w = balls(np.random.default_rng(74), 40)
+    v, w = v[v[:, 2] == 0], w[v[:, 2] == 0]
+    found: list[list[Any]] = []
+    for alone in ((9.0, 900_000), (9.0, 900)):
+        monkeypatch.setitem(arrays._alone, first_rows, alone)
+        answers = [carom.two_step(BALL, carom.State(x, y), wall, floor, normal) for x, y in zip(v, w, strict=True)]
+        assert (arrays._alone[first_rows][1] == 900) == (alone[1] == 900)
+        found.append([(one.floor_impulse, one.wall.impulse, one.rolling.velocity, one.why) for one in answers])
+    for python, loop in zip(*found, strict=True):
+        for x, y in zip(python, loop, strict=True):
+            np.testing.assert_array_equal(x, y)
 
 
 def test_same_bits_for_any_number_of_threads() -> None:

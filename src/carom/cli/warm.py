@@ -93,7 +93,9 @@ def answer_many_rows() -> None:
     out = carom.State(np.zeros((MANY, 3)), np.zeros((MANY, 3)))
     carom.impact(ball, state, surface=surface)
     carom.impact_into(out, ball, state, surface=surface)
-    carom.collide(ball, state, ball, carom.State(-state.velocity, state.spin), np.array([1.0, 0.0, 0.0]), surface)
+    other = carom.State(-state.velocity, state.spin)
+    for law in ("contact", "maw", "stronge"):
+        carom.collide(ball, state, ball, other, (1.0, 0.0, 0.0), surface, law)
 
 
 def settle_many_rows() -> None:

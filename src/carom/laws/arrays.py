@@ -10,7 +10,7 @@ import functools
 import math
 import time
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -39,6 +39,7 @@ Array = NDArray[np.float64]
 # Below so many rows Python is faster than to compile a loop first. A loop that is shipped is loaded as soon as Python has spent so
 # many seconds in it, in all calls together: a row may cost 5 us or, of a pressed ball, 10 ms.
 FEW, FEW_AT_FIRST, PATIENCE = 12, 400, 0.25
+SLOW = 1e-4  # s that a single state takes in Python on average, above which such a loop is taken for one
 WallKernel = Callable[[Vec, Vec, Vec, float, float, float, float, float], tuple[Vec, Vec]]
 
 
@@ -70,39 +71,33 @@ def unit_normal(normal: ArrayLike) -> Array:
     return unit
 
 
-class StateRows(NamedTuple):
-    """N rows, and the shape of the input."""
+def _rows_of(vectors: Sequence[Array], parameters: Sequence[Any]) -> tuple[tuple[int, ...], list[Array]]:
+    """Broadcast vectors and parameters; return the shape, the vectors (N, 3) and the parameters (N or 1, K).
 
-    shape: tuple[int, ...]
-    velocity: Array
-    """(N, 3)."""
-    spin: Array
-    """(N, 3)."""
-    normal: Array
-    """(N or 1, 3)."""
-    parameters: Array
-    """(N or 1, K)."""
-
-
-def _rows_of(state: State, normal: Array, parameters: Sequence[Any]) -> StateRows:
-    """Broadcast a state, unit normals and parameters; parameters common to all states stay a single row."""
-    v, w = state.velocity, state.spin
-    shape = broadcast_shape(state.shape, normal.shape[:-1], *(np.shape(x) for x in parameters))
+    Normals, the last of the vectors, stay a single row if they are common to all states, and so do parameters.
+    """
+    *moving, normal = vectors
+    if set(map(type, parameters)) == {float}:  # (a single state takes as long as this function)
+        shape, single = broadcast_shape(*{x.shape[:-1] for x in vectors}), True
+    else:
+        shape = broadcast_shape(*(x.shape[:-1] for x in vectors), *map(np.shape, parameters))
+        single = all(np.ndim(x) == 0 for x in parameters)
     count = math.prod(shape)
 
-    # (all are read-only, as the arrays of a State are: loops are compiled once, not again for arrays that may be written to)
+    # (all are read-only, as the arrays of a State may be: loops are compiled once, not again for arrays that may be written to)
     def spread(array: Array) -> Array:
-        rows = np.ascontiguousarray(np.broadcast_to(array, (*shape, 3))).reshape(count, 3)
-        return _read_only(rows)
+        rows = array if array.shape == (*shape, 3) else np.broadcast_to(array, (*shape, 3))
+        return _read_only(np.ascontiguousarray(rows).reshape(count, 3))
 
-    if all(np.ndim(x) == 0 for x in parameters):
+    if single:
         p = np.array([[float(x) for x in parameters]])
     else:
         p = np.ascontiguousarray(np.stack([np.broadcast_to(x, shape).reshape(count) for x in parameters], axis=-1))
-    return StateRows(shape, spread(v), spread(w), _read_only(normal[None]) if normal.ndim == 1 else spread(normal), p)
+    return shape, [*map(spread, moving), _read_only(normal[None]) if normal.ndim == 1 else spread(normal), p]
 
 
 def _read_only(array: Array) -> Array:
+    """Return a view of an array that nothing can be written to."""
     view = array.view()
     view.flags.writeable = False
     return view
@@ -146,8 +141,8 @@ def _all_move_plainly(v: Array, n: Array) -> bool:
     count = v.size // 3
     if count < FEW or not v.flags.c_contiguous or (n.ndim != 1 and n.shape != v.shape):
         return False
-    doubtful = np.empty(count, np.int8)
-    loop_for(_doubtful_rows, count)(v.reshape(count, 3), np.ascontiguousarray(n).reshape(-1, 3), doubtful)
+    doubtful, normals = np.empty(count, np.int8), np.ascontiguousarray(n).reshape(-1, 3)
+    loop_for(_doubtful_rows, count)(_read_only(v.reshape(count, 3)), _read_only(normals), doubtful)
     return not doubtful.any()
 
 
@@ -157,8 +152,9 @@ RESOLVED = f"a ball at rest, or a component of velocity or spin of at least {MIN
 def motion_resolved(state: State) -> Any:
     """Return a mask (...): whether a ball is at rest, or moves fast enough for the square of its speed to be a float."""
     v, w = state.velocity, state.spin
-    if v.ndim == 1 and abs(v.item(0)) >= MIN_MAGNITUDE:
-        return np.True_
+    if v.ndim == 1:
+        size = max(map(abs, v.tolist() + w.tolist()))
+        return np.bool_(size == 0 or size >= MIN_MAGNITUDE)
     good = np.asarray(np.abs(v[..., 0]) >= MIN_MAGNITUDE)
     if not good.all():  # (most often it is that component)
         largest = np.maximum(np.abs(v).max(axis=-1), np.abs(w).max(axis=-1))
@@ -203,28 +199,32 @@ def answer_rows(
     kernel: Callable[..., Any],
     loop: Callable[..., None],
     widths: str,
-    state: State,
-    normal: Array,
+    vectors: Sequence[Array],
     parameters: Sequence[Any],
     *more: Any,
 ) -> list[Any]:
     """Return a kernel's results for all states; ``widths`` gives their types: "v" vector (..., 3), "x" number, "c" code.
 
-    States, normals and parameters broadcast. A single state is passed to the kernel as Python numbers, and its vectors share
-    the memory of one array; many are evaluated by the loop.
+    Vectors, the last of them normals, and parameters broadcast. A single state is passed to the kernel as Python numbers, and its
+    vectors share the memory of one array; many are evaluated by the loop, and so is a single one where Python has found that it
+    takes long.
     """
-    v, w = state.velocity, state.spin
-    if v.ndim == normal.ndim == 1 and (set(map(type, parameters)) == {float} or not any(map(np.ndim, parameters))):
-        found = kernel(tuple(v.tolist()), tuple(w.tolist()), tuple(normal.tolist()), *map(float, parameters), *more)
-        vectors = iter(np.array([x for x, kind in zip(found, widths, strict=True) if kind == "v"], dtype=float))
-        return [next(vectors) if kind == "v" else x for x, kind in zip(found, widths, strict=True)]
-    rows = _rows_of(state, normal, parameters)
-    n = len(rows.velocity)
+    alone = max([x.ndim for x in vectors]) == 1 and (
+        set(map(type, parameters)) == {float} or not any(map(np.ndim, parameters))
+    )
+    if alone and not _is_slow(loop):
+        begin = time.perf_counter()
+        found = kernel(*[tuple(x.tolist()) for x in vectors], *map(float, parameters), *more)
+        _note_alone(loop, time.perf_counter() - begin)
+        made = iter(np.array([x for x, kind in zip(found, widths, strict=True) if kind == "v"], dtype=float))
+        return [next(made) if kind == "v" else x for x, kind in zip(found, widths, strict=True)]
+    shape, rows = _rows_of(vectors, parameters)
+    n = len(rows[0])
     arrays: list[NDArray[Any]] = [
         np.empty((n, 3)) if kind == "v" else np.empty(n, dtype=float if kind == "x" else np.int8) for kind in widths
     ]
-    loop_for(loop, n)(rows.velocity, rows.spin, rows.normal, rows.parameters, *more, *arrays)
-    return [x.reshape(*rows.shape, *x.shape[1:]) for x in arrays]
+    (_compiled(loop) if alone else loop_for(loop, n))(*rows, *more, *arrays)
+    return [x.item() if alone and x.ndim == 1 else x.reshape(*shape, *x.shape[1:]) for x in arrays]
 
 
 def state_arrays(state: State, out: State) -> list[Array]:
@@ -233,7 +233,8 @@ def state_arrays(state: State, out: State) -> list[Array]:
     require_type("", "out", out, State)
     for name, array in (("velocity", out.velocity), ("spin", out.spin)):
         _require_room(f"out: {name}", array, state.velocity.shape, np.dtype(float))
-    return [x.reshape(-1) for x in (state.velocity, state.spin, out.velocity, out.spin)]
+    before = [_read_only(x.reshape(-1)) for x in (state.velocity, state.spin)]
+    return [*before, out.velocity.reshape(-1), out.spin.reshape(-1)]
 
 
 def reason_array(state: State, why: Any) -> Any:
@@ -244,13 +245,16 @@ def reason_array(state: State, why: Any) -> Any:
 
 def _require_room(field: str, array: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
     """Raise CaromError unless results can be written into an array: compiled loops write beyond the end of a short one."""
-    expected = f"{field}: expected a contiguous array of shape {shape} and type {dtype}, to be written into"
-    if not isinstance(array, np.ndarray):
-        raise CaromError(f"{expected}, got {type(array).__name__}")
-    if array.shape != shape or array.dtype != dtype:
-        raise CaromError(f"{expected}, got shape {array.shape} and type {array.dtype}")
-    if not (array.flags.c_contiguous and array.flags.writeable):
-        raise CaromError(f"{expected}, got one that is {'read-only' if array.flags.c_contiguous else 'not contiguous'}")
+    if isinstance(array, np.ndarray) and array.shape == shape and array.dtype == dtype and array.flags.carray:
+        return
+    got = type(array).__name__
+    if isinstance(array, np.ndarray):
+        got = "one that is " + ("read-only" if array.flags.c_contiguous else "not contiguous")
+        if array.shape != shape or array.dtype != dtype:
+            got = f"shape {array.shape} and type {array.dtype}"
+    raise CaromError(
+        f"{field}: expected a contiguous array of shape {shape} and type {dtype}, to be written into, got {got}"
+    )
 
 
 def one_normal(normal: ArrayLike) -> Array:
@@ -258,7 +262,7 @@ def one_normal(normal: ArrayLike) -> Array:
     unit = unit_normal(normal)
     if unit.ndim != 1:
         raise CaromError(f"normal: expected 3 numbers, the same for all balls, got shape {unit.shape}")
-    return unit
+    return _read_only(unit)
 
 
 @functools.cache
@@ -333,6 +337,24 @@ def is_ready(loop: Callable[..., None]) -> bool:
         return True
     _spent[loop] = -math.inf  # (it is never asked again)
     return False
+
+
+_alone: dict[Callable[..., None], tuple[float, int]] = {}  # seconds and number of single states that Python evaluated
+
+
+def _note_alone(loop: Callable[..., None], seconds: float) -> None:
+    spent, calls = _alone.get(loop, (0.0, 0))
+    _alone[loop] = (spent + seconds, calls + 1)
+
+
+def _is_slow(loop: Callable[..., None]) -> bool:
+    """Return whether single states took so long in Python that a loop of the package, called for one row, is faster."""
+    spent, calls = _alone.get(loop, (0.0, 1))
+    if spent < PATIENCE or spent < SLOW * calls or computes_on_gpu():
+        return False
+    from carom.core.jit.native import is_shipped
+
+    return is_shipped(loop)
 
 
 def _timed(loop: Callable[..., None]) -> Callable[..., None]:

@@ -89,7 +89,9 @@ def impact(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), surfac
     n = unit_normal(normal)
     require_approach(ball, state, n)
     parameters = (ball.radius, ball.kappa, surface.restitution, surface.friction, surface.tangential_restitution)
-    v1, w1, j, required, code = answer_rows(wall_contact, contact_rows, "vvvxc", state, n, parameters)
+    v1, w1, j, required, code = answer_rows(
+        wall_contact, contact_rows, "vvvxc", (state.velocity, state.spin, n), parameters
+    )
     return Impact(ball, state, State.of(v1, w1, state.position), times_mass(j, ball.mass), required, code)
 
 

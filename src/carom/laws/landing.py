@@ -278,7 +278,7 @@ def settle_checked(ball: Ball, state: State, floor: Surface, n: Array, g: float,
     """:func:`settle` with validated arguments."""
     parameters = (ball.radius, ball.kappa, floor.restitution, floor.friction, floor.tangential_restitution, g, h)
     t, rise, far, v2, w2, j, required, code, v3, w3, why = answer_rows(
-        second_impact, second_rows, "xxxvvvxcvvc", state, n, parameters
+        second_impact, second_rows, "xxxvvvxcvvc", (state.velocity, state.spin, n), parameters
     )
     after = State.of(v2, w2)
     landing = state

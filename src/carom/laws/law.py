@@ -298,7 +298,7 @@ def respond(law: WallKernel, meeting: Meeting, last: Any = None) -> State:
     m = meeting
     beta = m.wall.tangential_restitution if last is None else last
     parameters = (m.ball.radius, m.ball.kappa, m.wall.restitution, m.wall.friction, beta)
-    return State.of(*answer_rows(law, wall_law_rows(law), "vv", m.state, m.normal, parameters))
+    return State.of(*answer_rows(law, wall_law_rows(law), "vv", (m.state.velocity, m.state.spin, m.normal), parameters))
 
 
 @kernel

@@ -1,4 +1,4 @@
-"""Ball against ball: one contact with the masses of the pair, and Doménech's two-step description of it.
+"""Ball against ball: one contact with the masses of the pair.
 
 Two balls meet as one ball meets a wall at rest: with their relative velocity, their reduced mass and radius. So every law of a
 single contact (:attr:`carom.laws.law.Law.for_pairs`) is a law of pairs, with the same kernel.
@@ -15,36 +15,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.bodies import Ball, Numbers, State, Surface, kinetic_energy, rolling
+from carom.bodies import Ball, Numbers, State, Surface, kinetic_energy
 from carom.core.contact import GRAZE, NO_REGIME, REGIMES, contact, friction_at_slip
-from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel, prange
+from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel, prange, vector
 from carom.core.motion.phases import ROUNDING
-from carom.core.motion.rolling import rolls_at_last
 from carom.errors import CaromError, FaultList, broadcast_shape, checked_number, first_bad_index, require_type
-from carom.laws.arrays import WallKernel, fresh_unless_own, loop_for, require_resolved, unit_normal
-from carom.laws.law import LIKE_SOLIDS, ON_WALL, Card, Law, Meeting, approaches
+from carom.laws.arrays import WallKernel, answer_rows, fresh_unless_own, require_resolved, unit_normal
+from carom.laws.law import LIKE_SOLIDS, ON_WALL, Law, Meeting, approaches
 from carom.laws.registry import law_for_pairs
 from carom.laws.results import Names, name_codes
 from carom.laws.user import find_law
 
-__all__ = ["CARD", "Collision", "Scattering", "collide", "domenech"]
+__all__ = ["Collision", "collide"]
 
 Array = NDArray[np.float64]
-
-CARD = Card(
-    name="domenech",
-    summary="A ball strikes one at rest: gross slip or slip-stick at the contact, then both balls come to roll.",
-    assumptions=(
-        "one contact with restitution e and friction mu; if it sticks it ends without slip",
-        "the floor's friction is neglected while the balls are in contact",
-        "after that the floor brings each ball to roll, by (39), wherever it lands",
-    ),
-    valid="Ball against ball on a table, any masses, inertias and spins (carom.domenech; carom.collide for the contact alone).",
-    equations="the two regimes of impact; (39) for the transition to rolling",
-    citation="A. Doménech, Non-smooth modelling of billiard- and superbilliard-ball collisions, Int. J. Mech. Sci. 50,"
-    " 752-763 (2008).",
-    doi="10.1016/j.ijmecsci.2007.11.006",
-)
 
 
 @hot_kernel
@@ -123,53 +107,90 @@ def struck_as_wall(
     return *struck_pair(v1, w1, v2, w2, j, cross(n, j), a1, m1, kappa1, a2, m2, kappa2), j
 
 
-def pair_rows(
-    v1: Array, w1: Array, v2: Array, w2: Array, n: Array, p: Array, out: Array, required: Array, regime: Any
-) -> None:
-    """Evaluate ball-ball contacts; parameters a, m, kappa of both, e, mu, beta, drop and rate of mu with the slip.
+@kernel
+def contact_answer(
+    v1: Vec, w1: Vec, v2: Vec, w2: Vec, n: Vec,
+    a1: float, m1: float, kappa1: float, a2: float, m2: float, kappa2: float,
+    e: float, mu: float, beta: float, drop: float, rate: float,
+) -> tuple[Vec, Vec, Vec, Vec, Vec, float, int]:  # fmt: skip
+    """:func:`pair_contact` with a friction that falls with the slip, by ``drop`` and ``rate``."""
+    _un, ut = pair_slip(v1, w1, v2, w2, n, a1, a2)
+    mu = friction_at_slip(mu, drop, rate, math.sqrt(dot(ut, ut)))
+    return pair_contact(v1, w1, v2, w2, n, a1, m1, kappa1, a2, m2, kappa2, e, mu, beta)
 
-    ``out`` (N, 15): both states, impulse.
-    """
+
+@kernel
+def law_answer(
+    v1: Vec, w1: Vec, v2: Vec, w2: Vec, n: Vec, before: Vec, after: Vec, m: float,
+    a1: float, m1: float, kappa1: float, a2: float, m2: float, kappa2: float,
+) -> tuple[Vec, Vec, Vec, Vec, Vec, float, int]:  # fmt: skip
+    """:func:`struck_as_wall`, with tangential over normal impulse and a regime as :func:`contact_answer` has them."""
+    a, b, c, d, j = struck_as_wall(v1, w1, v2, w2, n, before, after, m, a1, m1, kappa1, a2, m2, kappa2)
+    jn = dot(j, n)
+    f = (j[0] - jn * n[0], j[1] - jn * n[1], j[2] - jn * n[2])
+    required = math.sqrt(dot(f, f)) / jn if jn > 0 else 0 * jn
+    return a, b, c, d, j, required, NO_REGIME if jn > 0 else GRAZE
+
+
+@hot_kernel
+def _row(x: Any, i: int) -> Vec:
+    return x[i, 0], x[i, 1], x[i, 2]
+
+
+@hot_kernel
+def _put(x: Any, i: int, to: Vec) -> None:
+    x[i, 0], x[i, 1], x[i, 2] = to
+
+
+def pair_rows(
+    v1: Array, w1: Array, v2: Array, w2: Array, n: Array, p: Array,
+    v3: Array, w3: Array, v4: Array, w4: Array, j: Array, required: Array, regime: Any,
+) -> None:  # fmt: skip
+    """Evaluate ball-ball contacts; parameters a, m, kappa of both, e, mu, beta, drop and rate of mu with the slip."""
+    sn, sp = min(n.shape[0] - 1, 1), min(p.shape[0] - 1, 1)
     for i in prange(v1.shape[0]):
-        v, w = (v1[i, 0], v1[i, 1], v1[i, 2]), (w1[i, 0], w1[i, 1], w1[i, 2])
-        u, r = (v2[i, 0], v2[i, 1], v2[i, 2]), (w2[i, 0], w2[i, 1], w2[i, 2])
-        normal = (n[i, 0], n[i, 1], n[i, 2])
-        _un, ut = pair_slip(v, w, u, r, normal, p[i, 0], p[i, 3])
-        a, b, c, d, j, required[i], regime[i] = pair_contact(
-            v, w, u, r, normal, p[i, 0], p[i, 1], p[i, 2], p[i, 3], p[i, 4], p[i, 5],
-            p[i, 6], friction_at_slip(p[i, 7], p[i, 9], p[i, 10], math.sqrt(dot(ut, ut))), p[i, 8],
+        k = i * sp
+        a, b, c, d, f, required[i], regime[i] = contact_answer(
+            _row(v1, i), _row(w1, i), _row(v2, i), _row(w2, i), _row(n, i * sn),
+            p[k, 0], p[k, 1], p[k, 2], p[k, 3], p[k, 4], p[k, 5], p[k, 6], p[k, 7], p[k, 8], p[k, 9], p[k, 10],
         )  # fmt: skip
-        for k in range(3):
-            out[i, k], out[i, 3 + k], out[i, 6 + k], out[i, 9 + k], out[i, 12 + k] = a[k], b[k], c[k], d[k], j[k]
+        _put(v3, i, a), _put(w3, i, b), _put(v4, i, c), _put(w4, i, d), _put(j, i, f)
 
 
 @functools.cache
-def pair_law_rows(law: WallKernel) -> Callable[..., None]:
-    """Return the loop over ball-ball contacts by a law's own kernel: parameters a, m, kappa of both, e, mu, last number."""
+def pair_law(law: WallKernel) -> tuple[Callable[..., Any], Callable[..., None]]:
+    """Return a law's own kernel as a function of two balls, and the loop over rows: parameters a, m, kappa of both, e, mu, last."""
     kernel(law)
 
-    def rows(
-        v1: Array, w1: Array, v2: Array, w2: Array, n: Array, p: Array, out: Array, required: Array, regime: Any
-    ) -> None:
-        for i in prange(v1.shape[0]):
-            v, w = (v1[i, 0], v1[i, 1], v1[i, 2]), (w1[i, 0], w1[i, 1], w1[i, 2])
-            u, r = (v2[i, 0], v2[i, 1], v2[i, 2]), (w2[i, 0], w2[i, 1], w2[i, 2])
-            normal = (n[i, 0], n[i, 1], n[i, 2])
-            before, spin, radius, kappa, m = pair_as_wall(
-                v, w, u, r, p[i, 0], p[i, 1], p[i, 2], p[i, 3], p[i, 4], p[i, 5]
-            )
-            after, _spin = law(before, spin, normal, radius, kappa, p[i, 6], p[i, 7], p[i, 8])
-            a, b, c, d, j = struck_as_wall(
-                v, w, u, r, normal, before, after, m, p[i, 0], p[i, 1], p[i, 2], p[i, 3], p[i, 4], p[i, 5]
-            )
-            jn = dot(j, normal)
-            f = (j[0] - jn * normal[0], j[1] - jn * normal[1], j[2] - jn * normal[2])
-            required[i] = math.sqrt(dot(f, f)) / jn if jn > 0 else 0 * jn
-            regime[i] = NO_REGIME if jn > 0 else GRAZE
-            for k in range(3):
-                out[i, k], out[i, 3 + k], out[i, 6 + k], out[i, 9 + k], out[i, 12 + k] = a[k], b[k], c[k], d[k], j[k]
+    def answer(v1: Vec, w1: Vec, v2: Vec, w2: Vec, n: Vec, *p: float) -> Any:
+        before, spin, radius, kappa, m = pair_as_wall(v1, w1, v2, w2, *p[:6])
+        return law_answer(v1, w1, v2, w2, n, before, law(before, spin, n, radius, kappa, *p[6:])[0], m, *p[:6])
 
-    return fresh_unless_own(rows, law)
+    def rows(
+        v1: Array, w1: Array, v2: Array, w2: Array, n: Array, p: Array,
+        v3: Array, w3: Array, v4: Array, w4: Array, j: Array, required: Array, regime: Any,
+    ) -> None:  # fmt: skip
+        sn, sp = min(n.shape[0] - 1, 1), min(p.shape[0] - 1, 1)
+        for i in prange(v1.shape[0]):
+            k, normal = i * sp, _row(n, i * sn)
+            v, w, u, r = _row(v1, i), _row(w1, i), _row(v2, i), _row(w2, i)
+            before, spin, radius, kappa, m = pair_as_wall(
+                v, w, u, r, p[k, 0], p[k, 1], p[k, 2], p[k, 3], p[k, 4], p[k, 5]
+            )
+            after, _spin = law(before, spin, normal, radius, kappa, p[k, 6], p[k, 7], p[k, 8])
+            a, b, c, d, f, required[i], regime[i] = law_answer(
+                v, w, u, r, normal, before, after, m, p[k, 0], p[k, 1], p[k, 2], p[k, 3], p[k, 4], p[k, 5]
+            )
+            _put(v3, i, a), _put(w3, i, b), _put(v4, i, c), _put(w4, i, d), _put(j, i, f)
+
+    return answer, fresh_unless_own(rows, law)
+
+
+@kernel
+def move_apart(v1: Vec, v2: Vec, n: Vec) -> bool:
+    """Return whether two balls move apart, by more than the rounding of a turned normal; of numbers or of arrays."""
+    speeds = (abs(v1[0]) + abs(v2[0])) + (abs(v1[1]) + abs(v2[1])) + (abs(v1[2]) + abs(v2[2]))
+    return dot((v1[0] - v2[0], v1[1] - v2[1], v1[2] - v2[2]), n) > ROUNDING * speeds
 
 
 NAMES = np.array([*REGIMES, ""])  # (NO_REGIME is the last)
@@ -267,45 +288,38 @@ def collide(
     if not isinstance(law, str | Law):
         raise CaromError(f"collide: law: expected a name, file.py:name or a carom.Law, got {law!r:.60}")
     law = law_for_pairs(law if isinstance(law, Law) else find_law(law))
-    rows, given = _loop_of(law, surface, stiffness_ratio)
-    numbers += given
-    shape = broadcast_shape(state.shape, other_state.shape, n.shape[:-1], *(np.shape(x) for x in numbers))
-    v1, w1, v2, w2, normals = (
-        np.broadcast_to(x, (*shape, 3)).reshape(-1, 3)
-        for x in (state.velocity, state.spin, other_state.velocity, other_state.spin, n)
+    answer, rows, given = _loop_of(law, surface, stiffness_ratio)
+    vectors = (state.velocity, state.spin, other_state.velocity, other_state.spin, n)
+    one = max(x.ndim for x in vectors) == 1
+    if not one:
+        broadcast_shape(*(x.shape[:-1] for x in vectors))
+    apart: Any = move_apart(
+        *(vector(x.tolist() if one else np.moveaxis(x, -1, 0)) for x in (state.velocity, other_state.velocity, n))
     )
-    # (by more than the rounding of a turned normal)
-    limit = ROUNDING * (np.abs(v1) + np.abs(v2)).sum(axis=-1)
-    apart = (((v1 - v2) * normals).sum(axis=-1) > limit).reshape(shape)
-    if apart.any():
+    if apart is not False and np.any(apart):
+        shape = broadcast_shape(np.shape(apart), *map(np.shape, (*numbers, *given)))
         raise CaromError(
-            f"collide: expected two balls that approach, got two that move apart{first_bad_index(apart)};"
-            " the normal points from the second ball to the first"
+            f"collide: expected two balls that approach, got two that move apart"
+            f"{first_bad_index(np.broadcast_to(apart, shape))}; the normal points from the second ball to the first"
         )
     if law.conditions is not approaches:
         _require_conditions(law, balls, state, other_state, n, surface, stiffness_ratio)
-    count = len(v1)
-    p = np.stack([np.broadcast_to(x, shape).reshape(count) for x in numbers], axis=-1)
-    out, required, code = np.empty((count, 15)), np.empty(count), np.empty(count, dtype=np.int8)
-    args = (np.ascontiguousarray(x) for x in (v1, w1, v2, w2, normals, p))
-    loop_for(rows, count)(*args, out, required, code)
-    part = [out[:, 3 * i : 3 * i + 3].reshape(*shape, 3) for i in range(5)]
-    after = (State.of(part[0], part[1]), State.of(part[2], part[3]))
-    scalars: list[Any] = [x[0].item() if shape == () else x.reshape(shape) for x in (required, code)]
-    return Collision(balls, (state, other_state), after, part[4], *scalars)
+    v3, w3, v4, w4, j, required, code = answer_rows(answer, rows, "vvvvvxc", vectors, [*numbers, *given])
+    after = (State.of(v3, w3), State.of(v4, w4))
+    return Collision(balls, (state, other_state), after, j, required, code)
 
 
-def _loop_of(law: Law, surface: Surface, stiffness_ratio: ArrayLike) -> tuple[Callable[..., None], list[Any]]:
-    """Return the loop that evaluates a law, and the numbers of the contact that it reads, with those that the law holds fixed."""
+def _loop_of(law: Law, surface: Surface, stiffness_ratio: ArrayLike) -> tuple[Any, Any, list[Any]]:
+    """Return what evaluates a law for one pair and for rows, and the numbers of the contact, with those that it holds fixed."""
     e, mu, last = (law.pinned.get(name, getattr(surface, name)) for name in ON_WALL)
     if law.one_contact:
         mu, drop, rate = law.slip_friction or (mu, 0.0, 0.0)
-        return pair_rows, [e, mu, last, drop, rate]
+        return contact_answer, pair_rows, [e, mu, last, drop, rate]
     if law.last == "stiffness_ratio":
         faults = FaultList("collide")
         last = checked_number(faults, "stiffness_ratio", stiffness_ratio, "a number > 0", lambda x: x > 0)
         faults.raise_if_any()
-    return pair_law_rows(law.kernel), [e, mu, last]
+    return *pair_law(law.kernel), [e, mu, last]
 
 
 def _require_conditions(
@@ -327,115 +341,3 @@ def _require_conditions(
     for holds, expected, *_field in law.conditions(meeting):
         if not np.all(holds):
             raise CaromError(f"collide: expected {expected}, for the law {law.name}")
-
-
-@dataclass(frozen=True, eq=False)
-class Scattering:
-    """Scattering of two balls after Doménech: just after the impact, and after the transition to rolling. Shapes (...).
-
-    Examples
-    --------
-    >>> import carom
-    >>> found = carom.domenech(carom.Ball(), impact_angle=0.5)
-    >>> [round(angle, 4) for angle in found.post_transition_angles]
-    [-0.6014, 0.4696]
-    """
-
-    collision: Collision
-    """The contact of the two balls."""
-    rolling: tuple[State, State]
-    """Both balls once they roll (on a floor with friction; independent of gravity)."""
-
-    @property
-    def regime(self) -> Names:
-        """ "gross slip" or "slip-stick" ("graze" if there is no impulse): a string or an array (...)."""
-        return name_codes(self.collision.code, np.array(["graze", "slip-stick", "gross slip"]))
-
-    @property
-    def post_collision_angles(self) -> tuple[Numbers, Numbers]:
-        """Angles (...) between both paths just after the impact and the first ball's incoming path, on the floor, rad."""
-        return self._angles(self.collision.after)
-
-    @property
-    def post_transition_angles(self) -> tuple[Numbers, Numbers]:
-        """The same angles once both balls roll, rad."""
-        return self._angles(self.rolling)
-
-    def _angles(self, states: tuple[State, State]) -> tuple[Any, Any]:
-        u = self.collision.before[0].velocity
-        found = []
-        for state in states:
-            x, y = state.velocity[..., 0], state.velocity[..., 1]
-            angle = np.arctan2(u[..., 0] * y - u[..., 1] * x, u[..., 0] * x + u[..., 1] * y)
-            found.append(float(angle) if angle.ndim == 0 else angle)
-        return found[0], found[1]
-
-
-def domenech(
-    ball: Ball,
-    state: State | None = None,
-    other: Ball | None = None,
-    impact_angle: ArrayLike = 0.5,
-    surface: Surface = Surface(restitution=0.95, friction=0.06),  # noqa: B008
-) -> Scattering:
-    """Compute how a ball scatters from one at rest, just after the impact and once both roll.
-
-    The floor's friction is neglected while the balls are in contact; after that each ball comes to roll, with (39) of its
-    state after the impact. Source: A. Doménech, Int. J. Mech. Sci. 50, 752 (2008), doi 10.1016/j.ijmecsci.2007.11.006.
-
-    Parameters
-    ----------
-    ball : Ball
-        The striking ball.
-    state : State
-        Of the striking ball, shape (...), on the floor. Default: rolling at 1 m/s along +x.
-    other : Ball
-        The ball at rest. Default: like the striking one.
-    impact_angle : float or array (...)
-        From the incoming path to the line of centres, rad; positive if the other ball lies to the left.
-    surface : Surface
-        Restitution and friction between the balls; a contact that sticks ends without slip (tangential restitution 0).
-
-    Returns
-    -------
-    Scattering
-
-    Raises
-    ------
-    CaromError
-        For a tangential restitution other than 0, an angle not between -pi/2 and pi/2, or a striking ball at rest.
-
-    Examples
-    --------
-    >>> import carom
-    >>> found = carom.domenech(carom.Ball(), impact_angle=0.5)
-    >>> found.regime, [round(angle, 4) for angle in found.post_collision_angles]
-    ('gross slip', [-1.0226, 0.4712])
-    """
-    other = other or ball
-    state = state or rolling(ball, (1.0, 0.0))
-    if np.any(np.asarray(surface.tangential_restitution) != 0):
-        raise CaromError(
-            "domenech: surface: expected tangential_restitution 0 (slip-stick ends without slip); use carom.collide"
-        )
-    angle = np.asarray(impact_angle, dtype=float)
-    if not np.all(np.abs(angle) < np.pi / 2):
-        raise CaromError(f"domenech: impact_angle: expected an angle between -pi/2 and pi/2 rad, got {impact_angle!r}")
-    broadcast_shape(state.shape, angle.shape, np.shape(ball.radius), np.shape(other.radius))
-    x, y = state.velocity[..., 0], state.velocity[..., 1]
-    speed = np.hypot(x, y)
-    if np.any(speed == 0):
-        raise CaromError("domenech: state: expected a striking ball that moves along the floor, got one at rest")
-    c, s = np.cos(angle), np.sin(angle)
-    line = np.stack(np.broadcast_arrays((c * x - s * y) / speed, (s * x + c * y) / speed, 0 * c), axis=-1)
-    rest = State.of(np.zeros(3), np.zeros(3))
-    hit = collide(ball, state, other, rest, -line, surface)
-    return Scattering(hit, (_roll(ball, hit.after[0]), _roll(other, hit.after[1])))
-
-
-def _roll(ball: Ball, state: State) -> State:
-    """(39) for arrays."""
-    v, w = np.moveaxis(state.velocity, -1, 0), np.moveaxis(state.spin, -1, 0)
-    numbers: Any = (ball.radius, ball.kappa)  # (the kernel takes arrays too)
-    v3, w3 = rolls_at_last(tuple(v), tuple(w), *numbers)
-    return State.of(np.stack(v3, axis=-1), np.stack(w3, axis=-1))

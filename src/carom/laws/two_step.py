@@ -253,7 +253,9 @@ def two_step(
         ball.radius, ball.kappa, wall.restitution, wall.friction, wall.tangential_restitution,
         floor.restitution, floor.friction, floor.tangential_restitution, h,
     )  # fmt: skip
-    v1, w1, j, jf, required, code = answer_rows(first_impact, first_rows, "vvvvxc", state, n, parameters, together)
+    v1, w1, j, jf, required, code = answer_rows(
+        first_impact, first_rows, "vvvvxc", (state.velocity, state.spin, n), parameters, together
+    )
     require_defined(code == UNDEFINED)
     after = State.of(v1, w1, state.position)
     hit = Impact(ball, state, after, times_mass(j, ball.mass), required, code)

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, State, Surface
 from carom.core.jit.kernel import Vec, kernel, prange
+from carom.core.jit.threads import thread_count
 from carom.errors import CaromError
 from carom.laws.arrays import loop_for, one_normal, reason_array, state_arrays
 from carom.laws.landing import landing_settings, rolling_after
@@ -34,7 +35,7 @@ from carom.laws.wall_and_floor.solver import (
     slides_at_both,
 )
 
-__all__ = ["two_step_final_rows", "two_step_into"]
+__all__ = ["ROOM", "two_step_final_rows", "two_step_into"]
 
 Array = NDArray[Any]
 
@@ -203,25 +204,29 @@ def _two_step_block(
         why[i] = 0 if plain else -1
 
 
-def two_step_final_rows(v: Array, w: Array, n: Array, p: Array, together: bool, v3: Array, w3: Array, why: Any) -> None:
+def two_step_final_rows(
+    v: Array, w: Array, n: Array, p: Array, together: bool, v3: Array, w3: Array, why: Any, rooms: Array
+) -> None:  # fmt: skip
     """Compute the rolling state of the two-step law per row: first the simple balls of a block, then the others in full.
 
-    Parameters a, kappa, e, mu, beta, the floor's e, mu, beta, gravity, height.
+    Parameters a, kappa, e, mu, beta, the floor's e, mu, beta, gravity, height. ``rooms``: ROOM numbers to work in for each thread,
+    which takes every so many-th block.
     """
     normal, count = (n[0], n[1], n[2]), v.shape[0]
     a, kappa, e, mu, beta = p[0], p[1], p[2], p[3], p[4]
     ef, muf, betaf, g, h = p[5], p[6], p[7], p[8], p[9]
-    for block in prange((count + 3 * BLOCK - 1) // (3 * BLOCK)):
-        i = 3 * BLOCK * block
-        k = min(i + 3 * BLOCK, count)
-        _two_step_block(
-            v[i:k], w[i:k], normal, a, kappa, e, mu, beta, ef, muf, betaf, g, together,
-            v3[i:k], w3[i:k], why[i // 3 : k // 3],
-        )  # fmt: skip
-        pressed_block(
-            v[i:k], w[i:k], normal, a, kappa, e, mu, beta, ef, muf, betaf, g, h, together,
-            v3[i:k], w3[i:k], why[i // 3 : k // 3], np.empty(ROOM),
-        )  # fmt: skip
+    stride = 3 * BLOCK * rooms.shape[0]
+    for room in prange(rooms.shape[0]):
+        for i in range(3 * BLOCK * room, count, stride):
+            k = min(i + 3 * BLOCK, count)
+            _two_step_block(
+                v[i:k], w[i:k], normal, a, kappa, e, mu, beta, ef, muf, betaf, g, together,
+                v3[i:k], w3[i:k], why[i // 3 : k // 3],
+            )  # fmt: skip
+            pressed_block(
+                v[i:k], w[i:k], normal, a, kappa, e, mu, beta, ef, muf, betaf, g, h, together,
+                v3[i:k], w3[i:k], why[i // 3 : k // 3], rooms[room],
+            )  # fmt: skip
 
 
 def two_step_into(
@@ -286,5 +291,7 @@ def two_step_into(
         raise CaromError(
             "out: expected arrays apart from the state's own, got the same memory; write into a State of zeros"
         )
-    loop = loop_for(two_step_final_rows, len(v) // 3)
-    loop(v, w, one_normal(normal), np.array(parameters), together, v3, w3, reason_array(state, why))
+    count = len(v) // 3
+    rooms = np.empty((min(thread_count(), (count + BLOCK - 1) // BLOCK), ROOM))
+    loop = loop_for(two_step_final_rows, count)
+    loop(v, w, one_normal(normal), np.array(parameters), together, v3, w3, reason_array(state, why), rooms)

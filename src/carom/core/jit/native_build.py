@@ -129,8 +129,10 @@ class NativeBuild:
         ``done``: all jobs have run, and what no loop has any more is removed; else what is written is for a later build to resume.
         """
         FOLDER.mkdir(exist_ok=True)
-        loops = {} if done else dict(self._before)
-        loops |= {key: [code.described for code in codes] for key, codes in self.made.items() if codes}
+        loops = {key: [code.described for code in codes] for key, codes in self.made.items() if codes}
+        for key, before in () if done else self._before.items():
+            now = loops.setdefault(key, [])
+            now += [one for one in before if one["name"] not in {code["name"] for code in now}]
         names = {one["name"] for codes in loops.values() for one in codes}
         written = []
         for name, bitcode in self.bitcode.items():

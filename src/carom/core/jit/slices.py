@@ -60,6 +60,8 @@ def sliced(loop: Callable[..., Any], count: int, first: int = 1 << 12) -> Callab
 
     What has another length is the same for all rows and is passed on whole.
     """
+    if count <= first:
+        return loop
 
     def run(*arguments: Any) -> None:
         widths = [
