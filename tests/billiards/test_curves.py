@@ -190,7 +190,7 @@ ROOMS = [(0, 0), (2, 0), (2, 0.85), (3, 0.85), (3, 0), (5, 0), (5, 2), (3, 2), (
 def test_a_ball_that_closes_a_neck_keeps_to_the_part_of_its_start() -> None:
     ball = carom.Disc(0.42, 1.0)
     table = table_of(DUMBBELL, "surface")
-    assert len(table.shape(0.42).connected()) == 2
+    assert len(table.shape(0.42).connected) == 2
     start = billiards.Start([[1.0, 0.1], [-1.0, 0.1]], [[0.8, 0.3], [0.8, 0.3]])
     found = billiards.orbit(table, start, 2000, ball=ball, law="mirror", corners="pass")
     assert (found.ended == "bounces").all()

@@ -51,7 +51,7 @@ def test_a_hole_around_a_corner_and_in_an_ellipse() -> None:
 
 def test_a_hole_of_several_walls_lies_in_one_of_them() -> None:
     table = billiards.periodic_strip(1.0, 1.0, [(0.0, 0.0, 0.2)])
-    low, high, obstacle = table.wall().connected()
+    low, high, obstacle = table.wall().connected
     assert [(wall.first, wall.last, wall.closed) for wall in (low, high)] == [(0.0, 1.0, True), (1.0, 2.0, True)]
     start = billiards.starts(table, 200, seed=3)
     run = billiards.orbit(table, start, BOUNCES)
@@ -83,8 +83,8 @@ def test_lids_are_no_part_of_a_hole_and_a_prism_keeps_its_wall() -> None:
     found = billiards.escape(pipe, start, 10, holes=[(-0.5, 5.0)], law="mirror")
     assert int(found.bounces) == int(wall.argmax()) + 1
     section = billiards.stadium(2.0, 1.0)
-    (prism,) = billiards.cylinder(section, 2.0).wall().connected()
-    (flat,) = section.wall().connected()
+    (prism,) = billiards.cylinder(section, 2.0).wall().connected
+    (flat,) = section.wall().connected
     assert (
         (prism.first, prism.last, prism.closed) == (flat.first, flat.last, flat.closed) == (0.0, 4 + 2 * math.pi, True)
     )

@@ -31,10 +31,10 @@ from .orbits import Orbit as Orbit
 from .orbits import final as final
 from .orbits import orbit as orbit
 from .orbits import reverse as reverse
-from .periodic import PeriodicOrbit as PeriodicOrbit
-from .periodic import PeriodicOrbits as PeriodicOrbits
 from .periodic import periodic_orbits as periodic_orbits
 from .periodic import refine_orbit as refine_orbit
+from .periodic_records import PeriodicOrbit as PeriodicOrbit
+from .periodic_records import PeriodicOrbits as PeriodicOrbits
 from .pocket_rim import pocket_rim as pocket_rim
 from .rolling_run import RollingEvent as RollingEvent
 from .rolling_run import RollingRun as RollingRun
@@ -69,6 +69,7 @@ from .symbols import itinerary as itinerary
 from .symbols import words as words
 from .table_records import ENDS as ENDS
 from .tables import Table as Table
+from .tables import in_magnetic_field as in_magnetic_field
 from .tables import table as table
 from .tables import under as under
 from .transport import Corridor as Corridor

@@ -102,7 +102,7 @@ def caustics(found: Orbit, centre: Sequence[float] = (0.0, 0.0)) -> Caustics:
     >>> billiards.caustics(found).radii.round(12)
     array([0.5, 0.5])
     """
-    if any(found.setup.table.acceleration[:2]):
+    if found.setup.table.bends_flights:
         raise CaromError(Fault("caustics", "", "a table of straight flights (along z apart)", f"{found.setup.table}"))
     x, v = found.position[..., :2] - np.asarray(centre, float), found.velocity[..., :2]
     distance = np.abs(x[..., 0] * v[..., 1] - x[..., 1] * v[..., 0]) / np.hypot(v[..., 0], v[..., 1])
@@ -159,7 +159,7 @@ def section(
     Raises
     ------
     CaromError
-        A force that is not parallel to the line.
+        A force that is not parallel to the line, a magnetic field.
 
     Examples
     --------
@@ -180,6 +180,8 @@ def section(
     g = np.array(found.setup.table.acceleration[:2])
     height = e[0] * (x[..., 1] - p[1]) - e[1] * (x[..., 0] - p[0])
     rate, force = e[0] * v[..., 1] - e[1] * v[..., 0], e[0] * g[1] - e[1] * g[0]
+    if found.setup.table.magnetic_field:
+        raise CaromError(Fault("section", "", "a table without a magnetic field", f"{found.setup.table}"))
     if force:
         raise CaromError(Fault("section", "direction", "that of the force, or a table without one"))
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
@@ -125,7 +126,7 @@ def face(
 
 @dataclass
 class Boundary:
-    """The pieces of the boundary by kind, and how they follow each other."""
+    """The pieces of the boundary by kind, and how they follow each other; once it is measured it is not changed."""
 
     faces: list[Face] = field(default_factory=list)
     windows: list[Face] = field(default_factory=list)
@@ -220,7 +221,7 @@ class Boundary:
 
     # --- arc length ---------------------------------------------------------------------------------------------------
 
-    @property
+    @functools.cached_property
     def lengths(self) -> Array:
         """Length of each piece, without windows and images; infinite for a strip and a wedge."""
         found = [f.length for f in self.faces]
@@ -229,7 +230,7 @@ class Boundary:
         found += [arc_length(*(self.ellipse or NO_ELLIPSE), arc) for arc in self.arcs]
         return np.array(found + ([] if self.curve is None else self.curve.lengths))
 
-    @property
+    @functools.cached_property
     def starts(self) -> Array:
         """Arc length at which each piece begins."""
         lengths = np.where(np.isfinite(self.lengths), self.lengths, 0.0)
@@ -323,6 +324,7 @@ class Boundary:
             return self.curve.place(k - len(self.outside), along)
         return arc_place(*(self.ellipse or NO_ELLIPSE), self.arcs[k - len(self.outside)], along)
 
+    @functools.cached_property
     def connected(self) -> list[ConnectedWall]:
         """Return the walls whose pieces follow each other without a gap, in the order of their arc lengths; no lids.
 
@@ -354,7 +356,7 @@ class Boundary:
     def wall_numbers(self, met: Any) -> NDArray[np.int64]:
         """Return which of the connected walls pieces (...) belong to; -1 for lids, spheres and none."""
         pieces = np.full(len(self.lengths) + 2, -1)  # (beyond them a sphere; the last entry is for piece -1, none)
-        for number, wall in enumerate(self.connected()):
+        for number, wall in enumerate(self.connected):
             pieces[list(wall.pieces)] = number
         found: NDArray[np.int64] = pieces[self._number(np.asarray(met, int))]
         return found

@@ -161,14 +161,14 @@ def _polygons(shell: EnergyShell, code: list[int], count: int) -> Array:
         s[:, k] = begins[which] + rng.uniform(size=count) * sizes[which]
     # corners stay on their walls
     low, size = np.empty(len(code)), np.empty(len(code))
-    for wall in shape.connected():
+    for wall in shape.connected:
         on = [
             k
             for k, part in enumerate(code)
             if shape.parts[wall.pieces[0]] <= part and part in shape.parts[list(wall.pieces)]
         ]
         low[on], size[on] = wall.first, wall.last - wall.first
-    if shell.free.stop < 4 and not any(shell.setup.table.acceleration):
+    if shell.free.stop < 4 and not shell.setup.table.has_force:
         s = _extremal(shape, s, low, size)
     _slope, _bend, _flight, u, t, n = _length_derivatives(shape, s)
     y = np.zeros((count, 4))

@@ -10,10 +10,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import brentq
 
 from carom.billiards.energy_shell import LARGEST_RESIDUAL, NULL, EnergyShell, energy_shell, newton_steps, residual
 from carom.billiards.orbits import require_integer
-from carom.billiards.periodic import PeriodicOrbit, describe_periodic, first_coordinates, third_and_trace
+from carom.billiards.periodic import describe_periodic, first_coordinates, third_and_trace
+from carom.billiards.periodic_records import PeriodicOrbit
 from carom.billiards.setup import needs_surface
 from carom.bodies import Surface
 from carom.errors import CaromError, Fault
@@ -29,7 +31,6 @@ CLOSED = 1e-11  # residual of a point of the branch, relative to 1 and the tange
 AT_START = 1e-6  # residual of the given orbit with the first value of the parameter
 DIFFERENCE = 1e-6  # of the range: the residual's derivative by the parameter is a central difference
 LOCATED = 1e-13  # of the range: accuracy of an event's parameter
-BISECTIONS = 60
 # Traces at which a pair of multipliers is a root of unity, and the names of these points.
 RESONANCES = {2.0: "1:1 resonance", -2.0: "period doubling", -1.0: "1:3 resonance", 0.0: "1:4 resonance"}
 APART = 1e-9  # traces nearer to a resonance do not cross it: rounding
@@ -160,6 +161,10 @@ def continue_orbit(
     return path.follow(steps, as_progress(progress, lambda done, total, _text: (done, total)))
 
 
+class _LostError(Exception):
+    """The branch is lost within a step."""
+
+
 class _Path:
     """The equations of a branch: unknowns z are the orbit's coordinates and the parameter, from 0 at the start to 1 at the stop."""
 
@@ -170,6 +175,7 @@ class _Path:
         self.start, self.stop = start, stop
         given = orbit.orbit.start
         self.energy = orbit.energy
+        self.known: tuple[Array, tuple[Array, Array, Array]] = (np.empty(0), (np.empty(0),) * 3)
         shell = self.shell(start)
         if shell.setup.table.dimension != 2:
             raise CaromError(Fault("continue_orbit", "change", "a table in the plane", f"{shell.setup.table}"))
@@ -210,13 +216,17 @@ class _Path:
 
     def equations(self, z: Array) -> tuple[Array, Array, Array]:
         """Return the residuals (5), their derivatives (5, K + 1) by the free coordinates and the parameter, the tangent map."""
+        if np.array_equal(z, self.known[0]):  # (a point's tangent and its trace follow from its last correction)
+            return self.known[1]
         f, df, matrix = self.shell(self.value(z[4])).equations(z[None, :4], self.period)
         ends = [
             self.shell(self.value(z[4] + h)).equations(z[None, :4], self.period)[0][0]
             for h in (DIFFERENCE, -DIFFERENCE)
         ]
         by_parameter = (ends[0] - ends[1]) / (2 * DIFFERENCE)
-        return f[0], np.concatenate([df[0][:, self.free], by_parameter[:, None]], axis=1), matrix[0]
+        found = f[0], np.concatenate([df[0][:, self.free], by_parameter[:, None]], axis=1), matrix[0]
+        self.known = z.copy(), found
+        return found
 
     def correct(self, z: Array, along: Array, step: float) -> Array | None:
         """Return the point of the branch in the plane across ``along`` at a distance ``step`` from z; None where there is none."""
@@ -289,8 +299,7 @@ class _Path:
     def measure(self, z: Array) -> tuple[float, float]:
         """Return trace and duration of an orbit of the branch."""
         shell = self.shell(self.value(z[4]))
-        matrix = shell.equations(z[None, :4], self.period)[2][0]
-        return third_and_trace(shell, matrix)[1], shell.duration(z[:4], self.period)
+        return third_and_trace(shell, self.equations(z)[2])[1], shell.duration(z[:4], self.period)
 
     def parameter_beyond(self, edge: float) -> Callable[[Array], float]:
         """Return the function whose zero is an end of the range."""
@@ -302,17 +311,24 @@ class _Path:
 
     def located(self, z: Array, along: Array, step: float, sign: Callable[[Array], float]) -> tuple[float, Array]:
         """Return the distance from z, up to a step, at which a function of the branch's point changes its sign, and that point."""
-        low, high, point, first = 0.0, step, z, sign(z)
-        for _ in range(BISECTIONS):
-            middle = (low + high) / 2
-            new = self.correct(z, along, middle)
+        point = z
+
+        def at(distance: float) -> float:
+            nonlocal point
+            if distance == 0.0:
+                return sign(z)
+            new = self.correct(z, along, distance)
             if new is None:
-                break
+                raise _LostError
             point = new
-            low, high = (middle, high) if (sign(new) > 0) == (first > 0) else (low, middle)
-            if high - low < LOCATED:
-                break
-        return (low + high) / 2, point
+            return sign(new)
+
+        try:
+            where = float(brentq(at, 0.0, step, xtol=LOCATED))
+            at(where)
+        except (_LostError, ValueError):  # (a step fails on the way, or rounding gives both ends one sign)
+            where = float(np.linalg.norm(point - z))
+        return where, point
 
     def events(self, z: Array, along: Array, step: float, before: Any, after: Any, turns: bool) -> list[BranchPoint]:
         """Return the events between z and the point a step ahead, in their order."""

@@ -264,8 +264,10 @@ def arc_normals(p: float, q: float, arc: EllipticArc, x: Array) -> Array:
     e = (long - short) * (long + short)
     t = np.maximum(np.maximum(short * np.abs(across), long * np.abs(along) - e), 1e-300)
     for _ in range(40):
-        f, g = long * along / (t + e), short * across / t
+        f, g, before = long * along / (t + e), short * across / t, t
         t = t + np.maximum(0.5 * (f * f + g * g - 1) / (f * f / (t + e) + g * g / t), 0.0)
+        if (t == before).all():
+            break
     n = np.stack([-along / (t + e), -across / t], axis=-1)
     # on the axis itself: the corner's
     at = arc.half * across <= 0

@@ -142,7 +142,7 @@ class EnergyShell:
         first = len(shape.faces)
         met = np.array([k for k in range(len(found) - 1) if not first <= k < first + len(shape.windows)], int)
         found[1 + met] = shape.wall_numbers(met)
-        return shape.connected(), found
+        return shape.connected, found
 
     def _around(self, piece: Any, new: Array, old: Array) -> Array:
         """Return differences of arc lengths (over the size), the shorter way around a closed wall if both are on it."""

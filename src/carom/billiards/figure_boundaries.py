@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import combinations
 from typing import Any
 
@@ -267,11 +268,10 @@ def _with_lids(name: str, shape: Boundary, height: float | None, inset: float) -
         return shape
     require_room(name, height / 2 - inset, "between the lids", inset)
     c = inset - height / 2
-    if shape.order is not None:  # (the lids come after the other faces, and last along the wall)
-        shape.order = [k + 2 * (k >= len(shape.faces)) for k in shape.order]
-        shape.order += [len(shape.faces), len(shape.faces) + 1]
-    shape.faces = [*shape.faces, face(0, 0, c, nz=1.0), face(0, 0, c, nz=-1.0)]
-    return shape
+    order, sides = shape.order, len(shape.faces)
+    if order is not None:  # (the lids come after the other faces, and last along the wall)
+        order = [*(k + 2 * (k >= sides) for k in order), sides, sides + 1]
+    return replace(shape, faces=[*shape.faces, face(0, 0, c, nz=1.0), face(0, 0, c, nz=-1.0)], order=order)
 
 
 BY_KIND: dict[type[Figure], Callable[[str, Any, float], Boundary]] = {

@@ -6,7 +6,8 @@ Where no force acts across the walls, the flight is met as a straight line: line
 ellipse. Under a force across walls it is a parabola; its roots, of degree 2 (faces) or 4 (curved pieces), are those of
 :mod:`carom.core.roots.first_root`, which find the first of them, and a crossing outside the ends of a piece is skipped for the next
 one. The curve at a distance from an ellipse, of degree eight, is in :mod:`carom.billiards.elliptic_boundary` and
-:mod:`carom.core.geometry.ellipse`; smooth curves, with a table of ``panels``, are in :mod:`carom.core.geometry.curve`.
+:mod:`carom.core.geometry.ellipse`; smooth curves, with a table of ``panels``, are in :mod:`carom.core.geometry.curve`. Arcs of
+circles, in a magnetic field, are in :mod:`carom.billiards.circling`.
 """
 
 from __future__ import annotations
@@ -14,7 +15,9 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from carom.billiards.circling import arc_hit
 from carom.billiards.elliptic_boundary import arc_exit, arc_wall
+from carom.billiards.table_records import ARC, STRAIGHT
 from carom.core.geometry.curve import curve_line, curve_wall
 from carom.core.geometry.curve_parabola import curve_parabola, flight_end
 from carom.core.geometry.ellipse import oval_hit
@@ -287,7 +290,12 @@ def parabolic_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple
 
 @hot_kernel
 def next_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple[float, int]:
-    """Return the time to the next piece and its index; infinity and -1 where none lies ahead."""
-    if world.force_across != 0:
+    """Return how far the next piece is and its index; infinity and -1 where none lies ahead.
+
+    The distance along the flight is its time, or on an arc the number of :mod:`carom.billiards.circling`.
+    """
+    if world.flight != STRAIGHT:
+        if world.flight == ARC:
+            return arc_hit(world, pieces, panels, x, v)
         return parabolic_hit(world, pieces, panels, x, v)
     return straight_hit(world, pieces, panels, x, v)

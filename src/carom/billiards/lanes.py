@@ -31,7 +31,7 @@ STATE = 12 * LANES
 def goes_in_step(world: Any, pieces: Any) -> bool:
     """Return whether orbits of a table may be followed in step."""
     g = world.acceleration
-    free = g[0] == 0.0 and g[1] == 0.0
+    free = g[0] == 0.0 and g[1] == 0.0 and world.magnetic_field == 0.0
     plain = world.windows == world.faces and world.spheres == world.inside and world.finite_faces == 0
     circle = world.faces == 0 and world.inside == 1 and pieces[0].begin == 0.0
     polygon = world.faces > 0 and world.inside == world.faces

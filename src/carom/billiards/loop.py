@@ -12,9 +12,11 @@ from typing import Any
 
 import numpy as np
 
+from carom.billiards.circling import FULL_CIRCLE, arc_duration, arcs_joined, on_arc
 from carom.billiards.intersections import next_hit, wall_normal
 from carom.billiards.lanes import CHUNK, LANES, T, U, V, W, X, Y, chunk_in_step, goes_in_step
 from carom.billiards.table_records import (
+    ARC,
     CORNER,
     DONE,
     ENDING,
@@ -34,7 +36,7 @@ from carom.laws.law import CONTACT_WALL, NO_SLIP_WALL, ROLLING_WALL
 from carom.laws.no_slip import no_slip_bounce
 
 __all__ = [
-    "MEMORY", "after_flight", "after_impact", "at_corner", "compiled_follow", "compiled_many", "follow", "follow_many",
+    "MEMORY", "after_flight", "after_impact", "at_corner", "compiled_follow", "compiled_many", "duration", "follow", "follow_many",
     "follow_one",
 ]  # fmt: skip
 
@@ -57,7 +59,9 @@ def after_impact(world: Any, law: int, a: float, kappa: float, v: Vec, w: Vec, n
 
 @hot_kernel
 def after_flight(world: Any, x: Vec, v: Vec, t: float) -> tuple[Vec, Vec]:
-    """Return position and velocity after a flight of duration t."""
+    """Return position and velocity after a flight up to t, as :func:`next_hit` returns it."""
+    if world.flight == ARC:
+        return on_arc(world.magnetic_field, x, v, t)
     g = world.acceleration
     if g[0] == 0.0 and g[1] == 0.0 and g[2] == 0.0:  # (the next bounce waits for fewer operations)
         return (x[0] + v[0] * t, x[1] + v[1] * t, x[2] + v[2] * t), v
@@ -66,6 +70,14 @@ def after_flight(world: Any, x: Vec, v: Vec, t: float) -> tuple[Vec, Vec]:
         (x[0] + v[0] * t + g[0] * h, x[1] + v[1] * t + g[1] * h, x[2] + v[2] * t + g[2] * h),
         (v[0] + g[0] * t, v[1] + g[1] * t, v[2] + g[2] * t),
     )
+
+
+@hot_kernel
+def duration(world: Any, t: float) -> float:
+    """Return the duration of a flight up to t, as :func:`next_hit` returns it."""
+    if world.flight == ARC:
+        return arc_duration(world.magnetic_field, t)
+    return t
 
 
 @hot_kernel
@@ -141,7 +153,7 @@ def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
     length) receives the pieces, ``last`` (10) time, position, velocity and spin at the end.
     """
     t, ax, ay, k = memory[0], memory[1], memory[2], int(memory[3])
-    cells = 0
+    cells, turned = 0, 0.0
     if k > 0:
         x, v = (memory[5], memory[6], memory[7]), (memory[8], memory[9], memory[10])
         w = (memory[11], memory[12], memory[13])
@@ -154,10 +166,10 @@ def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
     while k < until:
         dt, i = next_hit(world, pieces, panels, x, v)
         if i < 0 or not dt < math.inf:
-            ended = ESCAPED
+            ended = FREE if world.flight == ARC else ESCAPED
             break
         x, v = after_flight(world, x, v, dt)
-        t += dt
+        t += duration(world, dt)
         if i < world.faces or world.arc_corners != 0:
             if world.corners and at_corner(world, pieces, panels, i, x):
                 ended = CORNER
@@ -169,11 +181,12 @@ def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
             ax -= p.r * p.n[0]
             ay -= p.r * p.n[1]
             cells += 1
-            if cells > MAX_EMPTY_CELLS:
+            turned = arcs_joined(turned, dt) if world.flight == ARC else 0.0
+            if cells > MAX_EMPTY_CELLS or turned > FULL_CIRCLE:
                 ended = FREE
                 break
             continue
-        cells = 0
+        cells, turned = 0, 0.0
         n = wall_normal(world, pieces, panels, i, x)
         if planar and law == NO_SLIP_WALL:  # (the same bits; zeros that the compiler sees)
             v, w = no_slip_bounce((v[0], v[1], 0.0), (0.0, 0.0, w[2]), (n[0], n[1], 0.0), a, kappa)

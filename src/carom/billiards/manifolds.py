@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from carom.billiards.energy_shell import EnergyShell
 from carom.billiards.orbits import Orbit
-from carom.billiards.periodic import PeriodicOrbit
+from carom.billiards.periodic_records import PeriodicOrbit
 from carom.billiards.same_orbits import run_orbits
 from carom.errors import CaromError, Fault
 
@@ -90,7 +90,7 @@ def manifold(found: PeriodicOrbit, kind: str = "unstable", *, length: float = 3.
     if found.stability != "hyperbolic":
         raise CaromError(Fault("manifold", "found", "a hyperbolic periodic orbit", f"one that is {found.stability}"))
     setup = found.orbit.setup
-    if any(setup.table.acceleration):
+    if setup.table.has_force:
         raise CaromError(Fault("manifold", "found", "an orbit in a table without a force", f"{setup.table}"))
     if kind not in ("unstable", "stable"):
         raise CaromError(Fault("manifold", "kind", "'unstable' or 'stable'", repr(kind)))

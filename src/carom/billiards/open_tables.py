@@ -154,7 +154,7 @@ def escape(
     holes : sequence of (from, to), m
         Intervals of arc length (``Orbit.arc``), from < to; a ball that would bounce there has left. On a closed wall an interval
         may reach over the place where arc length begins: (-0.1, 0.1), or (L - 0.1, L + 0.1) for a perimeter L. Several walls
-        follow each other in arc length (``table.wall().connected()``), and each hole lies in one of them. The walls of a strip
+        follow each other in arc length (``table.wall().connected``), and each hole lies in one of them. The walls of a strip
         share one coordinate, and a hole is in both. Lids of a cylinder have none.
 
     Returns
@@ -241,7 +241,7 @@ def holes_in(shape: Boundary, given: Any, where: str = "escape", field: str = "h
     expected = "intervals (from, to) of arc length in m with from < to"
     if intervals.ndim != 2 or intervals.shape[1] != 2:
         raise CaromError(Fault(where, field, expected, f"{' '.join(repr(given).split()):.80}"))
-    walls = shape.connected()
+    walls = shape.connected
     if not walls:
         raise CaromError(Fault(where, field, "a table whose wall has an arc length", "a sphere", f"give no {field}"))
     faults, found = [], []

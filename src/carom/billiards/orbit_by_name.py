@@ -12,12 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.billiards.old_sizes import with_new_sizes
 from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer, require_reversible, reverse
-from carom.billiards.periodic import PeriodicOrbits, periodic_orbits
+from carom.billiards.periodic import periodic_orbits
+from carom.billiards.periodic_records import PeriodicOrbits
 from carom.billiards.sampling import starts as sampled_starts
 from carom.billiards.setup import OrbitSetup, Start, default_ball, law_of, needs_surface, orbit_setup, start_rows
 from carom.billiards.stability import Lyapunov
 from carom.billiards.stability import lyapunov as lyapunov_spectrum
-from carom.billiards.tables import Table, under
+from carom.billiards.tables import Table, in_magnetic_field, under
 from carom.billiards.tables import table as table_of
 from carom.bodies import Ball, Disc, Surface
 from carom.errors import CaromError, FaultList
@@ -64,6 +65,7 @@ def orbit(
     *,
     bounds: str = "centre",
     acceleration: ArrayLike | None = None,
+    magnetic_field: float | None = None,
     kappa: float | None = None,
     ball_radius: float | None = None,
     law: str | Law | Any = "no-slip",
@@ -98,6 +100,8 @@ def orbit(
         Whether the table bounds the ball's centre or its surface.
     acceleration : 2 or 3 numbers, or one, optional
         Constant acceleration, m/s^2; one number: along a strip (x), plates or a cylinder (z).
+    magnetic_field : float, optional
+        Cyclotron frequency of a field perpendicular to the plane, rad/s (:func:`carom.billiards.in_magnetic_field`).
     kappa, ball_radius : float, optional
         Of the ball: I/(m a^2), default 0.5, in space 0.4; radius, m, default 1, or 0.1 where the table bounds the surface.
     law : str, Law or kernel
@@ -202,6 +206,7 @@ def _checked(
     *,
     bounds: str = "centre",
     acceleration: Any = None,
+    magnetic_field: Any = None,
     kappa: float | None = None,
     ball_radius: float | None = None,
     law: Any = "no-slip",
@@ -223,7 +228,12 @@ def _checked(
         None
         if table is None
         else faults.attempt(
-            _table, table, {name: x for name, x in sizes.items() if x is not None}, bounds, acceleration
+            _table,
+            table,
+            {name: x for name, x in sizes.items() if x is not None},
+            bounds,
+            acceleration,
+            magnetic_field,
         )
     )
     before = len(faults)
@@ -246,13 +256,16 @@ def _checked(
     return setup, start
 
 
-def _table(table: Any, given: dict[str, Any], bounds: Any, acceleration: Any) -> Table:
-    beside = given if acceleration is None else {**given, "acceleration": acceleration}
+def _table(table: Any, given: dict[str, Any], bounds: Any, acceleration: Any, magnetic_field: Any) -> Table:
+    forces = {"acceleration": acceleration, "magnetic_field": magnetic_field}
+    beside = given | {name: value for name, value in forces.items() if value is not None}
     if isinstance(table, Table) and beside:
         raise CaromError(*(f"`{name}`: has no effect on a Table, which has its sizes; omit it" for name in beside))
     if isinstance(table, str):
         table, given = with_new_sizes("orbit", table, given)
     made = table if isinstance(table, Table) else table_of(table, bounds=bounds, **given)
+    if magnetic_field is not None:
+        made = in_magnetic_field(made, magnetic_field)
     if acceleration is None:
         return made
     axis = ALONG.get(made.name)

@@ -20,8 +20,8 @@ from carom.errors import CaromError, Fault
 from carom.public.progress import Progress, as_progress
 
 __all__ = [
-    "FIRST_BOUNCES", "MAX_KEPT_BYTES", "Orbit", "final", "orbit", "orbit_from_setup", "require_integer", "require_reversible",
-    "reverse",
+    "FIRST_BOUNCES", "MAX_KEPT_BYTES", "Orbit", "final", "moved_in_flight", "orbit", "orbit_from_setup", "require_integer",
+    "require_reversible", "reverse",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -145,10 +145,20 @@ class Orbit:
         t = np.diff(np.concatenate([[0.0], self.t[which][:k]]))
         if points == 1:
             return x
-        g = np.array(self.setup.table.acceleration[:d])
         u = np.arange(points) / points * t[:, None]
-        inner = x[:-1, None] + v[:-1, None] * u[..., None] + g * (u * u / 2)[..., None]
+        inner = moved_in_flight(self.setup.table, x[:-1, None], v[:-1, None], u)[0]
         return np.concatenate([inner.reshape(-1, d), x[-1:]])
+
+
+def moved_in_flight(table: Table, x: Array, v: Array, t: Array) -> tuple[Array, Array]:
+    """Return positions and velocities (..., d) after flights of durations (...), given both at their beginning (..., d)."""
+    if table.magnetic_field:
+        angle = table.magnetic_field * t[..., None]
+        turned = np.stack([-v[..., 1], v[..., 0]], axis=-1)
+        sin, versed = np.sin(angle), 2 * np.sin(angle / 2) ** 2
+        return x + (sin * v + versed * turned) / table.magnetic_field, v + sin * turned - versed * v
+    g = np.array(table.acceleration[: v.shape[-1]])
+    return x + v * t[..., None] + g * (t * t / 2)[..., None], v + g * t[..., None]
 
 
 MAX_KEPT_BYTES = 4e9
@@ -353,7 +363,7 @@ def reverse(found: Orbit) -> tuple[Orbit, Array]:
     """Run orbits backwards from their last bounce.
 
     The no-slip, mirror and rolling reflections are their own inverses, so an orbit returns through all its bounces, until chaos
-    has amplified the rounding errors.
+    has amplified the rounding errors. A magnetic field is reversed as well.
 
     Parameters
     ----------
@@ -383,6 +393,7 @@ def reverse(found: Orbit) -> tuple[Orbit, Array]:
     if (np.asarray(found.ending) != DONE).any():
         raise CaromError(Fault("reverse", "orbit", "one that made all its bounces", "one that ended early"))
     spin = found.spin[..., -1] if setup.planar else found.spin[..., -1, :]
+    setup = setup.reversed_in_time()
     back = orbit_from_setup(
         setup, Start(found.position[..., -1, :], -found.velocity[..., -1, :], -spin), found.t.shape[-1]
     )

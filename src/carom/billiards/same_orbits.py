@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 
 from carom.billiards.boundary import Boundary
 from carom.billiards.energy_shell import EnergyShell
-from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer
+from carom.billiards.orbits import Orbit, moved_in_flight, orbit_from_setup, require_integer
 from carom.billiards.setup import Start
 from carom.errors import CaromError, Fault
 
 __all__ = [
-    "bounce_sequences", "cells_passed", "congruent", "family_key", "least_period", "periods_of", "piece_symmetries",
+    "EQUAL", "bounce_sequences", "cells_passed", "congruent", "family_key", "least_period", "periods_of", "piece_symmetries",
     "run_orbits", "windings",
 ]  # fmt: skip
 
@@ -37,8 +37,9 @@ def bounce_sequences(shell: EnergyShell, run: Orbit) -> tuple[Array, Array]:
     dt = np.diff(run.t, axis=1, prepend=0.0)  # before each bounce
     n = run.normal
     q = math.sqrt(shell.setup.ball.kappa) * shell.setup.ball.radius * run.spin
-    g = np.array(shell.setup.table.acceleration[:2])
-    before = np.roll(run.velocity, 1, axis=1) + g * dt[..., None]
+    before = moved_in_flight(shell.setup.table, np.roll(run.position, 1, axis=1), np.roll(run.velocity, 1, axis=1), dt)[
+        1
+    ]
 
     def split(u: Array) -> list[Array]:
         return [(u * n).sum(-1), n[..., 1] * u[..., 0] - n[..., 0] * u[..., 1]]
@@ -82,15 +83,19 @@ def least_period(shell: EnergyShell, positions: Array, bounces: Array, equal: fl
     return p
 
 
-def congruent(one: Array, other: Array, reversed_other: Array, equal: float = EQUAL) -> bool:
-    """Whether the bounces (p, 4) of two orbits agree up to where they begin, a reflection and the direction of time."""
+def congruent(one: Array, other: Array, reversed_other: Array, equal: float = EQUAL, magnetic: bool = False) -> bool:
+    """Whether the bounces (p, 4) of two orbits agree up to where they begin, a reflection and the direction of time.
+
+    A magnetic field is turned round by either of the two, so there they count together only.
+    """
     if abs(one[:, 0].sum() - other[:, 0].sum()) > equal * len(one):
         return False
-    for variant in (other, reversed_other):
-        for sign in (1.0, -1.0):
-            shown = variant * np.array([1.0, 1.0, sign, sign])
-            if any(np.abs(np.roll(shown, k, axis=0) - one).max() < equal for k in range(len(one))):
-                return True
+    ways = [(other, 1.0), (reversed_other, -1.0)]
+    ways += [] if magnetic else [(other, -1.0), (reversed_other, 1.0)]
+    for variant, sign in ways:
+        shown = variant * np.array([1.0, 1.0, sign, sign])
+        if any(np.abs(np.roll(shown, k, axis=0) - one).max() < equal for k in range(len(one))):
+            return True
     return False
 
 
@@ -134,21 +139,26 @@ def piece_symmetries(shape: Boundary) -> list[list[int]]:
     return found
 
 
-def family_key(pieces: list[int], symmetries: list[list[int]], winding: int, cells: tuple[int, int]) -> Any:
-    """Return the itinerary up to where it begins, its direction and the table's symmetries, the winding and the cells passed."""
+def family_key(
+    pieces: list[int], symmetries: list[list[int]], winding: int, cells: tuple[int, int], magnetic: bool = False
+) -> Any:
+    """Return the itinerary up to where it begins, its direction and the table's symmetries, the winding and the cells passed.
+
+    In a magnetic field orbits that wind one way and the other are different ones.
+    """
     p = len(pieces)
     ways = []
     for permuted in symmetries:
         named = [permuted[k] for k in pieces]
         for way in (named, named[::-1]):
             ways += [way[k:] + way[:k] for k in range(p)]
-    return min(ways), min(winding, p - winding), tuple(sorted(map(abs, cells)))
+    return min(ways), winding if magnetic else min(winding, p - winding), tuple(sorted(map(abs, cells)))
 
 
 def windings(shell: EnergyShell, run: Orbit) -> list[int]:
     """Return how often each orbit runs around the boundary; -1 where this is not one closed curve."""
     shape = shell.setup.shape
-    walls = shape.connected()
+    walls = shape.connected
     if len(walls) != 1 or not walls[0].closed or shape.cell is not None:
         return [-1] * len(run.t)
     length = float(shape.lengths.sum())

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from carom.billiards.boundary import Boundary, Face
 from carom.billiards.orbits import MAX_KEPT_BYTES, require_integer
 from carom.billiards.setup import Start, needs_surface, orbit_setup
+from carom.billiards.table_records import PARABOLA
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
 from carom.errors import CaromError, Fault
@@ -97,7 +98,7 @@ def starts(
     planar = setup.planar
     # dimension of the unit ball of all components except the one across: 2 in the plane, 5 in space
     free = 2 if planar else 5
-    if setup.world["force_across"][0]:
+    if setup.world["flight"][0] == PARABOLA:
         x, n, pace = _weighted_by_energy(table, setup.shape, count, rng, speed, 1.0 if planar else 2.5)
     else:
         x, n = _on_the_wall(_cut_at_energy(table, setup.shape, speed), count, rng)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.billiards.boundary import Boundary
+from carom.billiards.table_records import ARC, PARABOLA, STRAIGHT
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Disc, Surface
 from carom.core.geometry.curve import ROW
@@ -109,6 +110,14 @@ class OrbitSetup:
         """Whether the table lies in the plane."""
         return self.table.dimension == 2
 
+    def reversed_in_time(self) -> OrbitSetup:
+        """Return the setup in which an orbit runs backwards: with the opposite magnetic field."""
+        if not self.table.magnetic_field:
+            return self
+        world = self.world.copy()
+        world["magnetic_field"] *= -1
+        return replace(self, table=replace(self.table, magnetic_field=-self.table.magnetic_field), world=world)
+
 
 def default_ball(table: Table) -> Ball:
     """Return a uniform disc or a solid ball of radius 1/10, or 1 where the table bounds the centre (only a omega matters then)."""
@@ -147,7 +156,8 @@ def orbit_setup(table: Table, ball: Ball | None, law: Any, surface: Surface | No
     world, pieces = shape.arrays()
     world["planar"], world["corners"], world["law"] = table.dimension == 2, corners == "end", response
     world["a"], world["kappa"], world["e"], world["mu"], world["beta"] = ball.radius, ball.kappa, e, mu, beta
-    world["acceleration"], world["force_across"] = table.acceleration, shape.crossed_by(table.acceleration)
+    world["acceleration"], world["magnetic_field"] = table.acceleration, table.magnetic_field
+    world["flight"] = ARC if table.magnetic_field else PARABOLA if shape.crossed_by(table.acceleration) else STRAIGHT
     keeps = response in (NO_SLIP_WALL, ROLLING_WALL) or (
         response == CONTACT_WALL and e == 1 and (mu == 0 or beta == -1 or (beta == 1 and mu == math.inf))
     )

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from carom.billiards.checks import Bounds, checked_acceleration
 from carom.billiards.tables import Table, table
-from carom.errors import FaultList
+from carom.errors import CaromError, Fault, FaultList
 from carom.scene.figures.circle import CircleFigure
 
 __all__ = [
@@ -377,6 +377,8 @@ def cylinder(section: Table | float = 1.0, height: float | None = None, *, accel
         over: dict[str, Any] = {"section": section.figure}
         if isinstance(section.figure, CircleFigure):
             over = {"radius": section.figure.radius}
+        if section.magnetic_field:
+            raise CaromError(Fault("cylinder", "section", "a table without a magnetic field", f"{section}"))
         x, y, _z = section.acceleration
         made = _along((0, 0, 1), acceleration, "cylinder", section.bounds, **over, height=height)
         return replace(made, acceleration=(x, y, made.acceleration[2]))

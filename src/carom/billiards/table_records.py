@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 __all__ = [
-    "CORNER", "DONE", "ENDING", "ENDS", "ESCAPED", "FREE", "GRAZED", "MAX_EMPTY_CELLS", "PIECES", "POSITION", "SPIN", "TIME",
-    "VELOCITY", "WORLD",
+    "ARC", "CORNER", "DONE", "ENDING", "ENDS", "ESCAPED", "FREE", "GRAZED", "MAX_EMPTY_CELLS", "PARABOLA", "PIECES", "POSITION",
+    "SPIN", "STRAIGHT", "TIME", "VELOCITY", "WORLD",
 ]  # fmt: skip
 
 # A piece of the boundary of the region open to the ball's CENTRE. What the fields mean depends on the kind of piece:
@@ -57,8 +57,9 @@ WORLD = np.dtype(
         ("conservative", "i8"),  # 1: the law conserves the energy
         ("law", "i8"),
         ("user", "i8"),
-        ("force_across", "i8"),  # 1: the acceleration has a component across a wall
+        ("flight", "i8"),  # as which flights meet the walls: STRAIGHT, PARABOLA or ARC
         ("acceleration", "f8", (3,)),  # m/s^2
+        ("magnetic_field", "f8"),  # angular velocity at which the velocity turns, rad/s
         ("a", "f8"),  # radius, m
         ("kappa", "f8"),  # I/(m a^2)
         ("e", "f8"),  # restitution
@@ -70,11 +71,20 @@ WORLD = np.dtype(
     ]
 )
 
+# A force along all walls leaves them the straight flights: it changes where they lead, not when they meet a wall.
+STRAIGHT, PARABOLA, ARC = 0, 1, 2
+
 # Why an orbit ended: an index into ENDS.
 DONE, ESCAPED, CORNER, GRAZED, FREE = 0, 1, 2, 3, 4
 # Why and where an orbit ended; ``piece`` (of the tangent map only) is the last one met, -1 for none.
 ENDING = np.dtype([("reason", "i8"), ("bounces", "i8"), ("piece", "i8")])
 # Columns of a row of ten numbers that holds the time and the state of a ball.
 TIME, POSITION, VELOCITY, SPIN = 0, slice(1, 4), slice(4, 7), slice(7, 10)
-ENDS = ("bounces", "escaped", "corner", "grazed", "free")
+ENDS = (
+    "bounces",
+    "escaped",
+    "corner",
+    "grazed",
+    "free",
+)  # free: no bounce ahead in a periodic cell, or on a closed circle
 MAX_EMPTY_CELLS = 1_000_000  # a flight through this many periodic cells counts as free

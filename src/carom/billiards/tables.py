@@ -1,4 +1,4 @@
-"""Billiard tables: a figure, whether it bounds the centre or the surface of the ball, and an acceleration."""
+"""Billiard tables: a figure, whether it bounds the centre or the surface of the ball, and a force."""
 
 from __future__ import annotations
 
@@ -7,13 +7,15 @@ from dataclasses import dataclass, replace
 from os import PathLike
 from typing import Any
 
+import numpy as np
+
 from carom.billiards.boundary import Boundary
 from carom.billiards.checks import Bounds, checked_acceleration, require_bounds
 from carom.billiards.figure_boundaries import boundary_of
-from carom.errors import FaultList
+from carom.errors import MAX_MAGNITUDE, FaultList, checked_number
 from carom.scene.figures import Figure, figure
 
-__all__ = ["Table", "table", "under"]
+__all__ = ["Table", "in_magnetic_field", "table", "under"]
 
 
 @dataclass(frozen=True)
@@ -37,6 +39,8 @@ class Table:
     bounds: str = "centre"
     acceleration: tuple[float, float, float] = (0.0, 0.0, 0.0)
     """Constant acceleration of the ball, m/s^2."""
+    magnetic_field: float = 0.0
+    """Cyclotron frequency in a field perpendicular to the plane, rad/s (:func:`in_magnetic_field`)."""
     name: str = ""
     """Its name in messages; default: its figure's."""
 
@@ -51,9 +55,20 @@ class Table:
 
     @property
     def sizes(self) -> dict[str, Any]:
-        """The sizes of its figure, and an acceleration."""
+        """The sizes of its figure, an acceleration and a magnetic field."""
         g = self.acceleration[: self.dimension]
-        return self.figure.sizes | ({"acceleration": list(g)} if any(g) else {})
+        field = {"magnetic_field": self.magnetic_field} if self.magnetic_field else {}
+        return self.figure.sizes | ({"acceleration": list(g)} if any(g) else {}) | field
+
+    @property
+    def has_force(self) -> bool:
+        """Whether a force acts on the ball between bounces."""
+        return any(self.acceleration) or self.magnetic_field != 0.0
+
+    @property
+    def bends_flights(self) -> bool:
+        """Whether flights are curved, seen along z."""
+        return any(self.acceleration[:2]) or self.magnetic_field != 0.0
 
     def make(self, inset: float) -> Boundary:
         """Return the boundary of the centre's region, given the distance that the centre keeps from the wall, m."""
@@ -70,7 +85,9 @@ class Table:
     def __str__(self) -> str:
         """Return its name and sizes in one line."""
         g = self.acceleration[: self.dimension]
-        sizes = ", ".join([*self.figure.phrases(), *([f"acceleration {list(g)}"] if any(g) else [])])
+        forces = [f"acceleration {list(g)}"] if any(g) else []
+        forces += [f"magnetic field {self.magnetic_field:g}/s"] if self.magnetic_field else []
+        sizes = ", ".join([*self.figure.phrases(), *forces])
         return f"{self.name} ({sizes}; bounds the {self.bounds})"
 
 
@@ -79,6 +96,7 @@ def table(
     *,
     bounds: Bounds | None = None,
     acceleration: Sequence[float] | None = None,
+    magnetic_field: float | None = None,
     **sizes: Any,
 ) -> Table:
     """Return the table of any figure.
@@ -91,6 +109,8 @@ def table(
     bounds : "centre" or "surface" of the ball; default: the centre
     acceleration : (x, y), in space (x, y, z), m/s^2, optional
         A constant acceleration, as of :func:`under`.
+    magnetic_field : float, rad/s, optional
+        A magnetic field, as of :func:`in_magnetic_field`.
     **sizes : optional
         Sizes of the figure, by their names.
 
@@ -114,7 +134,8 @@ def table(
     require_bounds(faults, bounds or "centre")
     faults.raise_if_any()
     assert made is not None
-    return made if acceleration is None else under(made, acceleration)
+    made = made if acceleration is None else under(made, acceleration)
+    return made if magnetic_field is None else in_magnetic_field(made, magnetic_field)
 
 
 def under(table: Table, acceleration: Sequence[float]) -> Table:
@@ -138,9 +159,66 @@ def under(table: Table, acceleration: Sequence[float]) -> Table:
     circle (radius 1.0, acceleration [0.0, -9.81]; bounds the centre)
     """
     faults = FaultList("under")
+    _require_table(faults, table)
+    g = checked_acceleration(faults, acceleration, table.dimension)
+    if any(g):
+        _require_one_force(faults, "acceleration", replace(table, acceleration=(1.0, 0.0, 0.0)))
+    faults.raise_if_any()
+    return replace(table, acceleration=(g[0], g[1], g[2] if table.dimension == 3 else 0.0))
+
+
+def in_magnetic_field(table: Table, magnetic_field: float) -> Table:
+    """Return the table in a magnetic field perpendicular to its plane: a charged ball flies on arcs of circles.
+
+    Parameters
+    ----------
+    table : Table
+        In the plane, without an acceleration.
+    magnetic_field : float
+        The cyclotron frequency, rad/s: the angular velocity at which the velocity turns, counterclockwise where it is positive.
+        The centre moves on circles of the Larmor radius, the speed over the frequency's size. It replaces the table's; 0: none.
+        The field does not change the spin.
+
+    Returns
+    -------
+    Table
+
+    Raises
+    ------
+    CaromError
+        A table in space, one with an acceleration, a field that is not a finite number.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> table = billiards.in_magnetic_field(billiards.circle(), 2.0)
+    >>> print(table)
+    circle (radius 1.0, magnetic field 2/s; bounds the centre)
+    >>> found = billiards.orbit(table, ((1.0, 0.0), (-1.0, 0.0), 0.0), bounces=1, law="mirror")
+    >>> found.position.round(9)
+    array([[ 0.6, -0.8]])
+    """
+    faults = FaultList("in_magnetic_field")
+    _require_table(faults, table)
+    field = checked_number(faults, "magnetic_field", magnetic_field, "a number", lambda x: abs(x) < MAX_MAGNITUDE)
+    if np.ndim(field):
+        faults.add("magnetic_field", "one number", f"{magnetic_field!r:.60}")
+        faults.raise_if_any()
+    if field:
+        _require_one_force(faults, "magnetic_field", replace(table, magnetic_field=1.0))
+    faults.raise_if_any()
+    return replace(table, magnetic_field=float(field))
+
+
+def _require_table(faults: FaultList, table: Any) -> None:
     if not isinstance(table, Table):
         faults.add("table", "a table such as carom.billiards.circle()", f"{table!r:.60}")
         faults.raise_if_any()
-    g = checked_acceleration(faults, acceleration, table.dimension)
-    faults.raise_if_any()
-    return replace(table, acceleration=(g[0], g[1], g[2] if table.dimension == 3 else 0.0))
+
+
+def _require_one_force(faults: FaultList, field: str, table: Table) -> None:
+    """Add a fault where a table has two forces, or a magnetic field in space."""
+    if table.magnetic_field and table.dimension != 2:
+        faults.add(field, "a magnetic field in a table in the plane only", f"{table.name}, in space")
+    elif table.magnetic_field and any(table.acceleration):
+        faults.add(field, "an acceleration or a magnetic field", "both")

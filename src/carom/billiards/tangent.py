@@ -11,10 +11,11 @@ import functools
 import math
 from typing import Any
 
+from carom.billiards.circling import FULL_CIRCLE, arcs_joined, displaced_on_arc
 from carom.billiards.elliptic_boundary import arc_wall
 from carom.billiards.intersections import next_hit, wall_normal
-from carom.billiards.loop import after_flight, after_impact, at_corner
-from carom.billiards.table_records import CORNER, DONE, ENDING, ESCAPED, GRAZED, PIECES, WORLD
+from carom.billiards.loop import after_flight, after_impact, at_corner, duration
+from carom.billiards.table_records import ARC, CORNER, DONE, ENDING, ESCAPED, FREE, GRAZED, PIECES, WORLD
 from carom.core.contact import LEAST, slip_velocity
 from carom.core.geometry.curve import curve_wall
 from carom.core.jit.compile import array_of, njit, signature
@@ -102,16 +103,20 @@ def rolling_derivative(v: Vec, w: Vec, n: Vec, a: float, kappa: float, dv: Vec, 
 def tangent_step(
     world: Any, n: Vec, k: float, sphere: bool, t: float, v: Vec, w: Vec, dx: Vec, dv: Vec, dw: Vec
 ) -> tuple[Vec, Vec, Vec]:
-    """Propagate a displacement from just after one bounce to just after the next: t later, with v, w just before it.
+    """Propagate a displacement from just after one bounce to just after the next: a flight up to t later, with v, w just before it.
 
     n and k are the wall's normal and curvature; ``sphere``: it is curved in z as well.
     """
-    g = world.acceleration
+    g0, g1, g2 = world.acceleration[0], world.acceleration[1], world.acceleration[2]
     # position of the neighbour at the same time, and how much later it meets the wall
-    p = (dx[0] + t * dv[0], dx[1] + t * dv[1], dx[2] + t * dv[2])
+    if world.flight == ARC:
+        p, dv = displaced_on_arc(world.magnetic_field, dx, dv, t)
+        g0, g1, g2 = -world.magnetic_field * v[1], world.magnetic_field * v[0], 0.0
+    else:
+        p = (dx[0] + t * dv[0], dx[1] + t * dv[1], dx[2] + t * dv[2])
     late = -dot(n, p) / dot(n, v)
     dx = (p[0] + v[0] * late, p[1] + v[1] * late, p[2] + v[2] * late)
-    dv = (dv[0] + g[0] * late, dv[1] + g[1] * late, dv[2] + g[2] * late)
+    dv = (dv[0] + g0 * late, dv[1] + g1 * late, dv[2] + g2 * late)
     dn = (-k * dx[0], -k * dx[1], -k * dx[2] if sphere else 0.0)
     if world.law == ROLLING_WALL:
         dv, dw = rolling_derivative(v, w, n, world.a, world.kappa, dv, dw, dn)
@@ -151,14 +156,17 @@ def follow_tangents(
         while True:
             dt, i = next_hit(world, pieces, panels, x, u)
             if i < 0 or not dt < math.inf:
-                ended = ESCAPED
+                ended = FREE if world.flight == ARC else ESCAPED
                 break
             x, u = after_flight(world, x, u, dt)
-            flight += dt
+            flight = arcs_joined(flight, dt) if world.flight == ARC else flight + dt
             if i < world.faces or i >= world.windows:
                 break
             p = pieces[i]
             x = (x[0] + p.r * p.n[0], x[1] + p.r * p.n[1], x[2])
+            if world.flight == ARC and flight > FULL_CIRCLE:
+                ended = FREE
+                break
         if ended != DONE:
             break
         if (i < world.faces or world.arc_corners != 0) and world.corners and at_corner(world, pieces, panels, i, x):
@@ -178,7 +186,7 @@ def follow_tangents(
         if not dot(v, n) > 0.0:
             ended = GRAZED
             break
-        t += flight
+        t += duration(world, flight)
         met = i
         k += 1
         if every > 0 and k % every == 0:

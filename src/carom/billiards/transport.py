@@ -15,7 +15,7 @@ from carom.billiards.open_tables import holes_in, in_holes
 from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer
 from carom.billiards.sampling import free_area, starts
 from carom.billiards.setup import needs_surface, orbit_setup
-from carom.billiards.table_records import DONE
+from carom.billiards.table_records import DONE, STRAIGHT
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
 from carom.errors import CaromError, Fault
@@ -71,14 +71,14 @@ def mean_flight(table: Table, *, ball: Ball | None = None, law: Any = "no-slip",
     MeanFlight(path=1.57079..., time=2.0)
     """
     setup = orbit_setup(table, ball, law, Surface() if needs_surface(law) else None, "end")
-    if setup.world["force_across"][0] or table.name == "wedge":
+    if setup.world["flight"][0] != STRAIGHT or table.name == "wedge":
         raise CaromError(
             Fault("mean_flight", "table", "walls of finite length without a force across them", f"{table}")
         )
     if not 0 < speed < math.inf:
         raise CaromError(Fault("mean_flight", "speed", "a number > 0", repr(speed)))
     ratio = _volume_over_surface(setup.shape)
-    if setup.world["force_across"][0] or not ratio > 0:
+    if not ratio > 0:
         raise CaromError(
             Fault("mean_flight", "table", "a table from which no ball escapes, without a force", f"{table}")
         )
@@ -271,7 +271,7 @@ def diffusion(
     """
     setup = orbit_setup(table, ball, law, surface, "end")
     free = tuple(_corridors(setup.shape, table))
-    if any(table.acceleration) or not setup.conservative:
+    if table.has_force or not setup.conservative:
         raise CaromError(
             Fault("diffusion", "table, law", "no force, and a law that keeps the energy", f"{table}, {setup.law}")
         )

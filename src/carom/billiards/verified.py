@@ -88,7 +88,7 @@ def verify(shell: EnergyShell, run: Orbit, cells: Sequence[int], family: int = 0
     try:
         if family:
             raise CaromError("one of a continuous family")
-        if any(run.setup.table.acceleration):
+        if run.setup.table.has_force:
             raise CaromError("a force acts on the ball")
         return _Proof(shell, run, cells).result()
     except CaromError as error:

@@ -27,6 +27,7 @@ TEXTS = ("verdict", "sentence", "notes")  # fields of results
 ARGUMENTS: dict[str, dict[str, str]] = {
     "Ball": {}, "Disc": {}, "wall": {}, "Surface": {}, "incoming": {}, "compare": {},
     "floor": {name: f"floor_{name}" for name in ("restitution", "friction", "tangential_restitution")},
+    "in_magnetic_field": {}, "under": {},
     "Run": {}, "simulate": {}, "predict": {}, "fit": {}, "design": {}, "tracks": {}, "measure_tracks": {}, "judge": {},
     "aim": {"errors": "error"}, "aim: reach": {}, "explore": {}, "plot": {"orbit": "plot"}, "sensitivity": {"wrt": "sensitivity"},
     "GasSettings": {}, "simulate_gas": {}, "simulate_ensemble": {}, "orbit": {}, "orbit: start": {}, "starts": {},

@@ -62,6 +62,15 @@ def orbit(
             show_default=False,
         ),
     ] = None,
+    magnetic_field: Annotated[
+        float | None,
+        typer.Option(
+            help="Magnetic field perpendicular to the plane, as the cyclotron frequency, rad/s: the centre moves on circles of"
+            " the Larmor radius speed/|this|, counterclockwise where it is positive.",
+            rich_help_panel=TABLE,
+            show_default=False,
+        ),
+    ] = None,
     kappa: Annotated[
         float | None,
         typer.Option(
@@ -179,7 +188,8 @@ def orbit(
     old = {name: given[name] for name in OLD_SIZES if given[name] is not None}
     what = faults.attempt(_table, table, table_file, old)
     options = {
-        "bounds": bounds, "kappa": kappa, "ball_radius": ball_radius, "law": with_own_laws(law), "restitution": restitution,
+        "bounds": bounds, "magnetic_field": magnetic_field,
+        "kappa": kappa, "ball_radius": ball_radius, "law": with_own_laws(law), "restitution": restitution,
         "friction": friction, "tangential_restitution": tangential_restitution, "corners": corners, "orbits": orbits,
         "seed": seed, "reverse": reverse,
     }  # fmt: skip

@@ -20,7 +20,7 @@ REASONS = {
     "escaped": "escaped",
     "corner": "at a corner",
     "grazed": "grazing the wall",
-    "free": "flying freely",
+    "free": "without another bounce",
 }
 
 
@@ -29,6 +29,7 @@ def orbit_facts(found: OrbitResult) -> dict[str, Any]:
     import numpy as np
 
     from carom import billiards
+    from carom.billiards.table_records import PARABOLA
 
     table = found.setup.table
     ball = found.setup.ball
@@ -55,9 +56,9 @@ def orbit_facts(found: OrbitResult) -> dict[str, Any]:
         periods = np.atleast_1d(billiards.period(found))
         names, counts = np.unique(periods, return_counts=True)
         facts["periods"] = {str(p): int(c) for p, c in zip(names.tolist(), counts.tolist(), strict=True) if p}
-        falls = bool(found.setup.world["force_across"][0])
+        falls = bool(found.setup.world["flight"][0] == PARABOLA)
         round_ = "circle" in (table.name, getattr(getattr(table.figure, "over", None), "shape", ""))
-        if round_ and not falls:
+        if round_ and not table.bends_flights:
             caustics = billiards.caustics(found)
             facts["caustics"] = np.atleast_2d(caustics.radii)[0].tolist() if len(made) == 1 else None
         along = any(table.acceleration) or table.name in ("strip", "plates", "cylinder")

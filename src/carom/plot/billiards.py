@@ -66,7 +66,7 @@ def plot_orbit(found: Orbit, which: Any = None) -> Figure:
         np.asarray(found.start.spin, float), found.spin[..., 0].shape if setup.planar else found.spin[..., 0, :].shape
     )[which]
     spins = np.append(first if setup.planar else first[2], spin) * float(setup.ball.radius)
-    points = 1 if not any(setup.table.acceleration[:2]) else 24
+    points = 24 if setup.table.bends_flights else 1
     path = found.path(which, points)[: count * points + 1]
     lines, owner = flights_in_cell(setup.shape, path[:, :2], points)
     with style():

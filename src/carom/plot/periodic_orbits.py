@@ -10,7 +10,7 @@ import numpy as np
 
 from carom.billiards.continuation import OrbitBranch
 from carom.billiards.manifolds import Manifold
-from carom.billiards.periodic import PeriodicOrbit
+from carom.billiards.periodic_records import PeriodicOrbit
 from carom.errors import CaromError
 from carom.plot.billiards import draw_table, flights_in_cell, table_extent
 from carom.plot.style import GREY, INK, new_figure, style
@@ -55,7 +55,7 @@ def plot_periodic(found: Sequence[PeriodicOrbit]) -> Figure:
     if not shown:
         raise CaromError("plot: periodic orbits: expected at least one, got none")
     setup = shown[0].orbit.setup
-    forced = any(setup.table.acceleration[:2])
+    forced = setup.table.bends_flights
     paths = [one.orbit.path((), POINTS if forced else 1)[:, :2] for one in shown]
     low, high = table_extent(setup.table.wall(), setup.shape, paths[0])
     width, height = high - low

@@ -28,7 +28,7 @@ from carom.core.geometry.curve import (
 from carom.core.jit.kernel import hot_kernel, kernel
 from carom.core.roots.bracketed import least_of_chord, newton_or_half
 
-__all__ = ["curve_parabola", "flight_end"]
+__all__ = ["curve_parabola", "flight_end", "graph_at"]
 
 NEVER = math.inf
 OVERLAP = 1e-13  # of a panel's length: so much beyond its ends still belongs to it
@@ -37,7 +37,7 @@ SLOW = 1e-14  # approach that counts as rounding, relative to the speed
 
 
 @kernel
-def _graph_at(panels: Any, j: int, a: float, xi: float) -> tuple[float, float]:
+def graph_at(panels: Any, j: int, a: float, xi: float) -> tuple[float, float]:
     """Return F and F' of a panel's parallel curve at xi."""
     h = panels[j, HALF]
     w = xi / h - 1.0
@@ -71,7 +71,7 @@ def _gap(
     panels: Any, j: int, a: float, x: float, y: float, u: float, v: float, g: float, h: float, s: float
 ) -> tuple[float, float]:
     """Return the gap at a time s, and its rate, in the chord's frame; (g, h): the acceleration."""
-    eta, slope = _graph_at(panels, j, a, x + (u + 0.5 * g * s) * s)
+    eta, slope = graph_at(panels, j, a, x + (u + 0.5 * g * s) * s)
     return y + (v + 0.5 * h * s) * s - eta, v + h * s - slope * (u + g * s)
 
 
