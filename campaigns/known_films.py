@@ -26,6 +26,7 @@ from carom.tracks.read import TrackFile
 FALLS: dict[str, dict[str, float]] = {
     "falls": {},
     "falls in air, k 0 to 0.05 per metre": {"drag": 0.05},
+    "falls in air, camera rolled by 1 degree (rms)": {"drag": 0.05, "roll": 1.0},
     "noise correlated by 0.5": {"correlation": 0.5},
     "noise correlated by 0.9": {"correlation": 0.9},
 }
@@ -34,23 +35,29 @@ EACH = 5
 CURVES = "smooth paths without a contact"
 
 
-def pulls(seed: int, kind: str) -> list[float]:
-    """(Measured less true restitution) / error of each bounce of a film."""
+def pulls(seed: int, kind: str) -> list[tuple[float, float]]:
+    """(Measured less true) / error of each bounce of a film: of the restitution, and of the change of v_t."""
     rng = np.random.default_rng(seed)
     given = dict(FALLS[kind])
     if "drag" in given:
         given |= {"drag": rng.uniform(0, given["drag"]), "height": rng.uniform(0.5, 2.0), "last": rng.uniform(1.0, 3.0)}
+    if "roll" in given:
+        given["roll"] *= rng.normal()
     fall = drawn_fall(rng, **given)
-    track, _bounces = fallen(fall, seed)
+    track, bounces = fallen(fall, seed)
     found = []
     for one in measure([track], Settings(view="side", drag=None if "drag" in given else 0.0)).contacts:
-        if one.fit is None or not usable_stages(one, "both")[0]:
+        fit = one.fit
+        if fit is None or not usable_stages(one, "both")[0]:
             continue
-        before, after = -one.fit["vn_in"], one.fit["vn_out"]
-        shared = 2 * one.fit.covariance_of("vn_in", "vn_out") / (before * after)
-        error = (one.fit.error("vn_in") / before) ** 2 + (one.fit.error("vn_out") / after) ** 2 + shared
+        before, after = -fit["vn_in"], fit["vn_out"]
+        shared = 2 * fit.covariance_of("vn_in", "vn_out") / (before * after)
+        error = (fit.error("vn_in") / before) ** 2 + (fit.error("vn_out") / after) ** 2 + shared
         e = after / before
-        found.append(float((e - fall.restitution) / (e * np.sqrt(error))))
+        # (the wall's second axis is to the left)
+        lost = min(bounces, key=lambda bounce: abs(bounce.t - one.time)).v_t_lost + fit["vt_out"] - fit["vt_in"]
+        spread = fit.error("vt_in") ** 2 + fit.error("vt_out") ** 2 - 2 * fit.covariance_of("vt_in", "vt_out")
+        found.append((float((e - fall.restitution) / (e * np.sqrt(error))), float(lost / np.sqrt(spread))))
     return found
 
 
@@ -87,9 +94,10 @@ def report(run: Campaign, kind: str) -> None:
             films.append(pulls(seed, kind))
         except CaromError:
             refused += 1
-    off = sum(any(abs(z) > 3 for z in film) for film in films)
-    run.say(f"{kind}: {shares([z for film in films for z in film])}; {off} of {len(films)} films more than 3 error bars off"
-          + (f", {refused} refused" if refused else ""))  # fmt: skip
+    for which, name in enumerate(("", "; change of v_t") if "roll" in FALLS[kind] else ("",)):
+        off = sum(any(abs(z[which]) > 3 for z in film) for film in films)
+        run.say(f"{kind}{name}: {shares([z[which] for film in films for z in film])}; {off} of {len(films)} films more than 3"
+              f" error bars off" + (f", {refused} refused" if refused else ""))  # fmt: skip
 
 
 def main(words: Sequence[str] | None = None) -> None:

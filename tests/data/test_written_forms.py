@@ -12,7 +12,7 @@ from reference.written_tables import BETA, KAPPA, LAYOUTS, MU, RADIUS, STRAIGHT,
 from carom.data import read_rebounds
 from carom.data.rebound_files import heads_rebounds
 from carom.errors import CaromError
-from carom.fitting import Setting, fit_laws
+from carom.fitting import Setting, fit_laws, usable_rows
 
 ALL = ("speed_and_angle", "from_surface", "x_and_y", "errors_in_cells", "missing_cells", "normalised_spin")
 EXAMPLES = Path(__file__).parents[2] / "docs" / "data" / "tables"
@@ -55,6 +55,23 @@ def test_heights_times_and_ratios_without_spins_give_the_restitution_alone(tmp_p
     assert abs(one.value - E) < 3 * one.stderr < 0.01
     assert "Only the restitution is measured" in ranking.verdict
     assert not any("lower limit" in said for said in ranking.best.degenerate)
+
+
+def test_angles_alone_give_all_numbers_where_some_balls_slide_and_others_grip(tmp_path: Path) -> None:
+    found = table(tmp_path, layout("angles"))
+    rows, setting = usable_rows(found, Setting(RADIUS, KAPPA), spin=0.0)
+    fit = fit_laws(rows, setting, ["contact"], bootstrap=0, profiles=False).best
+    for parameter, true in (("restitution", E), ("friction", 0.15), ("tangential_restitution", BETA)):
+        one = fit.estimates[parameter]
+        assert abs(one.value - true) < 3 * one.stderr < 0.1, parameter
+    # a speed is given in one row: an angle of the others
+    mixed = table(tmp_path, "speed_in,incidence_deg,speed_out,reflection_deg,spin_in\n2,30,1.5,30,0\n2,30,,30,0\n")
+    assert mixed["v_t_out"] == pytest.approx([0.75, 0.5])
+    assert np.isnan(mixed["v_n_out"]).tolist() == [False, True]
+    assert mixed.extra["unit_of_v_t_out"].tolist() == ["", "speed_out"]
+    # with the ratio of the normal speeds the speed is known
+    ratio = table(tmp_path, "incidence_deg,e_n,reflection_deg\n45,0.8,45\n30,0.8,20\n")
+    assert ratio["v_t_out"][0] == pytest.approx(ratio["v_n_out"][0]) == pytest.approx(0.8 * 0.5**0.5)
 
 
 def test_heights_are_speeds(tmp_path: Path) -> None:

@@ -40,6 +40,8 @@ class Fall:
     """Of the noise, from frame to frame."""
     pixel: float = 0.0
     """m; 0: positions are not rounded."""
+    roll: float = 0.0
+    """degrees by which the camera is turned clockwise."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +51,8 @@ class Bounce:
     t: float
     v_n_in: float
     v_n_out: float
+    v_t_lost: float = 0.0
+    """By how much v_t has changed, m/s."""
 
 
 def noise(rng: np.random.Generator, shape: tuple[int, int], size: float, correlation: float = 0.0) -> Array:
@@ -105,14 +109,15 @@ def fallen(fall: Fall, seed: int) -> tuple[Track, list[Bounce]]:
                 low, high = (middle, high) if _stepped(rate, state, middle)[1] > 0 else (low, middle)
             state, t = _stepped(rate, state, high), t + high
             v = -state[3]
+            level = state[2]
             lost = min(fall.friction * (1 + fall.restitution) * v, abs(state[2]) * 2 / 7)
             state = np.array([state[0], 0.0, state[2] - np.sign(state[2]) * lost, fall.restitution * v])
-            bounces.append(Bounce(t, v, fall.restitution * v))
+            bounces.append(Bounce(t, v, fall.restitution * v, state[2] - level))
             rests = fall.restitution * v < MIN_SPEED
         if rests:
             state, t = state + np.array([state[2] * (end - t), 0.0, 0.0, 0.0]), end
         places.append(state[:2].copy())
-    x = np.array(places) + noise(rng, (len(times), 2), fall.noise, fall.correlation)
+    x = rotated(np.array(places), fall.roll) + noise(rng, (len(times), 2), fall.noise, fall.correlation)
     if fall.pixel:
         x = np.round(x / fall.pixel) * fall.pixel
     return Track("ball", times, x), bounces

@@ -102,6 +102,19 @@ def _ratios(t: Columns) -> str:
     return _text({name: _cells(x) for name, x in columns.items()})
 
 
+def _angles(t: Columns) -> str:
+    """Angles from the normal to 0.5 degrees, of balls without spin on a smooth wall; no speed at all."""
+    rng = np.random.default_rng(3)
+    v_n, v_t = t["v_n_in"], t["v_t_in"]
+    out = contact(v_n, v_t, np.zeros_like(v_n), mu=0.15)
+    columns = {
+        "incidence_deg": np.degrees(np.arctan2(v_t, v_n)),
+        "reflection_deg": np.degrees(np.arctan2(out[1], out[0])),
+    }
+    columns["reflection_deg"] += 0.5 * rng.normal(size=len(v_n))
+    return _text({name: _cells(x, 2) for name, x in columns.items()} | {"sigma_reflection_deg": ["0.5"] * len(v_n)})
+
+
 def _slip_ratios(name: str) -> Callable[[Columns], str]:
     def text(t: Columns) -> str:
         slip = {side: t[f"v_t_{side}"] - RADIUS * t[f"spin_{side}"] for side in ("in", "out")}
@@ -178,7 +191,7 @@ def _surfaces(t: Columns) -> str:
 
 LAYOUTS: dict[str, Callable[[Columns], str]] = {
     "speed_and_angle": _speed_angle, "from_surface": _from_surface, "x_and_y": _plane, "angle_and_ratios": _ratios,
-    "cross": _slip_ratios("e_x"), "walton": _slip_ratios("beta"), "heights": _heights, "times": _times,
+    "angles": _angles, "cross": _slip_ratios("e_x"), "walton": _slip_ratios("beta"), "heights": _heights, "times": _times,
     "errors_in_cells": _plus_minus, "errors_in_per_cent": _per_cent, "missing_cells": _missing, "spin_after": _spin_after,
     "normalised_spin": _normalised, "surfaces": _surfaces,
 }  # fmt: skip

@@ -80,13 +80,30 @@ def test_drag_is_found_and_the_restitution_right(drag: float, restitution: float
     assert "drag" not in " ".join((*known.notes, *ignored.notes))
 
 
-def test_rows_of_a_film_share_the_error_of_the_drag() -> None:
+def test_rows_of_a_film_share_the_errors_of_the_drag_and_of_the_camera() -> None:
     table = to_rebounds(measure([dropped(TENNIS, 0.75)], Settings(view="side")))
     names = ("v_n_in", "v_t_in", "spin_in", "v_n_out", "v_t_out", "spin_out")
-    (shared,) = shared_errors(table, names, 0.0)
-    assert shared.name == "air drag"
+    shared, roll = shared_errors(table, names, 0.0)
+    assert (shared.name, roll.name) == ("air drag", "camera roll")
     assert (shared.rows[:, 0] * shared.rows[:, 3] < 0).all()  # more drag: it came slower, and leaves faster
     assert (np.abs(shared.rows[:, 0]) < table.sigma["v_n_in"]).all()
+    # the floor turns with the camera: v_t gains what is then no v_n
+    angle = roll.rows[:, 4] / -table["v_n_out"]
+    assert angle == pytest.approx(angle[0])
+    assert angle[0] > 1e-4
+    assert roll.rows[:, 1] == pytest.approx(angle * table["v_n_in"], rel=1e-3)
+    assert roll.rows[:, 3] == pytest.approx(angle * table["v_t_out"], abs=1e-6)
+
+
+def test_a_given_floor_stands_however_the_camera_was_rolled() -> None:
+    track = turned(film(thrown(1.5, 1.2), rate=120), 0.15)
+    floor = wall_through("floor", (0.0, 0.02), (1.0, 0.02), [track])
+    found, given = (measure([track], Settings(view="side", walls=walls)) for walls in (None, (floor,)))
+    assert ["roll" in one.fit.shifts for one in (found.measured[0], given.measured[0]) if one.fit] == [True, False]
+    # too little to turn the floor, and yet part of the velocities
+    before = [one.fit["vt_in"] for one in (found.measured[0], given.measured[0]) if one.fit]
+    assert before[0] != pytest.approx(before[1], abs=1e-3)
+    assert found.walls[0].normal == (0.0, 1.0)
 
 
 @pytest.mark.parametrize("speed", [0.0, 1.0, 2.5])

@@ -88,6 +88,8 @@ WRITTEN_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
         for side in ("in", "out")
     },
 }
+# A column of the table of rebounds, and its cell in rows of which only the direction after the contact is known
+DIRECTION_COLUMN, DIRECTION_UNIT = "unit_of_v_t_out", "speed_out"
 # Names of other columns in tables of the release before: new -> old. They are read as the new ones.
 OLD_COLUMNS = {"floor_friction": "cloth_friction", "sigma_floor_friction": "sigma_cloth_friction"}
 BRACKETS = re.compile(r"^(.*?)\s*[\[(]([^\])]*)[\])]$")

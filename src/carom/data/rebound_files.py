@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.data.csv import CsvTable
-from carom.data.headers import BRACKETS, Heading, missing_unit, with_units_below
+from carom.data.headers import BRACKETS, DIRECTION_COLUMN, DIRECTION_UNIT, Heading, missing_unit, with_units_below
 from carom.data.rebounds import CELL_BYTES, NAMED, Kind, Rebounds, make_rebounds, rows_of_stage, stages_of_column
 from carom.data.remarks import which_rows
 from carom.data.table_cells import (
@@ -158,6 +158,7 @@ def rebounds_of_columns(
         and stages is None
     )
     kind = kind or ("planar" if planar else _kind_of_columns(measured, stages is not None, headers, faults))
+    extra |= _directions(found.directions, kind, faults)
     if faults:
         # check the columns as well, to report all problems at once
         more = FaultList()
@@ -169,6 +170,15 @@ def rebounds_of_columns(
         stages = None
     made = make_rebounds(kind, measured, stage=stages, extra=extra, rows=rows, source=source)
     return rows_of_stage(replace(made, notes=(*found.notes, *made.notes)), stage)
+
+
+def _directions(alone: NDArray[np.bool_] | None, kind: Kind, faults: FaultList) -> dict[str, NDArray[Any]]:
+    """Return the column that marks rows of which only the direction after the contact is known; for balls in flight alone."""
+    if alone is None:
+        return {}
+    if kind == "table":
+        faults.add("columns", "a speed beside the angle after the wall, for a ball on a table", "the angle alone")
+    return {DIRECTION_COLUMN: np.where(alone, DIRECTION_UNIT, "")}
 
 
 def _errors_of(header: str, errors: Errors | None, rows: Sequence[str], faults: FaultList) -> Errors | None:

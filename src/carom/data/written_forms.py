@@ -55,6 +55,8 @@ class WrittenComponents:
     """Whether the form alone says that the ball was in flight."""
     rows: NDArray[np.int64] | None = None
     """Rows of the table from which the rebounds come, if they are not all."""
+    directions: NDArray[np.bool_] | None = None
+    """(N,) rows of which only the direction after is known, whose v_t_out is in units of the speed after; None: none."""
 
 
 def components(
@@ -203,6 +205,8 @@ class _Conversion:
         angles = {side: self.take(name) for side, name in (("in", "incidence"), ("out", "reflection"))}
         for side, angle in angles.items():
             name = "incidence" if side == "in" else "reflection"
+            if side == "out":
+                self.normal_ratio()
             speed = self.take(f"speed_{side}")
             if angle is None:
                 if speed is not None:
@@ -213,23 +217,32 @@ class _Conversion:
             if speed is None and f"v_n_{side}" in self.have:
                 v_n = self.have[f"v_n_{side}"]
                 self.put(f"v_t_{side}", v_n * sine / cosine, np.abs(v_n) / cosine**2 * angle[1])
-            elif speed is None and side == "in":
-                speed = np.ones(len(cosine)), np.full(len(cosine), np.nan)
-                self.result.notes.append(
-                    "no speed is given: taken as 1 m/s before the wall, which laws with constants do not depend on"
-                )
-            if speed is None and f"v_t_{side}" not in self.have:
-                self.faults.add(
-                    f"column {name!r}", "a speed beside the angle (speed_out), or the ratio e_n", "neither",
-                    "angles alone give one number per row, in which restitution and friction cannot be told apart row by row",
-                )  # fmt: skip
-            if speed is None:
                 continue
+            if speed is None:
+                speed = np.ones(len(cosine)), np.full(len(cosine), np.nan)
+                if side == "out":
+                    speed[0][:] = np.nan
+                else:
+                    self.result.notes.append(
+                        "no speed is given: taken as 1 m/s before the wall, which laws with constants do not depend on"
+                    )
             v, sigma_v, sigma_angle = speed[0], np.nan_to_num(speed[1]), np.nan_to_num(angle[1])
             unknown = np.isnan(speed[1]) & np.isnan(angle[1])
+            alone = np.isnan(v) & np.isfinite(angle[0]) if side == "out" else np.zeros(len(v), bool)
             for part, to, turn in ((cosine, "n", sine), (sine, "t", cosine)):
-                sigma = np.hypot(part * sigma_v, v * turn * sigma_angle)
-                self.put(f"v_{to}_{side}", v * part, np.where(unknown, np.nan, sigma))
+                sigma = np.where(unknown, np.nan, np.hypot(part * sigma_v, v * turn * sigma_angle))
+                if to == "t" and alone.any():
+                    self._directions(alone)
+                    self.put("v_t_out", np.where(alone, part, v * part), np.where(alone, turn * angle[1], sigma))
+                elif not alone.all():
+                    self.put(f"v_{to}_{side}", v * part, sigma)
+
+    def _directions(self, alone: NDArray[np.bool_]) -> None:
+        self.result.directions, self.result.planar = alone, True
+        self.result.notes.append(
+            f"no speed after the wall is given in {alone.sum()} of {len(alone)} rows: v_t_out is in units of the speed after"
+            " there, the sine of the angle"
+        )
 
     def _speed_alone(self, side: str, speed: tuple[Array, Array]) -> None:
         if side == "in" or "v_n_in" in self.have:
@@ -246,16 +259,19 @@ class _Conversion:
             self.faults.add(f"column {name!r}", "angles from the normal, below 90 degrees", f"{worst:.4g}",
                             f"angles from the surface are called {name}_from_surface")  # fmt: skip
 
-    def ratios(self) -> None:
-        """Take ratios of speeds after and before: e_n and e_t of the centre, e_x (Cross) and beta (Walton) of the slip."""
-        normal = self.take("e_n")
-        if normal is not None and "v_n_in" not in self.have:
+    def normal_ratio(self) -> None:
+        """Take the ratio of the normal speeds after and before."""
+        if (normal := self.take("e_n")) is None:
+            return
+        if "v_n_in" not in self.have:
             count = len(normal[0])
             self.put("v_n_in", np.ones(count), np.full(count, np.nan))
             self.result.notes.append("no speed is given: taken as 1 m/s, normal to the wall, before it")
-        if normal is not None:
-            self.put("v_n_out", normal[0] * self.have["v_n_in"], normal[1] * self.have["v_n_in"])
-            self.result.planar = True
+        self.put("v_n_out", normal[0] * self.have["v_n_in"], normal[1] * self.have["v_n_in"])
+        self.result.planar = True
+
+    def ratios(self) -> None:
+        """Take the other ratios of speeds after and before: e_t of the centre, e_x (Cross) and beta (Walton) of the slip."""
         along = self.take("e_t")
         if along is not None and "v_t_in" in self.have:
             # (v_t_out is 0 where v_t_in is)

@@ -10,8 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.data.energy import energy_remarks
+from carom.data.headers import DIRECTION_COLUMN, DIRECTION_UNIT
 from carom.data.rebounds import COLUMNS, STAGES, Rebounds
 from carom.errors import CaromError
+from carom.fitting.kernels import AFTER_WALL, DIRECTION
 from carom.fitting.setting import Setting
 from carom.fitting.shared_errors import SHARED, Shared, film_says, numbers_of, shared_errors, shared_in_words
 from carom.fitting.spin_chains import chains_of
@@ -176,7 +178,7 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
     if exact and rebounds.sigma:
         bars = ", ".join(f"sigma_{name}" for name in exact)
         notes.append(f"the table has no error bars {bars}: these are assumed to be exact before the wall")
-    stages = None if rebounds.stage is None else np.array([STAGES.index(str(s)) for s in rebounds.stage])
+    stages = _stages(rebounds)
     setting, floor, error = _with_floor(rebounds, setting.with_height())
     setting, held = _with_least_speed(setting, x[:, 0])
     notes += [*floor, *held]
@@ -192,7 +194,7 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
     )
     if unknown.any():
         problem = replace(problem, spins=SpinGrid(sigma_grid(), setting.spin_prior == "uniform"))
-        carried = rebounds.kind == "planar" and setting.chained
+        carried = rebounds.kind == "planar" and setting.chained and stages is None
         problem = replace(problem, carried=carried and not (replace(problem, carried=True).drawn == unknown).all())
         notes.append(_spins_in_words(problem, names[2]))
     notes += _warnings(problem, spins)
@@ -264,6 +266,22 @@ def _no_numbers(rebounds: Rebounds) -> list[str]:
                 label = rebounds.rows[i] if rebounds.rows else f"row {i + 1}"
                 faults.append(f"{rebounds.source}: {label}: {name}: expected a number, or an empty cell, got {cell!r}")
     return faults
+
+
+def _stages(rebounds: Rebounds) -> NDArray[np.int64] | None:
+    """Return at which stage, or in which unit, each row (N,) was measured after the wall, as kernels number it; None: all alike."""
+    if rebounds.stage is not None:
+        return np.array([STAGES.index(str(s)) for s in rebounds.stage])
+    alone = directions_of(rebounds)
+    return np.where(alone, DIRECTION, AFTER_WALL) if alone.any() else None
+
+
+def directions_of(rebounds: Rebounds) -> NDArray[np.bool_]:
+    """Return the rows (N,) of which only the direction after the wall was measured, whose v_t_out is in units of the speed."""
+    column = rebounds.extra.get(DIRECTION_COLUMN)
+    if column is None or rebounds.kind != "planar":
+        return np.zeros(len(rebounds), bool)
+    return np.array([str(cell) == DIRECTION_UNIT for cell in column.tolist()], bool)
 
 
 def _with_floor(rebounds: Rebounds, setting: Setting) -> tuple[Setting, list[str], float]:
@@ -364,7 +382,12 @@ def _unmeasured(problem: Problem, spin: str) -> list[str]:
         for name, count in seen.items()
         if 0 < count < n
     ]
-    if not seen["v_n_out"]:
+    if (alone := directions_of(problem.rebounds)).any():
+        notes.append(
+            f"only the angle after the wall is known in {alone.sum()} of {n} rows: balls that slide show restitution and friction"
+            " over a range of angles, balls that grip only (1 + tangential restitution)/restitution"
+        )
+    elif not seen["v_n_out"]:
         notes.append(
             "v_n_out: not measured; the restitution enters only through its product with the friction, where balls slide"
         )

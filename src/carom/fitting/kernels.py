@@ -22,7 +22,7 @@ from carom.laws.two_step import UNDEFINED, first_impact
 from carom.laws.wall_and_floor.solver import STALL
 
 __all__ = [
-    "AFTER_WALL", "CONTACT", "CONVENTIONAL", "DENSE", "LEAST_STIFFNESS", "PLANES", "ROLLING", "SMOOTH", "TABLE_HEAD",
+    "AFTER_WALL", "CONTACT", "CONVENTIONAL", "DENSE", "DIRECTION", "LEAST_STIFFNESS", "PLANES", "ROLLING", "SMOOTH", "TABLE_HEAD",
     "TABULATED", "TOGETHER", "TURN", "of_impact", "planar_law", "planar_rebound", "speed_restitution", "table_law",
     "table_rebound",
 ]  # fmt: skip
@@ -35,6 +35,7 @@ TABULATED = 5  # both at once, from a table (carom.fitting.tabulated)
 LEAST_STIFFNESS = 0.1  # of a stiffness ratio that depends on the impact
 # Stages at which the outgoing ball was measured
 AFTER_WALL, ROLLING = 0, 1
+DIRECTION = 2  # in place of a stage: v_t in units of the speed after, where only that was measured
 
 
 @kernel
@@ -73,8 +74,8 @@ def _along_wall(code: int, form: int, p: Any, v: Vec, w: Vec, n: Vec, a: float) 
 
 
 @kernel
-def planar_rebound(code: int, form: int, _stage: int, x: Vec, a: float, p: Any) -> Vec:
-    """Return v_n, v_t and spin of a planar bounce after the wall."""
+def planar_rebound(code: int, form: int, stage: int, x: Vec, a: float, p: Any) -> Vec:
+    """Return v_n, v_t and spin of a planar bounce after the wall; v_t in units of the speed where only the angle was measured."""
     zero = 0 * x[0]
     e = speed_restitution(form % RESTITUTION_FORMS, (p.restitution, p.restitution_1, p.restitution_2), x[0])
     v, w, n = (-x[0], x[1], zero), (zero, zero, x[2]), (1 + zero, zero, zero)
@@ -83,6 +84,9 @@ def planar_rebound(code: int, form: int, _stage: int, x: Vec, a: float, p: Any) 
         v1, w1 = call_user(abs(code), v, w, n, a, p.kappa, e, mu, last)
     else:
         v1, w1, _j, _required, _regime = wall_contact(v, w, n, a, p.kappa, e, mu, last)
+    if stage == DIRECTION:
+        speed = math.sqrt(v1[0] * v1[0] + v1[1] * v1[1])
+        return v1[0], v1[1] / speed if speed > 0 else zero, w1[2]
     return v1[0], v1[1], w1[2]
 
 

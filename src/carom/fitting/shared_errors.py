@@ -14,7 +14,9 @@ __all__ = ["SHARED", "Shared", "film_says", "numbers_of", "shared_errors", "shar
 
 Array = NDArray[np.float64]
 # Quantities that a film measures once for all its rows: prefix of the columns, and name
-SHARED = {"cloth": "floor friction", "rolling": "rolling resistance", "blind": "blind time", "drag": "air drag"}
+SHARED = {
+    "cloth": "floor friction", "rolling": "rolling resistance", "blind": "blind time", "drag": "air drag", "roll": "camera roll",
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -29,7 +31,7 @@ class Shared:
 
 
 def shared_errors(rebounds: Rebounds, names: tuple[str, ...], floor: float) -> tuple[Shared, ...]:
-    """Return the errors that rows share, from the columns cloth_, rolling_, blind_ and drag_ of a table that carom made from films.
+    """Return the errors that rows share, from the columns of a table that carom made from films, which begin as in SHARED.
 
     Films measured separately (column ``film``) have an error each; of the drag, films that were measured with the same one have one
     (column ``air_drag``). Where a film has one row, nothing is shared: the error is

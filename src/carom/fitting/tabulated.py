@@ -166,7 +166,11 @@ def coarse_table(model: FitModel) -> LawTable | None:
     moved = set(np.flatnonzero(model.moves.any(axis=0)).tolist())
     if law.code != TOGETHER or law.search_code is None or problem.spins is None or problem.unknown.sum() < LEAST_ROWS:
         return None
-    if not (free <= {E, MU} and moved <= {FLOOR} and model.form == 0) or problem.stages is None:
+    if (
+        not (free <= {E, MU} and moved <= {FLOOR} and model.form == 0)
+        or problem.stages is None
+        or problem.rebounds.kind != "table"
+    ):
         return None
     steepest = math.ceil(_steepest(problem) * 32) / 32
     others = model.start[:NUMBERS]

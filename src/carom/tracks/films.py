@@ -113,7 +113,7 @@ def air_together(films: Sequence[Measured]) -> tuple[list[Measured], list[str]]:
         floor = {name: value for name, value in film.floor.items() if name != "air drag"}
         floor |= {"air drag": WithError(air.drag, air.drag_error)} if air.drag_shown else {}
         notes = tuple(note for note in film.notes if not note.startswith("air drag:"))
-        own = film.air._replace(drag=air.drag, drag_error=air.drag_error)
+        own = film.air.with_drag(air.drag, air.drag_error)
         found.append(replace(film, contacts=contacts, floor=FloorEstimates(floor), notes=notes, air=own))
     return found, [
         f"{drag_in_words(air)}, from the flights of all films together, as of one ball; its error is shared by all velocities"

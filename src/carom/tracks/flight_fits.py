@@ -52,8 +52,8 @@ def fit_flight(
 
     Parameters as in :func:`carom.tracks.contact_models.fit_table`; ``gravity`` (2,), m/s^2, is a prior in the frame of the wall
     with the standard deviation ``error``; ``whiten`` (n, n) makes the errors of the frames independent; of ``air`` the drag
-    counts, and its error is part of those of the result. In the result the fitted gravity takes the place of mu_g (away from the
-    wall) and c_g (along it).
+    and the tilt count, and their errors are part of those of the result. In the result the fitted gravity takes the place of mu_g
+    (away from the wall) and c_g (along it).
     """
     theta = np.concatenate([starting_values(time, position, time < near, time >= near, near), gravity])
     scale = np.array([1e-3, 1e-3, 1e-3, *[0.05] * 4, *[0.2] * 2])
@@ -85,19 +85,30 @@ def fit_flight(
         t, position[rows] - _position(best, t, used), slopes.reshape(-1, 2, len(best)), rates[2 * len(time) :], noise
     )
     fit = replace(fit, residuals=position - _position(best, time, used), fitted=fitted)
-    if not air.drag_error:
-        return fit
-    change = (residual(best, used + DRAG_STEP) - residual(best, used - DRAG_STEP)) * (air.drag_error / DRAG_STEP / 2)
-    shift = np.nan_to_num(_outputs(best - np.linalg.lstsq(rates, change, rcond=None)[0]) - _outputs(best))
-    value = fit.value + shift * ((air.drag - used) / air.drag_error)
-    return replace(fit, value=value, covariance=fit.covariance + np.outer(shift, shift), drag_shift=shift)
+    # velocities in the frame of a wall that is turned counter-clockwise, per radian
+    turn = np.nan_to_num(_outputs(np.concatenate([np.zeros(3), *(_turned(best[of]) for of in (V_IN, V_OUT, GRAVITY))])))
+    shifts = {"roll": turn * air.tilt_error} if air.tilt_error else {}
+    value = fit.value + turn * air.tilt
+    if air.drag_error:
+        change = (residual(best, used + DRAG_STEP) - residual(best, used - DRAG_STEP)) / (2 * DRAG_STEP)
+        by_drag = np.nan_to_num(_outputs(best - np.linalg.lstsq(rates, change, rcond=None)[0]) - _outputs(best))
+        value = value + by_drag * (air.drag - used)
+        shifts["drag"] = (by_drag + turn * air.tilt_by_drag) * air.drag_error
+    covariance = fit.covariance + sum(np.outer(shift, shift) for shift in shifts.values())
+    return replace(fit, value=value, covariance=covariance, shifts=shifts)
+
+
+def _turned(v: Array) -> Array:
+    """Return by how much the components (away, along) of a vector change per radian by which the wall turns."""
+    return np.array([v[1], -v[0]])
 
 
 def with_other_drag(fit: ContactFit, was: Air, now: Air) -> ContactFit:
     """Return a fit with another drag and error: the outputs are linear in the drag as far as these go."""
-    if fit.drag_shift is None or not was.drag_error:
+    if "drag" not in fit.shifts or not was.drag_error:
         return fit
-    slope = fit.drag_shift / was.drag_error
-    shift = slope * now.drag_error
-    covariance = fit.covariance - np.outer(fit.drag_shift, fit.drag_shift) + np.outer(shift, shift)
-    return replace(fit, value=fit.value + slope * (now.drag - was.drag), covariance=covariance, drag_shift=shift)
+    old = fit.shifts["drag"]
+    shift = old * (now.drag_error / was.drag_error)
+    covariance = fit.covariance - np.outer(old, old) + np.outer(shift, shift)
+    value = fit.value + old * ((now.drag - was.drag) / was.drag_error)
+    return replace(fit, value=value, covariance=covariance, shifts={**fit.shifts, "drag": shift})

@@ -40,6 +40,7 @@ SIGNIFICANT = 4.0  # error bars
 USUAL_DRAG = 0.03
 DIFFERENT = 3.0  # standard deviations of a chi^2, beyond which films have air of their own
 MIN_TILT = np.radians(0.2)
+USUAL_ROLL = np.radians(1.0)  # what is known of a camera on a stand before the flights are seen
 ROUNDS = 6
 CORRELATED = 4.0  # standard deviations of the correlation of independent residuals
 MIN_FLIGHTS_APART = 3  # from which their differences show errors beyond the noise: spin, the lens
@@ -55,6 +56,17 @@ class Air(NamedTuple):
     drag_error: float = 0.0
     seen: tuple[float, float] | None = None
     """The drag as the flights alone show it, with its error; None: it was given, or there is no flight."""
+    tilt: float = 0.0
+    """By how much gravity probably points to the right of ``down``, rad: too little to turn the walls that were found."""
+    tilt_error: float = 0.0
+    """Standard deviation of the tilt if the drag were known, rad."""
+    tilt_by_drag: float = 0.0
+    """By how much the tilt changes with the drag, rad m: drag along the floor looks like a rolled camera."""
+
+    def with_drag(self, drag: float, drag_error: float) -> Air:
+        """Return the same with another drag."""
+        tilt = self.tilt + self.tilt_by_drag * (drag - self.drag)
+        return self._replace(drag=drag, drag_error=drag_error, tilt=tilt)
 
     @property
     def drag_shown(self) -> bool:
@@ -81,6 +93,13 @@ class Flights(NamedTuple):
         x, y = self.gravity
         across = np.array([-y, x]) / (x * x + y * y)
         return float(np.arctan2(x, -y)), float(np.sqrt(across @ self.covariance[:2, :2] @ across))
+
+    @property
+    def tilt_by_drag(self) -> float:
+        """By how much the tilt changes where the drag is another, rad m."""
+        x, y = self.gravity
+        across = np.array([-y, x]) / (x * x + y * y)
+        return float(across @ self.covariance[:2, 2] / self.covariance[2, 2]) if self.covariance[2, 2] > 0 else 0.0
 
     @property
     def drag_error(self) -> float:
@@ -119,11 +138,12 @@ def air_and_notes(
 ) -> tuple[Air, list[str]]:
     """Return the direction of gravity and the drag as far as the flights show them, and notes on both.
 
-    ``drag``: 1/m, if it is known. Where no tilt is significant, the picture is upright. A drag that is not significant is the
-    estimate all the same, drawn toward 0 by what is usual, and has an error: left out, it would make restitutions too low.
+    ``drag``: 1/m, if it is known. Where no tilt is significant, the walls are found in an upright picture. A tilt and a drag that
+    are not significant are the estimates all the same, drawn toward 0 by what is usual, and have errors: left out, the drag would
+    make restitutions too low, and the tilt, which turns part of v_n into v_t, friction too high or too low.
     """
     found = fit_flights(tracks, noise, interval, gravity, drag)
-    air = STILL_AIR._replace(drag=drag or 0.0)
+    air = STILL_AIR._replace(drag=drag or 0.0, tilt_error=0.0 if walls_given else USUAL_ROLL)
     if drag is None:
         weights = USUAL_DRAG**-2, found.drag_error**-2 if found is not None and found.drag_error > 0 else 0.0
         middle = found.drag * weights[1] / sum(weights) if found is not None else 0.0
@@ -133,7 +153,17 @@ def air_and_notes(
     if found is None:
         return air, notes
     angle, error = found.tilt
-    if abs(angle) > max(MIN_TILT, SIGNIFICANT * error):
+    turned = abs(angle) > max(MIN_TILT, SIGNIFICANT * error)
+    own = max(error**2 - (found.tilt_by_drag * found.drag_error) ** 2, 0.0)
+    # of the flights' own tilt, as drawn to 0; given walls stand, however the camera was rolled
+    weight = 0.0 if walls_given else 1.0 if turned else USUAL_ROLL**2 / (USUAL_ROLL**2 + own)
+    air = air._replace(
+        tilt=0.0 if turned else weight * angle, tilt_error=(weight * own) ** 0.5, tilt_by_drag=weight * found.tilt_by_drag,
+    )  # fmt: skip
+    shown = drag is None and found.drag > SIGNIFICANT * found.drag_error
+    to = (found.drag, found.drag_error) if shown else (air.drag, air.drag_error)
+    air = air._replace(drag=found.drag).with_drag(*to)
+    if turned:
         air = air._replace(down=(float(np.sin(angle)), float(-np.cos(angle))))
         side = "right" if angle > 0 else "left"
         floor = (
@@ -145,8 +175,7 @@ def air_and_notes(
             f"the camera is rolled: gravity points {np.degrees(abs(angle)):.2f} ± {np.degrees(error):.1g}° to the {side} of"
             f" straight down; {floor}"
         )
-    if drag is None and found.drag > SIGNIFICANT * found.drag_error:
-        air = air._replace(drag=found.drag, drag_error=found.drag_error)
+    if shown:
         notes.append(
             f"{drag_in_words(air)}, as its flights show; the velocities at contacts allow for it (`drag` gives k, 0 for none)"
         )

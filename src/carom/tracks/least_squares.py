@@ -8,7 +8,7 @@ given or as estimated from the residuals.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -112,8 +112,9 @@ class ContactFit:
     """(17, p): derivatives of the values by the parameters of ``fitted``."""
     fitted: FittedFrames | None = None
     """Data for the estimate of the noise's correlation."""
-    drag_shift: Array | None = None
-    """(17,): by how much the values change with one standard deviation more of the air's drag; None where that has no error."""
+    shifts: Mapping[str, Array] = field(default_factory=dict)
+    """By how much the values (17,) change with one standard deviation more of a quantity that all contacts of a film share: the
+    air's ``drag``, the camera's ``roll``. Part of the covariance."""
 
     def __getitem__(self, name: str) -> float:
         """Return a value by its name in OUTPUTS."""
@@ -143,9 +144,10 @@ class ContactFit:
     def scaled(self, noise: float) -> ContactFit:
         """Return the same fit with its covariance scaled to another noise.
 
-        The prior's share is scaled as well; the next round of fits corrects that.
+        The prior's share is scaled as well; the next round of fits corrects that. Errors that the film shares are no noise.
         """
-        return replace(self, covariance=self.covariance * (noise / self.noise) ** 2, noise=noise)
+        shared = sum((np.outer(shift, shift) for shift in self.shifts.values()), np.zeros_like(self.covariance))
+        return replace(self, covariance=(self.covariance - shared) * (noise / self.noise) ** 2 + shared, noise=noise)
 
 
 def unresolved_time(mu_g: float, noise: float, time: Array) -> float:

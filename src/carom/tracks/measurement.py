@@ -20,7 +20,13 @@ from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
 from carom.tracks.flights import STILL_AIR, Air, air_and_notes
 from carom.tracks.floor import FloorEstimates, WithError
 from carom.tracks.free_fall import axis_points_down, constant_acceleration, what_would_give
-from carom.tracks.plausibility import GRAVITY_TOLERANCE, MIN_JUDGED, drag_note, restitution_note, why_implausible
+from carom.tracks.plausibility import (
+    GRAVITY_TOLERANCE,
+    MIN_JUDGED,
+    restitution_note,
+    shared_error_notes,
+    why_implausible,
+)
 from carom.tracks.preprocess import guess_view, initial_noise, on_camera_clock, rounding_step, without_outliers
 from carom.tracks.smooth_turns import certainly_sharp, turns_smoothly
 from carom.tracks.track import Track
@@ -248,7 +254,7 @@ def _in_view(
     if view == "above" and settings.walls is None:
         contacts, said = without_turned(contacts, film.tracks, events, film.noise, film.interval)
         notes += said
-    notes += drag_note(contacts, air)
+    notes += shared_error_notes(contacts, air)
     if not walls:
         notes.append("no wall found: no ball turns back at an extreme of the positions (`wall` gives one)")
     other = what_would_give(gravity, settings.gravity, film.interval) if gravity != settings.gravity else ""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from carom.tracks.floor import WithError
 from carom.tracks.least_squares import OUTPUTS, ContactFit
 from carom.tracks.smooth_turns import SMOOTH_TURN
 
-__all__ = ["GRAVITY_TOLERANCE", "MIN_JUDGED", "drag_note", "impossible", "restitution_note", "why_implausible"]
+__all__ = ["GRAVITY_TOLERANCE", "MIN_JUDGED", "impossible", "restitution_note", "shared_error_notes", "why_implausible"]
 
 BEYOND = 3.0  # error bars by which a restitution has to exceed 1
 MAX_SHARE_IMPOSSIBLE, MAX_SHARE_SCATTERED = 0.2, 0.5
@@ -48,26 +48,43 @@ def restitution_note(contacts: Sequence[TrackContact]) -> list[str]:
     ]
 
 
-def drag_note(contacts: Sequence[TrackContact], air: Air) -> list[str]:
-    """Return a note on a drag that the flights do not show, if its error is most of the error of the restitutions."""
-    if air.drag_shown:
-        return []
+def shared_error_notes(contacts: Sequence[TrackContact], air: Air) -> list[str]:
+    """Return notes on what all contacts of a film share and its flights do not show, if it makes most of the errors of results."""
+    told = []
+    drag = _share(contacts, "drag", ("vn_in", "vn_out"), lambda before, after: (-1 / before, 1 / after))
+    if drag > MOSTLY and not air.drag_shown:
+        told.append(
+            f"air drag: the flights do not show whether the air slows the ball down (k = {air.drag:.2g} ± {air.drag_error:.1g} 1/m"
+            f" is taken); this makes the error bars of the restitution {(1 - drag) ** -0.5:.1f} times as large as with a drag that"
+            " is known"
+        )
+    roll = _share(contacts, "roll", ("vt_in", "vt_out"), lambda _before, _after: (-1.0, 1.0))
+    if roll > MOSTLY:
+        told.append(
+            f"camera roll: the flights show to {np.degrees(air.tilt_error):.1g}° only where down is; this makes the error bars of"
+            f" the change of v_t, and so of friction, {(1 - roll) ** -0.5:.1f} times as large as with a floor whose line is known"
+            " (`wall` gives it)"
+        )
+    return told
+
+
+def _share(
+    contacts: Sequence[TrackContact],
+    cause: str,
+    names: tuple[str, str],
+    rates: Callable[[float, float], tuple[float, float]],
+) -> float:
+    """Return the median share of a cause in the variances of a result; ``rates``: its derivatives by two velocities."""
     shares = []
-    before, after = OUTPUTS.index("vn_in"), OUTPUTS.index("vn_out")
+    both = [OUTPUTS.index(name) for name in names]
     for one in contacts:
         fit = one.fit
-        if fit is None or fit.drag_shift is None or not (fit["vn_out"] > 0 > fit["vn_in"]):
+        if fit is None or cause not in fit.shifts or not (fit["vn_out"] > 0 > fit["vn_in"]):
             continue
-        rate, both = np.array([-1 / fit["vn_in"], 1 / fit["vn_out"]]), [before, after]
+        rate = np.array(rates(fit["vn_in"], fit["vn_out"]))
         variance = float(rate @ fit.covariance[np.ix_(both, both)] @ rate)
-        shares.append(min(float(rate @ fit.drag_shift[both]) ** 2 / max(variance, 1e-300), 0.9999))
-    if not shares or np.median(shares) < MOSTLY:
-        return []
-    return [
-        f"air drag: the flights do not show whether the air slows the ball down (k = {air.drag:.2g} ± {air.drag_error:.1g} 1/m is"
-        f" taken); this makes the error bars of the restitution {(1 - np.median(shares)) ** -0.5:.1f} times as large as with a"
-        " drag that is known"
-    ]
+        shares.append(min(float(rate @ fit.shifts[cause][both]) ** 2 / max(variance, 1e-300), 0.9999))
+    return float(np.median(shares)) if shares else 0.0
 
 
 def why_implausible(

@@ -189,10 +189,10 @@ def _row(one: TrackContact, numbers: dict[str, int], stage: str, spin: str) -> d
         row["covariance_v_n"] += shift["v_n_in"] * shift["v_n_out"]
         row["covariance_v_t"] += shift["v_t_in"] * shift["v_t_out"]
         row |= {f"blind_{name}": change for name, change in shift.items()}
-    if fit.drag_shift is not None:  # part of the error bars of the fit already
+    for prefix, values in fit.shifts.items():  # part of the error bars of the fit already
         names = {"v_n_in": "vn_in", "v_t_in": "vt_in", "v_n_out": out[0], "v_t_out": out[1]}
-        shift = {name: float(fit.drag_shift[OUTPUTS.index(inner)]) for name, inner in names.items()}
-        row |= {f"drag_{name}": -change if name == "v_n_in" else change for name, change in shift.items()}
+        shift = {name: float(values[OUTPUTS.index(inner)]) for name, inner in names.items()}
+        row |= {f"{prefix}_{name}": -change if name == "v_n_in" else change for name, change in shift.items()}
     if not one.planar:
         for side in ("in", "out"):
             for axis in "nt":
@@ -205,7 +205,7 @@ def _row(one: TrackContact, numbers: dict[str, int], stage: str, spin: str) -> d
 
 def _air(one: TrackContact, measured: Measured) -> dict[str, float]:
     """Return the drag of the air, which rows share where it is the same."""
-    if one.fit is None or one.fit.drag_shift is None:
+    if one.fit is None or "drag" not in one.fit.shifts:
         return {}
     return {"air_drag": measured.air.drag, "sigma_air_drag": measured.air.drag_error}
 
