@@ -143,13 +143,6 @@ def test_measured_rebounds_are_angles_from_the_normal() -> None:
     assert found == [{"incidence": 45.0, "reflection": reflection, "stage": ""}] * 2
 
 
-def test_limits_are_those_of_the_script() -> None:
-    from carom.explorer import page
-
-    script = (WEB / "scene/check.js").read_text(encoding="utf-8")
-    assert f"[MOST_BALLS, MOST_FEATURES] = [{page.MOST_BALLS}, {page.MOST_FEATURES}];" in script
-
-
 # --- refusals -----------------------------------------------------------------------------------------------------
 
 

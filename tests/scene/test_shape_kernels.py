@@ -13,8 +13,8 @@ import carom
 from carom.core.geometry.angles import direction
 from carom.core.roots.polynomial import two_prod
 from carom.scene.feature_builders import _last_digit, _too_long, built, length_2d, put_upright
+from carom.scene.ruled import number_fields
 from carom.scene.shapes import Box, Polygon, Table
-from carom.scene.wall import number_fields
 
 # Of 30 random walls of each shape, as they were when features were built by Python alone, with math.fsum, fmod, ulp and dist.
 BITS = {

@@ -129,7 +129,7 @@ def test_refusals_in_one_line() -> None:
         ({"shape": "curve", "x": "cos(s/2)", "y": "sin(s)"}, "closed = false"),
         ({"shape": "curve", "points": [(0, 0), (1, 1), (1, 0), (0, 1)]}, "does not meet itself"),
         ({"shape": "ellipse", "half_axes": (0.02, 0.5)}, "where the ball touches nothing"),
-        ({"shape": "ellipse", "half_axes": (0.5, 0.5), "center": (3.0, 0.0)}, "lets no ball be"),
+        ({"shape": "ellipse", "half_axes": (0.5, 0.5), "center": (3.0, 0.0)}, "where no ball can be"),
     ):
         with pytest.raises(carom.CaromError) as error:
             run_in({**wall, **MIRROR}, position=(0.0, 0.0))

@@ -1,7 +1,7 @@
 // What the engine's functions are given, before they look into it: a page's console and a user's script call them.
 
 /** @import { Law, Limits } from "./types.js" */
-import { shown } from "../scene/fields.js";
+import { shown } from "./text.js";
 
 /** Throw an Error, one line, unless a law has one of the names. @param {unknown} law @param {Law[]} laws */
 export function requireLaw(law, laws) {

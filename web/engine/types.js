@@ -18,7 +18,7 @@
  * @property {string} citation
  * @property {string} doi
  * @property {string[] | null} parameters parameters of wall and floor that it reads; null: unknown
- * @property {string[]} needs fields that a wall must have
+ * @property {{name: string, [value: string]: string}[]} needed fields that a wall must have, with the values of the text of that fault
  * @property {Record<string, number | "inf">} pinned
  * @property {number} response
  * @property {string} function
@@ -35,8 +35,33 @@
  * @property {Rule[]} objections
  */
 
+/** @typedef {{field: string, expected: string, got: string, advice: string}} FaultText */
+
 /** `numbers`: how many numbers each field takes in what its kernels are given, 0: a list after its length; of a part, its fields; `pockets`: places of them.
- * @typedef {{numbers: Record<string, number | string[]>, faults: {field: string, expected: string, got: string, advice: string}[], pockets: string[]}} Shape */
+ * @typedef {{numbers: Record<string, number | string[]>, faults: FaultText[], pockets?: string[]}} Ruled */
+
+/**
+ * A field of a scene, as carom.explorer.fields writes it.
+ * @typedef {object} Field
+ * @property {string} kind number, vector, list, flag, choice, text, whole, part, tagged: a part by its tag
+ * @property {string} what is expected in its place
+ * @property {string} [of] name of the part that it is
+ * @property {any} [least] of a list: what it holds at least, in words
+ * @property {number | null} [most]
+ * @property {boolean} [above]
+ * @property {boolean} [infinite]
+ * @property {[number, number]} [counts]
+ * @property {Field} [each]
+ * @property {boolean} [nonzero]
+ * @property {string[]} [values]
+ * @property {string[]} [words] that stand for a number
+ * @property {boolean} [optional]
+ * @property {string} [part] that may stand in the place of a number
+ * @property {Record<string, Field>} [fields] of a part
+ * @property {string | null} [rules] of a part
+ * @property {string} [tag]
+ * @property {Record<string, Field>} [options]
+ */
 
 /**
  * @typedef {object} Layout
@@ -55,9 +80,13 @@
  * @property {Record<string, string>} refusals
  * @property {Record<string, number>} responses
  * @property {Law[]} laws
- * @property {{least_firm: number}} limits of laws
- * @property {Record<string, Shape>} shapes
- * @property {Record<string, any>} fields
+ * @property {Record<"least_firm" | "balls" | "features of walls", number>} limits of laws, and of a page
+ * @property {Record<string, Ruled>} shapes
+ * @property {Record<string, Ruled>} parts
+ * @property {FaultText[]} scene_faults
+ * @property {Record<string, FaultText>} law_faults
+ * @property {FaultText} vanishes of a wall whose features cannot be computed
+ * @property {Record<string, Field>} fields
  * @property {Record<string, string>} built_with
  */
 

@@ -2,7 +2,7 @@
 
 /** @import { Ball, Restitution, Scene, Vec, Wall } from "../state/types.js" */
 /** @import { Law, Layout } from "../engine/types.js" */
-import { extended } from "./fields.js";
+import { extended } from "../engine/text.js";
 import { featuresOf, placeAt } from "./shapes.js";
 
 /** @typedef {Record<string, number | boolean | number[]>} Row fields of a record by name */
@@ -94,7 +94,7 @@ export function surfaceOf(scene, wall, law, layout) {
 }
 
 /** E* of the contacts of two balls, Pa; 0 where they are resolved one pair after the other. @param {Scene["ball_contact"]} pair */
-const contactModulus = ({ young, poisson, overlap }) => (overlap ? extended(young) / (2 * (1 - poisson * poisson)) : 0);
+export const contactModulus = ({ young, poisson, overlap }) => (overlap ? extended(young) / (2 * (1 - poisson * poisson)) : 0);
 
 /** Balls that meet under their law, the fields of the world. @param {Scene} scene @param {Law} law @param {Law[]} called @param {Layout} layout @returns {Row} */
 function pairFields({ ball_contact: pair }, law, called, layout) {

@@ -3,8 +3,7 @@
 
 /** @import { Vec, Wall } from "../state/types.js" */
 /** @import { Module } from "../engine/module.js" */
-import { general, lengthText } from "../engine/text.js";
-import { extended, shown } from "./fields.js";
+import { extended, filled } from "../engine/text.js";
 
 /**
  * A feature of a wall, as carom.core.geometry.features has them.
@@ -43,38 +42,45 @@ const engine = () => {
   return module;
 };
 
-/** What kernels take: the fields of its shape in their order. @param {Wall} wall @returns {number[]} */
-function numbersOf(wall) {
+/** What kernels take: fields in their order. @param {any} part @param {Record<string, number | string[]>} fields @returns {number[]} */
+function numbersOf(part, fields) {
   /** @param {any} value @returns {number[]} */
   const flat = (value) => (Array.isArray(value) ? value.flatMap(flat) : [typeof value === "boolean" ? Number(value) : extended(value)]);
-  return Object.entries(engine().layout.shapes[wall.shape].numbers).flatMap(([name, count]) => {
-    const value = wall[name] ?? null;
-    if (Array.isArray(count)) return count.map((part) => (value === null ? NaN : extended(value[part]))); // (of a part, its fields)
+  return Object.entries(fields).flatMap(([name, count]) => {
+    const value = part[name] ?? null;
+    if (Array.isArray(count)) return count.map((one) => (value === null ? NaN : extended(value[one]))); // (of a part, its fields)
     if (value === null) return Array(count).fill(NaN);
     return count > 0 ? flat(value) : [value.length, ...flat(value)];
   });
 }
 
-/** Rows of numbers that a kernel writes, as many as it has. @param {string} name @param {number[]} numbers @param {number} columns @param {number} room @returns {number[][]} */
-function rowsOf(name, numbers, columns, room) {
+/** @param {Wall} wall */
+const wallNumbers = (wall) => numbersOf(wall, engine().layout.shapes[wall.shape].numbers);
+
+/** Rows of numbers that a kernel writes, as many as it has. @param {string} name @param {(number | number[] | {rows: number[][], columns: number})[]} given lists, tables, and addresses with counts @param {number} columns @param {number} room @returns {number[][]} */
+export function rowsOf(name, given, columns, room) {
   const { memory } = engine();
   const top = memory.top;
-  const [given, out, rows] = [memory.put(numbers), memory.take(8), memory.take(8 * columns * room)];
-  engine().call(name, out, given, numbers.length, rows, room, columns);
+  const taken = given.flatMap((one) => {
+    if (typeof one === "number") return one;
+    return Array.isArray(one) ? [memory.put(one), one.length] : [memory.put(one.rows.flat()), one.rows.length, one.columns];
+  });
+  const [out, rows] = [memory.take(8), memory.take(8 * columns * room)];
+  engine().call(name, out, ...taken, rows, room, columns);
   const count = memory.words[out / 4];
   const found = Array.from({ length: Math.min(count, room) }, (_, i) => memory.numbers(rows + 8 * columns * i, columns));
   memory.top = top;
-  return count > room ? rowsOf(name, numbers, columns, count) : found;
+  return count > room ? rowsOf(name, given, columns, count) : found;
 }
 
 /** What a ball can touch of a wall, and the gates above. @param {Wall} wall @returns {Feature[]} */
 export function featuresOf(wall) {
-  const numbers = numbersOf(wall);
+  const numbers = wallNumbers(wall);
   const key = `${wall.shape} ${numbers.map((x) => (Object.is(x, -0) ? "-0" : x)).join(" ")}`;
   let found = kept.get(key);
   if (found === undefined) {
     if (kept.size >= MOST_KEPT) kept.clear();
-    found = rowsOf(`features_${wall.shape}`, numbers, COLUMNS, ROOM).map((r) => ({
+    found = rowsOf(`features_${wall.shape}`, [numbers], COLUMNS, ROOM).map((r) => ({
       kind: r[0], p: [r[1], r[2], r[3]], d: [r[4], r[5], r[6]], R: r[7], side: r[8], u: [r[9], r[10], r[11]],
       lo1: r[12], hi1: r[13], lo2: r[14], hi2: r[15], pocket: r[16],
     }));
@@ -91,7 +97,7 @@ export function featuresOf(wall) {
 export function placeAt(wall, x) {
   const { memory } = engine();
   const top = memory.top;
-  const numbers = numbersOf(wall);
+  const numbers = wallNumbers(wall);
   const [given, at, out] = [memory.put(numbers), memory.put(x), memory.take(32)];
   engine().call(`place_${wall.shape}`, 0, given, numbers.length, at, 3, out, 4);
   const [blocked, vertical, encloses, room] = memory.numbers(out, 4);
@@ -104,18 +110,13 @@ export const pocketsOf = (wall) =>
   featuresOf(wall).filter(({ pocket }) => pocket >= 0).map(({ p, R, pocket }) => ({ name: pocketName(wall, pocket), center: [p[0], p[1]], radius: R }));
 
 /** @param {Wall} wall @param {number} place */
-const pocketName = (wall, place) => engine().layout.shapes[wall.shape].pockets[place];
+const pocketName = (wall, place) => (engine().layout.shapes[wall.shape].pockets ?? [])[place];
 
-/** What is wrong with a wall by itself, in the words of its Python class. @param {Wall} wall @returns {string[]} from the field on */
-export function shapeFaults(wall) {
-  const { faults } = engine().layout.shapes[wall.shape];
-  return rowsOf(`faults_${wall.shape}`, numbersOf(wall), FAULT_COLUMNS, FAULTS).map(([code, a, b, c]) => {
-    const { field, expected, got, advice } = faults[code];
-    /** @param {string} text */
-    const filled = (text) => text.replace(/\{([^}:]*):?([^}]*)\}/g, (_, path, how) => {
-      const value = path.split(".").reduce((/** @type {any} */ of, /** @type {string} */ name) => of[name], { ...wall, a, b, c });
-      return how === "pocket" ? pocketName(wall, value) : how === "g" ? general(extended(value), 6) : how === "m" ? lengthText(extended(value)) : shown(value);
-    });
-    return `${field && `.${filled(field)}`}: expected ${filled(expected)}, got ${filled(got)}${advice && `; ${advice}`}`;
-  });
+/** What is wrong with a part whose fields are sound, in the words of its Python class. @param {Module} module @param {string} at @param {string} name of the part, or a shape @param {any} value @returns {string[]} */
+export function ruleFaults({ layout }, at, name, value) {
+  const own = name in layout.parts ? `part_${name}` : name;
+  const { numbers, faults, pockets } = layout.parts[name] ?? layout.shapes[name];
+  const found = rowsOf(`faults_${own}`, [numbersOf(value, numbers)], FAULT_COLUMNS, FAULTS).map(([code, a, b, c]) => filled(faults[code], { ...value, a, b, c }, at, pockets));
+  const vanishes = found.length === 0 && name in layout.shapes && featuresOf(value).some(({ p, d, R }) => Number.isNaN(p[0] + p[1] + p[2] + d[0] + d[1] + d[2] + R));
+  return vanishes ? [filled(layout.vanishes, {}, at)] : found;
 }

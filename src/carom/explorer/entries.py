@@ -20,6 +20,11 @@ from carom.laws.landing import second_impact
 from carom.laws.registry import laws
 from carom.laws.rules import Case, Conditions, Objections, Predicted, Rule
 from carom.laws.two_step import first_impact
+from carom.scene.ball import SceneBall
+from carom.scene.ball_contact import YOUNG, FallingFriction
+from carom.scene.floor import Floor
+from carom.scene.ruled import Ruled
+from carom.scene.scene_rules import floor_faults, gravity_faults, name_fault, pair_fault, stiffness_faults, wall_faults
 from carom.scene.shapes import PAGE_SHAPES
 from carom.scene.wall import ShapeKernels
 from carom.simulation.loop import run
@@ -27,7 +32,11 @@ from carom.simulation.motion import begin_phase
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.states import state_rows
 
-__all__ = ["ModuleFunction", "entries", "rule_name", "rules_of"]
+__all__ = ["PARTS", "ModuleFunction", "entries", "rule_name", "rules_of"]
+
+
+PARTS: dict[str, type[Ruled]] = {"floor": Floor, "ball": SceneBall, "falling_friction": FallingFriction}
+"""Parts of a scene with rules, beside walls."""
 
 
 class ModuleFunction(NamedTuple):
@@ -44,6 +53,7 @@ class ModuleFunction(NamedTuple):
 def entries() -> list[ModuleFunction]:
     """Return all functions of the module."""
     world, features, balls, log, floats = map(array_of, (WORLD, FEATURES, BALLS, LOG, float))
+    rows = array_of(float, 2)
     counts = (int, int, int, int, float, float)
     return [
         ModuleFunction("run", run_events, counts, (world, features, balls, log, float, float, int, array_of(int), int)),
@@ -54,6 +64,9 @@ def entries() -> list[ModuleFunction]:
         ModuleFunction("restitution", restitution_row, None, (floats, floats)),
         ModuleFunction("first_impact", first_impact_row, None, (floats, floats)),
         ModuleFunction("second_impact", second_impact_row, None, (floats, floats)),
+        *(_faults(f"part_{name}", part.fault_rules()) for name, part in PARTS.items()),
+        ModuleFunction("faults_on_floor", faults_on_floor, int, (floats, rows, rows)),
+        ModuleFunction("faults_at_walls", faults_at_walls, int, (floats, rows, rows, features, rows, rows)),
         *(one for name, shape in PAGE_SHAPES.items() for one in _of_shape(name, shape.kernels)),
         *_rules(),
         ModuleFunction("rim", rim_entry, None, (), RIM_NUMBERS),
@@ -69,9 +82,6 @@ def _of_shape(name: str, kernels: ShapeKernels) -> list[ModuleFunction]:
     def write_features(p: Any, rows: Any) -> Any:
         return features(p, rows)
 
-    def write_faults(p: Any, rows: Any) -> Any:
-        return faults(p, rows)
-
     def write_place(p: Any, x: Any, out: Any) -> None:
         out[0], out[1] = blocked(p, vector(x)), vertical(p, x[2])
         out[2], out[3] = encloses(p), room(p)
@@ -79,9 +89,70 @@ def _of_shape(name: str, kernels: ShapeKernels) -> list[ModuleFunction]:
     floats, rows = array_of(float), array_of(float, 2)
     return [
         ModuleFunction(f"features_{name}", write_features, int, (floats, rows)),
-        ModuleFunction(f"faults_{name}", write_faults, int, (floats, rows)),
+        _faults(name, faults),
         ModuleFunction(f"place_{name}", write_place, None, (floats, floats, floats)),
     ]
+
+
+def _faults(name: str, report: Callable[[Any, Any], int]) -> ModuleFunction:
+    """Return the function that writes the faults of a part of a scene."""
+
+    def write_faults(p: Any, rows: Any) -> Any:
+        return report(p, rows)
+
+    return ModuleFunction(f"faults_{name}", write_faults, int, (array_of(float), array_of(float, 2)))
+
+
+def faults_on_floor(p: Any, balls: Any, out: Any) -> Any:
+    """Write the faults of gravity, floor and balls on it; p: gravity (3), whether there is a floor, the first table's number.
+
+    A row of balls is a :class:`carom.scene.scene_rules.BallRow`, and the ball's speed and mass.
+    """
+    floor = p[3] != 0
+    row = gravity_faults((p[0], p[1], p[2]), floor, int(p[4]), 0, out)
+    for i in range(len(balls)):
+        row = floor_faults(i, balls[i, 2], balls[i, 3], balls[i, 4] != 0, floor, row, out)
+    return row
+
+
+def faults_at_walls(p: Any, balls: Any, walls: Any, features: Any, blocked: Any, out: Any) -> Any:
+    """Write the faults of balls at walls and among each other; p: Young's modulus and E* of two balls (0: none).
+
+    A row of walls: whether it is a plane, the room in it, the height of its noses (NaN: none). ``blocked`` (W, B).
+    """
+    least, most, fastest = 0, 0, 0
+    for i in range(len(balls)):
+        least = i if balls[i, 3] < balls[least, 3] else least
+        most = i if balls[i, 3] > balls[most, 3] else most
+        fastest = i if balls[i, 7] > balls[fastest, 7] else fastest
+    row, end = 0, 0
+    for k in range(len(walls)):
+        first = end
+        while end < len(features) and features[end].wall == k:
+            end += 1
+        row = wall_faults(
+            k,
+            walls[k, 0] != 0,
+            walls[k, 1],
+            walls[k, 2],
+            least,
+            most,
+            balls,
+            blocked[k],
+            features,
+            first,
+            end,
+            row,
+            out,
+        )
+    for i in range(len(balls)):
+        row = name_fault(i, balls, row, out)
+    for k in range(len(balls)):
+        for i in range(k + 1, len(balls)):
+            row = pair_fault(i, k, balls, row, out)
+    if p[1] > 0 and len(balls) > 1 and p[0] != YOUNG:
+        row = stiffness_faults(p[0], p[1], balls[fastest, 7], balls[fastest, 8], balls[fastest, 3], row, out)
+    return row
 
 
 def rule_name(rule: Rule) -> str:

@@ -1,6 +1,6 @@
 """The fields of a scene as data: what the page checks numbers by, and names them by, is what Python checks them by.
 
-Read from the models of :mod:`carom.scene`, so that a bound stands in one place.
+Read from the models of :mod:`carom.scene`, so that a bound and a text stand in one place.
 """
 
 from __future__ import annotations
@@ -10,65 +10,75 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
+from carom.explorer.entries import PARTS
 from carom.formatting import json_value
-from carom.laws.registry import laws_of_pairs
-from carom.scene.ball import SceneBall
-from carom.scene.ball_contact import BallContact, FallingFriction
-from carom.scene.floor import Floor
+from carom.laws.registry import laws, laws_of_pairs
+from carom.scene.ball import KAPPA
+from carom.scene.ball_contact import RUBBING, BallContact
 from carom.scene.pockets import Pockets
+from carom.scene.presets import presets
 from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, Power, Viscoelastic
-from carom.scene.scene import Run, Scene
-from carom.scene.schema import Components, Model, Number
+from carom.scene.scene import GRAVITY, Run, Scene
+from carom.scene.schema import EXPECTED, Acceleration, Components, Model, Number, Whole
 from carom.scene.shapes import PAGE_SHAPES
 
 __all__ = ["scene_fields"]
 
 FORMS = (Constant, Polynomial, Han2005, Power, Viscoelastic, Exponential)
-
-# Fields of several types, which the page checks by their names.
-OF_THEIR_OWN = ("gravity", "inertia", "law", "restitution")
-POCKETS = ("corner_pockets", "side_pockets")
+NAMED: dict[str, type[Model]] = {**PARTS, "ball_contact": BallContact, "run": Run, "pockets": Pockets}
 
 
 def scene_fields() -> dict[str, Any]:
-    """Return the fields of each part of a scene by name: of walls by shape, of restitutions by form.
+    """Return the parts of a scene by name, ``wall`` and ``restitution`` by their shape and form.
 
-    A field is a number with its bounds, a vector of numbers with its possible lengths, a flag, a choice, a text, or a part.
+    A field is a number with its bounds, a vector or a list, a flag, a choice, a text, a whole number, or ``of`` a part. ``what`` is
+    expected in its place.
     """
     return {
-        "scene": _fields(Scene),
-        "floor": _fields(Floor),
-        "ball": _fields(SceneBall),
-        "ball_contact": _pair_fields(),
-        "run": _fields(Run),
-        "walls": {name: _fields(shape) for name, shape in PAGE_SHAPES.items()},
-        "pockets": _fields(Pockets),
-        "restitution": {model.model_fields["form"].default: _fields(model) for model in FORMS},
-    }
-
-
-def _fields(model: type[Model]) -> dict[str, Any]:
-    # (a strike has become velocity and spin, and a rack positions, before a scene is shown)
-    return {name: _field(name, info) for name, info in model.model_fields.items() if name not in ("strike", "rack")}
-
-
-def _pair_fields() -> dict[str, Any]:
-    """Return the fields of a contact of two balls: its laws by their names, its friction with the form that falls with the slip."""
-    friction = {"kind": "friction", "number": _fields(Floor)["friction"], "falling": _fields(FallingFriction)}
-    return _fields(BallContact) | {
-        "law": {"kind": "choice", "values": laws_of_pairs(), "optional": True}, "friction": friction
+        "scene": _part(Scene, walls={"kind": "list", "what": "a list", "each": {"of": "wall"}}, balls={
+            "kind": "list", "what": "a list", "each": {"of": "ball"}, "least": "at least one ball"
+        }),
+        **{name: _part(model, rules=name if name in PARTS else None) for name, model in NAMED.items()},
+        "wall": {
+            "kind": "tagged", "tag": "shape",
+            "options": {name: _part(shape, rules=name) for name, shape in PAGE_SHAPES.items()},
+        },
+        "restitution": {
+            "kind": "tagged", "tag": "form", "what": "a number from 0 to 1, or a table { form = ... }",
+            "options": {model.model_fields["form"].default: _part(model) for model in FORMS},
+        },
     }  # fmt: skip
 
 
-def _field(name: str, info: FieldInfo) -> dict[str, Any]:
-    found = _described(info.annotation, list(info.metadata))
-    if name in OF_THEIR_OWN:
-        found = {"kind": name, **({"optional": True} if found.get("optional") else {})}
-    if name in POCKETS:
-        found = {"kind": "pockets", "optional": True}
-    if info.is_required():
-        found["required"] = True
-    return found
+def _part(model: type[Model], rules: str | None = None, **own: Any) -> dict[str, Any]:
+    # (a strike has become velocity and spin, and a rack positions, before a scene is shown)
+    names = [name for name in model.model_fields if name not in ("strike", "rack")]
+    fields = {name: own.get(name) or _field(model, name, model.model_fields[name]) for name in names}
+    return {"kind": "part", "what": "a table of fields", "fields": fields, "rules": rules}
+
+
+def _field(model: type[Model], name: str, info: FieldInfo) -> dict[str, Any]:
+    if name == "inertia":
+        return {**_number(KAPPA), "words": ["solid", "hollow"]}
+    if name == "gravity":
+        return {"kind": "vector", "what": GRAVITY.what, "counts": [3, 3], "each": _described(Acceleration, [])}
+    if name == "friction" and model is BallContact:
+        return {**_number(RUBBING), "part": "falling_friction"}
+    if name == "law":
+        known = laws_of_pairs() if model is BallContact else [one.name for one in laws().values() if one.kernel]
+        what = f"one of {', '.join(known)}, or file.py:name"
+        return {"kind": "choice", "what": what, "values": known, "optional": info.default is None}
+    if name == "preset":
+        values = list(presets())
+        return {"kind": "choice", "what": f"one of {', '.join(values)}", "values": values, "optional": True}
+    return _described(info.annotation, list(info.metadata))
+
+
+def _number(number: Number) -> dict[str, Any]:
+    return {
+        "kind": "number", "what": number.what, "unit": number.unit,
+        "least": json_value(number.least), "most": json_value(number.most), "above": number.above, "infinite": number.infinite,
+    }  # fmt: skip
 
 
 def _described(annotation: Any, metadata: list[Any]) -> dict[str, Any]:  # noqa: PLR0911  (one return a kind)
@@ -77,25 +87,23 @@ def _described(annotation: Any, metadata: list[Any]) -> dict[str, Any]:  # noqa:
         metadata = [*metadata, *more]
     if get_origin(annotation) in (Union, UnionType):
         options = [one for one in get_args(annotation) if one is not type(None)]
-        optional = len(options) < len(get_args(annotation))
-        found = _described(options[0], metadata) if len(options) == 1 else {"kind": "part"}
-        return {**found, **({"optional": True} if optional else {})}
+        optional = {"optional": True} if len(options) < len(get_args(annotation)) else {}
+        return {**(_described(options[0], metadata) if len(options) == 1 else {"of": "restitution"}), **optional}
     checks = [getattr(one, "func", None) for one in metadata]
     counts = next((one for one in checks if isinstance(one, Components)), None)
     if get_origin(annotation) is tuple and counts is not None:
         each = _described(next(one for one in get_args(annotation) if one is not Ellipsis), [])
         found = {"kind": "vector", "what": counts.what, "counts": [counts.counts[0], counts.counts[-1]], "each": each}
         return {**found, **({"nonzero": True} if counts.what.endswith("a direction") else {})}
-    number = next((one for one in checks if isinstance(one, Number)), None)
-    if number is not None:
-        return {
-            "kind": "number", "what": number.what, "unit": number.unit,
-            "least": json_value(number.least), "most": json_value(number.most), "above": number.above, "infinite": number.infinite,
-        }  # fmt: skip
+    if number := next((one for one in checks if isinstance(one, Number)), None):
+        return _number(number)
+    if whole := next((one for one in checks if isinstance(one, Whole)), None):
+        return {"kind": "whole", "what": whole.what, "least": whole.least}
     if get_origin(annotation) is Literal:
-        return {"kind": "choice", "values": list(get_args(annotation))}
+        values = get_args(annotation)
+        return {"kind": "choice", "what": " or ".join(map(repr, values)), "values": list(values)}
+    if part := next((name for name, model in NAMED.items() if model is annotation), None):
+        return {"of": part}
     if annotation is bool:
-        return {"kind": "flag"}
-    if annotation is str:
-        return {"kind": "text"}
-    return {"kind": "whole"} if annotation is int else {"kind": "number"} if annotation is float else {"kind": "part"}
+        return {"kind": "flag", "what": EXPECTED["bool_type"]}
+    return {"kind": "text", "what": EXPECTED["string_type"]}

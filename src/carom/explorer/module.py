@@ -19,7 +19,7 @@ from carom.core.geometry.features import FACE, FALLS, FEATURES, GOES_ON, LEAVES,
 from carom.core.jit.kernel_hash import kernel_hash
 from carom.core.motion.phases import PHASES
 from carom.core.motion.restitution import FORMS
-from carom.explorer.entries import entries, rule_name, rules_of
+from carom.explorer.entries import PARTS, entries, rule_name, rules_of
 from carom.explorer.fields import scene_fields
 from carom.laws.landing import WHY
 from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL, ROLLING_WALL, TWO_STEP_WALL
@@ -27,16 +27,21 @@ from carom.laws.registry import laws
 from carom.laws.results import REGIME_NAMES
 from carom.laws.wall_and_floor.solver import LEAST_FIRM
 from carom.scene.restitution import Han2005
+from carom.scene.ruled import Ruled, number_fields
+from carom.scene.scene import needed_faults
+from carom.scene.scene_rules import LAW_FAULTS, SCENE_FAULTS
 from carom.scene.shapes import PAGE_SHAPES
-from carom.scene.wall import WallShape, number_fields
+from carom.scene.wall import VANISHES
 from carom.simulation.contacts.contact import DONE
 from carom.simulation.contacts.kinds import REFUSALS
 from carom.simulation.event_rows import ALL, ROWS
 from carom.simulation.loop import FULL, LIMIT, QUIET
 from carom.simulation.records import BALLS, LOG, SEEN, WORLD
 
-__all__ = ["ASSETS", "description", "engine_bytes", "engine_layout", "version"]
+__all__ = ["ASSETS", "MOST_BALLS", "MOST_FEATURES", "description", "engine_bytes", "engine_layout", "version"]
 
+# What the page takes at most: balls, and features (faces, edges, rims... of all walls).
+MOST_BALLS, MOST_FEATURES = 100, 2000
 ASSETS = Path(str(resources.files("carom.explorer"))) / "assets"
 
 
@@ -82,9 +87,13 @@ def _described() -> dict[str, Any]:
             "two-step": TWO_STEP_WALL, "rolling": ROLLING_WALL, "no-slip": NO_SLIP_WALL, "mirror": MIRROR_WALL,
             "contact": CONTACT_WALL, "called": CALLED_WALL,
         },
-        "limits": {"least_firm": LEAST_FIRM},
+        "limits": {"least_firm": LEAST_FIRM, "balls": MOST_BALLS, "features of walls": MOST_FEATURES},
         "laws": [_law(law) for law in laws().values() if law.kernel is not None],
-        "shapes": {name: _shape(shape) for name, shape in PAGE_SHAPES.items()},
+        "shapes": {name: {**_ruled(shape), "pockets": list(shape.pocket_places)} for name, shape in PAGE_SHAPES.items()},
+        "parts": {name: _ruled(part) for name, part in PARTS.items()},
+        "scene_faults": [text._asdict() for text in SCENE_FAULTS],
+        "vanishes": VANISHES._asdict(),
+        "law_faults": {name: text._asdict() for name, text in LAW_FAULTS.items()},
         "fields": scene_fields(),
     }  # fmt: skip
 
@@ -97,13 +106,9 @@ def _record(dtype: np.dtype[Any]) -> dict[str, Any]:
     return {"bytes": dtype.itemsize, "fields": fields}
 
 
-def _shape(shape: type[WallShape]) -> dict[str, Any]:
-    """Description of a shape: the fields that its kernels take as numbers, the texts of its faults, and places of pockets."""
-    return {
-        "numbers": number_fields(shape),
-        "faults": [fault._asdict() for fault in shape.shape_faults],
-        "pockets": list(shape.pocket_places),
-    }
+def _ruled(part: type[Ruled]) -> dict[str, Any]:
+    """Description of a part with rules: the fields that its kernels take as numbers, and the texts of its faults."""
+    return {"numbers": number_fields(part), "faults": [text._asdict() for text in part.fault_texts]}
 
 
 def _rules(asked: Any) -> list[dict[str, str]]:
@@ -121,7 +126,7 @@ def _law(law: Any) -> dict[str, Any]:
         "citation": law.card.citation,
         "doi": law.card.doi,
         "parameters": None if law.reads is None else list(law.reads),
-        "needs": list(law.needs),
+        "needed": list(needed_faults(law).values()),
         "pinned": {name: "inf" if math.isinf(x) else x for name, x in law.pinned.items()},
         "response": law.response,
         "function": f"law_{law.name.replace('-', '_')}",

@@ -19,7 +19,7 @@ import numpy as np
 from carom.data.rebound_files import read_rebounds
 from carom.data.rebounds import Rebounds
 from carom.errors import CaromError, Fault, FaultList, require_type, shortened_list, suggestion
-from carom.explorer.module import engine_bytes, engine_layout
+from carom.explorer.module import MOST_BALLS, MOST_FEATURES, engine_bytes, engine_layout
 from carom.files import as_path, require_writable, write_text
 from carom.laws.law import Law
 from carom.laws.registry import law_named, law_styles, one_or_several
@@ -33,10 +33,9 @@ from carom.scene.wall import WallShape, law_name
 from carom.tracks import Calibration, read_tracks
 from carom.tracks.read import film_of
 
-__all__ = ["MOST_BALLS", "MOST_FEATURES", "ExplorerPage", "explore", "filled_page", "not_shown", "page_text", "presets"]
+__all__ = ["ExplorerPage", "explore", "filled_page", "not_shown", "page_text", "presets"]
 
-# What the page takes at most: balls and features (faces, edges, rims... of all walls) as in web/scene/check.js.
-MOST_BALLS, MOST_FEATURES, MOST_REBOUNDS = 100, 2000, 20_000
+MOST_REBOUNDS = 20_000
 FEW_BALLS = 6
 WITH_NOSES = ("mirror", "two-step")  # beside the published laws of cushions, where a nose presses a ball on the floor
 SEVERAL_LAWS = "as in the scene"  # as web/state/compute.js calls walls that have laws of their own

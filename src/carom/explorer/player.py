@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.explorer.module import engine_layout
-from carom.explorer.page import MOST_BALLS, SEVERAL_LAWS, filled_page, not_shown, page_text
+from carom.explorer.module import MOST_BALLS, engine_layout
+from carom.explorer.page import SEVERAL_LAWS, filled_page, not_shown, page_text
 from carom.laws.law import Law
 from carom.laws.registry import law_named, law_styles
 from carom.scene.as_json import scene_dict

@@ -141,6 +141,6 @@ def contact_numbers(surface: Surface | GasSurface) -> tuple[tuple[float, float, 
         return (e, mu, beta), NO_FORM, mu == 0 or beta == -1
     bounce, rub, beta = surface.restitution, surface.friction, surface.tangential_restitution
     form = (bounce.code, *bounce.p) if isinstance(bounce, Restitution) else NO_FORM[:4]
-    falls = rub.numbers if isinstance(rub, FallingFriction) else (rub, 0.0, 0.0)
+    falls = rub.parameters if isinstance(rub, FallingFriction) else (rub, 0.0, 0.0)
     number = UNKNOWN if isinstance(bounce, Restitution) else bounce
     return (number, falls[0], beta), (*form, *falls[1:]), surface.is_smooth

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from pydantic import AfterValidator, BeforeValidator, model_validator
 
 from carom.bodies import INERTIAS, Ball, State
-from carom.errors import MIN_MAGNITUDE, CaromError, Fault, FaultList, shown, suggestion
+from carom.core.jit.kernel import kernel
+from carom.errors import MIN_MAGNITUDE, CaromError, Fault, shown, suggestion
 from carom.laws.strike import DEFAULT_CUE, Cue, Strike, strike
+from carom.scene.ruled import FaultText, Ruled, put_fault
 from carom.scene.schema import (
     Angle,
     Components,
@@ -29,16 +31,16 @@ from carom.scene.schema import (
     refused,
 )
 
-__all__ = ["CueStrike", "Inertia", "SceneBall", "SceneCue"]
+__all__ = ["KAPPA", "CueStrike", "Inertia", "SceneBall", "SceneCue"]
 
-_KAPPA = Number("'solid', 'hollow', or kappa = I/(m a^2) in (0, 2/3]", least=0, most=2 / 3 * (1 + 1e-12), above=True)
+KAPPA = Number("'solid', 'hollow', or kappa = I/(m a^2) in (0, 2/3]", least=0, most=2 / 3 * (1 + 1e-12), above=True)
 
 
 def _inertia(value: Any) -> str | float:
     if not isinstance(value, str):
-        return _KAPPA(value)
+        return KAPPA(value)
     if value not in INERTIAS:
-        raise refused(_KAPPA.what, shown(value), suggestion(value, list(INERTIAS)))
+        raise refused(KAPPA.what, shown(value), suggestion(value, list(INERTIAS)))
     return value
 
 
@@ -105,7 +107,23 @@ class CueStrike(Model):
         return strike(ball, Cue(**dict(self.cue)), self.speed, self.azimuth, self.elevation, self.offset)
 
 
-class SceneBall(Model):
+@kernel
+def _ball_rules(p: Any, out: Any) -> int:
+    """Report motions that exclude each other; p: rolling, velocity after its length, spin (NaN: none), spin_z."""
+    count, i = int(p[1]), 0
+    largest = 0.0
+    for k in range(2, len(p)):
+        largest = max(largest, abs(p[k]))
+    if p[0] != 0 and p[2 + count] == p[2 + count]:
+        i = put_fault(0, 0.0, 0.0, 0.0, i, out)
+    if p[0] != 0 and count == 3 and p[4] != 0:
+        i = put_fault(1, p[4], 0.0, 0.0, i, out)
+    if p[0] == 0 and p[5 + count] == p[5 + count]:
+        i = put_fault(2, 0.0, 0.0, 0.0, i, out)
+    return put_fault(3, MIN_MAGNITUDE, largest, 0.0, i, out) if 0 < largest < MIN_MAGNITUDE else i
+
+
+class SceneBall(Ruled):
     """A ball and its initial state.
 
     Parameters
@@ -130,6 +148,18 @@ class SceneBall(Model):
     [-32.52, -65.041, 0.0]
     """
 
+    rules: ClassVar = _ball_rules
+    ruled: ClassVar = ("rolling", "velocity", "spin", "spin_z")
+    fault_texts: ClassVar = (
+        FaultText(
+            "spin", "no spin with rolling = true", "{spin}",
+            "the spin of a ball that rolls follows from its velocity, except for spin_z; leave out rolling, or spin",
+        ),
+        FaultText("velocity[2]", "no speed along z with rolling = true", "{a}"),
+        FaultText("spin_z", "no spin_z without rolling = true", "{spin_z}", "give spin = [x, y, z]"),
+        FaultText("velocity", "a ball at rest, or a component of velocity or spin of at least {a:g}", "{b}"),
+    )  # fmt: skip
+
     radius: Size
     mass: Mass
     inertia: Inertia = "solid"
@@ -151,25 +181,10 @@ class SceneBall(Model):
     name: str | None = None
 
     @model_validator(mode="after")
-    def _one_spin(self) -> SceneBall:
-        faults = FaultList()
-        if self.rolling and self.spin is not None:
-            advice = (
-                "the spin of a ball that rolls follows from its velocity, except for spin_z; leave out rolling, or spin"
-            )
-            faults.add("spin", "no spin with rolling = true", shown(list(self.spin)), advice)
-        if self.rolling and self.velocity[2] != 0:
-            faults.add("velocity[2]", "no speed along z with rolling = true", shown(self.velocity[2]))
-        if not self.rolling and self.spin_z is not None:
-            faults.add("spin_z", "no spin_z without rolling = true", shown(self.spin_z), "give spin = [x, y, z]")
+    def _struck_at_rest(self) -> SceneBall:
         if self.strike is not None and (self.rolling or self.spin is not None or any(self.velocity)):
             advice = "a ball is struck at rest; leave out velocity, spin and rolling, or strike"
-            faults.add("strike", "no velocity and no spin with strike", "both", advice)
-        largest = max(map(abs, (*self.velocity, *(self.spin or ()), self.spin_z or 0.0)))
-        if 0 < largest < MIN_MAGNITUDE:
-            what = f"a ball at rest, or a component of velocity or spin of at least {MIN_MAGNITUDE:g}"
-            faults.add("velocity", what, shown(largest))
-        raise_faults(faults)
+            raise_faults([Fault("", "strike", "no velocity and no spin with strike", "both", advice)])
         return self
 
     @classmethod

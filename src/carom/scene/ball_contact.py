@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
-from pydantic import PlainSerializer, PlainValidator, model_validator
+from pydantic import PlainSerializer, PlainValidator
 
 from carom.core.contact import friction_at_slip
+from carom.core.jit.kernel import kernel
 from carom.laws.hertz import POISSON, YOUNG, contact_modulus
 from carom.laws.law import Law
 from carom.scene.restitution import Bounce, Constant, FasterThanNothing
+from carom.scene.ruled import FaultText, Ruled, put_fault
 from carom.scene.schema import (
     Flag,
     Model,
@@ -21,14 +23,19 @@ from carom.scene.schema import (
     Spring,
     Vector,
     checked_part,
-    refused,
 )
 from carom.scene.wall import ContactParameters, PairLawChoice, contact
 
-__all__ = ["YOUNG", "BallContact", "FallingFriction"]
+__all__ = ["RUBBING", "YOUNG", "BallContact", "FallingFriction"]
 
 
-class FallingFriction(Model):
+@kernel
+def _falls(p: Any, out: Any) -> int:
+    """Report a friction that rises; p: at_rest, at_speed."""
+    return put_fault(0, 0.0, 0.0, 0.0, 0, out) if p[0] < p[1] else 0
+
+
+class FallingFriction(Ruled):
     """Friction of two balls that falls with their slip u: at_speed + (at_rest - at_speed) exp(-u / speed).
 
     Parameters
@@ -46,35 +53,33 @@ class FallingFriction(Model):
     0.0464
     """
 
+    rules: ClassVar = _falls
+    ruled: ClassVar = ("at_rest", "at_speed")
+    fault_texts: ClassVar = (FaultText("at_rest", "at least at_speed = {at_speed:g}", "{at_rest:g}"),)
+
     at_rest: NotNegative
     at_speed: NotNegative
     speed: FasterThanNothing
 
-    @model_validator(mode="after")
-    def _falls(self) -> FallingFriction:
-        if self.at_rest < self.at_speed:
-            raise refused(f"at least at_speed = {self.at_speed:g}", f"{self.at_rest:g}", field="at_rest")
-        return self
-
     @property
-    def numbers(self) -> Vector:
+    def parameters(self) -> Vector:
         """Return mu, drop, rate of mu + drop exp(-rate u)."""
         return (self.at_speed, self.at_rest - self.at_speed, 1 / self.speed)
 
     def at(self, slip: float) -> float:
         """Return the coefficient at a slip (m/s)."""
-        return float(friction_at_slip(*self.numbers, slip))
+        return float(friction_at_slip(*self.parameters, slip))
 
 
-_NUMBER = Number("a number >= 0 (inf: never slips), or a table { at_rest, at_speed, speed }", least=0, infinite=True)
+RUBBING = Number("a number >= 0 (inf: never slips), or a table { at_rest, at_speed, speed }", least=0, infinite=True)
 
 
 class _NumberOrTable:
-    what = _NUMBER.what
+    what = RUBBING.what
 
     def __call__(self, value: Any) -> float | FallingFriction:
         falls = isinstance(value, dict | FallingFriction)
-        return checked_part(FallingFriction, value) if falls else _NUMBER(value)
+        return checked_part(FallingFriction, value) if falls else RUBBING(value)
 
 
 def _as_written(friction: float | FallingFriction) -> Any:
@@ -148,5 +153,5 @@ class BallContact(Model):
         if law.slip_friction is not None:
             return law.slip_friction
         if isinstance(self.friction, FallingFriction) and "friction" not in law.pinned:
-            return self.friction.numbers
+            return self.friction.parameters
         return (self.contact_of(law).mu, 0.0, 0.0)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any, ClassVar
 
-from pydantic import model_validator
-
-from carom.errors import Fault, FaultList, shown
+from carom.core.jit.kernel import kernel
 from carom.scene.restitution import Bounce, Constant
-from carom.scene.schema import Drag, Friction, Model, NotNegative, Slope, SpinDamping, SpinDrag, Spring, raise_faults
+from carom.scene.ruled import FaultText, Ruled, put_fault
+from carom.scene.schema import Drag, Friction, NotNegative, Slope, SpinDamping, SpinDrag, Spring
 from carom.scene.wall import ContactParameters, contact
 
 __all__ = ["Floor", "gravity_on_slope"]
@@ -21,7 +21,23 @@ def gravity_on_slope(g: float, slope: Sequence[float]) -> tuple[float, float, fl
     return (g * x, g * y, -g * math.sqrt(1 - x * x - y * y))
 
 
-class Floor(Model):
+@kernel
+def _floor_rules(p: Any, out: Any) -> int:
+    """Report laws that exclude each other; p: rolling_drag, spin_damping, spin_drag, and the slope along x and y."""
+    i = put_fault(0, 0.0, 0.0, 0.0, 0, out) if p[1] > 0 and p[2] > 0 else 0
+    if p[3] == 0 and p[4] == 0:
+        return i
+    if not p[3] * p[3] + p[4] * p[4] < 1:
+        i = put_fault(1, 0.0, 0.0, 0.0, i, out)
+    if p[0] > 0:
+        i = put_fault(2, 0.0, 0.0, 0.0, i, out)
+    return put_fault(3, 0.0, 0.0, 0.0, i, out) if p[2] > 0 else i
+
+
+_ON_SLOPE = "the path of a ball on a tilted floor has a closed form only where the resistance is constant"
+
+
+class Floor(Ruled):
     """The plane z = 0, under the balls.
 
     Parameters
@@ -46,6 +62,21 @@ class Floor(Model):
     0.01
     """
 
+    rules: ClassVar = _floor_rules
+    ruled: ClassVar = ("rolling_drag", "spin_damping", "spin_drag", "slope")
+    fault_texts: ClassVar = (
+        FaultText(
+            "spin_drag", "0 with spin_damping > 0", "{spin_drag}",
+            "take one law of the loss of spin: damping grows with the spin, drag with the speed of rolling",
+        ),
+        FaultText(
+            "slope", "a floor that is less steep than upright", "{slope}",
+            "the slope is the sine of the angle: 0.001 falls 1 mm per metre",
+        ),
+        FaultText("rolling_drag", "0 on a floor with a slope", "{rolling_drag}", _ON_SLOPE),
+        FaultText("spin_drag", "0 on a floor with a slope", "{spin_drag}", _ON_SLOPE),
+    )  # fmt: skip
+
     restitution: Bounce = Constant(value=0.0)
     friction: Friction
     tangential_restitution: Spring = 0.0
@@ -55,30 +86,6 @@ class Floor(Model):
     spin_damping: SpinDamping = 0.0
     spin_drag: SpinDrag = 0.0
     slope: Slope = (0.0, 0.0)
-
-    @model_validator(mode="after")
-    def _one_spin_law(self) -> Floor:
-        if self.spin_damping > 0 and self.spin_drag > 0:
-            advice = "take one law of the loss of spin: damping grows with the spin, drag with the speed of rolling"
-            raise_faults([Fault("", "spin_drag", "0 with spin_damping > 0", shown(self.spin_drag), advice)])
-        return self
-
-    @model_validator(mode="after")
-    def _closed_form_on_slope(self) -> Floor:
-        found = FaultList()
-        if any(self.slope):
-            x, y = self.slope
-            if not x * x + y * y < 1:
-                advice = "the slope is the sine of the angle: 0.001 falls 1 mm per metre"
-                found.add("slope", "a floor that is less steep than upright", shown(list(self.slope)), advice)
-            for name in ("rolling_drag", "spin_drag"):
-                if getattr(self, name) > 0:
-                    advice = (
-                        "the path of a ball on a tilted floor has a closed form only where the resistance is constant"
-                    )
-                    found.add(name, "0 on a floor with a slope", shown(getattr(self, name)), advice)
-        raise_faults(found)
-        return self
 
     @property
     def contact(self) -> ContactParameters:

@@ -17,20 +17,32 @@ from pydantic_core.core_schema import ValidationInfo
 
 from carom.bodies import State, Surface
 from carom.core.geometry.curve_features import arc_address
-from carom.core.geometry.features import CURVE, FALLS, FEATURES, GOES_ON, LEAVES, OVER, feature_normal, gap_to_feature
-from carom.core.jit.kernel import Vec
+from carom.core.geometry.features import CURVE, FALLS, FEATURES, GOES_ON, LEAVES
 from carom.errors import Fault, FaultList, shown
-from carom.formatting import format_length, format_time
+from carom.formatting import format_time
 from carom.laws.law import CALLED_WALL, Law, Meeting
 from carom.laws.registry import laws
 from carom.laws.user import find_law
-from carom.scene.among_balls import TOUCH, default_is_too_soft, name_faults, overlap_faults, stiffness_faults
+from carom.scene.among_balls import default_is_too_soft, fastest, near_pairs
 from carom.scene.ball import SceneBall
-from carom.scene.ball_contact import BallContact
-from carom.scene.feature_builders import Feature
+from carom.scene.ball_contact import YOUNG, BallContact
 from carom.scene.floor import Floor, gravity_on_slope
 from carom.scene.rack import Rack
 from carom.scene.restitution import Constant
+from carom.scene.ruled import filled
+from carom.scene.scene_rules import (
+    COLUMNS,
+    LAW_FAULTS,
+    NEEDED,
+    SCENE_FAULTS,
+    BallRow,
+    floor_faults,
+    gravity_faults,
+    name_fault,
+    pair_fault,
+    stiffness_faults,
+    wall_faults,
+)
 from carom.scene.schema import (
     Acceleration,
     Components,
@@ -42,9 +54,9 @@ from carom.scene.schema import (
     refused,
 )
 from carom.scene.shapes import AnyWall
-from carom.scene.wall import LawChoice, WallShape, format_vector, law_name
+from carom.scene.wall import LawChoice, WallShape, law_name
 
-__all__ = ["Run", "Scene", "scene_faults"]
+__all__ = ["GRAVITY", "Run", "Scene", "needed_faults", "scene_faults"]
 
 
 class Run(Model):
@@ -73,13 +85,13 @@ class Run(Model):
     floor_contact: Literal["with", "after"] = "with"
 
 
-_GRAVITY = Number("an acceleration in m/s^2, or 3 of them", "m/s^2")
-_VECTOR = Components(_GRAVITY.what, (3,))
+GRAVITY = Number("an acceleration in m/s^2, or 3 of them", "m/s^2")
+_VECTOR = Components(GRAVITY.what, (3,))
 
 
 def _gravity(value: Any) -> tuple[Any, ...]:
     several = isinstance(value, (list, tuple)) or (isinstance(value, np.ndarray) and value.ndim > 0)
-    return _VECTOR(value) if several else (0.0, 0.0, -_GRAVITY(value))
+    return _VECTOR(value) if several else (0.0, 0.0, -GRAVITY(value))
 
 
 class Scene(Model):
@@ -275,146 +287,133 @@ def _names(balls: Sequence[SceneBall]) -> tuple[str, ...]:
 
 def scene_faults(scene: Scene) -> list[Fault]:
     """Return all problems of a scene whose parts are valid."""
-    among = [*name_faults(scene.balls, scene.ball_names), *overlap_faults(scene.balls)]
-    among += stiffness_faults(scene.ball_contact, scene.balls)
-    among += [] if scene.rack is None else scene.rack.faults(scene.ball_names, scene.balls)
-    return [*_floor_faults(scene), *_law_faults(scene), *_wall_overlaps(scene), *among]
+    balls = _ball_rows(scene)
+    rack = [] if scene.rack is None else scene.rack.faults(scene.ball_names, scene.balls)
+    return [
+        *_floor_faults(scene, balls),
+        *_law_faults(scene),
+        *_wall_faults(scene, balls),
+        *_among_balls(scene, balls),
+        *rack,
+    ]
 
 
-# --- floor --------------------------------------------------------------------------------------------------------
+def _ball_rows(scene: Scene) -> list[BallRow]:
+    names = scene.ball_names
+    first = {name: len(names) - 1 - i for i, name in enumerate(reversed(names))}
+    return [
+        BallRow(*ball.center, ball.radius, ball.rolling, first[name], bool(ball.name))
+        for ball, name in zip(scene.balls, names, strict=True)
+    ]
 
 
-def _floor_faults(scene: Scene) -> list[Fault]:
-    found = FaultList()
-    gx, gy, gz = scene.gravity
-    if scene.floor is None and gz < 0 and (tables := [i for i, wall in enumerate(scene.walls) if wall.kind == "table"]):
-        advice = "a table is its cushions alone, and balls would fall: add a floor, or set gravity = 0"
-        found.add(f"walls[{tables[0]}]", "a floor, as there is a table", "none", advice)
-    if scene.floor is not None and (gx != 0 or gy != 0 or gz > 0):
-        advice = "for a tilted floor give floor.slope, such as [0.001, 0] for a fall of 1 mm per metre along x"
-        got = format_vector(scene.gravity)
-        found.add("gravity", "gravity along -z, as there is a floor", got, advice if gx or gy else "")
-    for i, ball in enumerate(scene.balls):
-        z, a = ball.center[2], ball.radius
-        if scene.floor is not None and z < a * (1 - TOUCH):
-            got = f"{z:.6g}, which overlaps the floor by {format_length(a - z)}"
-            advice = "leave out z to put it on the floor"
-            found.add(f"balls[{i}].position[2]", f"z of at least the radius, {a:.6g}", got, advice)
-        elif ball.rolling and scene.floor is None:
-            found.add(f"balls[{i}].rolling", "a floor to roll on", "true in a scene without one")
-        elif ball.rolling and z > a * (1 + TOUCH):
-            got, advice = f"{z:.6g} of a ball that rolls", "leave out z, or rolling"
-            found.add(f"balls[{i}].position[2]", f"z = radius = {a:.6g}", got, advice)
+def _told(scene: Scene, rows: NDArray[np.float64]) -> list[Fault]:
+    """Return the faults of rows that kernels have written."""
+    found = []
+    for code, one, other, *numbers in rows.tolist():
+        i, k = int(one), int(other)
+        values = {"i": i, "k": k, "gravity": scene.gravity, "ball_contact": scene.ball_contact, "ball": scene.balls[i]}
+        values |= {"name": scene.ball_names[i], **dict(zip("abcd", numbers, strict=True)), "place": tuple(numbers[1:])}
+        if k < len(scene.walls):
+            values["wall"] = f"walls[{k}] ({scene.wall_names[k]})"
+        found.append(filled(SCENE_FAULTS[int(code)], values))
     return found
 
 
+def _floor_faults(scene: Scene, balls: list[BallRow]) -> list[Fault]:
+    out, floor = np.empty((len(balls) + 1, COLUMNS)), scene.floor is not None
+    table = next((k for k, wall in enumerate(scene.walls) if wall.kind == "table"), -1)
+    row = gravity_faults(scene.gravity, floor, table, 0, out)
+    for i, ball in enumerate(balls):
+        row = floor_faults(i, ball.z, ball.radius, bool(ball.rolling), floor, row, out)
+    return _told(scene, out[:row])
+
+
+def _wall_faults(scene: Scene, balls: list[BallRow]) -> list[Fault]:
+    radii = [ball.radius for ball in balls]
+    least, most = radii.index(min(radii)), radii.index(max(radii))
+    found: list[Fault] = []
+    for k, wall in enumerate(scene.walls):
+        out = np.empty((len(balls) + 1, COLUMNS))
+        features, nose = wall.features(), getattr(wall, "nose_height", None)
+        blocked = [wall.blocked(ball.center) for ball in scene.balls]
+        row = wall_faults(
+            k, wall.kind == "plane", wall.room, math.nan if nose is None else nose, least, most, balls, blocked, features, 0,
+            len(features), 0, out,
+        )  # fmt: skip
+        found += _told(scene, out[:row])
+    return found
+
+
+def _among_balls(scene: Scene, balls: list[BallRow]) -> list[Fault]:
+    pairs, pair = near_pairs(scene.balls), scene.ball_contact
+    out, row = np.empty((len(balls) + len(pairs) + 2, COLUMNS)), 0
+    for i in range(len(balls)):
+        row = name_fault(i, balls, row, out)
+    for one, two in pairs:
+        row = pair_fault(two, one, balls, row, out)
+    if pair.modulus > 0 and len(balls) > 1 and pair.young != YOUNG:
+        row = stiffness_faults(pair.young, pair.modulus, *fastest(scene.balls), row, out)
+    return _told(scene, out[:row])
+
+
 # --- laws ---------------------------------------------------------------------------------------------------------
+
+
+def needed_faults(law: Law) -> dict[str, dict[str, str]]:
+    """Return the values of the fault of a wall without what a law needs, by the field that is missing."""
+    known = [one for one in laws().values() if not (one.variant_of or one.on_table)]
+    return {
+        name: {
+            "name": name, "expected": expected, "law": law.name,
+            "others": ", ".join(one.name for one in known if name not in one.needs),
+        }
+        for name, expected in NEEDED.items() if name in law.needs
+    }  # fmt: skip
 
 
 def _law_faults(scene: Scene) -> list[Fault]:
     found = FaultList()
     for i, (wall, law) in enumerate(zip(scene.walls, scene.laws, strict=True)):
         at = f"walls[{i}]"
-        for name, expected in NEEDED.items():
-            if name in law.needs and getattr(wall, name) is None:
-                others = [
-                    one.name for one in laws().values() if not (name in one.needs or one.variant_of or one.on_table)
-                ]
-                advice = f"the law {law.name} reads it; {', '.join(others)} do not need it"
-                found.add(f"{at}.{name}", expected, "nothing", advice)
-        got = {
-            "shape": (wall.describe(), at),
-            "floor": ("a scene without a floor", f"{at}.law" if wall.law else "run.law"),
-        }
-        found += _condition_faults(scene, wall, law, at, got, wall.stiffness_ratio, wall.vertical)
+        missing = [values for name, values in needed_faults(law).items() if getattr(wall, name) is None]
+        found += [filled(LAW_FAULTS["needed"], {"at": at, **values}) for values in missing]
+        places = {"shape": at, "floor": f"{at}.law" if wall.law else "run.law"}
+        found += _condition_faults(scene, wall, law, at, places, wall.stiffness_ratio, wall.vertical)
     pair = scene.ball_contact
     return [*found, *_condition_faults(scene, pair, scene.pair_law, "ball_contact", {}, pair.tangential_stiffness)]
 
 
-NEEDED = {"restitution": "a number from 0 to 1, or a form", "friction": "a number >= 0 (inf: never slips)"}
-
-
 def _condition_faults(
-    scene: Scene, surface: WallShape | BallContact, law: Law, at: str, got: dict[str, tuple[str, str]], stiffness_ratio: float,
+    scene: Scene, surface: WallShape | BallContact, law: Law, at: str, places: dict[str, str], stiffness_ratio: float,
     vertical: Callable[[float], bool] = lambda z: True,
 ) -> list[Fault]:  # fmt: skip
     """Ask a law's conditions on what a scene declares (a wall, the floor, the pairs) of each ball, coming square to the surface.
 
     (The one ball that two are to each other has an inertia between theirs.)
     """
-    found: dict[str, Fault] = {}
-    restitution = surface.restitution
-    e = 1.0 if restitution is None else restitution.value if isinstance(restitution, Constant) else 0.5
-    got |= {
-        "restitution": ("" if restitution is None else restitution.describe().removeprefix("restitution "),
-                        f"{at}.restitution"),
-        "stiffness_ratio": (shown(stiffness_ratio), f"{at}.stiffness_ratio"),
-    }  # fmt: skip
+    unmet: dict[str, str] = {}
+    r = surface.restitution
+    e = 1.0 if r is None else r.value if isinstance(r, Constant) else 0.5
     for ball in {(ball.ball.kappa, ball.radius): ball for ball in scene.balls}.values():
         towards = State((-1.0, 0.0, 0.0), (0.0, -1.0 / ball.radius if scene.floor else 0.0, 0.0))
         normal = np.array([1.0, 0.0, 0.0] if vertical(ball.radius) else [0.8, 0.0, 0.6])
         meeting = Meeting(ball.ball, towards, normal, Surface(e), stiffness_ratio=stiffness_ratio)
         for holds, expected, *field in law.conditions(meeting):
-            if field and field[0] in got and not np.all(holds):
-                value, place = got[field[0]]
-                found.setdefault(field[0], Fault("", place, f"{expected}, for the law {law.name}", value))
-    faults = list(found.values())
+            if field and field[0] and not np.all(holds):
+                unmet.setdefault(field[0], expected)
+    got = {name: filled(LAW_FAULTS[name], {"shape": getattr(surface, "shape", "")}).got for name in places}
+    got |= {
+        "restitution": f"{r.value:g}" if isinstance(r, Constant)
+        else "" if r is None else filled(LAW_FAULTS["restitution"], {"form": r.form}).got,
+        "stiffness_ratio": shown(stiffness_ratio),
+    }  # fmt: skip
+    found = [
+        filled(LAW_FAULTS["unmet"], {
+            "at": places.get(field, f"{at}.{field}"), "expected": expected, "law": law.name, "got": got[field],
+        })
+        for field, expected in unmet.items() if field in got
+    ]  # fmt: skip
     if law.last == "stiffness_ratio" and surface.tangential_restitution != 0:
-        advice = "that law computes the tangential rebound from springs; omit it, and give stiffness_ratio"
-        got_beta = shown(surface.tangential_restitution)
-        faults.append(Fault("", f"{at}.tangential_restitution", f"0 for the law {law.name}", got_beta, advice))
-    return faults
-
-
-# --- walls --------------------------------------------------------------------------------------------------------
-
-
-def _wall_overlaps(scene: Scene) -> list[Fault]:
-    found = FaultList()
-    largest = max(range(len(scene.balls)), key=lambda i: scene.balls[i].radius)
-    for k, wall in enumerate(scene.walls):
-        name = f"walls[{k}] ({scene.wall_names[k]})"
-        if scene.balls[largest].radius >= wall.room:
-            expected = f"room for a ball of radius {format_length(scene.balls[largest].radius)} (balls[{largest}])"
-            got = f"room for radii below {format_length(wall.room)}"
-            found.add(f"walls[{k}]", expected, got, "make the wall larger, or the ball smaller")
-            continue
-        found += _rolls_under(scene, wall, k)
-        features = [feature for feature in wall.features() if feature.kind != OVER]
-        for i, ball in enumerate(scene.balls):
-            at = f"balls[{i}].position"
-            if wall.blocked(ball.center):
-                got = f"{format_vector(ball.center)}, where {wall.describe()} lets no ball be"
-                advice = "move the ball" + ("; or turn the normal round" if wall.kind == "plane" else "")
-                found.add(at, f"a place on the free side of {name}", got, advice)
-            else:
-                found += _overlap(ball, features, name, at)
+        found.append(filled(LAW_FAULTS["springs"], {"at": at, "law": law.name, "beta": surface.tangential_restitution}))
     return found
-
-
-def _rolls_under(scene: Scene, wall: WallShape, k: int) -> list[Fault]:
-    """Report a table whose cushions a ball would roll under: there is nothing behind them."""
-    nose = getattr(wall, "nose_height", None)
-    smallest = min(range(len(scene.balls)), key=lambda i: scene.balls[i].radius)
-    diameter = 2 * scene.balls[smallest].radius
-    if nose is None or nose < diameter:
-        return []
-    expected = f"less than {format_length(diameter)}, the diameter of balls[{smallest}], which would roll under it"
-    return [
-        Fault(
-            "", f"walls[{k}].nose_height", expected, shown(nose), "a cushion's nose stands at 5/4 to 7/5 of the radius"
-        )
-    ]
-
-
-def _overlap(ball: SceneBall, features: list[Feature], name: str, at: str) -> list[Fault]:
-    """Report the deepest overlap of a ball with a wall; a face that the ball is behind does not count."""
-    a, x = ball.radius, ball.center
-    gaps = [gap_to_feature(feature, a, x) for feature in features]
-    gap = min((gap for gap in gaps if gap >= -a), default=math.inf)
-    if gap >= -TOUCH * a:
-        return []
-    n: Vec = feature_normal(features[gaps.index(gap)], x)
-    place = (x[0] - (gap + a) * n[0], x[1] - (gap + a) * n[1], x[2] - (gap + a) * n[2])
-    got = f"{format_vector(x)}, which overlaps {name} by {format_length(-gap)} at {format_vector(place)}"
-    return [Fault("", at, "a place where the ball touches nothing", got, f"move it by {format_length(-gap)} or more")]

@@ -8,8 +8,7 @@ from abc import abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from types import UnionType
-from typing import Annotated, Any, ClassVar, NamedTuple, Union, get_args, get_origin
+from typing import Annotated, Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,19 +17,17 @@ from pydantic_core.core_schema import ValidationInfo
 
 from carom.core.jit.kernel import kernel
 from carom.core.motion.restitution import CONSTANT
-from carom.errors import CaromError, Fault, shown, suggestion
-from carom.formatting import format_length
+from carom.errors import CaromError, shown, suggestion
 from carom.laws.law import CONTACT_WALL, LIKE_SOLIDS, Law
 from carom.laws.registry import law_for_pairs, laws, laws_of_pairs
 from carom.laws.user import FORBIDDEN, find_law
 from carom.public.own_laws import OwnLaw
 from carom.scene.feature_builders import Feature, Flat, built
 from carom.scene.restitution import Bounce, Constant, Restitution
+from carom.scene.ruled import KEPT, FaultText, Ruled, about, filled, no_faults
 from carom.scene.schema import (
-    Components,
     ContactTime,
     Friction,
-    Model,
     PositiveNumber,
     Spring,
     Vector,
@@ -42,20 +39,17 @@ from carom.scene.schema import (
 
 __all__ = [
     "CUSHION",
+    "VANISHES",
     "ContactParameters",
     "LawChoice",
     "PairLawChoice",
     "Pocket",
-    "ShapeFault",
     "ShapeKernels",
     "WallShape",
     "always",
     "contact",
-    "format_vector",
     "law_name",
-    "number_fields",
     "permitted_law",
-    "put_fault",
 ]
 
 # Contact times, s: estimates. No measurement of a cushion's was found.
@@ -154,18 +148,7 @@ LawChoice = Annotated[str | Law, PlainValidator(_known_law), PlainSerializer(law
 PairLawChoice = Annotated[str | Law, PlainValidator(_law_of_pairs), PlainSerializer(law_name)]
 
 
-def format_vector(v: tuple[float, ...]) -> str:
-    """Format a point or a direction; rounding errors are shown as zero."""
-    return f"({', '.join(f'{x if abs(x) > 1e-12 else 0:.6g}' for x in v)})"
-
-
 # --- shapes -------------------------------------------------------------------------------------------------------
-
-
-@kernel
-def no_faults(p: Sequence[float], out: Any) -> int:
-    """Report no fault."""
-    return 0
 
 
 @kernel
@@ -192,17 +175,6 @@ def unbounded(p: Sequence[float]) -> float:
     return math.inf
 
 
-@kernel
-def put_fault(code: int, a: float, b: float, c: float, i: int, out: Any) -> int:
-    """Write fault number i, its code and three numbers that its text may show; return the number of the next one."""
-    if i < out.shape[0]:
-        out[i, 0], out[i, 1], out[i, 2], out[i, 3] = code, a, b, c
-    return i + 1
-
-
-MOST_FAULTS, FAULT_COLUMNS = 64, 4
-
-
 class ShapeKernels(NamedTuple):
     """The kernels of a shape: what a scene and the explorer's module know of it. p are the wall's ``numbers``."""
 
@@ -220,94 +192,21 @@ class ShapeKernels(NamedTuple):
     """(p, rows): write codes of faults with three numbers each; return their number."""
 
 
-class ShapeFault(NamedTuple):
-    """The text of a fault that a shape's kernel reports.
-
-    Names in braces are fields of the wall, and a, b, c the fault's numbers: ``{low}`` as in files, ``{low:g}`` as a number,
-    ``{low:m}`` as a length, ``{a:pocket}`` as the name of the pocket at a place.
-    """
-
-    field: str
-    expected: str
-    got: str
-    advice: str = ""
-
-
-class _Shown:
-    """A value of a fault's text, by the specifications of :class:`ShapeFault`."""
-
-    def __init__(self, value: Any, places: tuple[str, ...]) -> None:
-        self._value, self._places = value, places
-
-    def __getattr__(self, name: str) -> _Shown:
-        return _Shown(getattr(self._value, name), self._places)
-
-    def __format__(self, how: str) -> str:
-        value: Any = list(self._value) if isinstance(self._value, tuple) else self._value
-        if how == "pocket":
-            return self._places[int(value)]
-        return shown(value) if how == "" else format_length(value) if how == "m" else format(value, how)
-
-
-@functools.cache
-def number_fields(model: type[Model]) -> dict[str, int | tuple[str, ...]]:
-    """Return how many numbers each field of a shape takes in its ``numbers``; 0: a list, which its length precedes.
-
-    Of a part, such as the pockets of a table, the names of its fields, a number each. Texts and choices are no numbers.
-    """
-    own = {name: info for name, info in model.model_fields.items() if name not in WallShape.model_fields}
-    counts = {name: _count(info.annotation, list(info.metadata)) for name, info in own.items()}
-    return {name: count for name, count in counts.items() if count is not None}
-
-
-def _count(annotation: Any, metadata: list[Any]) -> int | tuple[str, ...] | None:
-    """Return how many numbers a field takes, by its type, or their names; None for a text."""
-    while get_origin(annotation) is Annotated:
-        annotation, *more = get_args(annotation)
-        metadata = [*metadata, *more]
-    if get_origin(annotation) in (Union, UnionType):
-        return _count(next(one for one in get_args(annotation) if one is not type(None)), metadata)
-    for one in metadata:
-        if isinstance(one := getattr(one, "func", None), Components):
-            return one.counts[0] if len(one.counts) == 1 else 0
-    if isinstance(annotation, type) and issubclass(annotation, Model):
-        return tuple(annotation.model_fields)
-    return 1 if annotation in (float, int, bool) else None
-
-
-def _flattened(value: Any, count: int | tuple[str, ...]) -> list[float]:
-    if value is None:
-        return [math.nan] * (len(count) if isinstance(count, tuple) else count)
-    if isinstance(value, Model):
-        return [x for _name, x in value]
-    if not isinstance(value, tuple):
-        return [float(value)]
-    items = [x for one in value for x in (one if isinstance(one, tuple) else (one,))]
-    return items if count else [float(len(value)), *items]
-
-
-# A scene is made again with another friction or ball, and its walls stay as they are: answers about some walls are kept, unless
-# their outlines are long.
-KEPT, LONG = 1024, 200
-
-
 @functools.lru_cache(KEPT)
 def _features(build: Callable[[Any, Any], int], numbers: tuple[float, ...]) -> tuple[Feature, ...]:
     return tuple(built(build, numbers))
 
 
-@functools.lru_cache(KEPT)
-def _faults(report: Callable[[Any, Any], int], numbers: tuple[float, ...]) -> list[list[float]]:
-    rows = np.empty((MOST_FAULTS, FAULT_COLUMNS))
-    found: list[list[float]] = rows[: report(numbers, rows)].tolist()
-    return found
+VANISHES = FaultText(
+    "",
+    "a wall near the origin, compared with its size",
+    "sides that vanish in the rounding of their places",
+    "move it nearer",
+)
+"""The fault of a wall whose features cannot be computed."""
 
 
-def _about(asked: Any, function: Any, numbers: tuple[float, ...]) -> Any:
-    return asked(function, numbers) if len(numbers) < LONG else asked.__wrapped__(function, numbers)
-
-
-class WallShape(Model):
+class WallShape(Ruled):
     """A wall: its surface, law and name. Which parameters of the surface are needed depends on the law.
 
     Parameters
@@ -330,8 +229,6 @@ class WallShape(Model):
     in_page: ClassVar[bool] = True
     """Whether the explorer's page knows its fields; other walls are outlines there."""
     kernels: ClassVar[ShapeKernels]
-    shape_faults: ClassVar[tuple[ShapeFault, ...]] = ()
-    """Texts of the faults that ``kernels.faults`` reports, by their codes."""
     pocket_places: ClassVar[tuple[str, ...]] = ()
     """Names of the places at which it may have a pocket, by the numbers that ``kernels.features`` gives them."""
 
@@ -344,33 +241,23 @@ class WallShape(Model):
     law: LawChoice | None = None
     name: str | None = None
 
+    @classmethod
+    def ruled_fields(cls) -> tuple[str, ...]:
+        """Return the names of the fields of its shape."""
+        return tuple(name for name in cls.model_fields if name not in WallShape.model_fields)
+
+    @classmethod
+    def fault_rules(cls) -> Callable[[Any, Any], int]:
+        """Return the kernel of its faults."""
+        return cls.kernels.faults
+
     @model_validator(mode="after")
-    def _sound(self) -> WallShape:
-        found = []
-        for code, *numbers in _about(_faults, self.kernels.faults, self.numbers):
-            given = {
-                **{name: getattr(self, name) for name in type(self).model_fields},
-                **dict(zip("abc", numbers, strict=True)),
-            }
-            values = {name: _Shown(value, self.pocket_places) for name, value in given.items()}
-            found.append(Fault("", *(text.format_map(values) for text in self.shape_faults[int(code)])))
-        if not found:
-            try:
-                _about(_features, self.kernels.features, self.numbers)
-            except ZeroDivisionError:
-                got = "sides that vanish in the rounding of their places"
-                found.append(Fault("", "", "a wall near the origin, compared with its size", got, "move it nearer"))
-        raise_faults(found)
+    def _is_built(self) -> WallShape:
+        try:
+            about(_features, self.kernels.features, self.numbers)
+        except ZeroDivisionError:
+            raise_faults([filled(VANISHES, {})])
         return self
-
-    @property
-    def numbers(self) -> tuple[float, ...]:
-        """Return the fields of its shape as numbers, in their order: what the shape's kernels take.
-
-        A flag is 0 or 1; of what is not given, NaN; a list of any length is preceded by its length.
-        """
-        fields = number_fields(type(self)).items()
-        return tuple(x for name, count in fields for x in _flattened(getattr(self, name), count))
 
     @property
     def kind(self) -> str:
@@ -418,7 +305,7 @@ class WallShape(Model):
 
     def features(self) -> tuple[Feature, ...]:
         """Return the features that a ball can touch, and the gates above."""
-        found: tuple[Feature, ...] = _about(_features, self.kernels.features, self.numbers)
+        found: tuple[Feature, ...] = about(_features, self.kernels.features, self.numbers)
         return found
 
     @abstractmethod

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from carom.core.geometry.features import OVER, gap_to_feature
 from carom.core.jit.kernel import vector
 from carom.core.jit.slices import row_slices
-from carom.scene.among_balls import BALLS_TOUCH, TOUCH
+from carom.scene.scene_rules import BALLS_TOUCH, TOUCH
 from carom.simulation.setup import SceneArrays
 
 __all__ = ["overlapping"]

@@ -26,8 +26,9 @@ from carom.scene.feature_builders import (
     put_plane,
     unit,
 )
+from carom.scene.ruled import FaultText, format_vector, put_fault
 from carom.scene.schema import Angle, Direction, Flag, Point, Size, Sizes, Vector, refused
-from carom.scene.wall import Outline, ShapeFault, ShapeKernels, WallShape, format_vector, put_fault
+from carom.scene.wall import Outline, ShapeKernels, WallShape
 
 __all__ = ["FAR", "Box", "Plane", "Strip", "Wedge", "track"]
 
@@ -230,8 +231,8 @@ class Wedge(WallShape):
     """
 
     kernels: ClassVar = ShapeKernels(_wedge_features, _outside_wedge, _upright_axis, faults=_wedge_faults)
-    shape_faults: ClassVar = (
-        ShapeFault(
+    fault_texts: ClassVar = (
+        FaultText(
             "",
             "an opening of more than 0 and at most 360 degrees",
             "{from_angle:g} to {to_angle:g}",
@@ -380,8 +381,8 @@ class Box(WallShape):
     """
 
     kernels: ClassVar = ShapeKernels(_box_features, _blocked_by_box, _beside_box, faults=_box_faults)
-    shape_faults: ClassVar = tuple(
-        ShapeFault("", "either center or corner (the lowest in x, y and z)", got) for got in ("nothing", "both")
+    fault_texts: ClassVar = tuple(
+        FaultText("", "either center or corner (the lowest in x, y and z)", got) for got in ("nothing", "both")
     )
     shape: Literal["box"] = "box"
     center: Point | None = None

@@ -34,10 +34,11 @@ from carom.scene.feature_builders import (
     unit,
 )
 from carom.scene.figures.stadium import StadiumSizes
+from carom.scene.ruled import FaultText, format_vector, put_fault
 from carom.scene.schema import Angle, Direction, Extent, Flag, Place, Point, Size, Vector, by_new_names
 from carom.scene.shapes.planes import FAR, LEVEL
 from carom.scene.shapes.segments import LEVELS, Standing, level_faults, stands
-from carom.scene.wall import Outline, ShapeFault, ShapeKernels, WallShape, always, format_vector, put_fault
+from carom.scene.wall import Outline, ShapeKernels, WallShape, always
 
 __all__ = ["Arc", "Cylinder", "Sphere", "Stadium"]
 
@@ -115,7 +116,7 @@ class Cylinder(WallShape):
     kernels: ClassVar = ShapeKernels(
         _cylinder_features, _blocked_by_cylinder, _vertical_cylinder, room=_room_in_tube, faults=_cylinder_faults
     )
-    shape_faults: ClassVar = (ShapeFault("height", "a length greater than 0 m", "{height}"),)
+    fault_texts: ClassVar = (FaultText("height", "a length greater than 0 m", "{height}"),)
     shape: Literal["cylinder"] = "cylinder"
     point: Point
     axis: Direction = UP
@@ -283,9 +284,9 @@ class Arc(Standing):
     """
 
     kernels: ClassVar = ShapeKernels(_arc_features, vertical=stands, encloses=_full, faults=_arc_faults)
-    shape_faults: ClassVar = (
+    fault_texts: ClassVar = (
         LEVELS,
-        ShapeFault(
+        FaultText(
             "",
             "an arc of more than 0 and at most 360 degrees",
             "{from_angle:g} to {to_angle:g}",

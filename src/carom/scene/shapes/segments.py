@@ -12,13 +12,14 @@ from pydantic import BeforeValidator
 from carom.core.jit.kernel import kernel
 from carom.formatting import format_length
 from carom.scene.feature_builders import put_upright, side_of
+from carom.scene.ruled import FaultText, format_vector, put_fault
 from carom.scene.schema import Components, Extent, Flag, Place
-from carom.scene.wall import Outline, ShapeFault, ShapeKernels, WallShape, format_vector, put_fault
+from carom.scene.wall import Outline, ShapeKernels, WallShape
 
 __all__ = ["LEVELS", "Polygon", "Segment", "Standing", "level_faults", "stands"]
 
 Numbers = Sequence[float]
-LEVELS = ShapeFault("height", "a height above low = {low:g} m", "{height}")
+LEVELS = FaultText("height", "a height above low = {low:g} m", "{height}")
 
 
 @kernel
@@ -77,7 +78,7 @@ class Segment(Standing):
     """
 
     kernels: ClassVar = ShapeKernels(_segment_features, vertical=stands, faults=_segment_faults)
-    shape_faults: ClassVar = (LEVELS, ShapeFault("end", "another point than start", "{end}"))
+    fault_texts: ClassVar = (LEVELS, FaultText("end", "another point than start", "{end}"))
     shape: Literal["segment"] = "segment"
     start: Place
     end: Place
@@ -193,10 +194,10 @@ class Polygon(Standing):
     """
 
     kernels: ClassVar = ShapeKernels(_polygon_features, vertical=stands, encloses=_closed, faults=_polygon_faults)
-    shape_faults: ClassVar = (
+    fault_texts: ClassVar = (
         LEVELS,
-        ShapeFault("points[{a:g}]", "another point than the one before", "[{b}, {c}]"),
-        ShapeFault(
+        FaultText("points[{a:g}]", "another point than the one before", "[{b}, {c}]"),
+        FaultText(
             "points",
             "an outline that does not meet itself",
             "sides {a:g} and {b:g} that meet",

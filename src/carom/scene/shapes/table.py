@@ -17,8 +17,9 @@ from carom.formatting import format_length
 from carom.scene.feature_builders import Flat, length_2d, put_cushion, put_edges, put_standing
 from carom.scene.pockets import Jaw, Pockets, is_free, jaw_at, jaw_line, put_jaw, put_pocket
 from carom.scene.presets import preset_fault, presets, wall_fields
+from carom.scene.ruled import FaultText, put_fault
 from carom.scene.schema import ContactTime, Extent, Place, Size, raise_faults
-from carom.scene.wall import CUSHION, Outline, Pocket, ShapeFault, ShapeKernels, WallShape, put_fault
+from carom.scene.wall import CUSHION, Outline, Pocket, ShapeKernels, WallShape
 
 __all__ = ["Table"]
 
@@ -220,9 +221,9 @@ SMALLER, OUTSIDE = "make mouth or jaw_radius smaller", "the pocket would lie out
 WIDER, APART = "make radius larger, or mouth smaller", "make radius smaller, or the table larger"
 
 
-def _of_pockets(*texts: str) -> list[ShapeFault]:
+def _of_pockets(*texts: str) -> list[FaultText]:
     """Return the texts of a fault of corner pockets, and of side pockets."""
-    return [ShapeFault(*(text.format(of=of) for text in texts)) for of in ("corner_pockets", "side_pockets")]
+    return [FaultText(*(text.format(of=of) for text in texts)) for of in ("corner_pockets", "side_pockets")]
 
 
 class Table(WallShape):
@@ -259,9 +260,9 @@ class Table(WallShape):
         _table_features, _blocked_by_table, _vertical_table, _encloses, _half_width, _table_faults
     )
     pocket_places: ClassVar = PLACES
-    shape_faults: ClassVar = (
-        ShapeFault("height", "a height above the floor", "{height}"),
-        ShapeFault("height", "at least nose_height = {nose_height:g} m", "{height}"),
+    fault_texts: ClassVar = (
+        FaultText("height", "a height above the floor", "{height}"),
+        FaultText("height", "at least nose_height = {nose_height:g} m", "{height}"),
         *(_of_pockets("{of}.mouth", "a cushion between two pockets", "mouths and jaws that leave none", SMALLER)),
         *(_of_pockets("{of}.shelf", "a shelf of at most the mouth, {{{of}.mouth:m}}", "{{{of}.shelf}}", OUTSIDE)),
         *(
