@@ -11,7 +11,8 @@ from reference.exploring import tried
 from carom import Ball, CaromError, Disc, Surface
 from carom.gas import Drive, Gas, Species, Thermostat, container
 from carom.gas.edmd.gas_records import ELLIPSE
-from carom.gas.edmd.walls import _is_present, _oscillating_collision_time, _release_speed
+from carom.gas.edmd.moving_walls import oscillating_collision_time
+from carom.gas.edmd.walls import _is_present, _release_speed
 from carom.gas.old_containers import with_new_container
 from carom.gas.spatial_profiles import Profiles
 
@@ -549,7 +550,7 @@ def test_time_goes_on_past_the_turns_of_a_swinging_wall():
         face = SimpleNamespace(half_period=0.5 / frequency, start=-phase / frequency, amplitude=0.3)
         turns = float(face.start + turn * face.half_period)
         for now in (math.nextafter(turns, 0.0), turns, math.nextafter(turns, math.inf)):
-            s, collides = _oscillating_collision_time(face, (0.2999, 3.0, 0.0), now, 50.0, 0.0)
+            s, collides = oscillating_collision_time(face, (0.2999, 3.0, 0.0), now, 50.0, 0.0)
             assert not collides
             assert now + s > now
 
@@ -632,7 +633,7 @@ def test_what_walls_cannot_be(options, said):
 def test_faults_of_drives():
     with pytest.raises(CaromError, match="frequency"):
         Drive(0.1)
-    with pytest.raises(CaromError, match="neither"):
+    with pytest.raises(CaromError, match="none of them"):
         Drive()
     with pytest.raises(CaromError, match="rate"):
         Thermostat(1.0, 0.0)

@@ -60,6 +60,7 @@ def _totals(scene: GasScene, found: Report, error: Report | None) -> Table:
     if error is None:  # (the error of this ratio does not follow from those of its parts)
         rows.append(("  relative to an ideal gas", format_number(found["pressure"] / ideal, 5) if ideal > 0 else "–"))
     rows += _by_wall(found, error, "wall_pressure", f"  on {{}}, {unit}")
+    rows += _flows(found, error)
     rows += _temperatures(scene, found, error)
     if not scene.container.geometry.faces:
         rows.append(row("diffusion coefficient, m²/s", "diffusion", 4))
@@ -94,6 +95,24 @@ def _temperatures(scene: GasScene, found: Report, error: Report | None) -> list[
     end, errors = found["final"], None if error is None else error["final"]
     rows += [(f"{label[:-3]} at the end, J", _cell(end, errors, name)) for label, name in heads.items()]
     return rows + [(f"{label} at the end", _cell(end, errors, name, 5)) for label, name in ratio.items()]
+
+
+def _flows(found: Report, error: Report | None) -> list[tuple[str, str]]:
+    """Return the rows of the outflow along gravity, and of the walls that move, at the end."""
+    rows = []
+    if flow := found["outflow"]:
+        errors = None if error is None else error["outflow"]
+        rows.append((f"balls out along {flow['axis']}", _cell(flow, errors, "balls")))
+        rows.append(("  per unit time, 1/s", _cell(flow, errors, "rate", 5)))
+    for name, one in found["walls"].items():
+        errors = None if error is None else error["walls"][name]
+        if "spins" in one and error is None:
+            squares = sum(spin * spin for spin in one["spins"]) / len(one["spins"])
+            rows.append((f"spins of {name} at the end, root mean square, rad/s", format_number(squares**0.5, 5)))
+        elif "spins" not in one:
+            rows.append((f"{name} at the end: displacement, m", _cell(one, errors, "displacement")))
+            rows.append(("  speed, m/s", _cell(one, errors, "speed", 5)))
+    return rows
 
 
 def _by_wall(found: Report, error: Report | None, name: str, label: str) -> list[tuple[str, str]]:

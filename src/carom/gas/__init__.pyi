@@ -8,6 +8,8 @@ from .containers import SHAPES as SHAPES
 from .containers import WALLS as WALLS
 from .containers import Container as Container
 from .containers import container as container
+from .drives import Drive as Drive
+from .drives import Thermostat as Thermostat
 from .endings import EarlyEnd as EarlyEnd
 from .endings import EndedEarlyError as EndedEarlyError
 from .ensembles import Ensemble as Ensemble
@@ -25,8 +27,6 @@ from .scene import GasScene as GasScene
 from .session import Session as Session
 from .simulate import simulate_gas as simulate_gas
 from .snapshots import Snapshots as Snapshots
-from .species import Drive as Drive
 from .species import Species as Species
-from .species import Thermostat as Thermostat
 from .transport import Viscosity as Viscosity
 from .transport import viscosity as viscosity

@@ -139,6 +139,33 @@ def _obstacles(
     return faces, taken
 
 
+def _plates(faults: FaultList, given: Any, size: Floats, bounds: str) -> list[ContainerFace]:
+    """Return both sides and both edges of thin straight walls."""
+    faces: list[ContainerFace] = []
+    for k, row in enumerate(given):
+        numbers = [float(v) for v in row]
+        if len(numbers) != 4 or not np.isfinite(numbers).all() or numbers[:2] == numbers[2:]:
+            faults.add(f"plates[{k}]", "x1, y1, x2, y2 of two places", f"{row!r}")
+            continue
+        if bounds != "surface":
+            faults.add(
+                f"plates[{k}]", "none where walls bound the centres", f"{row!r}", "plates need bounds = 'surface'"
+            )
+            continue
+        (x, y), end, name = numbers[:2], numbers[2:], f"plate{k + 1}"
+        length = math.dist((x, y), end)
+        u, v = (end[0] - x) / length, (end[1] - y) / length
+        low = u * x + v * y
+        area = length * (size[2] if len(size) == 3 else 1.0)
+        for n in ((-v, u, 0.0), (v, -u, 0.0)):
+            side = ContainerFace(
+                name, PLANE, n, (x, y, 0.0), area, along=(u, v, 0.0), low=low, high=low + length, thin=True
+            )
+            faces.append(side)
+        faces += [ContainerFace(name, OUTSIDE, (1.0, 1.0, 0.0), (*tip, 0.0), 0.0) for tip in ((x, y), end)]
+    return faces
+
+
 def container(
     shape: str | Mapping[str, Any] | Figure,
     size: Sequence[float] | None = None,
@@ -146,6 +173,7 @@ def container(
     periodic: bool | Sequence[bool] | None = None,
     height: float | None = None,
     obstacles: Sequence[Sequence[float]] = (),
+    plates: Sequence[Sequence[float]] = (),
     bounds: str = "surface",
     **sizes: Any,
 ) -> Container:
@@ -164,6 +192,9 @@ def container(
         Of an upright figure.
     obstacles : rows of x, y, radius, or x, y, z, radius
         Round obstacles: with "periodic", a Lorentz gas or Sinai billiard.
+    plates : rows of x1, y1, x2, y2
+        Thin straight walls between two places (upright in space) with gas on both sides: hoppers, slits, baffles. They lie within
+        the box, also where it is periodic.
     bounds : "surface" or "centre"
         Whether the walls bound the balls' surfaces, or their centres.
     **sizes : of the figure, by their names
@@ -174,7 +205,7 @@ def container(
         Its walls are called left, right, front, back, bottom, top in a box; side where round; bottom and top at flat ends; front,
         back, left, right in a stadium and a rectangle; left, right, and side for the arc, in a sector; edge1, edge2, ... in a
         polygon, of which edge1 goes from the first corner to the second, and a re-entrant corner belongs to the side that ends
-        there; and scatterer (an obstacle).
+        there; scatterer (an obstacle); and plate1, plate2, ...
 
     Raises CaromError, one line per problem.
 
@@ -200,7 +231,7 @@ def container(
         shape, size, height, obstacles = (fields.pop(one, None) for one in ("shape", "size", "height", "obstacles"))
         sizes, obstacles = fields, obstacles or ()
     if shape in BOXES:
-        return _box(faults, str(shape), size, periodic, obstacles, bounds, sizes)
+        return _box(faults, str(shape), size, periodic, obstacles, plates, bounds, sizes)
     if isinstance(shape, str) and shape.partition(":")[0] not in container_figures():
         known = [*BOXES, *container_figures()]
         faults.add("shape", f"one of {', '.join(known)}", f"{shape!r}", did_you_mean(shape, known))
@@ -212,7 +243,7 @@ def container(
     if shape == "cylinder" and height is not None:
         named = {**(named or {}), "height": height}
     made = figure(named) if named else figure(shape, **sizes)
-    return in_figure(made, height, periodic, obstacles, bounds)
+    return in_figure(made, height, periodic, obstacles, bounds, plates)
 
 
 def container_figures() -> list[str]:
@@ -221,8 +252,9 @@ def container_figures() -> list[str]:
 
 
 def in_figure(
-    made: Figure, height: float | None, periodic: Any, obstacles: Sequence[Sequence[float]], bounds: str
-) -> Container:
+    made: Figure, height: float | None, periodic: Any, obstacles: Sequence[Sequence[float]], bounds: str,
+    plates: Sequence[Sequence[float]] = (),
+) -> Container:  # fmt: skip
     """Return the container in a figure: a sphere, a cylinder, or a plane figure, upright where it has a height."""
     faults, shape = FaultList("container"), made.kind()
     corners, walls, size = None, [], cast(Floats, ())
@@ -251,7 +283,8 @@ def in_figure(
     if height is not None:
         walls = [replace(face, area=face.area * height) for face in walls] + _planes(size, closed, volume)
         volume *= height
-    return _with_obstacles(faults, Container(shape, size, closed, tuple(walls), volume, corners), obstacles, bounds)
+    made_of = Container(shape, size, closed, tuple(walls), volume, corners)
+    return _with_obstacles(faults, made_of, obstacles, plates, bounds)
 
 
 def _periodic(faults: FaultList, periodic: Any, axes: int) -> tuple[bool, ...]:
@@ -266,7 +299,14 @@ def _periodic(faults: FaultList, periodic: Any, axes: int) -> tuple[bool, ...]:
 
 
 def _box(
-    faults: FaultList, shape: str, size: Any, periodic: Any, obstacles: Any, bounds: str, sizes: Mapping[str, Any]
+    faults: FaultList,
+    shape: str,
+    size: Any,
+    periodic: Any,
+    obstacles: Any,
+    plates: Any,
+    bounds: str,
+    sizes: Mapping[str, Any],
 ) -> Container:
     """Return a box, or a periodic one."""
     for name, value in sizes.items():
@@ -279,12 +319,13 @@ def _box(
     if shape == "periodic" and not all(closed):
         faults.add("periodic", "true for shape 'periodic', or shape 'box'", f"{periodic!r}")
     made = Container(shape, given, closed, tuple(_planes(given, closed)), math.prod(given))
-    return _with_obstacles(faults, made, obstacles, bounds)
+    return _with_obstacles(faults, made, obstacles, plates, bounds)
 
 
-def _with_obstacles(faults: FaultList, made: Container, obstacles: Any, bounds: str) -> Container:
-    """Return a container with round obstacles, whose faces know whether they bound surfaces; raise its faults."""
+def _with_obstacles(faults: FaultList, made: Container, obstacles: Any, plates: Any, bounds: str) -> Container:
+    """Return a container with round obstacles and plates, whose faces know whether they bound surfaces; raise its faults."""
     walls, taken = _obstacles(faults, obstacles, made.size, made.periodic)
+    walls += _plates(faults, plates, made.size, bounds)
     faults.raise_if_any()
     every = tuple(replace(face, bounds_surfaces=bounds == "surface") for face in (*made.faces, *walls))
     return replace(made, faces=every, volume=made.volume - taken)

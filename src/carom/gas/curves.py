@@ -9,7 +9,7 @@ import numpy as np
 from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
-__all__ = ["Displacement", "Distribution", "PairCorrelation"]
+__all__ = ["Displacement", "Distribution", "Outflow", "PairCorrelation"]
 
 Array = NDArray[np.float64]
 FIT_STEPS, LARGEST_LOG = 50, 30.0  # of the fit of g at contact
@@ -53,6 +53,27 @@ class Displacement:
         # the error of a mean square is proportional to it
         line = Polynomial.fit(self.lag[late], self.square[late], 1, w=1 / self.square[late]).convert()
         return float(line.coef[1] / (2 * self.dimensions))
+
+
+@dataclass(frozen=True)
+class Outflow:
+    """Balls that left a gas through a periodic border along gravity, and came in again on the other side."""
+
+    axis: str
+    """Along which they fall: "x", "y" or "z"."""
+    balls: int
+    """How many more went with gravity than against it."""
+    time: float
+    """In which they did (s)."""
+
+    @property
+    def rate(self) -> float:
+        """Balls per unit time (1/s)."""
+        return self.balls / self.time if self.time > 0 else math.nan
+
+    def to_dict(self) -> dict[str, str | float]:
+        """Return axis, balls, time and rate."""
+        return {"axis": self.axis, "balls": self.balls, "time": self.time, "rate": self.rate}
 
 
 @dataclass(frozen=True, eq=False)

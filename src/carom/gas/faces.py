@@ -44,6 +44,7 @@ class ContainerFace:
     bounds_surfaces : whether it bounds the balls' surfaces, not their centres
     along, low, high : it exists only where low <= along . x <= high
     part : of an outline of which one face alone does not tell what is inside (:attr:`carom.gas.Container.outline`)
+    thin : a side of a plate, which has gas on both
     table : rows of an arc of a CURVE (:mod:`carom.core.geometry.curve_arcs`)
     """
 
@@ -58,6 +59,7 @@ class ContainerFace:
     low: float = -math.inf
     high: float = math.inf
     part: bool = False
+    thin: bool = False
     table: Array = field(default_factory=lambda: np.empty((0, ROW)), repr=False, compare=False)
 
     @property
@@ -72,7 +74,9 @@ class ContainerFace:
             return "which ends at a re-entrant corner"
         if self.form != PLANE:
             return "which is round"
-        return "which ends where the container continues behind it" if self.bounded else ""
+        return (
+            ("a plate" if self.thin else "which ends where the container continues behind it") if self.bounded else ""
+        )
 
     def offset(self, radius: Any) -> tuple[Any, Any]:
         """Return the engine's d for balls of a radius, and the part of it that grows with the radius."""
@@ -93,7 +97,7 @@ class ContainerFace:
             return gap
         r = np.asarray(self.vector) * (x - self.centre)
         if self.form == PLANE:
-            gap = r.sum(axis=1) - d
+            gap = (np.abs(r.sum(axis=1)) if self.thin else r.sum(axis=1)) - d
         else:
             distance = np.sqrt((r * r).sum(axis=1))
             gap = (d - distance if self.form == INSIDE else distance - d) / max(self.vector)

@@ -13,13 +13,14 @@ from numpy.typing import ArrayLike, NDArray
 from carom.errors import FaultList, float_or_nan
 from carom.formatting import counted, format_number
 from carom.gas.containers import Container, as_container
+from carom.gas.drives import Drive, Thermostat, WallMotion, motion_of_walls
 from carom.gas.edmd import driver as engine
 from carom.gas.edmd.driver import GasArrays
 from carom.gas.edmd.gas_records import COLLAPSED, DONE, UNDERFLOW, Averages
 from carom.gas.endings import AT_REST, COLLAPSE, TOO_SLOW, EarlyEnd, EndedEarlyError, collapse_of
 from carom.gas.results import GasBalls, GasRun, Mark
 from carom.gas.size_distributions import SizeClasses
-from carom.gas.species import Contacts, Drive, Species, Thermostat, system_records
+from carom.gas.species import Contacts, Species, system_records
 from carom.gas.starts import TOUCH, draw_thermal, require_no_overlap, start_positions, vectors
 from carom.gas.time_averages import averages_between
 from carom.public.progress import Progress, loop_callback
@@ -237,6 +238,11 @@ class Gas:
                 -(kinds["mass"] * ((balls.position + balls.images * one["side"]) @ one["gravity"])).sum(),
             )
         return float(found[0]), float(found[1]), float(found[2])
+
+    def wall_motion(self) -> dict[str, WallMotion]:
+        """Return place and speed of each wall that moves, or the spins of its obstacles, at the current time, by its name."""
+        one, faces = self.arrays.system[0], self.arrays.walls.faces
+        return motion_of_walls(faces, self._names, (self._time - one["base"]) - one["rest"])
 
     @property
     def bytes_per_ball(self) -> float:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from carom.errors import CaromError, Fault, suggestion
 from carom.gas import containers
 from carom.gas.containers import Container
-from carom.gas.curves import Displacement, Distribution, PairCorrelation
+from carom.gas.curves import Displacement, Distribution, Outflow, PairCorrelation
 from carom.gas.edmd.driver import synchronized
 from carom.gas.gas import Gas
 from carom.gas.histograms import add_component_histograms, add_pair_histograms, species_sums
@@ -37,8 +37,9 @@ GAP_BINS_PER_DIAMETER, MAX_GAP_BINS = 60, 180  # of the gap between balls: per s
 MAX_FOLLOWED = 8192  # balls, for diffusion
 MAX_CENTERS = 8192  # balls around which pairs are counted in one sample
 LAGS = 24  # at which the mean square displacement is given
-# What a sample adds to the series: time, collisions so far, temperatures, and the potential energy per ball.
-SERIES = ("time", "collisions", "translational", "rotational", "height")
+# What a sample adds to the series: time, collisions so far, temperatures, the potential energy per ball, and how many balls more
+# have crossed a periodic border along gravity than against it (:attr:`Measures.flow_axis`).
+SERIES = ("time", "collisions", "translational", "rotational", "height", "passed")
 
 
 class Measures:
@@ -105,6 +106,8 @@ class Measures:
         )
         self.side, self.periodic = one["side"].copy(), one["periodic"] == 1
         self.periodic[self.dimensions :] = False
+        along = np.abs(one["gravity"]) * self.periodic
+        self.flow_axis = int(np.argmax(along)) if along.any() else -1  # periodic, along which balls fall
         size, closed = self.side[: self.dimensions], self.periodic[: self.dimensions]
         self.container = container or containers.container("box", size.tolist(), periodic=closed.tolist())
         # no further than half a period; within walls no further than a quarter: balls near a wall are no central balls
@@ -115,7 +118,7 @@ class Measures:
         self.profiles, self.depth = None, self.reach
         if self.container.faces:
             faces = gas.arrays.walls.faces
-            drives = (faces["amplitude"] > 0) | (faces["temperature"] >= 0)
+            drives = (faces["amplitude"] > 0) | (faces["temperature"] >= 0) | (faces["moving"] == 1)
             driven = {name for name, k in zip(gas.faces, drives, strict=True) if k}
             gravity = one["gravity"].tolist()
             if layers(self.container, gravity, driven)[1]:  # what is counted around a ball is where centres can be
@@ -151,9 +154,10 @@ class Measures:
         number = len(motions)
         x = _positions(motions)
         height = -float((mass @ x) @ gas.arrays.system[0]["gravity"])
-        self.rows.append(
-            (gas.time, float(gas.collisions), *map(float, (count * heat).sum(axis=0) / number), height / number)
-        )
+        axis, pull = self.flow_axis, gas.arrays.system[0]["gravity"]
+        passed = 0.0 if axis < 0 else float(images[:, axis].sum() * np.sign(pull[axis]))
+        warm = map(float, (count * heat).sum(axis=0) / number)
+        self.rows.append((gas.time, float(gas.collisions), *warm, height / number, passed))
         if self.has_diffusion:
             x += images * self.side
             followed = np.arange(min(number, MAX_FOLLOWED)) * number // min(number, MAX_FOLLOWED)
@@ -280,9 +284,17 @@ class Measures:
 
     @property
     def series(self) -> dict[str, Array]:
-        """Values of each sample, by the names in SERIES: time, collisions, temperatures, potential energy per ball."""
+        """Values of each sample by the names in SERIES: time, collisions, temperatures, potential energy per ball, balls passed."""
         table = np.array(self.rows).reshape(-1, len(SERIES))
         return {name: table[:, k] for k, name in enumerate(SERIES)}
+
+    @property
+    def outflow(self) -> Outflow | None:
+        """Balls through the periodic border across gravity, from the first sample to the last; None without such a border."""
+        if self.flow_axis < 0 or self.samples < 2:
+            return None
+        t, passed = self.series["time"], self.series["passed"]
+        return Outflow("xyz"[self.flow_axis], int(passed[-1] - passed[0]), float(t[-1] - t[0]))
 
     @property
     def species_series(self) -> dict[str, dict[str, Array]]:

@@ -7,6 +7,7 @@ import math
 from typing import Annotated, Any
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import BeforeValidator, model_validator
 
 from carom.bodies import Surface
@@ -14,6 +15,7 @@ from carom.errors import Fault, FaultList, shown, suggestion
 from carom.formatting import counted, format_number
 from carom.gas.contact_forms import GasSurface
 from carom.gas.containers import BOXES, WALLS
+from carom.gas.drives import drive_faults
 from carom.gas.edmd.gas_records import ELLIPSE, MAX_BALLS
 from carom.gas.faces import JOINT_OVERLAP
 from carom.gas.initial import DENSEST
@@ -54,7 +56,7 @@ class GasScene(Model):
     container : GasContainer: shape and size; two lengths: discs in a plane
     species : GasSpecies, at least one
     contacts : GasContact for every pair of species, and for every species and the walls
-    drives : GasDrive, walls that oscillate or are heated
+    drives : GasDrive, walls that move or are heated
     thermostat : GasThermostat, optional
     run : GasSettings
 
@@ -143,7 +145,7 @@ class GasScene(Model):
         return found
 
     @property
-    def groups(self) -> Any:
+    def groups(self) -> NDArray[np.int64]:
         """The species, by its number, of each class of radii: of each species of the engine."""
         return np.repeat(np.arange(len(self.species)), [len(np.unique(one.radii)) for one in self.species])
 
@@ -240,10 +242,9 @@ def _drive_faults(scene: GasScene) -> list[Fault]:
             found.add(at, "the name of a wall", shown(drive.wall), suggestion(drive.wall, list(container.names)))
         elif drive.wall in [one.wall for one in scene.drives[:i]]:
             found.add(at, "one drive for each wall", f"a second one for {drive.wall!r}")
-        elif drive.amplitude > 0 and (
-            why := [w.fixed_because for w in container.faces if w.name == drive.wall and w.fixed_because]
-        ):
-            found.add(f"drives[{i}].amplitude", "a plane wall to oscillate", f"{drive.wall!r}, {why[0]}")
+        else:
+            for field, expected, got in drive_faults(drive.drive, drive.wall, container):
+                found.add(f"drives[{i}].{field}", expected, got)
     return found
 
 

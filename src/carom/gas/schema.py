@@ -14,16 +14,18 @@ from pydantic import BeforeValidator, Field, model_validator
 
 from carom.bodies import DISC_INERTIAS, INERTIAS, Ball, Disc
 from carom.errors import Fault, shown, suggestion
-from carom.formatting import format_number
+from carom.formatting import counted, format_number
 from carom.gas.contact_forms import GasSurface
 from carom.gas.containers import WALLS, Container, container, container_figures, in_figure
+from carom.gas.drives import Drive, Thermostat
 from carom.gas.old_containers import with_new_container
 from carom.gas.size_distributions import RadiiDistribution, SpeciesRadius, in_classes, size_moments
-from carom.gas.species import ANY, Drive, Species, Thermostat
+from carom.gas.species import ANY, Species
 from carom.scene.figures import FIGURES, Figure, PlaneFigure
 from carom.scene.figures.sector import SectorFigure
 from carom.scene.figures.solids import CylinderFigure, SphereFigure
 from carom.scene.schema import (
+    Coefficient,
     Components,
     Count,
     CountOrZero,
@@ -33,6 +35,8 @@ from carom.scene.schema import (
     Number,
     Share,
     Size,
+    Speed,
+    Spin,
     Time,
     raise_faults,
     refused,
@@ -42,6 +46,7 @@ from carom.scene.schema import (
 __all__ = ["AnyContainer", "GasContact", "GasContainer", "GasDrive", "GasSettings", "GasSpecies", "GasThermostat"]
 
 _OBSTACLE = Components("x, y, radius; or x, y, z, radius", (3, 4))
+_PLATE = Components("x1, y1, x2, y2 of two places", (4,))
 _SIZE = Components("2 or 3 lengths > 0: along x, y (discs), and z (balls)", (2, 3))
 _KAPPA = Number("kappa = I/(m a^2) in (0, 1], or one of 'solid', 'hollow', 'disc', 'ring'", least=0, most=1, above=True)
 _TEMPERATURE = Number("a temperature k_B T >= 0", "J", least=0)
@@ -49,6 +54,11 @@ _FREQUENCY = Number("a frequency > 0", "1/s", least=0, above=True)
 _DENSITY = Number("a density > 0 in kg/m^3 (discs: kg/m^2)", "", least=0, above=True)
 _RATE = Number("a rate > 0: kicks per ball per unit time", "1/s", least=0, above=True)
 _AMPLITUDE = Number("an amplitude >= 0", "m", least=0)
+_FORCE = Number("a force", "N")
+_MOMENT = Number("a moment of inertia > 0", "kg m^2", least=0, above=True)
+_GRADIENT = Components("2 or 3 numbers: the growth of k_B T per metre along x, y (and z)", (2, 3))
+_ALONG = Components("2 or 3 speeds along x, y (and z)", (2, 3))
+_ABOUT = Components("one spin, or 3 about x, y, z", (1, 3))
 _ENDINGS = (".csv", ".npz", ".gsd")
 
 
@@ -66,12 +76,14 @@ class GasContainer(Model):
     height : of a plane figure that stands upright along z, with balls
     periodic : axes without walls, such as ["x", "y"]; default: none, or all for "periodic"
     obstacles : round obstacles, rows of x, y, radius or x, y, z, radius
+    plates : thin straight walls with gas on both sides, rows of x1, y1, x2, y2
     bounds : "surface" or "centre" of the balls: which of them the walls bound
     """
 
     tag: ClassVar[str] = "shape"
     periodic: tuple[Literal["x", "y", "z"], ...] = ()
     obstacles: tuple[Annotated[tuple[Length, ...], BeforeValidator(_OBSTACLE)], ...] = ()
+    plates: tuple[Annotated[tuple[Length, ...], BeforeValidator(_PLATE)], ...] = ()
     bounds: Literal["surface", "centre"] = "surface"
 
     def __new__(cls, *_unnamed: Any, **fields: Any) -> Any:
@@ -104,7 +116,8 @@ class GasContainer(Model):
         along = f", periodic along {' and '.join(self.periodic)}" if self.periodic else ""
         count = len(self.obstacles)
         around = f" with {count} obstacle{'s' if count > 1 else ''}" if count else ""
-        return f"{what} {sides}{along}{around}"
+        plates = f" and {counted(len(self.plates), 'plate')}" if self.plates else ""
+        return f"{what} {sides}{along}{around}{plates}"
 
 
 class BoxContainer(GasContainer):
@@ -117,7 +130,9 @@ class BoxContainer(GasContainer):
     def geometry(self) -> Container:
         """The container of :class:`carom.gas.Gas`."""
         closed = [axis in self.periodic for axis in "xyz"[: len(self.size)]]
-        return container("box", self.size, periodic=closed, obstacles=self.obstacles, bounds=self.bounds)
+        return container(
+            "box", self.size, periodic=closed, obstacles=self.obstacles, plates=self.plates, bounds=self.bounds
+        )
 
 
 class PeriodicContainer(GasContainer):
@@ -129,7 +144,7 @@ class PeriodicContainer(GasContainer):
     @functools.cached_property
     def geometry(self) -> Container:
         """The container of :class:`carom.gas.Gas`."""
-        return container("periodic", self.size, obstacles=self.obstacles, bounds=self.bounds)
+        return container("periodic", self.size, obstacles=self.obstacles, plates=self.plates, bounds=self.bounds)
 
 
 class FigureContainer(GasContainer):
@@ -142,7 +157,7 @@ class FigureContainer(GasContainer):
         upright = height is not None or isinstance(self, SphereFigure | CylinderFigure)
         closed = [axis in self.periodic for axis in "xyz"[: 3 if upright else 2]]
         own: Any = self
-        return in_figure(own, height, closed, self.obstacles, self.bounds)
+        return in_figure(own, height, closed, self.obstacles, self.bounds, self.plates)
 
 
 class UprightContainer(FigureContainer):
@@ -296,11 +311,16 @@ class GasContact(GasSurface):
     between: Annotated[tuple[str, str], BeforeValidator(Components("two names, such as ['a', 'wall']", (2,)))]
 
 
+def _spins(value: Any) -> Any:
+    several = isinstance(value, list | tuple | np.ndarray) and np.ndim(value) > 0
+    return _ABOUT(value if several else [value])
+
+
 # --- energy input --------------------------------------------------------------------------------------------------
 
 
 class GasDrive(Model):
-    """A wall that oscillates, or is heated, or both, with the parameters of :class:`carom.gas.Drive`."""
+    """A wall that moves or is heated, with the parameters of :class:`carom.gas.Drive`."""
 
     wall: str
     amplitude: Annotated[float, BeforeValidator(_AMPLITUDE)] = 0.0
@@ -308,6 +328,14 @@ class GasDrive(Model):
     phase: Share = 0.0
     temperature: Annotated[float, BeforeValidator(_TEMPERATURE)] | None = None
     temperature_rotational: Annotated[float, BeforeValidator(_TEMPERATURE)] | None = None
+    gradient: Annotated[tuple[Coefficient, ...], BeforeValidator(_GRADIENT)] | None = None
+    speed: Speed | None = None
+    travel: Size | None = None
+    mass: Mass | None = None
+    force: Annotated[float, BeforeValidator(_FORCE)] | None = None
+    surface_velocity: Annotated[tuple[Speed, ...], BeforeValidator(_ALONG)] | None = None
+    spin: Annotated[tuple[Spin, ...], BeforeValidator(_spins)] | None = None
+    moment: Annotated[float, BeforeValidator(_MOMENT)] | None = None
 
     @model_validator(mode="after")
     def _check(self) -> GasDrive:
@@ -317,7 +345,8 @@ class GasDrive(Model):
     @property
     def drive(self) -> Drive:
         """The drive of :class:`carom.gas.Gas`."""
-        return Drive(self.amplitude, self.frequency or 0.0, self.phase, self.temperature, self.temperature_rotational)
+        given = {name: getattr(self, name) for name in type(self).model_fields if name != "wall"}
+        return Drive(**given | {"frequency": self.frequency or 0.0})
 
 
 class GasThermostat(Model):

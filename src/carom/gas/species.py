@@ -1,4 +1,4 @@
-"""Species, wall drives and thermostat of a gas: checked, and written as the records of the event engine."""
+"""Species of a gas, contacts and cells: checked, and written as the records of the event engine."""
 
 from __future__ import annotations
 
@@ -11,15 +11,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, Surface
-from carom.errors import FaultList, checked_number, require_type, suggestion
+from carom.errors import FaultList, require_type, suggestion
 from carom.gas.contact_forms import GasSurface, contact_numbers
 from carom.gas.containers import WALLS, Container
+from carom.gas.drives import Drive, Thermostat, face_records
 from carom.gas.edmd.driver import SystemRecords
 from carom.gas.edmd.gas_records import (
     CONTACT_FORM,
-    CURVE,
     ELLIPSE,
-    FACE,
     FLOW,
     LAYER,
     MAX_BALLS,
@@ -33,22 +32,12 @@ from carom.gas.faces import JOINT_OVERLAP
 from carom.gas.sizes import LONGEST_SIDE, cells_at_most
 from carom.gas.spatial_profiles import layers
 
-__all__ = ["ANY", "Contacts", "Drive", "Species", "Thermostat", "best_contact", "layer_axis", "system_records"]
+__all__ = ["ANY", "Contacts", "Species", "best_contact", "layer_axis", "system_records"]
 
 Contacts = Surface | GasSurface | Mapping[tuple[str, str], Surface | GasSurface]
 ANY = "*"  # in contacts: every species and wall
 NO_TOTALS = (0, 0.0, 0.0, 0.0)  # of a contact that has not happened yet
 BALLS_PER_CELL = 0.5  # where the balls are small compared with their distances
-# Of the largest radius: a ball whose centre is further behind a wall that bounds centres overlaps it (snapshots are in single
-# precision).
-CENTRE_DEPTH = 1e-4
-
-
-def _check(faults: FaultList, of: Any, **fields: tuple[str, Any]) -> None:
-    """Add a fault for every given field that is not a finite number with the property asked of it."""
-    for name, (expected, holds) in fields.items():
-        if getattr(of, name) is not None:
-            checked_number(faults, name, getattr(of, name), expected, holds)
 
 
 @dataclass(frozen=True)
@@ -85,99 +74,6 @@ class Species:
     temperature: float = 1.0
     temperature_rotational: float | None = None
     radii: ArrayLike | None = field(default=None, compare=False)
-
-
-@dataclass(frozen=True)
-class Drive:
-    """A wall that oscillates, or is heated, or both.
-
-    Parameters
-    ----------
-    amplitude : float
-        Of a plane wall's oscillation along its normal (m). Its position consists of parabolas, ``amplitude`` up and then down,
-        half a period each: position and velocity are continuous, and the instants of contact are roots of parabolas, exact. It
-        differs from a sine of this amplitude and frequency by at most 6 % of the amplitude; its greatest speed is
-        8 amplitude frequency (a sine's: 2 pi), its acceleration 32 amplitude frequency^2 (4 pi^2, at most).
-    frequency : float
-        Oscillations per unit time (1/s).
-    phase : float
-        Where in the period it starts, 0 to 1: at 0 in the middle, moving into the gas; at 1/4 furthest into it.
-    temperature : float, optional
-        k_B T of balls that leave a heated wall (J): their velocities are Maxwellian, weighted by the normal component (complete
-        thermalization).
-    temperature_rotational : float, optional
-        k_B T of their spins; default: the same.
-
-    Raises CaromError, one line per problem.
-
-    Examples
-    --------
-    >>> from carom.gas import Drive
-    >>> Drive(amplitude=0.2, frequency=10.0).phase
-    0.0
-    >>> Drive(amplitude=0.2)
-    Traceback (most recent call last):
-    carom.errors.CaromError: Drive: frequency: expected a number > 0 for an oscillating wall, got 0.0
-    """
-
-    amplitude: float = 0.0
-    frequency: float = 0.0
-    phase: float = 0.0
-    temperature: float | None = None
-    temperature_rotational: float | None = None
-
-    def __post_init__(self) -> None:  # noqa: D105
-        faults = FaultList("Drive")
-        warm = ("a number >= 0", lambda x: x >= 0)
-        _check(
-            faults, self, amplitude=warm, frequency=warm, temperature=warm, temperature_rotational=warm,
-            phase=("a number from 0 to 1", lambda x: (x >= 0) & (x <= 1)),
-        )  # fmt: skip
-        if self.amplitude > 0 and not self.frequency > 0:
-            faults.add("frequency", "a number > 0 for an oscillating wall", f"{self.frequency!r}")
-        if self.amplitude == 0 and self.temperature is None:
-            faults.add("amplitude", "an amplitude > 0 or a temperature", "neither")
-        faults.raise_if_any()
-
-
-@dataclass(frozen=True)
-class Thermostat:
-    """Andersen's thermostat: each ball, at random instants, gets a new velocity and spin from a Maxwellian.
-
-    The instants form a Poisson process, and are events like all others. Where contacts conserve energy, the gas
-    approaches the canonical distribution, positions included; momentum is not conserved (H. C. Andersen,
-    J. Chem. Phys. 72, 2384 (1980)).
-
-    Parameters
-    ----------
-    temperature : float
-        k_B T (J).
-    rate : float
-        Kicks per ball per unit time (1/s).
-    temperature_rotational : float, optional
-        k_B T of the spins; default: the same.
-
-    Raises CaromError, one line per problem.
-
-    Examples
-    --------
-    >>> from carom.gas import Thermostat
-    >>> Thermostat(temperature=1.0, rate=0.1).rate
-    0.1
-    """
-
-    temperature: float
-    rate: float
-    temperature_rotational: float | None = None
-
-    def __post_init__(self) -> None:  # noqa: D105
-        faults = FaultList("Thermostat")
-        warm = ("a number >= 0", lambda x: x >= 0)
-        _check(
-            faults, self, temperature=warm, temperature_rotational=warm,
-            rate=("a number > 0", lambda x: (x > 0) & (x < math.inf)),
-        )  # fmt: skip
-        faults.raise_if_any()
 
 
 def _check_contacts(faults: FaultList, contacts: Contacts, names: Sequence[str], container: Container) -> None:
@@ -240,41 +136,6 @@ def _set_cells(faults: FaultList, one: Any, container: Container, widest: float,
                 "side", f"at least {least} of the largest ball ({widest:g})", f"{size[axis]:g} along axis {axis}"
             )
         one["cells"][axis], one["cell_size"][axis] = n, size[axis] / max(n, 1)
-
-
-def _face_records(
-    faults: FaultList, container: Container, drives: Mapping[str, Drive], widest: float
-) -> NDArray[np.void]:
-    """Return the records of the faces, with the drives of their walls."""
-    faces, rows = np.zeros(len(container.faces), FACE), 0  # (of the tables of curves so far)
-    for name in sorted(set(drives) - set(container.names)):
-        faults.add("drives", "names of walls", f"{name!r}; {suggestion(name, list(container.names))}")
-    for record, face in zip(faces, container.faces, strict=True):
-        record["form"], record["area"], record["temperature"] = face.form, face.area, -1.0
-        for part, numbers in (("n", face.vector), ("m", face.centre), ("a", face.along)):
-            for axis, component in zip("xyz", numbers, strict=True):
-                record[part + axis] = component
-        record["bounded"], record["low"], record["high"] = face.bounded, face.low, face.high
-        if face.form == CURVE:
-            record["depth"], rows = rows, rows + len(face.table)
-        elif not face.bounds_surfaces:
-            record["depth"] = CENTRE_DEPTH * widest
-        drive = drives.get(face.name)
-        if drive is None:
-            continue
-        if drive.amplitude > 0:
-            if face.fixed_because:
-                faults.add(
-                    "drives", "an amplitude for a plane wall only", f"one for {face.name!r}, {face.fixed_because}"
-                )
-            record["amplitude"], record["half_period"] = drive.amplitude, 0.5 / drive.frequency
-            record["start"] = -drive.phase / drive.frequency
-        if drive.temperature is not None:
-            record["temperature"] = drive.temperature
-            record["spin_temperature"] = (
-                drive.temperature if drive.temperature_rotational is None else drive.temperature_rotational
-            )
-    return faces
 
 
 def _check_discs(faults: FaultList, species: Sequence[Species], axes: int) -> None:
@@ -345,7 +206,7 @@ def system_records(
             faults.add(
                 "species", f"radii below {min(face.vector[:2]):g}, the ellipse's smaller half axis", f"{widest:g}"
             )
-    faces = _face_records(faults, container, drives, widest)
+    faces = face_records(faults, container, drives, widest)
     kinds = np.array([(kind.ball.radius, kind.ball.mass, kind.ball.kappa) for kind in species], SPECIES)
     pairs, pair_forms, with_walls, wall_forms = _contact_records(faults, species, container, contacts)
     faults.raise_if_any()

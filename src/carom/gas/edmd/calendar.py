@@ -184,6 +184,8 @@ def start_cycle(system: Any, balls: Any, faces: Any) -> None:
     for k in range(faces.shape[0]):
         face = faces[k]
         face.start -= start
+        face.since -= start
+        face.stop -= start
         if face.amplitude != 0.0:
             # the oscillation that now belongs to
             face.start += math.floor((system.now - face.start) / (2.0 * face.half_period)) * 2.0 * face.half_period

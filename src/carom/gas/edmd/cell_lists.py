@@ -258,7 +258,7 @@ def _reached_cells(system: Any, face: Any, distance: float, curves: NDArray[np.f
         along_low = along_low + np.minimum(a * low, a * high).reshape(shape)
         along_high = along_high + np.maximum(a * low, a * high).reshape(shape)
     if face["form"] == PLANE:
-        reached = least <= distance + face["amplitude"]
+        reached = least <= distance + face["amplitude"] + face["reach"]
     elif face["form"] == INSIDE:
         reached = least + distance * distance <= 0
     elif face["form"] == ELLIPSE:

@@ -287,9 +287,8 @@ def _features(arrays: GasArrays) -> Features | None:
     An ellipse that bounds surfaces takes some seconds more, and is left out where there is none.
     """
     one, faces = arrays.system[0], arrays.walls.faces
-    special = (
-        (faces["form"] != PLANE) | (faces["bounded"] != 0) | (faces["amplitude"] != 0) | (faces["temperature"] >= 0)
-    )
+    special = (faces["form"] != PLANE) | (faces["bounded"] != 0) | (faces["temperature"] >= 0)
+    special |= (faces["amplitude"] != 0) | (faces["moving"] != 0)
     if not (special.any() or one["growth"] != 0 or one["rate"] != 0):
         return None
     curved = (faces["form"] == CURVE).any()

@@ -148,6 +148,16 @@ FACE = np.dtype(
         ("temperature", _FLOAT),
         ("spin_temperature", _FLOAT),
         ("area", _FLOAT),
+        # A steadily moving plane or surface (edmd.moving_walls): displacement, speed and acceleration along the normal since a
+        # time, until another; the mass of a piston (0: its motion is given); the velocity of its surface along itself.
+        # ``moving`` is 1 for a plane that moves, 2 where only a surface does, which stays where it is.
+        ("moving", "i8"),
+        *((name, _FLOAT) for name in ("offset", "speed", "pull", "since", "stop", "mass", "ux", "uy", "uz")),
+        ("reach", _FLOAT),  # how far into the gas it comes
+        # A rotor: the face that has its motion (-1: none), its moment of inertia (0: its spin is given), its spin.
+        ("rotor", "i8"),
+        *((name, _FLOAT) for name in ("moment", "wx", "wy", "wz")),
+        *((name, _FLOAT) for name in ("tx", "ty", "tz")),  # gradient of a heated wall's temperature
         # totals
         ("collisions", "i8"),
         ("impulse", _FLOAT),  # against the normal

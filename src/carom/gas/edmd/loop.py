@@ -142,6 +142,42 @@ def _is_interior(grid: Any, cx: int, cy: int, cz: int) -> bool:
     return bool(x & y & (cz >= interior[U64(4)]) & (cz <= interior[U64(5)]))
 
 
+@hot_kernel
+def _next_border_or_wall(
+    features: Any, system: Any, grid: Any, walls: Any, flat: bool, ball: Any, plan: Any, now: float
+) -> tuple[float, int]:
+    """Return when a ball at its position of now leaves its cell or reaches a wall, and which of its cell's faces or wall it is."""
+    crossing, which = next_cell_crossing(grid, flat, ball, plan, now)
+    if not _is_interior(grid, I64(plan.cx), I64(plan.cy), I64(plan.cz)):
+        crossing, which = next_wall_collision(features, system, grid.gravity, walls, ball, plan, now, crossing, which)
+    return crossing, which
+
+
+@kernel
+def _predict_piston_again(
+    features: Any, system: Any, grid: Any, walls: Any, balls: Any, calendar: Any, flat: bool, w: int, now: float, width: float,
+    bins: int, current: int,
+) -> None:  # fmt: skip
+    """Predict the collisions of all balls with walls again, after one has changed the motion of piston w."""
+    motions, plans, cells = balls.motions, balls.plans, walls.cell_sets
+    for k in range(system.balls):
+        plan = plans[U64(k)]
+        first = I64(cells[U64((plan.cz * system.cells[1] + plan.cy) * system.cells[0] + plan.cx)])
+        touches = False
+        for m in range(1, I64(walls.sets[U64(first)]) + 1):
+            touches = touches or I64(walls.sets[U64(first + m)]) == w
+        if not touches:
+            continue
+        if nearly_full(calendar):
+            rebuild(plans, calendar, width, bins, current)
+        unschedule(plans, calendar, k)
+        free_flight(grid, motions[U64(k)], now)
+        crossing, which = _next_border_or_wall(features, system, grid, walls, flat, motions[U64(k)], plan, now)
+        plan.boundary = which
+        plan.event_time = min(plan.collision_time, crossing)
+        schedule(plans, calendar, k, width, bins, current)
+
+
 @kernel
 def _reads_bodies(system: Any, pairs: Any) -> bool:
     """Return whether collisions of balls read their spins or last contacts."""
@@ -185,7 +221,7 @@ def run(  # noqa: PLR0915  (the loop)
     far, spins = count > CACHED_BALLS, _reads_bodies(system, pairs)
     bodies, layered = balls.bodies, averages.whole[0].axis
     status, steps = LIMIT, 0
-    ahead = (0, 0, 0)
+    ahead, moved = (0, 0, 0), -1
     while system.pair_collisions + system.wall_collisions < last and status == LIMIT and steps < max_steps:
         steps += 1
         # the balls to predict for, and which of the cells around are searched: all, or the cells that come within reach
@@ -296,6 +332,8 @@ def run(  # noqa: PLR0915  (the loop)
                         which - FIRST_WALL,
                         now,
                     )
+                    if features is not None and walls.faces[U64(which - FIRST_WALL)].mass > 0.0:
+                        moved = which - FIRST_WALL
                     if _has_collapsed(system, bodies[U64(i)], now):
                         status = COLLAPSED
             collisions = system.pair_collisions + system.wall_collisions
@@ -316,11 +354,7 @@ def run(  # noqa: PLR0915  (the loop)
                 plan.collision_time, plan.partner = hit, partner
                 if partner != NO_BALL:
                     plan.partner_collisions = motions[U64(partner)].collisions
-            crossing, which = next_cell_crossing(grid, flat, ball, plan, now)
-            if not _is_interior(grid, block.x, block.y, block.z):
-                crossing, which = next_wall_collision(
-                    features, system, grid.gravity, walls, ball, plan, now, crossing, which
-                )
+            crossing, which = _next_border_or_wall(features, system, grid, walls, flat, ball, plan, now)
             plan.boundary = which
             plan.event_time = min(plan.collision_time, crossing)
             if planned < count:
@@ -333,5 +367,10 @@ def run(  # noqa: PLR0915  (the loop)
             if j == NO_BALL:
                 break
             i, j = j, NO_BALL
+        if features is not None and moved >= 0:
+            _predict_piston_again(
+                features, system, grid, walls, balls, calendar, flat, moved, now, width, bins, current
+            )
+            moved, ahead = -1, (0, 0, 0)
     system.bin, system.now, system.events, system.planned, system.status = current, now, events, planned, status
     return status

@@ -26,6 +26,15 @@ from carom.gas.edmd.averages import note_change
 from carom.gas.edmd.calendar import I64, U64
 from carom.gas.edmd.collisions import add_energies, count_if_feeble, restitution_of, set_velocity, squared_length
 from carom.gas.edmd.gas_records import CURVE, ELLIPSE, OUTSIDE, PLANE
+from carom.gas.edmd.moving_walls import (
+    heat_at,
+    is_yielding,
+    moving_collision_time,
+    oscillating_collision_time,
+    oscillation,
+    surface_velocity,
+    yielding_impact,
+)
 
 __all__ = [
     "FIRST_WALL", "PREDICT_AGAIN", "collide_wall", "draw_ball", "next_kick_time", "next_wall_collision", "thermostat_kick",
@@ -34,11 +43,9 @@ __all__ = [
 
 # What a plan's ``boundary`` may be: a face of the cell (below FIRST_WALL), FIRST_WALL + a wall, or a new prediction only.
 FIRST_WALL, PREDICT_AGAIN = 6, 0xFFFF
-MAX_ARCS = 16  # of an oscillating wall that are searched at once
 # An approach slower than this share of the speed is the rounding of a ball that moves along a wall, and no collision. A ball
 # released from a wall by the TC model leaves at least at the second share.
 APPROACH_ROUNDING, LEAST_RELEASE = 1e-14, 1e-9
-LEAST_STEP = 4e-16  # of a time, by which it grows when it is added, whatever rounding does
 
 
 @kernel
@@ -79,43 +86,6 @@ def _is_present(face: Any, gravity: Any, ball: Any, s: float) -> bool:
     z = ball.z + (ball.vz + gravity[U64(2)] * h) * s
     along = face.ax * x + face.ay * y + face.az * z
     return bool(face.low <= along <= face.high)
-
-
-@kernel
-def _oscillation(face: Any, now: float) -> tuple[float, float, float, float]:
-    """Return an oscillating plane's position along its normal, as a parabola of the time from now, and how long it holds."""
-    k = math.floor((now - face.start) / face.half_period)
-    t = (now - face.start) - k * face.half_period
-    if face.half_period - t <= LEAST_STEP * now:
-        # rounding hides the rest of this parabola: without the next one, time would stand still
-        k, t = k + 1, t - face.half_period
-    c = 4.0 * face.amplitude / (face.half_period * face.half_period)
-    if k % 2.0 != 0.0:
-        c = -c
-    return c * t * (face.half_period - t), c * (face.half_period - 2.0 * t), -c, face.half_period - t
-
-
-@kernel
-def _oscillating_collision_time(
-    face: Any, c: tuple[float, ...], now: float, most: float, slow: float
-) -> tuple[float, bool]:
-    """Return when a gap c to an oscillating plane closes, and True; or a time until which it does not, and False."""
-    c0, c1, c2 = c[0], c[1], c[2]
-    s = 0.0
-    if c0 > face.amplitude:
-        # nothing can happen before the ball comes within the amplitude
-        s = hit2(c0 - face.amplitude, c1, c2, most, 0.0)
-        if s == math.inf:
-            return s, True
-    for _ in range(MAX_ARCS):
-        d0, d1, d2, left = _oscillation(face, now + s)
-        t = hit2(c0 + (c1 + c2 * s) * s - d0, c1 + 2.0 * c2 * s - d1, c2 - d2, left, slow)
-        if t <= left:
-            return s + t, True
-        s += left
-        if s > most:
-            return math.inf, True
-    return s, False
 
 
 @kernel
@@ -216,7 +186,9 @@ def wall_collision_time(
         # (|q| is at most this on a round wall, and the gap's units are a distance times twice |q (x - m)|)
         slow = 2.0 * slow * max(face.nx, face.ny, face.nz) * (contact.distance + abs(contact.radius_part))
     if face.amplitude != 0.0:
-        return _oscillating_collision_time(face, c, now, most, slow)
+        return oscillating_collision_time(face, c, now, most, slow)
+    if face.moving == 1:
+        return moving_collision_time(face, c, now, most, slow), True
     if face.bounded != 0 and face.form == PLANE and c[0] < -(face.depth + contact.radius_part * scale):
         # the ball is behind it, in another part of the container, and can touch it only after coming to the front
         s = next_hit4(c[0], c[1], c[2], 0.0, 0.0, 0.0, most) if c[1] > 0.0 and c[2] < 0.0 else math.inf
@@ -294,10 +266,13 @@ def _draw_maxwellian(system: Any, flat: bool, body: Any, one: Any, temperature: 
 
 
 @kernel
-def _leave_heated_wall(system: Any, face: Any, body: Any, one: Any, n: Vec, v0: Vec, w0: Vec) -> tuple[Vec, Vec, float]:
+def _leave_heated_wall(
+    system: Any, face: Any, ball: Any, body: Any, one: Any, n: Vec, v0: Vec, w0: Vec
+) -> tuple[Vec, Vec, float]:
     """Return velocity, spin and normal impulse per mass of a ball that leaves a heated wall: Maxwellian, weighted by v_n."""
-    v = _draw_maxwellian(system, system.dimensions == 2, body, one, face.temperature, face.spin_temperature)
-    vn = math.sqrt(2.0 * face.temperature / one.mass * exponential(system.key[0], system.key[1], system.drawn))
+    heat, spin_heat = heat_at(face, ball), face.spin_temperature + (heat_at(face, ball) - face.temperature)
+    v = _draw_maxwellian(system, system.dimensions == 2, body, one, heat, spin_heat)
+    vn = math.sqrt(2.0 * heat / one.mass * exponential(system.key[0], system.key[1], system.drawn))
     system.drawn += 1
     c = vn - dot(v, n)
     v, spin = (v[0] + c * n[0], v[1] + c * n[1], v[2] + c * n[2]), (body.wx, body.wy, body.wz)
@@ -388,21 +363,43 @@ def collide_wall(
         v, spin, pn = _wall_impact(features, system, gravity, face, contact, form, ball, body, one, n, v0, w0, now)
     else:
         n = _normal(features, face, ball)
-        speed = 0.0
+        if face.moving != 0 and is_yielding(walls.faces, face):
+            v, spin, pn = yielding_impact(system, walls.faces, face, contact, form, body, one, n, v0, w0, now)
+            _note_collision(system, grid, averages, face, ball, body, plan, one, v, spin, before, w0, pn, now)
+            return
+        speed, u = 0.0, (0.0, 0.0, 0.0)
+        if face.moving != 0:
+            # (the surface drags the ball along; what moves along the normal does so at this speed)
+            u = surface_velocity(walls.faces, face, n, contact.distance - contact.radius_part, now)
+            speed = dot(u, n)
+            u = (u[0] - speed * n[0], u[1] - speed * n[1], u[2] - speed * n[2])
+            v0 = (v0[0] - u[0], v0[1] - u[1], v0[2] - u[2])
         if face.amplitude != 0.0:
-            speed = _oscillation(face, now)[1]
+            speed = oscillation(face, now)[1]
         if system.growth != 0.0:
             # the surface of a growing ball approaches the wall by itself
             speed = abs(contact.radius_part) * system.growth
         v0 = (v0[0] - speed * n[0], v0[1] - speed * n[1], v0[2] - speed * n[2])
         if face.temperature >= 0.0:
-            v, spin, pn = _leave_heated_wall(system, face, body, one, n, v0, w0)
+            v, spin, pn = _leave_heated_wall(system, face, ball, body, one, n, v0, w0)
             contact.collisions += 1  # (what it gives or takes is the wall's energy)
         else:
             v, spin, pn = _wall_impact(features, system, gravity, face, contact, form, ball, body, one, n, v0, w0, now)
         v = (v[0] + speed * n[0], v[1] + speed * n[1], v[2] + speed * n[2])
         face.energy += one.mass * pn * speed
-    _set_motion(averages, grid, ball, body, plan, one, v, spin, before, w0, now)
+        if face.moving != 0:
+            v = (v[0] + u[0], v[1] + u[1], v[2] + u[2])
+            face.energy += one.mass * dot(u, (v[0] - before[0], v[1] - before[1], v[2] - before[2]))
+    _note_collision(system, grid, averages, face, ball, body, plan, one, v, spin, before, w0, pn, now)
+
+
+@kernel
+def _note_collision(
+    system: Any, grid: Any, averages: Any, face: Any, ball: Any, body: Any, plan: Any, one: Any, v: Vec, spin: Vec, v0: Vec,
+    w0: Vec, pn: float, now: float,
+) -> None:  # fmt: skip
+    """Give a ball its velocity and spin after a contact with a face, and count the contact."""
+    _set_motion(averages, grid, ball, body, plan, one, v, spin, v0, w0, now)
     face.impulse += one.mass * pn
     face.collisions += 1
     system.wall_collisions += 1
