@@ -70,7 +70,7 @@ def run_ensemble(
     if as_json:
         say_json(_numbers(ensemble), 1)
     elif not quiet:
-        undefined = not scene.container.geometry.faces and math.isnan(ensemble.mean["diffusion"])
+        undefined = not (scene.container.geometry.faces or scene.shear_rate) and math.isnan(ensemble.mean["diffusion"])
         notes = [no_diffusion("displacement" in ensemble.curves or not ensemble.curves)] if undefined else []
         if ensemble.ended_early:
             notes.append(f"{len(ensemble.ended_early)} of {members} gases ended early; each counts up to its end.")

@@ -62,7 +62,11 @@ def _totals(scene: GasScene, found: Report, error: Report | None) -> Table:
     rows += _by_wall(found, error, "wall_pressure", f"  on {{}}, {unit}")
     rows += _flows(found, error)
     rows += _temperatures(scene, found, error)
-    if not scene.container.geometry.faces:
+    if scene.shear_rate:
+        shear, of = found["shear"], None if error is None else error["shear"]
+        rows.append((f"viscosity, {unit} s", _cell(shear, of, "viscosity")))
+        rows.append(("  (P_xx - P_yy) / pressure", _cell(shear, of, "normal_difference", 4)))
+    elif not scene.container.geometry.faces:
         rows.append(row("diffusion coefficient, m²/s", "diffusion", 4))
     rows += [row("energy at the start, J", "energy_start", 5), row("energy at the end, J", "energy_end", 5)]
     if not scene.spins_change and found["temperature_rotational"] > 0:
@@ -127,6 +131,10 @@ def _balance(found: Report, error: Report | None) -> list[tuple[str, str]]:
     rows = _by_wall(found, error, "energy_from_walls", "  given by {}, J")
     if found["energy_from_thermostat"] != 0:
         rows.append(("  given by the thermostat, J", _cell(found, error, "energy_from_thermostat", 5)))
+    if "shear" in found:
+        rows.append(
+            ("  given by the shear, J", _cell(found["shear"], None if error is None else error["shear"], "energy", 5))
+        )
     if abs(lost) > CONSERVED * _scale(found):
         rows.append(("  lost in collisions, J", format_number(lost, 5)))
     name, label = ("energy_imbalance", "  relative imbalance") if rows else ("energy_drift", "relative energy drift")

@@ -23,6 +23,8 @@ COMPILE_JOBS = (
     "carom.simulation.compiled:compiled_engine",
     "carom.simulation.sensitivity.compiled:compiled_follow",
     f"{__name__}:measure_gas",
+    f"{__name__}:measure_sheared_gas",
+    f"{__name__}:measure_heat_current",
     f"{__name__}:measure_gas_in_ellipse",
     f"{__name__}:measure_gas_in_curve",
     f"{__name__}:follow_called_laws",
@@ -191,6 +193,25 @@ def measure_gas() -> None:
     gas.run(10)
     measures.sample(gas)
     scattered([0.5] * 50, side)
+
+
+def measure_sheared_gas() -> None:
+    """Compile the event loop of sheared gases."""
+    import carom
+    from carom.gas import Gas, Species
+
+    gas = Gas([Species(carom.Ball(0.5, 1.0), 50)], (10.0,) * 3, contacts=carom.Surface(1, 0, -1), shear_rate=0.1)
+    gas.run(10)
+
+
+def measure_heat_current() -> None:
+    """Compile the event loop of gases whose heat current is measured."""
+    import carom
+    from carom.gas import Gas, Species
+
+    gas = Gas([Species(carom.Ball(0.5, 1.0), 50)], (10.0,) * 3, contacts=carom.Surface(1, 0, -1))
+    gas.measure_heat()
+    gas.run(10)
 
 
 def measure_gas_in_container() -> None:

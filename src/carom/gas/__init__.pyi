@@ -14,6 +14,8 @@ from .endings import EarlyEnd as EarlyEnd
 from .endings import EndedEarlyError as EndedEarlyError
 from .ensembles import Ensemble as Ensemble
 from .ensembles import simulate_ensemble as simulate_ensemble
+from .enskog import Enskog as Enskog
+from .enskog import enskog as enskog
 from .gas import Gas as Gas
 from .initial import dense as dense
 from .initial import lattice as lattice
@@ -23,10 +25,14 @@ from .measures import Measures as Measures
 from .report import channels as channels
 from .results import GasBalls as GasBalls
 from .results import GasRun as GasRun
+from .results import ShearRun as ShearRun
 from .scene import GasScene as GasScene
 from .session import Session as Session
 from .simulate import simulate_gas as simulate_gas
 from .snapshots import Snapshots as Snapshots
 from .species import Species as Species
-from .transport import Viscosity as Viscosity
+from .transport import Coefficient as Coefficient
+from .transport import TransportCoefficients as TransportCoefficients
+from .transport import sheared_viscosity as sheared_viscosity
+from .transport import transport_coefficients as transport_coefficients
 from .transport import viscosity as viscosity

@@ -48,6 +48,7 @@ def build(scene: GasScene, where: str = "gas", progress: Progress | None = None)
             container,
             contacts=scene.surfaces,
             gravity=scene.gravity_vector,
+            shear_rate=scene.shear_rate,
             contact_time=scene.contact_time,
             drives={one.wall: one.drive for one in scene.drives},
             thermostat=None if scene.thermostat is None else scene.thermostat.thermostat,

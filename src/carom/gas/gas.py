@@ -16,9 +16,9 @@ from carom.gas.containers import Container, as_container
 from carom.gas.drives import Drive, Thermostat, WallMotion, motion_of_walls
 from carom.gas.edmd import driver as engine
 from carom.gas.edmd.driver import GasArrays
-from carom.gas.edmd.gas_records import COLLAPSED, DONE, UNDERFLOW, Averages
+from carom.gas.edmd.gas_records import COLLAPSED, DONE, HEAT, UNDERFLOW, Averages
 from carom.gas.endings import AT_REST, COLLAPSE, TOO_SLOW, EarlyEnd, EndedEarlyError, collapse_of
-from carom.gas.results import GasBalls, GasRun, Mark
+from carom.gas.results import GasBalls, GasRun, Mark, ShearRun
 from carom.gas.size_distributions import SizeClasses
 from carom.gas.species import Contacts, Species, system_records
 from carom.gas.starts import TOUCH, draw_thermal, require_no_overlap, start_positions, vectors
@@ -52,6 +52,9 @@ class Gas:
     drives : mapping of walls' names to Drives
         Walls that oscillate or are heated.
     thermostat : Thermostat, optional
+    shear_rate : float
+        Of a periodic box (1/s): Lees-Edwards boundaries keep the mean flow ``shear_rate (y - side[1] / 2)`` along x. Given
+        velocities include the flow; to drawn ones it is added. Temperatures, stresses and the energy are relative to it.
     position, velocity, spin : (N, 3) or (N, 2) arrays, spin of discs (N,)
         Default: positions on a lattice, or where balls do not fit on one, of :func:`carom.gas.dense`; random velocities and
         spins with the species' temperatures and no total momentum.
@@ -88,6 +91,7 @@ class Gas:
         contact_time: float = 0.0,
         drives: Mapping[str, Drive] | None = None,
         thermostat: Thermostat | None = None,
+        shear_rate: float = 0.0,
         position: ArrayLike | None = None,
         velocity: ArrayLike | None = None,
         spin: ArrayLike | None = None,
@@ -106,6 +110,7 @@ class Gas:
             thermostat,
             seed,
             sizes.groups.tolist(),
+            shear_rate,
         )
         kinds, axes, which = records.species, len(container.size), sizes.which
         faults = FaultList("Gas")
@@ -122,6 +127,8 @@ class Gas:
         memory = engine.put_in_place(records, which, x)
         del x
         draw_thermal(memory, sizes.kinds, kinds, which, axes, rng, velocity is None, spin is None)
+        if shear_rate != 0 and velocity is None:
+            memory["motions"]["vx"] += shear_rate * (memory["motions"]["y"] - container.size[1] / 2)
         self._names = tuple(face.name for face in container.faces)
         self.groups = sizes.groups  # the species of each of the engine's, of which one has several if its radii differ
         self._begin(engine.arrays_at_start(records, memory, v, w))
@@ -195,6 +202,11 @@ class Gas:
         }
 
     @property
+    def shear_rate(self) -> float:
+        """The shear rate (1/s), 0 without one."""
+        return float(self.arrays.shear["rate"].sum())
+
+    @property
     def time(self) -> float:
         """The simulated time so far."""
         return self._time
@@ -227,9 +239,10 @@ class Gas:
             yield rows, GasBalls(self._time, x, v, spin, motions["species"].copy(), images)
 
     def energy(self) -> tuple[float, float, float]:
-        """Return the translational, rotational and potential energy at the current time (J)."""
+        """Return the translational, rotational and potential energy at the current time (J), of a sheared gas without the flow."""
         one, found = self.arrays.system[0], np.zeros(3)
         for _, balls in self.blocks():
+            balls.velocity[:, 0] -= self.shear_rate * (balls.position[:, 1] - one["side"][1] / 2)
             kinds = self.arrays.materials.species[balls.species]
             moment = kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2
             found += (
@@ -275,6 +288,15 @@ class Gas:
     def integrals(self) -> Averages:
         """Return the integrals over time, until now, of what :class:`carom.gas.time_averages.TimeAverages` are made of."""
         return engine.averages_until(self.arrays, self._time)
+
+    def measure_heat(self) -> None:
+        """Measure the heat current from now on, until the gas is restored from a state."""
+        if len(self.arrays.heat) == 0:
+            self.arrays, self._compiled = self.arrays._replace(heat=np.zeros(1, HEAT)), False
+
+    def heat_passed(self) -> Array:
+        """Return the integral over time of the heat current (J m), (dimensions,), from :meth:`measure_heat` on."""
+        return engine.heat_until(self.arrays, self._time)
 
     def mark(self) -> Mark:
         """Begin a measurement: return what :meth:`measured_since` needs, in this process or in another one."""
@@ -364,6 +386,8 @@ class Gas:
             for part in (faces["area"], *(faces[k] - since.faces[k] for k in ("impulse", "energy")))
         )
         fed = float(one["thermostat_energy"] - before["thermostat_energy"])
+        sheared = None if self.shear_rate == 0 else ShearRun.of(self.shear_rate, means, float(one["volume"]) * t)
+        worked = 0.0 if sheared is None else sheared.energy
         return GasRun(
             pair_collisions=pairs,
             wall_collisions=int(one["wall_collisions"] - before["wall_collisions"]),
@@ -374,13 +398,16 @@ class Gas:
             wall_pressure={k: pushes[k] / (areas[k] * t) if t > 0 else math.nan for k in areas},
             energy_from_walls=feeds,
             energy_from_thermostat=fed,
-            energy_drift=(sum(energy) - fed - sum(feeds.values())) / sum(energy0) - 1 if sum(energy0) != 0 else 0.0,
+            energy_drift=(sum(energy) - fed - worked - sum(feeds.values())) / sum(energy0) - 1
+            if sum(energy0) != 0
+            else 0.0,
             temperature_translational=means.temperature,
             temperature_rotational=means.temperature_rotational,
             averages=means,
             max_overlap=max(float(one["overlap"]), 0.0),
             crossings=int(one["crossings"] - before["crossings"]),
             ended_early=self.ended_early,
+            shear=sheared,
         )
 
 

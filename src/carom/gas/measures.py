@@ -113,7 +113,10 @@ class Measures:
         # no further than half a period; within walls no further than a quarter: balls near a wall are no central balls
         bound = float(np.where(closed, size / 2, size / 4).min())
         self.width = float(2 * self.class_radius.min() / GAP_BINS_PER_DIAMETER)
-        self.bins = max(min(int((bound - 2 * self.class_radius.max()) / self.width), MAX_GAP_BINS), 0)
+        self.sheared = gas.shear_rate != 0
+        self.bins = (
+            0 if self.sheared else max(min(int((bound - 2 * self.class_radius.max()) / self.width), MAX_GAP_BINS), 0)
+        )
         self.reach = float(2 * self.class_radius.max()) + self.width * self.bins
         self.profiles, self.depth = None, self.reach
         if self.container.faces:
@@ -131,6 +134,8 @@ class Measures:
     def sample(self, gas: Gas, *, pairs: bool = True) -> None:
         """Add a sample of the gas as it is now; counting the pairs, which is optional, takes the most time."""
         motions, bodies, images = synchronized(gas.arrays, gas.time)
+        if self.sheared:  # velocities are relative to the flow
+            motions["vx"] -= gas.shear_rate * (motions["y"] - self.side[1] / 2)
         of_class = motions["species"].copy()
         mass = self.class_mass[of_class]
         if len(self.names) < len(self.class_mass):
@@ -307,7 +312,7 @@ class Measures:
     @property
     def has_diffusion(self) -> bool:
         """Whether displacements are unbounded: only without walls does a gas have a diffusion coefficient."""
-        return not self.container.faces
+        return not (self.container.faces or self.sheared)
 
     @property
     def is_stationary(self) -> bool:

@@ -173,10 +173,11 @@ def _layers(session: Session, found: LayerAverages) -> dict[str, Any]:
 
 
 def _imbalance(found: dict[str, Any]) -> float:
-    """Return the change of energy that collisions, walls and thermostat do not account for, relative to the energies."""
+    """Return the change of energy that collisions, walls, thermostat and shear do not account for, relative to the energies."""
     start, end = found["energy_start"], found["energy_end"]
     lost = sum(row["lost_normal"] + row["lost_tangential"] for row in found["channels"])
     given = [sum(found["energy_from_walls"].values()), found["energy_from_thermostat"]]
+    given += [found["shear"]["energy"]] if "shear" in found else []
     left, scale = end - start - sum(given) + lost, abs(start) + abs(end) + abs(lost)
     return float(left / scale) if scale > 0 else 0.0
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields
+from dataclasses import asdict, dataclass, field, fields
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from carom.gas.endings import EarlyEnd
 from carom.gas.time_averages import TimeAverages
 
-__all__ = ["TOTALS", "GasBalls", "GasRun", "Mark"]
+__all__ = ["TOTALS", "GasBalls", "GasRun", "Mark", "ShearRun"]
 
 Array = NDArray[np.float64]
 # Of a mark: totals by pair of species, by face and species, by face; integrals over time of the gas, by species, by layer.
@@ -26,7 +26,7 @@ class GasBalls:
     ----------
     time : float
     position, velocity, spin : (N, 3) arrays
-        Positions (m) are in the box; velocities in m/s, spins in rad/s.
+        Positions (m) are in the box; velocities in m/s (of a sheared gas with the flow), spins in rad/s.
     species : (N,) integers
         In the order in which the species were given.
     images : (N, 3) integers
@@ -47,6 +47,28 @@ class GasBalls:
     spin: Array
     species: NDArray[np.uint32]
     images: NDArray[np.int32]
+
+
+@dataclass(frozen=True)
+class ShearRun:
+    """Results of a sheared gas: from the mean stress P over the run, relative to the flow."""
+
+    rate: float
+    """Shear rate (1/s)."""
+    viscosity: float
+    """-P_xy / rate (Pa s; discs: N s/m), of the symmetric part of P."""
+    normal_difference: float
+    """(P_xx - P_yy) / p."""
+    energy: float
+    """Energy that the shear gave to the gas (J), -rate V t P_xy."""
+
+    @classmethod
+    def of(cls, rate: float, means: TimeAverages, volume_time: float) -> ShearRun:
+        """Return the results for a shear rate, means over the run, and the volume times the time."""
+        p = means.stress
+        # (of rough balls: the force along x over a distance along y does the work)
+        work = -rate * volume_time * float(p[1, 0]) if volume_time > 0 else 0.0
+        return cls(rate, -float(p[0, 1] + p[1, 0]) / (2 * rate), float(p[0, 0] - p[1, 1]) / means.pressure, work)
 
 
 class Mark(NamedTuple):
@@ -109,9 +131,12 @@ class GasRun:
     ended_early: EarlyEnd | None = None
     """Why the run ended before the collisions or the time asked for: in an inelastic collapse (which balls, when), at rest, or too
     slow; None if it did not."""
+    shear: ShearRun | None = None
+    """Of a sheared gas."""
 
     def to_dict(self) -> dict[str, Any]:
         """Return the results as plain numbers."""
         end, averages = self.ended_early, self.averages
-        found = {one.name: getattr(self, one.name) for one in fields(self) if one.name != "averages"}
+        found = {one.name: getattr(self, one.name) for one in fields(self) if one.name not in {"averages", "shear"}}
+        found |= {} if self.shear is None else {"shear": asdict(self.shear)}
         return found | {"ended_early": None if end is None else end.to_dict(), "time_averages": averages.to_dict()}

@@ -30,7 +30,7 @@ from carom.gas.schema import (
 )
 from carom.gas.size_distributions import RadiiDistribution
 from carom.gas.sizes import LONGEST_SIDE
-from carom.gas.species import ANY, best_contact
+from carom.gas.species import ANY, best_contact, shear_faults
 from carom.scene.plausible import FAST
 from carom.scene.schema import Components, Model, Number, raise_faults
 
@@ -38,6 +38,7 @@ __all__ = ["GasScene", "gas_faults"]
 
 SMALL = 0.1  # m: balls of a smaller radius are likely given in SI units
 _CONTACT_TIME = Number("a time >= 0", "s", least=0)
+_SHEAR_RATE = Number("a rate", "1/s")
 _GRAVITY = Number("an acceleration downwards, or one number per axis", "m/s^2")
 
 
@@ -52,6 +53,7 @@ class GasScene(Model):
     Parameters
     ----------
     gravity : a number, downwards (balls: along -z, discs: along -y), or a vector; default: none
+    shear_rate : of a periodic box: Lees-Edwards boundaries keep a mean flow along x that grows along y; default: 0
     contact_time : of the TC model: a contact within this time after a ball's last one is elastic; default: 0, off
     container : GasContainer: shape and size; two lengths: discs in a plane
     species : GasSpecies, at least one
@@ -79,6 +81,7 @@ class GasScene(Model):
 
     gravity: Annotated[float | tuple[float, ...], BeforeValidator(_gravity)] = 0.0
     contact_time: Annotated[float, BeforeValidator(_CONTACT_TIME)] = 0.0
+    shear_rate: Annotated[float, BeforeValidator(_SHEAR_RATE)] = 0.0
     container: AnyContainer
     species: tuple[GasSpecies, ...]
     contacts: tuple[GasContact, ...] = ()
@@ -164,6 +167,8 @@ class GasScene(Model):
         before = f"after {counted(self.equilibrate, 'event')} of equilibration"
         if self.run.from_time is not None:
             before += f", from t = {format_number(self.run.from_time)}"
+        if self.shear_rate:
+            density += f", shear rate {format_number(self.shear_rate)}"
         return f"{what}, {self.container.describe()}, {density}, {' or '.join(run)} {before}"
 
 
@@ -250,6 +255,8 @@ def _drive_faults(scene: GasScene) -> list[Fault]:
 
 def _gravity_faults(scene: GasScene) -> list[Fault]:
     axes = scene.container.dimensions
+    if scene.shear_rate != 0 and (found := shear_faults(scene.container.geometry, scene.gravity_vector)):
+        return found
     if any(scene.gravity_vector) and not scene.container.geometry.faces:
         advice = 'add walls, such as shape = "box" with periodic = ["x"]'
         return [Fault("", "gravity", "no gravity without walls to fall on", shown(scene.gravity), advice)]

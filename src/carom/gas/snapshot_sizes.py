@@ -93,7 +93,7 @@ def _rate(scene: GasScene) -> float:
 
 def _cooling(scene: GasScene) -> float:
     """Return by how much ln v falls per collision of a ball; 0 for gases that are supplied with energy."""
-    if scene.thermostat is not None or scene.drives or any(scene.gravity_vector):
+    if scene.thermostat is not None or scene.drives or any(scene.gravity_vector) or scene.shear_rate:
         return 0.0
     names, speed = {one.name for one in scene.species}, _mean_speed(scene)
     lost = [1 - one.restitution_at(speed) ** 2 for one in scene.contacts if set(one.between) <= {ANY, *names}]

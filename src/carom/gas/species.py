@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, Surface
-from carom.errors import FaultList, require_type, suggestion
+from carom.errors import Fault, FaultList, require_type, suggestion
 from carom.gas.contact_forms import GasSurface, contact_numbers
 from carom.gas.containers import WALLS, Container
 from carom.gas.drives import Drive, Thermostat, face_records
@@ -23,6 +23,7 @@ from carom.gas.edmd.gas_records import (
     LAYER,
     MAX_BALLS,
     PAIR,
+    SHEAR,
     SPECIES,
     SYSTEM,
     WALL_CONTACT,
@@ -32,7 +33,7 @@ from carom.gas.faces import JOINT_OVERLAP
 from carom.gas.sizes import LONGEST_SIDE, cells_at_most
 from carom.gas.spatial_profiles import layers
 
-__all__ = ["ANY", "Contacts", "Species", "best_contact", "layer_axis", "system_records"]
+__all__ = ["ANY", "Contacts", "Species", "best_contact", "layer_axis", "shear_faults", "system_records"]
 
 Contacts = Surface | GasSurface | Mapping[tuple[str, str], Surface | GasSurface]
 ANY = "*"  # in contacts: every species and wall
@@ -161,6 +162,7 @@ def system_records(
     thermostat: Thermostat | None,
     seed: int,
     groups: Sequence[int] | None = None,
+    shear_rate: float = 0.0,
 ) -> SystemRecords:
     """Return the records of a gas without its balls; CaromError with every fault.
 
@@ -207,11 +209,39 @@ def system_records(
                 "species", f"radii below {min(face.vector[:2]):g}, the ellipse's smaller half axis", f"{widest:g}"
             )
     faces = face_records(faults, container, drives, widest)
+    shear = _shear_record(faults, container, pull, shear_rate)
     kinds = np.array([(kind.ball.radius, kind.ball.mass, kind.ball.kappa) for kind in species], SPECIES)
     pairs, pair_forms, with_walls, wall_forms = _contact_records(faults, species, container, contacts)
     faults.raise_if_any()
-    means = _average_records(one, container, drives, len(species))
-    return SystemRecords(system, kinds, pairs, pair_forms, with_walls, wall_forms, faces, container.curves, *means)
+    means = _average_records(one, container, drives, len(species), shear_rate != 0)
+    return SystemRecords(
+        system, kinds, pairs, pair_forms, with_walls, wall_forms, faces, container.curves, shear, *means
+    )
+
+
+def _shear_record(faults: FaultList, container: Container, gravity: Any, rate: float) -> NDArray[np.void]:
+    """Return the record of a shear rate, or none."""
+    if not math.isfinite(rate):
+        faults.add("shear_rate", "a finite rate", f"{rate!r}")
+    elif rate != 0:
+        faults += [replace(fault, where=faults.where) for fault in shear_faults(container, gravity)]
+        return np.array([(rate, rate * container.size[1], 0.0)], SHEAR)
+    return np.zeros(0, SHEAR)
+
+
+def shear_faults(container: Container, gravity: Any) -> list[Fault]:
+    """Return what is against a shear rate in a container."""
+    found = FaultList()
+    if container.faces or not all(container.periodic):
+        got = f"walls {', '.join(container.names)}"
+        found.add(
+            "shear_rate", "a box that is periodic along all axes, without walls", got, "omit the rate or the walls"
+        )
+    if any(gravity):
+        found.add(
+            "shear_rate", "no gravity, under which a gas without walls falls for ever", "gravity", "omit one of them"
+        )
+    return found
 
 
 def _contact_records(
@@ -235,14 +265,16 @@ def _contact_records(
     return found
 
 
-def _average_records(one: Any, container: Container, drives: Collection[str], count: int) -> Any:
+def _average_records(one: Any, container: Container, drives: Collection[str], count: int, sheared: bool) -> Any:
     """Return the records of means over time, of the whole gas, of each species, and of each in each layer."""
-    whole, axis = np.zeros(1, WHOLE), layer_axis(container, one["gravity"], drives)
+    whole, axis = np.zeros(1, WHOLE), layer_axis(container, one["gravity"], drives, sheared)
     whole["axis"] = axis
     rows = 0 if axis < 0 else int(one["cells"][axis]) * count
     return whole, np.zeros(count, FLOW), np.zeros(rows, LAYER)
 
 
-def layer_axis(container: Container, gravity: Any, driven: Collection[str]) -> int:
-    """Return the axis across which a gas is averaged in layers, by its number; -1 without walls."""
+def layer_axis(container: Container, gravity: Any, driven: Collection[str], sheared: bool = False) -> int:
+    """Return the axis across which a gas is averaged in layers, by its number; -1 without walls and flow."""
+    if sheared:
+        return 1
     return layers(container, gravity.tolist(), driven)[0] if container.faces else -1

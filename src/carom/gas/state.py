@@ -145,7 +145,7 @@ def require_state(scene: GasScene, state: Arrays) -> None:
         forms["mark.numbers"] = (np.dtype("f8"), (5,))
     for name in forms:
         # (the state of an earlier version has no curves, and no classes of radii)
-        absent = (name == "gas.curves" and forms[name][1] == (0,)) or (
+        absent = (name in {"gas.curves", "gas.shear"} and forms[name][1] == (0,)) or (
             name == "gas.groups" and species == len(scene.species)
         )
         if name not in state and not absent:
@@ -176,6 +176,7 @@ def _forms(scene: GasScene, state: Arrays) -> dict[str, tuple[np.dtype[Any], tup
         "faces": faces, "whole": 1, "flows": species,
         "layers": _layers(scene, state) * species,
         "curves": scene.container.geometry.curves.size,
+        "shear": int(scene.shear_rate != 0),
     }  # fmt: skip
     forms: dict[str, tuple[np.dtype[Any], tuple[int, ...]]] = {
         f"gas.{name}": (kind, (count[name],)) for name, kind in STATE.items()
@@ -196,7 +197,9 @@ def _layers(scene: GasScene, state: Arrays) -> int:
 
 
 def _layer_axis(scene: GasScene, one: Any) -> int:
-    return layer_axis(scene.container.geometry, one["gravity"], {drive.wall for drive in scene.drives})
+    return layer_axis(
+        scene.container.geometry, one["gravity"], {drive.wall for drive in scene.drives}, scene.shear_rate != 0
+    )
 
 
 def _require_no_nan(name: str, array: NDArray[Any]) -> None:
@@ -228,6 +231,7 @@ def _require_contents(scene: GasScene, state: Arrays) -> None:
         and (counted["motions"] - 2 * pairs - walls - int(one["kicks"])) % 2**32 == 0,
         "whole": int(state["gas.whole"][0]["axis"]) == axis,
         "groups": np.array_equal(state.get("gas.groups", scene.groups), scene.groups),
+        "shear": all(one["rate"] == scene.shear_rate for one in state.get("gas.shear", ())),
         "curves": np.array_equal(state.get("gas.curves", np.empty(0)), scene.container.geometry.curves.ravel()),
         "bodies": all(np.isfinite(bodies[name]).all() for name in ("wx", "wy", "wz")),
         "session": 0 <= first <= pairs + walls and 0 <= sampled <= pairs + walls and interval >= 1 and snapshots >= 0,

@@ -42,7 +42,7 @@ class LayerAverages:
 class TimeAverages:
     """Exact means over a time of a gas: integrals over every flight, not samples.
 
-    Velocities are relative to the centre of mass along axes on which momentum is conserved.
+    Velocities are relative to the centre of mass along axes on which momentum is conserved, in a sheared gas to the flow.
     """
 
     time: float
@@ -61,7 +61,7 @@ class TimeAverages:
     """Momentum that collisions transfer: sum of r J over volume and time, r from the centre of the second ball to that of the
     first, J the impulse on the first; friction of rough balls makes it asymmetric."""
     layers: LayerAverages | None
-    """Profiles; None without walls."""
+    """Profiles; None without walls and shear."""
 
     @property
     def temperature(self) -> float:
@@ -102,7 +102,7 @@ def averages_between(arrays: GasArrays, before: Any, after: Averages, time: floa
 
     ``groups`` numbers the species of which the engine's are classes of radii; default: each is one of its own.
     """
-    one, species, flows = arrays.system[0], arrays.materials.species, after.flows
+    one, flows = arrays.system[0], after.flows
     # sums over the classes of each species
     groups = np.arange(len(flows)) if groups is None else groups
     member = (groups == np.arange(groups.max() + 1)[:, None]).astype(float)
@@ -125,7 +125,7 @@ def averages_between(arrays: GasArrays, before: Any, after: Averages, time: floa
     collisional = np.array(whole) / (volume * time) if time > 0 else np.full((axes, axes), math.nan)
     layers = None
     if len(after.layers):
-        layers = _in_layers(one, species, before.layers, after, time, about, member)
+        layers = _in_layers(arrays, before.layers, after, time, about, member)
     return TimeAverages(
         time, temperatures(mean), temperatures(lambda name: member @ flows[f"{name}t"]), number / number.sum(),
         float(mean("h").sum()), kinetic, collisional, layers,
@@ -133,8 +133,9 @@ def averages_between(arrays: GasArrays, before: Any, after: Averages, time: floa
 
 
 def _in_layers(
-    one: Any, species: Any, before: Any, after: Averages, time: float, about: int, member: Array
+    arrays: GasArrays, before: Any, after: Averages, time: float, about: int, member: Array
 ) -> LayerAverages:
+    one, species = arrays.system[0], arrays.materials.species
     axis, axes, kinds = int(after.whole[0]["axis"]), int(one["dimensions"]), len(species)
 
     def mean(name: str) -> Array:
@@ -151,6 +152,8 @@ def _in_layers(
             mass = member @ (mass * of_class) / number
         v = np.stack([member @ mean(f"p{name}") / (mass * number) for name in "xyz"[:axes]], axis=2)
         moves = member @ mean("vv") / number - mass * (v * v).sum(axis=2)
+        for shear in arrays.shear:  # (across a layer the flow itself varies)
+            moves -= mass * (shear["rate"] * one["cell_size"][axis]) ** 2 / 12
         spins = member @ mean("ww") / (about * number)
     empty = number == 0
     v[empty], moves[empty], spins[empty] = math.nan, math.nan, math.nan

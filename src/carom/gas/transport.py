@@ -1,43 +1,53 @@
-"""Transport coefficients of gases in equilibrium, by the Einstein relations of Helfand, from exact integrals of the stress."""
+"""Transport coefficients of gases in equilibrium, by the Einstein relations of Helfand, from exact integrals of the currents."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import FaultList
 from carom.gas.gas import Gas
+from carom.gas.results import Mark
 from carom.gas.time_averages import averages_between
 from carom.public.progress import Progress
 
-__all__ = ["Viscosity", "viscosity"]
+__all__ = ["Coefficient", "TransportCoefficients", "sheared_viscosity", "transport_coefficients", "viscosity"]
 
 Array = NDArray[np.float64]
 WINDOW = 2.0  # mean free times of a window
 LONGEST = 12  # windows of the longest lag
-FITTED = 4  # from so many windows on the line is fitted: after what the stress has forgotten by then
+FITTED = 4  # from so many windows on the line is fitted: after what the current has forgotten by then
 BLOCKS = 10  # of the run, for the error
 STEADY = 1e-6  # relative change of the energy of a gas in equilibrium
 
 
 @dataclass(frozen=True, eq=False)
-class Viscosity:
-    """Shear viscosity of a gas, with what it follows from."""
+class Coefficient:
+    """A transport coefficient, with what it follows from."""
 
     value: float
-    """Pa s (discs: N s/m)."""
+    """Of viscosities in Pa s (discs: N s/m), of the conductivity, heat flux over the gradient of k_B T, in 1/(m s) (discs: 1/s)."""
     error: float
     """Standard error, from blocks of the run."""
     lag: Array
-    """Times (s), (L,)."""
+    """Times (s), (L,); none of a sheared gas."""
     helfand: Array
-    """Mean square of the integral of the shear stress over each time, times V / (2 k_B T), (L,): its slope is the viscosity."""
+    """Mean square of the integral of the current over each time, in units in which its slope is the coefficient, (L,)."""
 
 
-def viscosity(gas: Gas, windows: int = 2000, *, progress: Progress | None = None) -> Viscosity:
+class TransportCoefficients(NamedTuple):
+    """Transport coefficients of a gas, each with its error."""
+
+    viscosity: Coefficient
+    bulk_viscosity: Coefficient
+    conductivity: Coefficient
+
+
+def viscosity(gas: Gas, windows: int = 2000, *, progress: Progress | None = None) -> Coefficient:
     """Return the shear viscosity of a gas in equilibrium, which is advanced meanwhile.
 
     Over a time t the integral of a shear stress has the mean square 2 eta k_B T t / V for long t (E. Helfand, Phys. Rev. 119, 1
@@ -48,14 +58,14 @@ def viscosity(gas: Gas, windows: int = 2000, *, progress: Progress | None = None
     Parameters
     ----------
     gas : Gas
-        In equilibrium, without walls, drives and thermostat; its contacts conserve energy.
+        In equilibrium, without walls, drives, thermostat and shear; its contacts conserve energy.
     windows : int
         Length of the run, in windows of two mean free times; at least 200.
     progress : callable(done, total, text), optional
 
     Returns
     -------
-    Viscosity
+    Coefficient
 
     Raises
     ------
@@ -72,40 +82,154 @@ def viscosity(gas: Gas, windows: int = 2000, *, progress: Progress | None = None
     >>> 0.12 < found.value < 0.25 and found.error < 0.06
     True
     """
-    faults = FaultList("viscosity")
-    if gas.walls:
-        faults.add("gas", "a gas without walls", f"walls {', '.join(gas.walls)}")
-    if isinstance(windows, bool) or not isinstance(windows, int | np.integer) or windows < 20 * BLOCKS:
-        faults.add("windows", f"a whole number >= {20 * BLOCKS}", f"{windows!r}")
+    windowed = _Windows.of("viscosity", gas, windows, False, progress)
+    return windowed.coefficient(windowed.shear, 1 / windowed.temperature)
+
+
+def transport_coefficients(gas: Gas, windows: int = 2000, *, progress: Progress | None = None) -> TransportCoefficients:
+    """Return the shear and bulk viscosity and the heat conductivity of a gas in equilibrium, which is advanced meanwhile.
+
+    As :func:`viscosity`: the bulk viscosity from the fluctuations of the pressure about its mean, the conductivity from the heat
+    current, the energy that balls carry and pass on in collisions (energy of spins included).
+
+    Parameters
+    ----------
+    gas, windows, progress : as of :func:`viscosity`
+
+    Returns
+    -------
+    TransportCoefficients
+
+    Raises CaromError as :func:`viscosity` does.
+
+    Examples
+    --------
+    >>> from carom import Ball, Surface
+    >>> from carom.gas import Gas, Species, enskog, transport_coefficients
+    >>> gas = Gas([Species(Ball(0.5, 1.0), 64)], (8.6, 8.6, 8.6), contacts=Surface(1, 0, -1), seed=1)
+    >>> gas.advance(2000)
+    >>> found, theory = transport_coefficients(gas, 400), enskog(64 / 8.6**3)
+    >>> abs(found.conductivity.value / theory.conductivity - 1) < 0.5
+    True
+    """
+    one = _Windows.of("transport_coefficients", gas, windows, True, progress)
+    warm = one.temperature
+    return TransportCoefficients(
+        one.coefficient(one.shear, 1 / warm),
+        one.coefficient(one.pressure, 1 / warm),
+        one.coefficient(one.heat, 1 / warm**2),
+    )
+
+
+def sheared_viscosity(
+    gas: Gas, collisions: int, *, blocks: int = BLOCKS, progress: Progress | None = None
+) -> Coefficient:
+    """Return the viscosity of a sheared gas, -P_xy over the shear rate, which is advanced by so many collisions.
+
+    Parameters
+    ----------
+    gas : Gas
+        With a shear rate; in a steady state, or nearly.
+    collisions : int
+        To measure over.
+    blocks : int
+        Into which the run is divided for the error, at least 2.
+    progress : callable(done, total, text), optional
+
+    Returns
+    -------
+    Coefficient
+
+    Raises
+    ------
+    CaromError
+        For a gas without a shear rate, too few collisions or blocks, and as :meth:`Gas.run` does.
+
+    Examples
+    --------
+    >>> from carom import Ball, Surface
+    >>> from carom.gas import Gas, Species, sheared_viscosity
+    >>> gas = Gas([Species(Ball(0.5, 1.0), 64)], (6.0, 6.0, 6.0), contacts=Surface(0.8, 0, -1), shear_rate=0.5, seed=1)
+    >>> gas.advance(5000)
+    >>> found = sheared_viscosity(gas, 5000)
+    >>> found.value > 3 * found.error > 0
+    True
+    """
+    faults = FaultList("sheared_viscosity")
+    if gas.shear_rate == 0:
+        faults.add("gas", "a gas with a shear_rate", "one without")
+    for name, value, least in (("blocks", blocks, 2), ("collisions", collisions, 2)):
+        if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
+            faults.add(name, f"a whole number >= {least}", f"{value!r}")
     faults.raise_if_any()
-    start = gas.mark()
-    gas.advance(20 * len(gas.balls().species))
-    length = WINDOW * gas.measured_since(start).mean_free_time
-    energy, rows = sum(gas.energy()), []
-    before, begin = gas.integrals(), gas.time
-    warm = 0.0
-    for k in range(windows):
-        gas.advance(until=begin + (k + 1) * length)
-        after = gas.integrals()
-        found = averages_between(gas.arrays, before, after, length)
-        rows.append(_shear(found.stress) * length)
-        warm += found.temperature / windows
-        before = after
-        if progress is not None and k % 100 == 0:
-            progress(k, windows, "windows")
-    if abs(sum(gas.energy()) / energy - 1) > STEADY:
-        faults.add(
-            "gas",
-            "contacts that conserve energy",
-            f"a gas whose energy changed from {energy:g} to {sum(gas.energy()):g} J",
-        )
+    found, times = [], []
+    for k in range(blocks):
+        run = gas.run(max(int(collisions) // int(blocks), 1))
+        assert run.shear is not None
+        found.append(run.shear.viscosity)
+        times.append(run.simulated_time)
+        if progress is not None:
+            progress(k + 1, blocks, "blocks")
+    none = np.empty(0)
+    mean = float(np.average(found, weights=times))
+    return Coefficient(mean, float(np.std(found, ddof=1)) / math.sqrt(blocks), none, none)
+
+
+class _Windows(NamedTuple):
+    """Integrals over the windows of a run in equilibrium, (windows, components) each, and what they are divided by."""
+
+    length: float
+    volume: float
+    temperature: float
+    shear: Array
+    pressure: Array
+    heat: Array
+
+    @classmethod
+    def of(cls, where: str, gas: Gas, windows: Any, heat: bool, progress: Progress | None) -> _Windows:
+        """Run a gas over so many windows. Raises CaromError."""
+        faults = FaultList(where)
+        if gas.walls:
+            faults.add("gas", "a gas without walls", f"walls {', '.join(gas.walls)}")
+        if gas.shear_rate != 0:
+            faults.add("gas", "a gas in equilibrium", f"a shear rate of {gas.shear_rate:g}", "use sheared_viscosity")
+        if isinstance(windows, bool) or not isinstance(windows, int | np.integer) or windows < 20 * BLOCKS:
+            faults.add("windows", f"a whole number >= {20 * BLOCKS}", f"{windows!r}")
         faults.raise_if_any()
-    scale = float(gas.arrays.system[0]["volume"]) / (2 * warm)
-    blocks = np.array([_mean_squares(part) for part in np.array_split(np.array(rows), BLOCKS)]) * scale
-    lag: Array = (length * np.arange(1, LONGEST + 1)).astype(np.float64)
-    squares: Array = blocks.mean(axis=0)
-    slopes = [np.polyfit(lag[FITTED - 1 :], one[FITTED - 1 :], 1)[0] for one in blocks]
-    return Viscosity(float(np.mean(slopes)), float(np.std(slopes, ddof=1)) / math.sqrt(BLOCKS), lag, squares)
+        if heat:
+            gas.measure_heat()
+        start: Mark = gas.mark()
+        gas.advance(20 * len(gas.balls().species))
+        length = WINDOW * gas.measured_since(start).mean_free_time
+        energy, begin, stress, passed = sum(gas.energy()), gas.time, [], []
+        before, warm = gas.integrals(), 0.0
+        for k in range(windows):
+            gas.advance(until=begin + (k + 1) * length)
+            after = gas.integrals()
+            found = averages_between(gas.arrays, before, after, length)
+            stress.append(found.stress * length)
+            passed += [gas.heat_passed()] if heat else []
+            warm += found.temperature / windows
+            before = after
+            if progress is not None and k % 100 == 0:
+                progress(k, windows, "windows")
+        if abs(sum(gas.energy()) / energy - 1) > STEADY:
+            got = f"a gas whose energy changed from {energy:g} to {sum(gas.energy()):g} J"
+            faults.add("gas", "contacts that conserve energy", got)
+            faults.raise_if_any()
+        volume, rows = float(gas.arrays.system[0]["volume"]), np.array(stress)
+        traces = np.trace(rows, axis1=1, axis2=2)[:, None] / rows.shape[1]
+        currents = np.diff(np.array(passed), axis=0) / volume if heat else np.empty((0, 0))
+        return cls(length, volume, warm, np.array([_shear(one) for one in rows]), traces - traces.mean(), currents)
+
+    def coefficient(self, rows: Array, scale: float) -> Coefficient:
+        """Return the slope of the mean square of the integral of a current, times V / 2 and a scale."""
+        scale *= self.volume / 2
+        blocks = np.array([_mean_squares(part) for part in np.array_split(rows, BLOCKS)]) * scale
+        lag: Array = (self.length * np.arange(1, LONGEST + 1)).astype(np.float64)
+        squares: Array = blocks.mean(axis=0)
+        slopes = [np.polyfit(lag[FITTED - 1 :], one[FITTED - 1 :], 1)[0] for one in blocks]
+        return Coefficient(float(np.mean(slopes)), float(np.std(slopes, ddof=1)) / math.sqrt(BLOCKS), lag, squares)
 
 
 def _shear(stress: Array) -> Array:

@@ -89,7 +89,8 @@ def _draw(session: Session, measures: Measures, title: str | None) -> Any:
     _distributions(panels[2], measures, "spin", session.scene.spins_change)
     _temperatures(panels[3], measures, session.scene.spins_change)
     _pair_correlation(panels[4], measures)
-    (_displacement if measures.has_diffusion else _profile)(panels[5], session, measures)
+    last = _flow if measures.sheared else (_displacement if measures.has_diffusion else _profile)
+    last(panels[5], session, measures)
     for k, letter in enumerate("abcdef"):
         place = grid[k // 3, k % 3].get_position(figure)
         figure.text(place.x0 - 0.062, place.y1 + 0.012, letter, fontweight="bold", va="bottom", color=INK)
@@ -316,7 +317,8 @@ def _pair_correlation(axes: Any, measures: Measures) -> None:
     axes.set_xlim(left=0)
     axes.set_ylim(0, 1.1 * top)
     if drawn == 0:
-        axes.text(0.5, 0.5, "the box is too small", transform=axes.transAxes, ha="center", color=GREY, fontsize=7.5)
+        why = "not counted where images slide" if measures.sheared else "the box is too small"
+        axes.text(0.5, 0.5, why, transform=axes.transAxes, ha="center", color=GREY, fontsize=7.5)
     elif many:
         axes.legend(frameon=False, fontsize=7.5, loc="upper right", handlelength=1.2, borderaxespad=0.2)
     else:
@@ -349,6 +351,22 @@ def _displacement(axes: Any, session: Session, measures: Measures) -> None:
         axes.text(0.05, 0.93, text, transform=axes.transAxes, va="top", fontsize=7.5, color=INK)
     axes.set_xlim(left=0)
     axes.set_ylim(bottom=0)
+
+
+def _flow(axes: Any, session: Session, _measures: Measures) -> None:
+    """Plot the mean velocity of a sheared gas in layers, and that of the images' flow."""
+    layers = session.result.averages.layers
+    assert layers is not None
+    middle, rate = (layers.edges[1:] + layers.edges[:-1]) / 2, session.scene.shear_rate
+    axes.plot(rate * (layers.edges - layers.edges[-1] / 2), layers.edges, color=GREY, linewidth=0.8)
+    for k, name in enumerate(session.names):
+        axes.plot(
+            layers.velocity[k, :, 0], middle, ".", color=COLOURS[k % len(COLOURS)], markersize=4, label=literal(name)
+        )
+    axes.set_ylim(0, layers.edges[-1])
+    axes.set_xlabel("mean velocity along x, m/s")
+    axes.set_ylabel("y, m")
+    panel_title(axes, "mean velocity across the flow")
 
 
 def _profile(axes: Any, session: Session, measures: Measures) -> None:

@@ -11,6 +11,9 @@ its flux F_ab = sum m v_a v_b has F_ab' = g_a P_b + g_b P_a, the potential energ
 D_k t_k^3 for layers, where n changes) suffice. The sums begin anew in every cycle of the calendar, at whose end Q(T) is
 summed over all balls: so rounding does not accumulate.
 
+In a gas that is sheared (:mod:`carom.gas.edmd.shear`) the flux is of velocities relative to the flow. Along a flight these are
+linear in time, so the flux is integrated flight by flight (:func:`note_flight`), and not from its jumps.
+
 Layers are the layers of cells along one axis: a ball leaves one in an event, when it crosses the border of its cell.
 """
 
@@ -21,7 +24,16 @@ from typing import Any
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel
 from carom.gas.edmd.calendar import I64, U64
 
-__all__ = ["close_cycle", "layer_of", "note_change", "note_crossing", "note_pair"]
+__all__ = [
+    "close_cycle",
+    "layer_of",
+    "note_carried_heat",
+    "note_change",
+    "note_crossing",
+    "note_flight",
+    "note_pair",
+    "note_passed_heat",
+]
 
 
 @hot_kernel
@@ -157,11 +169,76 @@ def note_crossing(
         _note_fall(entered, 1.0, dot(g, p), t)
 
 
+# --- sheared gases -------------------------------------------------------------------------------------------------
+
+
+@hot_kernel
+def _flow(shear: Any, grid: Any, y: float) -> float:
+    """Return the velocity of the flow along x at a height; 0 in a gas that is not sheared."""
+    if shear is None:
+        return 0.0
+    return shear[0].rate * (y - grid.side[U64(1)] / 2.0)  # type: ignore[no-any-return]
+
+
+@kernel
+def note_flight(shear: Any, grid: Any, averages: Any, species: Any, ball: Any, now: float) -> None:
+    """Integrate the flux of momentum relative to the flow over the flight of a ball since its last event."""
+    if shear is None:
+        return
+    flow, m, s = averages.flows[U64(ball.species)], species[U64(ball.species)].mass, now - ball.time
+    # the velocity along x relative to the flow is a + b t
+    a, b = ball.vx - _flow(shear, grid, ball.y), -shear[0].rate * ball.vy
+    mean = m * (a + b * s / 2.0) * s
+    flow.time_xx += m * (a * a + (a + b * s / 3.0) * b * s) * s
+    flow.time_xy += mean * ball.vy
+    flow.time_xz += mean * ball.vz
+    flow.time_yy += m * ball.vy * ball.vy * s
+    flow.time_zz += m * ball.vz * ball.vz * s
+    flow.time_yz += m * ball.vy * ball.vz * s
+
+
+# --- heat current --------------------------------------------------------------------------------------------------
+
+
+@kernel
+def note_carried_heat(heat: Any, species: Any, ball: Any, body: Any, now: float) -> None:
+    """Add the energy of a ball times its way since its last event, without a force."""
+    if heat is None:
+        return
+    one, sums = species[U64(ball.species)], heat[0]
+    v, w = (ball.vx, ball.vy, ball.vz), (body.wx, body.wy, body.wz)
+    energy = one.mass / 2.0 * (dot(v, v) + one.kappa * one.radius * one.radius * dot(w, w))
+    way = energy * (now - ball.time)
+    sums.carried_x += way * v[0]
+    sums.carried_y += way * v[1]
+    sums.carried_z += way * v[2]
+
+
+@kernel
+def note_passed_heat(
+    heat: Any, one: Any, two: Any, j: Vec, v1: Vec, v2: Vec, spin1: float, spin2: float, n: Vec, distance: float
+) -> None:
+    """Add the energy that the first of two balls gains from the second (half of the difference of their gains) times the distance.
+
+    The arguments are those of :func:`note_pair`.
+    """
+    if heat is None:
+        return
+    gain1 = j[0] * (v1[0] + one.vx) + j[1] * (v1[1] + one.vy) + j[2] * (v1[2] + one.vz) + spin1
+    gain2 = spin2 - (j[0] * (v2[0] + two.vx) + j[1] * (v2[1] + two.vy) + j[2] * (v2[2] + two.vz))
+    passed, sums = distance * (gain1 - gain2) / 4.0, heat[0]
+    sums.passed_x += passed * n[0]
+    sums.passed_y += passed * n[1]
+    sums.passed_z += passed * n[2]
+
+
 # --- the end of a cycle --------------------------------------------------------------------------------------------
 
 
 @kernel
-def _sum_balls(grid: Any, balls: Any, species: Any, averages: Any, now: float) -> float:
+def _sum_balls(
+    grid: Any, balls: Any, species: Any, averages: Any, now: float, shear: Any, whole_flights: bool
+) -> float:
     """Sum what is averaged over all balls, which are as at ``now``; return twice their translational energy."""
     motions, bodies, plans = balls.motions, balls.bodies, balls.plans
     flows, layers, total = averages.flows, averages.layers, 0.0
@@ -178,7 +255,10 @@ def _sum_balls(grid: Any, balls: Any, species: Any, averages: Any, now: float) -
         one, flow = species[ball.species], flows[ball.species]
         s = now - ball.time
         m = one.mass
-        vx, vy, vz = ball.vx + gx * s, ball.vy + gy * s, ball.vz + gz * s
+        ux, vy, vz = ball.vx + gx * s, ball.vy + gy * s, ball.vz + gz * s
+        vx = ux - _flow(shear, grid, ball.y + ball.vy * s)
+        if not whole_flights:
+            note_flight(shear, grid, averages, species, ball, now)
         wx, wy, wz = body.wx, body.wy, body.wz
         vv = m * (vx * vx + vy * vy + vz * vz)
         ww = m * one.kappa * one.radius * one.radius * (wx * wx + wy * wy + wz * wz)
@@ -203,19 +283,24 @@ def _sum_balls(grid: Any, balls: Any, species: Any, averages: Any, now: float) -
         if layers.shape[0] > 0:
             layer = layers[layer_of(averages.whole[0].axis, plans[i]) * flows.shape[0] + ball.species]
             layer.n += 1.0
-            layer.pxt += m * vx
+            layer.pxt += m * ux
             layer.pyt += m * vy
             layer.pzt += m * vz
-            layer.vvt += vv
+            layer.vvt += m * (ux * ux + vy * vy + vz * vz)
             layer.wwt += ww
     return total
 
 
 @kernel
-def close_cycle(grid: Any, balls: Any, species: Any, averages: Any, end: float) -> float:
-    """Add the integrals over a cycle that ends at a time; return twice the translational energy then."""
+def close_cycle(
+    grid: Any, balls: Any, species: Any, averages: Any, end: float, shear: Any, whole_flights: bool
+) -> float:
+    """Add the integrals over a cycle that ends at a time; return twice the translational energy then.
+
+    Of a sheared gas flights that are not over are left out (``whole_flights``), or added until then.
+    """
     flows, layers = averages.flows, averages.layers
-    total = _sum_balls(grid, balls, species, averages, end)
+    total = _sum_balls(grid, balls, species, averages, end, shear, whole_flights)
     g = (grid.gravity[0], grid.gravity[1], grid.gravity[2])
     t2, t3 = end * end / 2.0, end * end * end
     for k in range(flows.shape[0]):
@@ -225,12 +310,13 @@ def close_cycle(grid: Any, balls: Any, species: Any, averages: Any, end: float) 
         ax = flow.pxt * t2 - flow.x2 / 2.0 - c * g[0]
         ay = flow.pyt * t2 - flow.y2 / 2.0 - c * g[1]
         az = flow.pzt * t2 - flow.z2 / 2.0 - c * g[2]
-        flow.time_xx += flow.xxt * end - flow.xx - 2.0 * g[0] * ax
-        flow.time_yy += flow.yyt * end - flow.yy - 2.0 * g[1] * ay
-        flow.time_zz += flow.zzt * end - flow.zz - 2.0 * g[2] * az
-        flow.time_xy += flow.xyt * end - flow.xy - g[0] * ay - g[1] * ax
-        flow.time_xz += flow.xzt * end - flow.xz - g[0] * az - g[2] * ax
-        flow.time_yz += flow.yzt * end - flow.yz - g[1] * az - g[2] * ay
+        if shear is None:
+            flow.time_xx += flow.xxt * end - flow.xx - 2.0 * g[0] * ax
+            flow.time_yy += flow.yyt * end - flow.yy - 2.0 * g[1] * ay
+            flow.time_zz += flow.zzt * end - flow.zz - 2.0 * g[2] * az
+            flow.time_xy += flow.xyt * end - flow.xy - g[0] * ay - g[1] * ax
+            flow.time_xz += flow.xzt * end - flow.xz - g[0] * az - g[2] * ax
+            flow.time_yz += flow.yzt * end - flow.yz - g[1] * az - g[2] * ay
         flow.time_ww += flow.wwt * end - flow.ww
         flow.time_h += flow.ht * end + g[0] * ax + g[1] * ay + g[2] * az
         flow.xx = flow.yy = flow.zz = flow.xy = flow.xz = flow.yz = flow.ww = 0.0

@@ -24,7 +24,7 @@ from carom.gas.edmd.calendar import I64, U64
 from carom.gas.edmd.gas_records import CURVE, ELLIPSE, INDEX_BITS, INSIDE, NO_BALL, PLANE
 
 __all__ = [
-    "INDEX_MASK", "SLOTS", "Block", "block_around", "cell_index", "gather_neighbours", "insert_ball", "morton_offsets",
+    "INDEX_MASK", "SLOTS", "Block", "block_around", "cell_index", "copy_cell", "gather_neighbours", "insert_ball", "morton_offsets",
     "neighbour_tables", "remove_ball", "set_images", "walls_of_cells",
 ]  # fmt: skip
 
@@ -171,7 +171,7 @@ def _copy_chain(links: Any, found: Any, second: int, n: int, image: Any) -> int:
 
 
 @hot_kernel
-def _copy_cell(slots: Any, links: Any, found: Any, first: int, n: int, code: int) -> int:
+def copy_cell(slots: Any, links: Any, found: Any, first: int, n: int, code: int) -> int:
     """Append the balls of a cell to the n found so far; return how many there are now."""
     image = np.uint32(code << INDEX_BITS)
     # (both are read before the first is written, so that they are one load and one store)
@@ -202,11 +202,11 @@ def gather_neighbours(cells: Any, found: Any, block: Block) -> int:
             first = third + offsets[U64(1), U64(block.y), U64(b)]
             code = (b << 2) | (c << 4)
             if block.x1 - block.x0 == 3:
-                n = _copy_cell(slots, links, found, first + left, n, code)
-                n = _copy_cell(slots, links, found, first + middle, n, code | 1)
-                n = _copy_cell(slots, links, found, first + right, n, code | 2)
+                n = copy_cell(slots, links, found, first + left, n, code)
+                n = copy_cell(slots, links, found, first + middle, n, code | 1)
+                n = copy_cell(slots, links, found, first + right, n, code | 2)
             else:
-                n = _copy_cell(slots, links, found, first + ahead, n, code | block.x0)
+                n = copy_cell(slots, links, found, first + ahead, n, code | block.x0)
     return n
 
 

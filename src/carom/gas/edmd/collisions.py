@@ -14,10 +14,11 @@ from carom.core.jit.kernel import Vec, hot_kernel, kernel
 from carom.core.motion.restitution import restitution
 from carom.core.random import normals, uniform
 from carom.core.roots.first_root import hit2
-from carom.gas.edmd.averages import note_pair
+from carom.gas.edmd.averages import note_pair, note_passed_heat
 from carom.gas.edmd.calendar import I64, U64
 from carom.gas.edmd.cell_lists import INDEX_MASK
 from carom.gas.edmd.gas_records import INDEX_BITS, NO_BALL, RANDOM_NORMAL, RANDOM_UNIFORM
+from carom.gas.edmd.shear import sheared_image
 from carom.laws.pair import pair_contact, pair_slip
 
 __all__ = [
@@ -274,8 +275,8 @@ def _pair_friction(
 
 
 @hot_kernel
-def collide_balls(
-    system: Any, grid: Any, balls: Any, materials: Any, averages: Any, i: int, j: int, now: float
+def collide_balls(  # noqa: PLR0915  (one contact, three forms)
+    features: Any, system: Any, grid: Any, balls: Any, materials: Any, averages: Any, i: int, j: int, now: float
 ) -> None:
     """Collide balls i and j."""
     motions, bodies = balls.motions, balls.bodies
@@ -286,10 +287,14 @@ def collide_balls(
     rx = _nearest_image(a.x - b.x, grid.side[U64(0)], grid.periodic[U64(0)])
     ry = _nearest_image(a.y - b.y, grid.side[U64(1)], grid.periodic[U64(1)])
     rz = _nearest_image(a.z - b.z, grid.side[U64(2)], grid.periodic[U64(2)])
+    faster = 0.0  # the image of j that i meets, along x
+    if features is not None:
+        rx, faster = sheared_image(features.shear, grid, a.x - b.x, a.y - b.y, rx, now)
+    slower = 0.0 - faster  # (0 as well: a velocity less 0 keeps its bits)
     distance = math.sqrt(rx * rx + ry * ry + rz * rz)
     n = (rx / distance, ry / distance, rz / distance)
     form = materials.pair_forms[U64(species1 * system.species + species2)]
-    ux, uy, uz = a.vx - b.vx, a.vy - b.vy, a.vz - b.vz
+    ux, uy, uz = a.vx - (b.vx - slower), a.vy - b.vy, a.vz - b.vz
     # (the surfaces of growing balls approach by themselves)
     un = ux * n[0] + uy * n[1] + uz * n[2] - pair.distance * system.growth
     e = _pair_restitution(system, pair, form, bodies[U64(i)], bodies[U64(j)], -un, now)
@@ -310,9 +315,10 @@ def collide_balls(
         pair.lost_normal -= (1 - e) / 2 * pn * un
     else:
         first, second = bodies[U64(i)], bodies[U64(j)]
-        mu = _pair_friction(pair, form, v1, first, v2, second, n, one.radius, two.radius)
+        seen = (b.vx - slower, b.vy, b.vz)
+        mu = _pair_friction(pair, form, v1, first, seen, second, n, one.radius, two.radius)
         u1, w1, u2, w2, p, _required, _regime = pair_contact(
-            v1, (first.wx, first.wy, first.wz), v2, (second.wx, second.wy, second.wz), n,
+            v1, (first.wx, first.wy, first.wz), seen, (second.wx, second.wy, second.wz), n,
             one.radius, one.mass, one.kappa, two.radius, two.mass, two.kappa, e, mu, pair.beta,
         )  # fmt: skip
         pn = p[0] * n[0] + p[1] * n[1] + p[2] * n[2]
@@ -324,12 +330,14 @@ def collide_balls(
         rotational = (turned1 + turned2) / 2
         add_energies(pair, (e - 1) / 2 * pn * un, (p[0] * sx + p[1] * sy + p[2] * sz) / 2, rotational)
         set_velocity(a, u1)
-        set_velocity(b, u2)
+        set_velocity(b, (u2[0] - faster, u2[1], u2[2]))
         first.wx, first.wy, first.wz = w1[0], w1[1], w1[2]
         second.wx, second.wy, second.wz = w2[0], w2[1], w2[2]
     note_pair(
         averages, grid, balls.plans[U64(i)], balls.plans[U64(j)], a, b, p, v1, v2, turned1, turned2, n, distance, now
     )
+    if features is not None:
+        note_passed_heat(features.heat, a, b, p, v1, v2, turned1, turned2, n, distance)
     contact_distance = pair.distance * (system.scale + system.growth * now)
     system.overlap = max(system.overlap, (contact_distance - distance) / contact_distance)
     a.collisions += 1

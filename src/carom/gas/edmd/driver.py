@@ -22,12 +22,14 @@ from carom.gas.edmd.gas_records import (
     ELLIPSE,
     FACE,
     FLOW,
+    HEAT,
     LAYER,
     LIMIT,
     MOTION,
     PAIR,
     PLAN,
     PLANE,
+    SHEAR,
     SPECIES,
     SYSTEM,
     WALL_CONTACT,
@@ -45,7 +47,8 @@ from carom.gas.edmd.gas_records import (
 )
 
 __all__ = [
-    "STATE", "GasArrays", "SystemRecords", "advance", "arrays_at_start", "averages_until", "compiled_loops", "loop_is_cached",
+    "STATE", "GasArrays", "SystemRecords", "advance", "arrays_at_start", "averages_until", "compiled_loops", "heat_until",
+    "loop_is_cached",
     "put_in_place", "restore", "saved_blocks", "synchronized", "synchronized_blocks", "time_of_last_event",
     "total_bytes",
 ]  # fmt: skip
@@ -72,7 +75,9 @@ STATE = {
     "flows": FLOW,
     "layers": LAYER,
     "curves": np.dtype("f8"),
+    "shear": SHEAR,
 }
+LATER = ("curves", "shear")  # not in the states of earlier versions, where there were none
 
 
 class SystemRecords(NamedTuple):
@@ -86,6 +91,8 @@ class SystemRecords(NamedTuple):
     contact_forms: NDArray[np.void]
     faces: NDArray[np.void]
     curves: NDArray[np.float64]
+    shear: NDArray[np.void]
+    """One record, or none."""
     whole: NDArray[np.void]
     flows: NDArray[np.void]
     layers: NDArray[np.void]
@@ -104,6 +111,9 @@ class GasArrays(NamedTuple):
     grid: Grid
     near: Neighbours
     scratch: Scratch
+    shear: NDArray[np.void]
+    heat: NDArray[np.void]
+    """One HEAT while the heat current is measured, else none; no part of the state."""
 
 
 class _CompiledLoop(NamedTuple):
@@ -196,6 +206,8 @@ def _assemble(state: dict[str, Any], memory: dict[str, NDArray[Any]]) -> GasArra
             memory["times"].view(np.int64),
         ),
         scratch=Scratch(*(np.zeros(1, kind) for kind in (MOTION, PLAN, BODY, np.uint32))),
+        shear=state["shear"],
+        heat=np.zeros(0, HEAT),
     )  # fmt: skip
 
 
@@ -215,7 +227,8 @@ def put_in_place(records: SystemRecords, kinds: Any, x: Any) -> dict[str, NDArra
     Position by position, so that no more than the gas itself is in memory: nor need ``x`` be there any more after this.
     """
     one, count = records.system[0], len(x)
-    one["free"] = _free_axes(one, records.faces, records.contacts)
+    # (relative to a flow there is no other frame)
+    one["free"] = 0 if len(records.shear) else _free_axes(one, records.faces, records.contacts)
     one["balls"], one["species"], one["bins"] = count, len(records.species), BINS_PER_BALL * count
     memory = _allocate(one, records.species)
     motions = memory["motions"]
@@ -251,9 +264,8 @@ def restore(state: Mapping[str, NDArray[Any]]) -> GasArrays:
     """Return the arrays of a gas from its saved state, from which it continues with the same bits."""
     memory = _allocate(state["system"][0], state["species"])
     copies = {}
-    for name in STATE:
-        # (a state of an earlier version has no curves)
-        given = state[name] if name in state or name != "curves" else np.empty(0)
+    for name, kind in STATE.items():
+        given = state[name] if name in state or name not in LATER else np.empty(0, kind)
         copies[name] = memory[name] if name in memory else np.empty_like(given)
         copies[name][:] = given
         del given  # (a state read from a file has one array in memory at a time)
@@ -268,7 +280,8 @@ def saved_blocks(arrays: GasArrays, name: str) -> tuple[int, Iterator[NDArray[An
     The places in the calendar are left out: another run would fill it in another order.
     """
     parts = (arrays.balls, arrays.materials, arrays.walls, arrays.averages)
-    found = {name: one for part in parts for name, one in part._asdict().items()} | {"system": arrays.system}
+    found = {name: one for part in parts for name, one in part._asdict().items()}
+    found |= {"system": arrays.system, "shear": arrays.shear}
     array: NDArray[Any] = found[name].ravel() if name == "curves" else found[name]
 
     def blocks() -> Iterator[NDArray[Any]]:
@@ -289,10 +302,12 @@ def _features(arrays: GasArrays) -> Features | None:
     one, faces = arrays.system[0], arrays.walls.faces
     special = (faces["form"] != PLANE) | (faces["bounded"] != 0) | (faces["temperature"] >= 0)
     special |= (faces["amplitude"] != 0) | (faces["moving"] != 0)
-    if not (special.any() or one["growth"] != 0 or one["rate"] != 0):
+    if not (special.any() or one["growth"] != 0 or one["rate"] != 0 or len(arrays.shear) or len(arrays.heat)):
         return None
     curved = (faces["form"] == CURVE).any()
-    return Features(1 if curved or (faces["form"] == ELLIPSE).any() else None, arrays.walls.curves if curved else None)
+    ellipse = 1 if curved or (faces["form"] == ELLIPSE).any() else None
+    shear, heat = (part if len(part) else None for part in (arrays.shear, arrays.heat))
+    return Features(ellipse, arrays.walls.curves if curved else None, shear, heat)
 
 
 def advance(arrays: GasArrays, until: float, max_collisions: int) -> None:
@@ -301,7 +316,7 @@ def advance(arrays: GasArrays, until: float, max_collisions: int) -> None:
     last, pace = _collisions(one) + max_collisions, Pace(FIRST_STEPS)
     while True:
         steps = pace.begin()
-        status = run(one, *arrays[1:], until, last - _collisions(one), steps, features)
+        status = run(one, *arrays[1:-2], until, last - _collisions(one), steps, features)
         if status != LIMIT or _collisions(one) >= last:
             return
         pace.done(steps)
@@ -315,8 +330,23 @@ def averages_until(arrays: GasArrays, time: float) -> Averages:
     """Return what means over time are made of, with the integrals until a time not before the last event, as copies."""
     one, found = arrays.system[0], Averages(*(part.copy() for part in arrays.averages))
     now = (time - one["base"]) - one["rest"]
-    compiled_loops().close_cycle(arrays.grid, arrays.balls, arrays.materials.species, found, now)
+    shear = arrays.shear if len(arrays.shear) else None
+    compiled_loops().close_cycle(arrays.grid, arrays.balls, arrays.materials.species, found, now, shear, False)
     return found
+
+
+def heat_until(arrays: GasArrays, time: float) -> NDArray[np.float64]:
+    """Return the integral over time of the heat current of a gas without walls and forces, until not before the last event."""
+    one, motions, bodies = arrays.system[0], arrays.balls.motions, arrays.balls.bodies
+    kinds, sums = arrays.materials.species[motions["species"]], arrays.heat[0]
+    v = np.stack([motions[f"v{axis}"] for axis in "xyz"], axis=1)
+    w = np.stack([bodies[f"w{axis}"] for axis in "xyz"], axis=1)
+    energy = kinds["mass"] / 2 * ((v * v).sum(axis=1) + kinds["kappa"] * kinds["radius"] ** 2 * (w * w).sum(axis=1))
+    way = energy * ((time - one["base"]) - one["rest"] - motions["time"])
+    found: NDArray[np.float64] = (
+        np.array([sums["carried_" + axis] + sums["passed_" + axis] for axis in "xyz"]) + way @ v
+    )
+    return found[: int(one["dimensions"])]
 
 
 def total_bytes(arrays: Any) -> int:

@@ -25,6 +25,7 @@ __all__ = [
     "FACE",
     "FLOW",
     "FLUX",
+    "HEAT",
     "INDEX_BITS",
     "INSIDE",
     "LAYER",
@@ -38,6 +39,7 @@ __all__ = [
     "PLANE",
     "RANDOM_NORMAL",
     "RANDOM_UNIFORM",
+    "SHEAR",
     "SPECIES",
     "SYSTEM",
     "UNDERFLOW",
@@ -228,6 +230,14 @@ SYSTEM = np.dtype(
     ]
 )
 
+# Of a gas that is sheared (edmd.shear): the shear rate; the speed of the images across y, rate times side; how far those above are
+# displaced along x at the start of the cycle.
+SHEAR = np.dtype([("rate", _FLOAT), ("speed", _FLOAT), ("offset", _FLOAT)])
+
+# Of a gas whose heat current is measured: the sums over flights of a ball's energy times its way, and over collisions of two balls
+# of the distance of their centres times the energy that the first one gains, both by components.
+HEAT = np.dtype([(part + axis, _FLOAT) for part in ("carried_", "passed_") for axis in "xyz"])
+
 # What means over time are made of (edmd.averages). Of a species: sums over the jumps of a cycle, times the time (x2, y2, z2: of
 # impulses, times its square); sums over the balls at its end (names with t); integrals over the earlier cycles (time_...). xx to
 # yz is the flux of momentum, ww twice the energy of the spins, h the potential energy, p the momentum, n the number of balls.
@@ -362,3 +372,7 @@ class Features(NamedTuple):
     """Not None where a wall is an ELLIPSE, or a CURVE."""
     curve: NDArray[np.float64] | None
     """The curves of the walls, where there are any."""
+    shear: NDArray[np.void] | None
+    """The SHEAR of a gas that is sheared."""
+    heat: NDArray[np.void] | None
+    """The HEAT of a gas whose heat current is measured."""

@@ -12,7 +12,7 @@ import math
 from typing import Any
 
 from carom.core.jit.kernel import hot_kernel, kernel
-from carom.gas.edmd.averages import close_cycle, note_crossing
+from carom.gas.edmd.averages import close_cycle, note_carried_heat, note_crossing, note_flight
 from carom.gas.edmd.calendar import (
     I64,
     PAGE,
@@ -44,6 +44,7 @@ from carom.gas.edmd.housekeeping import (
     sort_by_cell,
 )
 from carom.gas.edmd.prefetch import page_ends_ahead, prefetch_ahead
+from carom.gas.edmd.shear import cross_sheared_border, earliest_across, slide_images, within_border
 from carom.gas.edmd.walls import (
     FIRST_WALL,
     PREDICT_AGAIN,
@@ -96,7 +97,10 @@ def synchronize(system: Any, grid: Any, motions: Any) -> None:
 
 
 @hot_kernel
-def _cross_border(grid: Any, cells: Any, ball: Any, plan: Any, i: int, which: int, cell: int) -> None:
+def _cross_border(
+    features: Any, grid: Any, cells: Any, averages: Any, species: Any, ball: Any, plan: Any, i: int, which: int, cell: int,
+    now: float,
+) -> None:  # fmt: skip
     """Move ball i on to the next cell."""
     axis, up = which >> 1, which & 1
     remove_ball(cells, plan, i)
@@ -109,6 +113,8 @@ def _cross_border(grid: Any, cells: Any, ball: Any, plan: Any, i: int, which: in
         plan.cx = index
         ball.x -= shift
     elif axis == 1:
+        if features is not None:
+            cross_sheared_border(features.shear, grid, averages, species, ball, plan, turns, now)
         plan.cy = index
         ball.y -= shift
     else:
@@ -248,7 +254,12 @@ def run(  # noqa: PLR0915  (the loop)
                     break
                 now = max(now, width * bins)
                 system.now, system.events = now, events
-                set_threshold(system, species, close_cycle(grid, balls, species, averages, width * bins))
+                if features is None:
+                    energy = close_cycle(grid, balls, species, averages, width * bins, None, True)
+                else:
+                    energy = close_cycle(grid, balls, species, averages, width * bins, features.shear, True)
+                    slide_images(features.shear, grid, width * bins)
+                set_threshold(system, species, energy)
                 start_cycle(system, balls, walls.faces)
                 if far and system.cycles % SORT_INTERVAL == 0:
                     sort_by_cell(balls, scratch, cells, calendar)
@@ -284,15 +295,21 @@ def run(  # noqa: PLR0915  (the loop)
                 i = I64(draw_ball(system))
                 unschedule(plans, calendar, i)
             ball, plan = motions[U64(i)], plans[U64(i)]
+            if features is not None:
+                note_flight(features.shear, grid, averages, species, ball, now)
+                note_carried_heat(features.heat, species, ball, bodies[U64(i)], now)
             free_flight(grid, ball, now)
             if features is not None and kicked:
-                thermostat_kick(system, grid, averages, species, ball, bodies[U64(i)], plan, now)
+                thermostat_kick(features, system, grid, averages, species, ball, bodies[U64(i)], plan, now)
             elif plan.collision_time == at:
                 k = plan.partner
                 if motions[U64(k)].collisions == plan.partner_collisions:
                     j = I64(k)
+                    if features is not None:
+                        note_flight(features.shear, grid, averages, species, motions[U64(j)], now)
+                        note_carried_heat(features.heat, species, motions[U64(j)], bodies[U64(j)], now)
                     free_flight(grid, motions[U64(j)], now)
-                    collide_balls(system, grid, balls, materials, averages, i, j, now)
+                    collide_balls(features, system, grid, balls, materials, averages, i, j, now)
                     system.pair_collisions += 1
                     unschedule(plans, calendar, j)
                     if spins and (
@@ -308,7 +325,7 @@ def run(  # noqa: PLR0915  (the loop)
                     system.crossings += 1
                     axis, up = which >> 1, which & 1
                     cell = plan.cx if axis == 0 else (plan.cy if axis == 1 else plan.cz)
-                    _cross_border(grid, cells, ball, plan, i, which, I64(cell))
+                    _cross_border(features, grid, cells, averages, species, ball, plan, i, which, I64(cell), now)
                     if layered == axis:
                         after = plan.cx if axis == 0 else (plan.cy if axis == 1 else plan.cz)
                         note_crossing(averages, grid, species, ball, bodies[U64(i)], I64(cell), I64(after), now)
@@ -344,11 +361,18 @@ def run(  # noqa: PLR0915  (the loop)
         while True:
             ball, plan = motions[U64(i)], plans[U64(i)]
             block = Block(I64(plan.cx), I64(plan.cy), I64(plan.cz), x0, x1, y0, y1, z0, z1)
-            n = gather_neighbours(cells, near.found, block)
+            within = block
+            if features is not None:
+                within = within_border(features.shear, grid, block)
+            n = gather_neighbours(cells, near.found, within)
             set_images(cells.shifts, near.images, block, ball.x, ball.y, ball.z)
             hit, partner = earliest_collision(
                 grid, system, motions, pairs, near, n, i, now, threshold, scale + growth * now, growth, features
             )
+            if features is not None:
+                hit, partner = earliest_across(
+                    features.shear, grid, system, motions, pairs, cells, near, block, i, now, hit, partner
+                )
             # an earlier prediction stands where the ball has only crossed a border
             if not crossed or hit < plan.collision_time:
                 plan.collision_time, plan.partner = hit, partner

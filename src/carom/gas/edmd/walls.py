@@ -35,6 +35,7 @@ from carom.gas.edmd.moving_walls import (
     surface_velocity,
     yielding_impact,
 )
+from carom.gas.edmd.shear import with_flow
 
 __all__ = [
     "FIRST_WALL", "PREDICT_AGAIN", "collide_wall", "draw_ball", "next_kick_time", "next_wall_collision", "thermostat_kick",
@@ -427,13 +428,15 @@ def draw_ball(system: Any) -> int:
 
 @kernel
 def thermostat_kick(
-    system: Any, grid: Any, averages: Any, species: Any, ball: Any, body: Any, plan: Any, now: float
+    features: Any, system: Any, grid: Any, averages: Any, species: Any, ball: Any, body: Any, plan: Any, now: float
 ) -> None:
     """Give a ball a new Maxwellian velocity and spin (Andersen's thermostat)."""
     one, v0, w0 = species[U64(ball.species)], (ball.vx, ball.vy, ball.vz), (body.wx, body.wy, body.wz)
     moment = one.kappa * one.radius * one.radius
     before = squared_length(v0) + moment * squared_length(w0)
     v = _draw_maxwellian(system, system.dimensions == 2, body, one, system.temperature, system.spin_temperature)
+    if features is not None:
+        v = with_flow(features.shear, grid, ball.y, v)
     _set_motion(averages, grid, ball, body, plan, one, v, (body.wx, body.wy, body.wz), v0, w0, now)
     system.thermostat_energy += (
         one.mass / 2.0 * (squared_length(v) + moment * squared_length((body.wx, body.wy, body.wz)) - before)
