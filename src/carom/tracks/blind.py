@@ -2,8 +2,9 @@
 
 A wall that gives way affects the frames of the contact itself, a tracker that smooths some frames after it. There the residuals
 across the wall are large. Their start and end are a change point: bins next to the contact in which half of the residuals exceed a
-threshold, beyond them as many as far away. The change point is the one of greatest likelihood; its standard deviation comes from
-contacts drawn with replacement, because residuals of one contact are not independent.
+threshold, beyond them as many as far away. If there is one, it is the mean of those of greatest likelihood in contacts drawn
+with replacement, because residuals of one contact are not independent, each draw weighted by the prior that long blind times are
+rare. Few contacts often have a second maximum far out, which so moves their mean little.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ LARGE_SHARE = 0.5  # of the residuals within the blind time
 MIN_SHARE = 0.02  # of large residuals far away, at least
 DECISIVE = 6.0  # log likelihood ratio from which a blind time is taken to exist
 DRAWS = 200
+USUAL_BINS = 8.0  # four frames: mean of the exponential prior of the blind time
 
 
 class BlindTime(NamedTuple):
@@ -59,14 +61,17 @@ def estimate_blind_time(contacts: Sequence[TrackContact], interval: float) -> Bl
             k = np.floor(2 * sign * t / interval).astype(int)
             here = (sign * t >= 0) & (k < BINS)
             np.add.at(row, k[here], np.where(size[here] > limit, *gains))
-        found.append(_change_point(gain.sum(axis=0)) / 2 * interval)
-        drawn = [_change_point(row) for row in weights @ gain]
-        errors.append(float(np.std(drawn)) / 2 * interval)
+        exists = _change_point(gain.sum(axis=0)) > 0
+        drawn = np.array([_change_point(row, -np.inf if exists else DECISIVE) for row in weights @ gain])
+        prior = np.exp(-drawn / USUAL_BINS)
+        middle = float(np.average(drawn, weights=prior)) if exists else 0.0
+        found.append(middle / 2 * interval)
+        errors.append(float(np.average((drawn - middle) ** 2, weights=prior)) ** 0.5 / 2 * interval)
     return BlindTime(*found, *errors)
 
 
-def _change_point(gain: Array) -> int:
-    """Return how many bins belong to the blind time."""
+def _change_point(gain: Array, decisive: float = DECISIVE) -> int:
+    """Return how many bins belong to the blind time; 0 unless the log likelihood gains more than ``decisive``."""
     total = np.concatenate([[0.0], np.cumsum(gain)])
     best = int(np.argmax(total))
-    return best if total[best] > DECISIVE else 0
+    return best if total[best] > decisive else 0
