@@ -4,7 +4,6 @@
 /** @import { Engine } from "./state/compute.js" */
 /** @import { Box, Palette, View } from "./view/shot.js" */
 import { requireTime } from "./engine/arguments.js";
-import { incidenceAt } from "./engine/compare.js";
 import { loadEngine } from "./engine/engine.js";
 import { loadRecorded } from "./engine/recorded.js";
 import { byId, el } from "./panels/dom.js";
@@ -230,7 +229,7 @@ function show(data, engine) {
     const found = curvesOf(engine, meeting, shown.map(({ name }) => name));
     angles.update(
       shown.map(({ name, dashes }) => ({ name, colour: of.get(name) ?? "#888", dashes, width: name === state.followed ? 2.4 : 1.6, points: found.get(name) ?? [] })),
-      state.rebounds, meeting && angleShown(incidenceAt(meeting)),
+      state.rebounds, meeting && angleShown(engine.incidenceAt(meeting)),
       shown.flatMap(({ name }) => {
         const angle = verdicts.get(name)?.angle;
         return typeof angle === "number" ? [{ colour: of.get(name) ?? "#888", y: angle }] : [];

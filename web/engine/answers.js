@@ -5,12 +5,11 @@
 /** @import { Law } from "./types.js" */
 /** @import { Meeting } from "./meeting.js" */
 /** @import { Module } from "./module.js" */
-import { dot, minus } from "../state/vectors.js";
-import { slips } from "./slip.js";
+import { numbersOf } from "./objections.js";
 
 /** @typedef {{v: Vec, w: Vec}} Motion */
 
-/** Flight, first landing and final rolling. @typedef {{duration: number, height: number, distance: number, after: Motion, required: number, regime: string, rolling: Motion, why: number}} Steps */
+/** Flight, first landing and final rolling. @typedef {{height: number, distance: number, required: number, rolling: Motion, why: number}} Steps */
 
 /**
  * @typedef {object} Answer
@@ -21,7 +20,7 @@ import { slips } from "./slip.js";
  * @property {string} why why there is no final state, else empty
  * @property {Steps | null} steps
  * @property {number} [vertical] the vertical velocity after the wall that a law of cushions drops, m/s
- * @property {{regime: string, required: number, floorImpulse: Vec} | null} impact the wall's contact, of the two-step law
+ * @property {boolean} [withFloor] whether the floor has a part in the required friction before the landing, as in the two-step law
  */
 
 const ROUNDING = 1e-12;
@@ -41,29 +40,22 @@ function atWall(module, m, law) {
 /** @param {Module} module @param {Meeting} m @param {Motion} after @returns {Steps | null} null without a floor */
 function settle(module, m, after) {
   if (m.floor === null) return null;
-  const { memory, layout } = module;
+  const { memory } = module;
   const numbers = [...after.v, ...after.w, ...m.n, m.radius, m.kappa, m.floor.e, m.floor.mu, m.floor.beta, m.g, m.height];
   const [taken, out] = [memory.put(numbers), memory.take(8 * 21)];
   module.call("second_impact", 0, taken, numbers.length, out, 21);
   const found = memory.numbers(out, 21);
-  return {
-    duration: found[0], height: found[1], distance: found[2],
-    after: { v: three(found, 3), w: three(found, 6) },
-    required: found[12], regime: layout.regimes[found[13]],
-    rolling: { v: three(found, 14), w: three(found, 17) },
-    why: found[20],
-  };
+  return { height: found[1], distance: found[2], required: found[12], rolling: { v: three(found, 14), w: three(found, 17) }, why: found[20] };
 }
 
-/** Tangential over normal impulse of a wall that turns one motion into another. @param {Meeting} m @param {Motion} after */
-function requiredFriction(m, after) {
-  const change = minus(after.v, m.v);
-  /** @type {Vec} */
-  const j = [change[0] * m.mass, change[1] * m.mass, change[2] * m.mass];
-  const jn = dot(j, m.n);
-  /** @type {Vec} */
-  const f = [j[0] - jn * m.n[0], j[1] - jn * m.n[1], j[2] - jn * m.n[2]];
-  return jn > 0 ? Math.sqrt(dot(f, f)) / jn : 0;
+/** What is said of the motion just after a wall, and of the last one (carom.explorer.entries.judge_row). @param {Module} module @param {Meeting} m @param {Motion} after @param {Motion} [final] */
+export function judged(module, m, after, final = after) {
+  const { memory } = module;
+  const numbers = [...numbersOf(m), ...after.v, ...after.w, ...final.v, ...final.w];
+  const [given, out] = [memory.put(numbers), memory.take(48)];
+  module.call("judge", 0, given, numbers.length, out, 6);
+  const [required, slips, incidence, afterWall, angle, kept] = memory.numbers(out, 6);
+  return { required, slips, incidence, afterWall, angle, kept };
 }
 
 /** @param {Module} module @param {Meeting} m @param {Motion} after @returns {Answer} */
@@ -72,11 +64,10 @@ function wallThenFloor(module, m, after) {
   return {
     afterWall: after,
     final: steps === null ? after : steps.rolling,
-    required: requiredFriction(m, after),
+    required: judged(module, m, after).required,
     requiredFloor: steps === null ? 0 : steps.required,
     why: steps === null ? "" : module.layout.reasons[steps.why],
     steps,
-    impact: null,
   };
 }
 
@@ -99,7 +90,7 @@ function twoStep(module, m, together) {
     ...answer,
     required: found[12],
     requiredFloor: Math.max(landing, used >= layout.limits.least_firm / 2 ? Infinity : used),
-    impact: { regime: layout.regimes[found[13]], required: found[12], floorImpulse: jf },
+    withFloor: true,
   };
 }
 
@@ -113,7 +104,7 @@ function onTable(module, m, law) {
   const full = answerOf(module, { ...m, e, mu, beta: 0, floor, height, together: true }, found);
   const [vx, vy, vz] = full.afterWall.v;
   const own = wallThenFloor(module, m, { v: [vx, vy, m.v[2] === 0 && m.n[2] <= ROUNDING ? 0 : vz], w: full.afterWall.w });
-  const acts = full.impact && (vz > 0 ? 0 : full.requiredFloor);
+  const acts = full.withFloor ? (vz > 0 ? 0 : full.requiredFloor) : undefined;
   return { ...own, required: full.required, requiredFloor: acts ?? own.requiredFloor, vertical: vz };
 }
 
@@ -121,15 +112,14 @@ function onTable(module, m, law) {
 export function answerOf(module, m, law) {
   const { responses } = module.layout;
   if (law.on_table !== "") return onTable(module, m, law);
-  if (law.response === responses["two-step"]) return twoStep(module, m, m.together);
-  if (law.name === "two-step-after") return twoStep(module, m, false);
+  if (law.order !== "") return twoStep(module, m, law.order === "scene" ? m.together : law.order === "with");
   const after = atWall(module, m, law);
-  const alone = { afterWall: after, final: after, why: "", steps: null, impact: null };
+  const alone = { afterWall: after, final: after, why: "", steps: null };
   if (law.response === responses.mirror) return { ...alone, required: 0, requiredFloor: 0 };
   if (law.response === responses.rolling) {
-    const needed = slips(m, { v: m.v, w: m.w }, m.n) ? 1 : 0;
+    const needed = judged(module, m, after).slips;
     return { ...alone, required: needed, requiredFloor: needed };
   }
-  if (law.ignores_floor) return { ...alone, required: requiredFriction(m, after), requiredFloor: 0 };
+  if (law.ignores_floor) return { ...alone, required: judged(module, m, after).required, requiredFloor: 0 };
   return wallThenFloor(module, m, after);
 }

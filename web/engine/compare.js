@@ -5,25 +5,8 @@
 /** @import { Law, Verdict } from "./types.js" */
 /** @import { Meeting } from "./meeting.js" */
 /** @import { Module } from "./module.js" */
-import { answerOf } from "./answers.js";
+import { answerOf, judged } from "./answers.js";
 import { objections, unmet } from "./objections.js";
-import { remarksOn } from "./remarks.js";
-import { kineticEnergy, sum } from "./slip.js";
-
-/** Angle along the floor from the wall's normal, degrees: 0 along it, 90 along the wall. @param {Vec} n @param {Vec} v @param {number} way 1 away from the wall, -1 towards it */
-function angleFrom(n, v, way) {
-  const size = Math.sqrt(n[0] ** 2 + n[1] ** 2);
-  const [nx, ny] = [n[0] / size, n[1] / size];
-  return (Math.atan2(Math.abs(nx * v[1] - ny * v[0]), way * (nx * v[0] + ny * v[1])) * 180) / Math.PI;
-}
-
-/** @param {Meeting} m @param {Motion} motion @returns {number | null} null if it is at rest up to rounding, or the normal is vertical */
-function angleOf(m, motion) {
-  const size = sum(m.v) + m.radius * sum(m.w);
-  if (!(Math.abs(motion.v[0]) + Math.abs(motion.v[1]) > 1e-12 * size)) return null;
-  const angle = angleFrom(m.n, motion.v, 1);
-  return Number.isNaN(angle) ? null : angle;
-}
 
 /** @param {number} x */
 const known = (x) => (Number.isNaN(x) ? null : x);
@@ -46,26 +29,25 @@ function verdict(module, m, law) {
     law: law.name, angle: null, angle_after_wall: null, velocity: null, spin: null, after_wall: null, energy_kept: null, hop: null,
     flight: null, required: null, available: m.mu, required_floor: null, available_floor: m.floor?.mu ?? null,
   };
-  if (answer === null) return { ...nothing, admissible: false, reasons: [why], remarks: [] };
+  if (answer === null) return { ...nothing, admissible: false, reasons: [why] };
   const reasons = objections(module, m, law, answer);
   const final = isMotion(answer.final) ? answer.final : null;
   const { afterWall, steps } = answer;
-  const energy = kineticEnergy(m, m);
+  const said = judged(module, m, afterWall, answer.final);
   return {
     ...nothing,
-    angle: final && angleOf(m, final),
-    angle_after_wall: angleOf(m, afterWall),
+    angle: final && known(said.angle),
+    angle_after_wall: known(said.afterWall),
     velocity: final && final.v,
     spin: final && final.w,
     after_wall: { velocity: afterWall.v, spin: afterWall.w },
-    energy_kept: final && energy > 0 ? kineticEnergy(m, final) / energy : null,
+    energy_kept: final && known(said.kept),
     hop: steps && known(steps.height),
     flight: steps && known(steps.distance),
     required: known(answer.required),
     required_floor: known(answer.requiredFloor),
     admissible: reasons.length === 0,
     reasons,
-    remarks: remarksOn(m, answer, final),
   };
 }
 
@@ -82,8 +64,11 @@ export function verdicts(module, m, also) {
   });
 }
 
-/** The angle of incidence, degrees. @param {Meeting} m */
-export const incidenceAt = ({ n, v }) => angleFrom(n, v, -1);
+/** The angle of incidence, degrees. @param {Module} module @param {Meeting} m */
+export function incidenceAt(module, m) {
+  module.memory.clear();
+  return judged(module, m, m).incidence;
+}
 
 /** A meeting at another angle of incidence: velocity and spin turned about the vertical. @param {Meeting} m @param {number} degrees @returns {Meeting} */
 export function atIncidence(m, degrees) {
@@ -104,6 +89,6 @@ export function reflections(module, law, meeting, incidences, stage) {
     const m = atIncidence(meeting, degrees);
     const { answer } = answered(module, m, law);
     const motion = answer && (stage === "wall" ? answer.afterWall : answer.final);
-    return motion && isMotion(motion) ? angleOf(m, motion) : null;
+    return motion && isMotion(motion) ? known(judged(module, m, motion).angle) : null;
   });
 }

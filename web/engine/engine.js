@@ -5,7 +5,7 @@
 /** @import { Law, Layout, Limits, Run, Verdict } from "./types.js" */
 /** @import { Module } from "./module.js" */
 import { requireLaw, requireLimits } from "./arguments.js";
-import { reflections, verdicts } from "./compare.js";
+import { incidenceAt, reflections, verdicts } from "./compare.js";
 import { firstMeeting } from "./meeting.js";
 import { loadModule } from "./module.js";
 import { reportOf } from "./report.js";
@@ -80,6 +80,11 @@ export class Engine {
   /** The same of a meeting. @param {Meeting} meeting @param {string[]} [also] @returns {Verdict[]} */
   compareAt(meeting, also = []) {
     return verdicts(this.module, meeting, also);
+  }
+
+  /** The angle of incidence of a meeting, degrees. @param {Meeting} meeting */
+  incidenceAt(meeting) {
+    return incidenceAt(this.module, meeting);
   }
 
   /** The first ball just before the first wall. @param {Scene} scene @returns {Meeting} */

@@ -19,6 +19,23 @@ export class Module {
     this.exports[name](out, ...rest);
   }
 
+  /** Rows of numbers that a function writes, as many as it has; it is given lists, tables, numbers, and addresses with counts.
+   * @param {string} name @param {(number | number[] | {rows: number[][], columns: number})[]} given @param {number} columns @param {number} room @returns {number[][]} */
+  rows(name, given, columns, room) {
+    const { memory } = this;
+    const top = memory.top;
+    const taken = given.flatMap((one) => {
+      if (typeof one === "number") return one;
+      return Array.isArray(one) ? [memory.put(one), one.length] : [memory.put(one.rows.flat()), one.rows.length, one.columns];
+    });
+    const [out, rows] = [memory.take(8), memory.take(8 * columns * room)];
+    this.call(name, out, ...taken, rows, room, columns);
+    const count = memory.words[out / 4];
+    const found = Array.from({ length: Math.min(count, room) }, (_, i) => memory.numbers(rows + 8 * columns * i, columns));
+    memory.top = top;
+    return count > room ? this.rows(name, given, columns, count) : found;
+  }
+
   /** By which compiled code calls a function. @param {string} name @returns {number} */
   address(name) {
     return this.exports[`address_of_${name}`]();

@@ -1,9 +1,8 @@
 // A run as `carom simulate --json` prints it: the same names, in the same order.
 
-/** @import { Scene, Vec } from "../state/types.js" */
+/** @import { Scene } from "../state/types.js" */
 /** @import { Run } from "./types.js" */
-import { dot } from "../state/vectors.js";
-import { kappaOf } from "../scene/setup.js";
+import { kineticEnergy } from "../scene/setup.js";
 
 const ENDED = { quiet: "nothing more happens", done: "duration", limit: "max_events", time: "time of computing", refused: "refused" };
 
@@ -14,11 +13,6 @@ const finite = (x) => (Number.isFinite(x) ? x : null);
 export function reportOf(scene, run) {
   const wallNames = scene.walls.map((wall, i) => wall.name || `${wall.shape} ${i}`);
   const ballNames = scene.balls.map((ball, i) => ball.name || `ball ${i}`);
-  /** J. @param {number} i @param {Vec} v @param {Vec} w */
-  const energy = (i, v, w) => {
-    const { mass, radius } = scene.balls[i];
-    return (mass * dot(v, v)) / 2 + (kappaOf(scene.balls[i]) * mass * (radius * radius) * dot(w, w)) / 2;
-  };
   return {
     events: run.events.map((event) => ({
       t: event.t,
@@ -32,7 +26,7 @@ export function reportOf(scene, run) {
       phase: event.phase,
       impulse: event.impulse,
       required_friction: finite(event.required),
-      energy_lost: energy(event.ball, event.v_before, event.w_before) - energy(event.ball, event.v, event.w),
+      energy_lost: kineticEnergy(scene.balls[event.ball], event.v_before, event.w_before) - kineticEnergy(scene.balls[event.ball], event.v, event.w),
     })),
     final: run.final.map(({ x, v, w, phase }, i) => ({ position: x, velocity: v, spin: w, phase, name: ballNames[i] })),
     end: run.until,

@@ -78,25 +78,50 @@ export function follow(module, scene, limits) {
 export function runScene(module, scene, limits) {
   const followed = follow(module, scene, limits);
   const { status, code, balls, atFault } = followed;
-  return { ...runOf(module, scene, followed), why: status === "refused" ? refusal(module, scene, code, balls, atFault) : "" };
+  const why = status === "refused" ? refusal(module, scene, code, balls, atFault) : "";
+  return { ...runOf(module, scene, followed), why };
 }
 
 /** Events, pieces of motion and final states from what a log holds; its first rows are the balls' starts. @param {Module} module @param {Scene} scene @param {Pick<Followed, "world" | "balls" | "logs" | "status" | "end">} followed @returns {Run} */
 export function runOf(module, scene, { world, balls, logs, status, end }) {
+  const { memory, layout } = module;
+  const { balls: record, log } = layout.records;
   const found = readLog(module, logs);
-  /** @type {LoggedEvent[][]} */
-  const perBall = scene.balls.map(() => []);
-  for (const row of found) perBall[row.ball].push(row);
-  const bytes = module.layout.records.balls.bytes;
   const open = status === "quiet" ? Infinity : end; // where nothing more happens, the last motion goes on
+  const rows = logs.reduce((sum, part) => sum + part.rows, 0);
+  const whole = logs.length === 1 ? logs[0].at : joined(module, logs, rows * log.bytes);
+  const last = memory.take(72);
+  const motions = scene.balls.map((_, i) => {
+    // (a ball to work in, and the numbers that it ends with)
+    const table = module.rows("pieces", [world, 1, balls + i * record.bytes, 1, whole, rows, i, open, end, last, 9], PIECE_COLUMNS, FIRST_ROWS);
+    const [x, v, w] = [0, 3, 6].map((k) => /** @type {Vec} */ (memory.numbers(last + 8 * k, 3)));
+    return { pieces: table.map((row) => pieceOf(row, layout.phases)), x, v, w };
+  });
+  const phase = (/** @type {number} */ i) => found.findLast((row) => row.ball === i)?.phase ?? "";
   return {
-    status,
-    why: "",
-    until: end,
-    events: found.slice(perBall.length),
-    final: finalStates(module, world, balls, perBall, end),
-    balls: perBall.map((rows, i) => ({ pieces: pieces(module, world, balls + i * bytes, rows, open) })),
+    status, why: "", until: end, events: found.slice(scene.balls.length), balls: motions.map(({ pieces }) => ({ pieces })),
+    final: motions.map(({ x, v, w }, i) => ({ x, v, w, phase: phase(i) })),
   };
+}
+
+const PIECE_COLUMNS = 18; // as carom.explorer.pieces writes them
+
+/** @param {number[]} r @param {string[]} phases @returns {Piece} */
+const pieceOf = (r, phases) => ({
+  t: r[0], lasts: r[1], x: [r[2], r[3], r[4]], v: [r[5], r[6], r[7]], w: [r[8], r[9], r[10]], acc: [r[11], r[12], r[13]],
+  turn: [r[14], r[15], r[16]], phase: phases[r[17]],
+});
+
+/** Parts of the log, one after the other. @param {Module} module @param {Part[]} logs @param {number} bytes @returns {number} their address */
+function joined({ memory, layout }, logs, bytes) {
+  let to = memory.take(bytes);
+  const first = to;
+  for (const { at, rows } of logs) {
+    const size = rows * layout.records.log.bytes;
+    new Uint8Array(memory.memory.buffer).copyWithin(to, at, at + size);
+    to += size;
+  }
+  return first;
 }
 
 /** @param {Module} module @param {Part[]} logs @returns {LoggedEvent[]} */
@@ -137,118 +162,6 @@ function readLog(module, logs) {
     }
   }
   return found;
-}
-
-/** Records of one ball in the states of rows. @param {Module} module @param {number} ball @param {LoggedEvent[]} rows @returns {number} */
-function ballsIn(module, ball, rows) {
-  const { memory, layout } = module;
-  const record = layout.records.balls;
-  const at = memory.take(record.bytes * Math.max(rows.length, 1));
-  const size = record.bytes / 8;
-  const [x, v, w, clock] = ["x", "v", "w", "clock"].map((name) => record.fields[name].at / 8);
-  const phase = record.fields.phase.at;
-  const codes = new Map(layout.phases.map((name, code) => [name, code]));
-  const numbers = memory.doubles;
-  let one = at / 8;
-  for (const row of rows) {
-    numbers.copyWithin(one, ball / 8, ball / 8 + size);
-    for (let k = 0; k < 3; k++) {
-      numbers[one + x + k] = row.x[k];
-      numbers[one + v + k] = row.v[k];
-      numbers[one + w + k] = row.w[k];
-    }
-    numbers[one + clock] = 0;
-    memory.putWhole(8 * one + phase, codes.get(row.phase) ?? 0);
-    one += size;
-  }
-  return at;
-}
-
-/** @param {string} phase */
-const gone = (phase) => phase === "held" || phase === "left" || phase === "pocketed";
-
-const PIECE = 0.05; // s: a ball whose acceleration decays is drawn by parabolas so short, 1e-7 m from its path
-
-/** Rows with more in between where the acceleration of a ball decays. @param {Module} module @param {number} world @param {number} ball @param {LoggedEvent[]} rows @param {number} end @returns {LoggedEvent[]} */
-function withPartsOf(module, world, ball, rows, end) {
-  const { memory, layout } = module;
-  const record = layout.records.balls;
-  const at = ballsIn(module, ball, rows);
-  module.call("begin", 0, world, 1, at, rows.length);
-  const decays = memory.field(record, "decays");
-  const [x, v, w] = ["x", "v", "w"].map((name) => memory.field(record, name));
-  return rows.flatMap((row, i) => {
-    const lasts = (rows[i + 1]?.t ?? end) - row.t;
-    if (decays(at + i * record.bytes) === 0 || gone(row.phase) || !(lasts > PIECE && lasts < Infinity)) return [row];
-    const parts = Array.from({ length: Math.ceil(lasts / PIECE) }, (_, k) => k * PIECE);
-    const first = ballsIn(module, ball, parts.map(() => row));
-    module.call("states", 0, world, 1, first, parts.length, memory.put(parts), parts.length);
-    const places = parts.map((_, k) => first + k * record.bytes);
-    return places.map((one, k) => (k === 0 ? row : { ...row, t: row.t + parts[k], x: x(one), v: v(one), w: w(one) }));
-  });
-}
-
-/** The motion between events, in closed form. @param {Module} module @param {number} world @param {number} ball @param {LoggedEvent[]} events @param {number} end @returns {Piece[]} */
-function pieces(module, world, ball, events, end) {
-  const { memory, layout } = module;
-  const rows = withPartsOf(module, world, ball, events, end);
-  const record = layout.records.balls;
-  const at = ballsIn(module, ball, rows);
-  module.call("begin", 0, world, 1, at, rows.length);
-  const [acc, turn] = [memory.field(record, "acc"), memory.field(record, "turn")];
-  /** @type {Piece[]} */
-  const found = [];
-  rows.forEach((row, i) => {
-    const next = rows[i + 1];
-    const lasts = (next?.t ?? end) - row.t;
-    if (!(lasts > 0) && next !== undefined) return;
-    const one = at + i * record.bytes;
-    /** @type {Piece} */
-    const piece = { t: row.t, lasts, x: row.x, v: row.v, w: row.w, acc: acc(one), turn: turn(one), phase: row.phase };
-    if (gone(row.phase)) Object.assign(piece, { v: [0, 0, 0], acc: [0, 0, 0], turn: [0, 0, 0] });
-    if (row.phase === "bouncing") Object.assign(piece, along(module, world, one, lasts, row.x));
-    found.push(...untilSpinEnds(piece));
-  });
-  return found;
-}
-
-/** The spin about the vertical fades, and stays at zero: a piece in which it ends becomes two. @param {Piece} piece @returns {Piece[]} */
-function untilSpinEnds(piece) {
-  const { t, lasts, x, v, w, acc, turn } = piece;
-  const s = -w[2] / turn[2];
-  if (!(s > 0 && s < lasts)) return [piece];
-  /** @param {Vec} p @param {Vec} rate @param {Vec} [bend] @returns {Vec} */
-  const later = (p, rate, bend = [0, 0, 0]) => [
-    p[0] + rate[0] * s + (bend[0] * s * s) / 2,
-    p[1] + rate[1] * s + (bend[1] * s * s) / 2,
-    p[2] + rate[2] * s + (bend[2] * s * s) / 2,
-  ];
-  const [wx, wy] = later(w, turn);
-  const second = { ...piece, t: t + s, lasts: lasts - s, x: later(x, v, acc), v: later(v, acc) };
-  return [{ ...piece, lasts: s }, { ...second, w: [wx, wy, 0], turn: [turn[0], turn[1], 0] }];
-}
-
-/** Bounces too low to see, as the straight line from the first to the last. @param {Module} module @param {number} world @param {number} ball @param {number} lasts @param {Vec} x */
-function along(module, world, ball, lasts, x) {
-  const { memory, layout } = module;
-  if (!(lasts > 0)) return { v: [0, 0, 0], acc: [0, 0, 0] };
-  module.call("states", 0, world, 1, ball, 1, memory.put([lasts]), 1);
-  const y = memory.field(layout.records.balls, "x")(ball);
-  return { v: [(y[0] - x[0]) / lasts, (y[1] - x[1]) / lasts, 0], acc: [0, 0, 0] };
-}
-
-/** @param {Module} module @param {number} world @param {number} balls @param {LoggedEvent[][]} perBall @param {number} end */
-function finalStates(module, world, balls, perBall, end) {
-  const { memory, layout } = module;
-  const record = layout.records.balls;
-  return perBall.map((rows, i) => {
-    const row = rows[rows.length - 1];
-    if (gone(row.phase)) return { x: row.x, v: row.v, w: row.w, phase: row.phase };
-    const one = ballsIn(module, balls + i * record.bytes, [row]);
-    module.call("states", 0, world, 1, one, 1, memory.put([end - row.t]), 1);
-    const [x, v, w] = ["x", "v", "w"].map((name) => memory.field(record, name)(one));
-    return { x, v, w, phase: row.phase };
-  });
 }
 
 /** Why a law has no answer, as carom.simulate says it. @param {Module} module @param {Scene} scene @param {number} code @param {number} balls @param {number} i */

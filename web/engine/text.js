@@ -24,7 +24,7 @@ export function general(x, digits) {
 export const vectorText = (v, digits) => `(${Array.from(v, (x) => general(x, digits)).join(", ")})`;
 
 /** As carom.formatting.format_number. @param {number} x @param {number} [digits] */
-export function numberText(x, digits = 3) {
+function numberText(x, digits = 3) {
   if (Number.isNaN(x)) return "–";
   if (!Number.isFinite(x)) return x > 0 ? "∞" : "−∞";
   const size = Math.abs(x);
@@ -35,14 +35,11 @@ export function numberText(x, digits = 3) {
 }
 
 /** A length in m as text in m, mm or µm. @param {number} x @param {number} [digits] */
-export function lengthText(x, digits = 3) {
+function lengthText(x, digits = 3) {
   const size = Math.abs(x);
   if (size >= 1) return `${numberText(x, digits)} m`;
   return size >= 1e-3 ? `${numberText(x * 1e3, digits)} mm` : `${numberText(x * 1e6, digits)} µm`;
 }
-
-/** A time in s as text in s or ms. @param {number} x */
-export const timeText = (x) => (x >= 1 ? `${numberText(x)} s` : `${numberText(x * 1e3)} ms`);
 
 /** A number of a scene; "inf" is infinity. @param {unknown} value @returns {number} */
 export function extended(value) {

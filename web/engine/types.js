@@ -25,6 +25,7 @@
  * @property {"tangential_restitution" | "stiffness_ratio" | "floor_friction"} last
  * @property {Record<string, number>} defaults its authors' parameters, where a wall has none
  * @property {string} on_table the law that it equals but for the vertical velocity, which stays zero; else empty
+ * @property {string} order of wall and floor, of a law that answers as the two-step law does: "scene", "with" or "after"; else empty
  * @property {string} variant_of
  * @property {boolean} one_contact whether the engine's own contact of two balls is this law
  * @property {Vec | null} slip_friction
@@ -144,7 +145,6 @@
  * @property {number | null} available_floor
  * @property {boolean} admissible
  * @property {string[]} reasons why it may not apply
- * @property {string[]} remarks what happens
  */
 
 export {};

@@ -8,7 +8,7 @@ import { unmetRules } from "../engine/objections.js";
 import { extended, fill, filled, general, repr } from "../engine/text.js";
 import { length } from "../state/vectors.js";
 import { fieldFaults } from "./fields.js";
-import { placeAt, rowsOf } from "./shapes.js";
+import { placeAt } from "./shapes.js";
 import { centerOf, contactModulus, kappaOf, lawOf, pairLawOf, pairStiffness, setUp } from "./setup.js";
 
 const COLUMNS = 7; // of rows of faults
@@ -43,8 +43,8 @@ export function sceneFaults(module, scene) {
     table(blocked, count),
   ];
   return [
-    ...rowsOf("faults_on_floor", [ground, table(rows, 9)], COLUMNS, count + 1).map(said), ...lawFaults(module, scene),
-    ...rowsOf("faults_at_walls", atWalls, COLUMNS, 64).map(said),
+    ...module.rows("faults_on_floor", [ground, table(rows, 9)], COLUMNS, count + 1).map(said), ...lawFaults(module, scene),
+    ...module.rows("faults_at_walls", atWalls, COLUMNS, 64).map(said),
   ];
 }
 

@@ -30,7 +30,7 @@ export function fieldFaults(module, at, value, field) {
   if (field.of) return fieldFaults(module, at, value, fields[field.of]);
   const { kind, what, each } = field;
   const fault = (/** @type {string} */ expected = what, /** @type {unknown} */ got = value, /** @type {string} */ place = at) =>
-    [`${place || "scene"}: expected ${expected}, got ${shown(got)}`];
+    [`${place || "scene"}: expected ${expected}, got ${shown(at === "" ? (got ?? undefined) : got)}`];
   /** @param {any[]} list @param {Field} of */
   const inside = (list, of) => list.flatMap((one, i) => fieldFaults(module, `${at}[${i}]`, one, of));
   const place = (/** @type {string} */ name) => (at === "" ? name : `${at}.${name}`);

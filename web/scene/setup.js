@@ -3,6 +3,7 @@
 /** @import { Ball, Restitution, Scene, Vec, Wall } from "../state/types.js" */
 /** @import { Law, Layout } from "../engine/types.js" */
 import { extended } from "../engine/text.js";
+import { dot } from "../state/vectors.js";
 import { featuresOf, placeAt } from "./shapes.js";
 
 /** @typedef {Record<string, number | boolean | number[]>} Row fields of a record by name */
@@ -13,6 +14,9 @@ const INERTIAS = { solid: 2 / 5, hollow: 2 / 3 };
 
 /** I / (m a^2). @param {Ball} ball @returns {number} */
 export const kappaOf = (ball) => (typeof ball.inertia === "string" ? INERTIAS[ball.inertia] : ball.inertia);
+
+/** J. @param {Ball} ball @param {Vec} v @param {Vec} w */
+export const kineticEnergy = (ball, v, w) => (ball.mass * dot(v, v)) / 2 + (kappaOf(ball) * ball.mass * (ball.radius * ball.radius) * dot(w, w)) / 2;
 
 /** Acceleration in flight along the axes of the floor: gravity, turned by its slope. @param {Scene} scene @returns {Vec} */
 export function pullOf({ gravity, floor }) {

@@ -57,22 +57,6 @@ function numbersOf(part, fields) {
 /** @param {Wall} wall */
 const wallNumbers = (wall) => numbersOf(wall, engine().layout.shapes[wall.shape].numbers);
 
-/** Rows of numbers that a kernel writes, as many as it has. @param {string} name @param {(number | number[] | {rows: number[][], columns: number})[]} given lists, tables, and addresses with counts @param {number} columns @param {number} room @returns {number[][]} */
-export function rowsOf(name, given, columns, room) {
-  const { memory } = engine();
-  const top = memory.top;
-  const taken = given.flatMap((one) => {
-    if (typeof one === "number") return one;
-    return Array.isArray(one) ? [memory.put(one), one.length] : [memory.put(one.rows.flat()), one.rows.length, one.columns];
-  });
-  const [out, rows] = [memory.take(8), memory.take(8 * columns * room)];
-  engine().call(name, out, ...taken, rows, room, columns);
-  const count = memory.words[out / 4];
-  const found = Array.from({ length: Math.min(count, room) }, (_, i) => memory.numbers(rows + 8 * columns * i, columns));
-  memory.top = top;
-  return count > room ? rowsOf(name, given, columns, count) : found;
-}
-
 /** What a ball can touch of a wall, and the gates above. @param {Wall} wall @returns {Feature[]} */
 export function featuresOf(wall) {
   const numbers = wallNumbers(wall);
@@ -80,7 +64,7 @@ export function featuresOf(wall) {
   let found = kept.get(key);
   if (found === undefined) {
     if (kept.size >= MOST_KEPT) kept.clear();
-    found = rowsOf(`features_${wall.shape}`, [numbers], COLUMNS, ROOM).map((r) => ({
+    found = engine().rows(`features_${wall.shape}`, [numbers], COLUMNS, ROOM).map((r) => ({
       kind: r[0], p: [r[1], r[2], r[3]], d: [r[4], r[5], r[6]], R: r[7], side: r[8], u: [r[9], r[10], r[11]],
       lo1: r[12], hi1: r[13], lo2: r[14], hi2: r[15], pocket: r[16],
     }));
@@ -116,7 +100,7 @@ const pocketName = (wall, place) => (engine().layout.shapes[wall.shape].pockets 
 export function ruleFaults({ layout }, at, name, value) {
   const own = name in layout.parts ? `part_${name}` : name;
   const { numbers, faults, pockets } = layout.parts[name] ?? layout.shapes[name];
-  const found = rowsOf(`faults_${own}`, [numbersOf(value, numbers)], FAULT_COLUMNS, FAULTS).map(([code, a, b, c]) => filled(faults[code], { ...value, a, b, c }, at, pockets));
+  const found = engine().rows(`faults_${own}`, [numbersOf(value, numbers)], FAULT_COLUMNS, FAULTS).map(([code, a, b, c]) => filled(faults[code], { ...value, a, b, c }, at, pockets));
   const vanishes = found.length === 0 && name in layout.shapes && featuresOf(value).some(({ p, d, R }) => Number.isNaN(p[0] + p[1] + p[2] + d[0] + d[1] + d[2] + R));
   return vanishes ? [filled(layout.vanishes, {}, at)] : found;
 }

@@ -16,6 +16,7 @@ export const AS_GIVEN = "as in the scene";
  * @property {(scene: Scene, law?: string, limits?: {events?: number, until?: number, milliseconds?: number}) => Run} run
  * @property {(scene: Scene) => Meeting} meeting
  * @property {(meeting: Meeting, also: string[]) => Verdict[]} compareAt
+ * @property {(meeting: Meeting) => number} incidenceAt
  * @property {(law: string, meeting: Meeting, incidences: number[]) => (number | null)[]} curveAt
  */
 

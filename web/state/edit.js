@@ -2,11 +2,12 @@
 // as it was, for the way back.
 
 /** @import { Ball, Extended, Scene, Surface, Vec, Wall } from "./types.js" */
-import { kappaOf } from "./motion.js";
+import { extended } from "../engine/text.js";
+import { kappaOf, spinOf } from "../scene/setup.js";
 import { unit } from "./vectors.js";
 
 /** @param {Extended | null | undefined} value */
-export const toNumber = (value) => (value === "inf" ? Infinity : value === "-inf" ? -Infinity : (value ?? Infinity));
+export const toNumber = (value) => (value === null || value === undefined ? Infinity : extended(value));
 /** @param {number} value @returns {Extended} */
 export const fromNumber = (value) => (value === Infinity ? "inf" : value === -Infinity ? "-inf" : value);
 
@@ -64,12 +65,6 @@ export function withHeading(scene, i, speed, degrees) {
   const s = Math.sin(degrees * DEGREE) * speed;
   const vz = scene.balls[i].velocity[2];
   return withBall(scene, i, { velocity: n ? [-c * n[0] - s * n[1], -c * n[1] + s * n[0], vz] : [c, s, vz] });
-}
-
-/** Spin of a ball: rolling follows from the velocity (27). @param {Ball} ball @returns {Vec} */
-export function spinOf(ball) {
-  if (!ball.rolling) return ball.spin ?? [0, 0, 0];
-  return [-ball.velocity[1] / ball.radius, ball.velocity[0] / ball.radius, ball.spin_z ?? 0];
 }
 
 /** A ball at its start: rolling or not. @param {Scene} scene @param {number} i @param {boolean} rolling @returns {Scene} */
@@ -234,7 +229,7 @@ export const CONTROLS = [
   {
     key: "inertia", group: "Ball", label: "Inertia I/(m a²)", unit: "", scale: 1, least: 0.01, most: 0.66, step: 0.01,
     help: "0.4: solid ball; 0.667: thin shell",
-    read: (scene, i) => kappaOf(scene.balls[i].inertia),
+    read: (scene, i) => kappaOf(scene.balls[i]),
     write: (scene, i, _wall, value) => withBall(scene, i, { inertia: Math.abs(value - 2 / 3) < 0.001 ? 2 / 3 : value }),
   },
   { key: "restitution", group: "Wall", label: "Restitution", unit: "", scale: 1, least: 0, most: 1, step: 0.01, ...ofWall("restitution") },

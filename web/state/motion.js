@@ -2,7 +2,7 @@
 // at a constant rate, so nothing is stored but where each piece begins.
 
 /** @import { Piece, Run, Scene, Vec } from "./types.js" */
-import { pullOf } from "../scene/setup.js";
+import { kineticEnergy, pullOf } from "../scene/setup.js";
 import { cross, dot, length } from "./vectors.js";
 
 /** @typedef {[number, number, number, number]} Quaternion w, x, y, z */
@@ -135,17 +135,13 @@ export function trailTime(run, { from, until }) {
   return most > MOST_TRAIL ? (0.2 * MOST_TRAIL * (until - from)) / most : Infinity;
 }
 
-/** I/(m a^2). @param {"solid" | "hollow" | number} inertia */
-export const kappaOf = (inertia) => (inertia === "solid" ? 2 / 5 : inertia === "hollow" ? 2 / 3 : inertia);
-
 /** Kinetic and potential energy of all balls, J. @param {Scene} scene @param {Run} run @param {number} t */
 export function energyAt(scene, run, t) {
   let energy = 0;
   scene.balls.forEach((ball, i) => {
     const { x, v, w } = stateAt(run.balls[i].pieces, t);
-    const moment = kappaOf(ball.inertia) * ball.mass * ball.radius ** 2;
     const height = scene.floor ? [x[0], x[1], x[2] - ball.radius] : x;
-    energy += (ball.mass * dot(v, v) + moment * dot(w, w)) / 2 - ball.mass * dot(pullOf(scene), /** @type {Vec} */ (height));
+    energy += kineticEnergy(ball, v, w) - ball.mass * dot(pullOf(scene), /** @type {Vec} */ (height));
   });
   return energy;
 }

@@ -45,19 +45,7 @@
 /** @typedef {import("../engine/types.js").LoggedEvent} Happening */
 /** @typedef {import("../engine/types.js").Run} Run */
 
-/**
- * @typedef {object} Verdict
- * @property {string} law
- * @property {number | null} angle
- * @property {Vec | null} velocity
- * @property {Vec | null} spin
- * @property {number | null} energy_kept
- * @property {number | null} hop
- * @property {number | null} required
- * @property {number | null} available
- * @property {boolean} admissible
- * @property {string[]} reasons
- */
+/** @typedef {import("../engine/types.js").Verdict} Verdict */
 
 /** A law as the page shows it: its colour and dashes are those of carom's figures.
  * @typedef {{name: string, summary: string, valid: string, colour: string, dashes: number[] | null, reads: string[] | null}} LawCard */

@@ -5,6 +5,7 @@ Each is described by the records and numbers that it takes; :mod:`carom.explorer
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -12,25 +13,25 @@ from carom.core.geometry.circles import NUMBERS as RIM_NUMBERS
 from carom.core.geometry.circles import rim_entry
 from carom.core.geometry.features import FEATURES, contact_normal, gap_to_feature
 from carom.core.jit.compile import array_of
-from carom.core.jit.kernel import kernel, vector
+from carom.core.jit.kernel import Vec, dot, kernel, vector
 from carom.core.motion.restitution import restitution
+from carom.explorer.pieces import piece_rows
 from carom.laws.callbacks import NUMBERS as LAW_NUMBERS
 from carom.laws.callbacks import law_entry
 from carom.laws.landing import second_impact
 from carom.laws.registry import laws
-from carom.laws.rules import Case, Conditions, Objections, Predicted, Rule
+from carom.laws.rules import Case, Conditions, Objections, Predicted, Rule, energy_of, size_of, slips_at_wall
 from carom.laws.two_step import first_impact
 from carom.scene.ball import SceneBall
 from carom.scene.ball_contact import YOUNG, FallingFriction
+from carom.scene.feature_builders import minus
 from carom.scene.floor import Floor
 from carom.scene.ruled import Ruled
 from carom.scene.scene_rules import floor_faults, gravity_faults, name_fault, pair_fault, stiffness_faults, wall_faults
 from carom.scene.shapes import PAGE_SHAPES
 from carom.scene.wall import ShapeKernels
 from carom.simulation.loop import run
-from carom.simulation.motion import begin_phase
 from carom.simulation.records import BALLS, LOG, WORLD
-from carom.simulation.states import state_rows
 
 __all__ = ["PARTS", "ModuleFunction", "entries", "rule_name", "rules_of"]
 
@@ -57,8 +58,8 @@ def entries() -> list[ModuleFunction]:
     counts = (int, int, int, int, float, float)
     return [
         ModuleFunction("run", run_events, counts, (world, features, balls, log, float, float, int, array_of(int), int)),
-        ModuleFunction("begin", begin_rows, None, (world, balls)),
-        ModuleFunction("states", state_rows, None, (world, balls, floats)),
+        ModuleFunction("pieces", piece_rows, int, (world, balls, log, int, float, float, floats, rows)),
+        ModuleFunction("judge", judge_row, None, (floats, floats)),
         ModuleFunction("gaps", gap_rows, None, (features, balls, array_of(float, 2))),
         ModuleFunction("meet", meet_row, None, (features, balls, floats)),
         ModuleFunction("restitution", restitution_row, None, (floats, floats)),
@@ -206,12 +207,6 @@ def run_events(
     return run(worlds[0], features, balls, log, slow, until, most, users, keep)
 
 
-def begin_rows(worlds: Any, balls: Any) -> None:
-    """Set the accelerations and the duration of each ball's phase: :func:`carom.simulation.motion.begin_phase`."""
-    for i in range(balls.shape[0]):
-        begin_phase(worlds[0], balls[i])
-
-
 def gap_rows(features: Any, balls: Any, gaps: Any) -> None:
     """Write the gap (B, F) between each ball and each feature: :func:`carom.core.geometry.features.gap_to_feature`."""
     for i in range(balls.shape[0]):
@@ -227,6 +222,35 @@ def meet_row(features: Any, balls: Any, out: Any) -> None:
     approach = -(v[0] * n[0] + v[1] * n[1] + v[2] * n[2])
     out[0], out[1], out[2], out[3] = n[0], n[1], n[2], approach
     out[4] = restitution(f.form, vector(f.e), max(approach, 0.0))
+
+
+def judge_row(p: Any, out: Any) -> None:
+    """Write what is said of a motion after a wall; p: a case (:class:`carom.laws.rules.Case`), v and w just after, and at last.
+
+    Friction that the wall needs for the motion just after it, whether the ball slips before it, the angles before, just after and
+    at last (degrees from the normal, along the floor; NaN at rest), and the share of the energy that is kept (NaN: there was none).
+    """
+    c = _case(p)
+    v, v2, w2 = (p[21], p[22], p[23]), (p[27], p[28], p[29]), (p[30], p[31], p[32])
+    j = minus(v, c.v)
+    jn = dot(j, c.n)
+    f = (j[0] - jn * c.n[0], j[1] - jn * c.n[1], j[2] - jn * c.n[2])
+    out[0] = math.sqrt(dot(f, f)) / jn if jn > 0 else 0.0
+    out[1] = slips_at_wall(c)
+    size = size_of(c.v) + c.a * size_of(c.w)
+    out[2], out[3], out[4] = _angle(c.n, c.v, -1.0, 0.0), _angle(c.n, v, 1.0, size), _angle(c.n, v2, 1.0, size)
+    energy = energy_of(c.v, c.w, c)
+    out[5] = energy_of(v2, w2, c) / energy if energy > 0 else math.nan
+
+
+@kernel
+def _angle(n: Vec, v: Vec, way: float, size: float) -> float:
+    """Return the angle of a velocity from the normal; NaN if it is at rest up to rounding, or the normal is vertical."""
+    flat = math.sqrt(n[0] * n[0] + n[1] * n[1])
+    if not abs(v[0]) + abs(v[1]) > 1e-12 * size or flat == 0:
+        return math.nan
+    x, y = n[0] / flat, n[1] / flat
+    return math.atan2(abs(x * v[1] - y * v[0]), way * (x * v[0] + y * v[1])) * 180 / math.pi
 
 
 def restitution_row(p: Any, out: Any) -> None:

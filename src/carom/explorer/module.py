@@ -25,6 +25,7 @@ from carom.laws.landing import WHY
 from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL, ROLLING_WALL, TWO_STEP_WALL
 from carom.laws.registry import laws
 from carom.laws.results import REGIME_NAMES
+from carom.laws.two_step import answer_two_step
 from carom.laws.wall_and_floor.solver import LEAST_FIRM
 from carom.scene.restitution import Han2005
 from carom.scene.ruled import Ruled, number_fields
@@ -116,6 +117,12 @@ def _rules(asked: Any) -> list[dict[str, str]]:
     return [{"function": rule_name(rule), "text": rule.text, "field": rule.field} for rule in rules_of(asked)]
 
 
+def _order(law: Any) -> str:
+    """Return the order of wall and floor in a law that answers as the two-step law does: "scene", that of the scene, or its own."""
+    order = getattr(law.answer, "keywords", {}).get("order", "scene")
+    return order if getattr(law.answer, "func", law.answer) is answer_two_step else ""
+
+
 def _law(law: Any) -> dict[str, Any]:
     """Description of a law for the page."""
     return {
@@ -133,6 +140,7 @@ def _law(law: Any) -> dict[str, Any]:
         "last": law.last,
         "defaults": dict(law.defaults),
         "on_table": law.on_table,
+        "order": _order(law),
         "variant_of": law.variant_of,
         "one_contact": law.one_contact,
         "slip_friction": law.slip_friction and list(law.slip_friction),

@@ -20,7 +20,7 @@ from carom.laws.arrays import RESOLVED
 
 __all__ = [
     "APPROACHES", "DRIVES_INTO_FLOOR", "IMPOSSIBLE", "NOTICED", "UP", "Case", "Condition", "Conditions", "Objections", "Predicted",
-    "Rule", "Said", "case_of", "has_friction", "holds_everywhere", "size_of", "slips", "slips_at_wall",
+    "Rule", "Said", "case_of", "energy_of", "has_friction", "holds_everywhere", "size_of", "slips", "slips_at_wall",
 ]  # fmt: skip
 
 Said = tuple[Any, float, float]
@@ -173,7 +173,8 @@ def has_friction(mu: float, beta: float) -> Any:
 
 
 @kernel
-def _energy(v: Vec, w: Vec, c: Case) -> float:
+def energy_of(v: Vec, w: Vec, c: Case) -> float:
+    """Return the kinetic energy, J."""
     return c.mass * dot(v, v) / 2 + c.kappa * c.mass * c.a * c.a * dot(w, w) / 2
 
 
@@ -192,7 +193,7 @@ def _resolved(c: Case) -> Said:
 
 @kernel
 def _creates_energy(c: Case, r: Predicted) -> Said:
-    before, after = _energy(c.v, c.w, c), _energy(r.v, r.w, c)
+    before, after = energy_of(c.v, c.w, c), energy_of(r.v, r.w, c)
     return after > before * (1 + NOTICED), 100 * after / before if before > 0 else math.inf, 0.0
 
 

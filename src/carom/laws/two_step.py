@@ -276,8 +276,8 @@ def require_defined(undefined: Any) -> None:
         )
 
 
-def answer_two_step(meeting: Meeting) -> Answer:
-    """Return the two-step law's answer, with its steps."""
+def answer_two_step(meeting: Meeting, order: FloorContact | None = None) -> Answer:
+    """Return the two-step law's answer, with its steps; ``order`` of wall and floor: default that of the meeting."""
     m = meeting
     if m.ball.planar:  # no floor: a single contact
         after = respond(contact_kernel, m)
@@ -285,7 +285,7 @@ def answer_two_step(meeting: Meeting) -> Answer:
         return Answer(
             after, after, required_friction(m.ball, m.state, after, m.normal), nothing, np.full(after.shape, "")
         )
-    two = two_step(m.ball, m.state, m.wall, m.floor, m.normal, m.gravity, m.height, m.floor_contact)
+    two = two_step(m.ball, m.state, m.wall, m.floor, m.normal, m.gravity, m.height, order or m.floor_contact)
     # Friction required of the floor: for sticking at the landing, or mobilised while the wall pressed the ball on it.
     jf = two.floor_impulse
     with np.errstate(invalid="ignore", divide="ignore"):

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from functools import partial
 
 from carom.laws.law import (
     CONTACT_WALL,
     ON_FLOOR,
     ON_WALL,
     PAPER,
-    Answer,
     Card,
     FitSpec,
     Law,
-    Meeting,
     approaches,
     contact_kernel,
 )
@@ -37,13 +35,9 @@ CARD = Card(
 )
 
 
-def _answer(meeting: Meeting) -> Answer:
-    return answer_two_step(replace(meeting, floor_contact="after"))
-
-
 LAW = Law(
     CARD,
-    _answer,
+    partial(answer_two_step, order="after"),
     approaches,
     Objections(),
     contact_kernel,
