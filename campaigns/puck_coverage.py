@@ -16,7 +16,7 @@ from campaign import campaign, shares
 from reference.puck_sequences import KAPPA, RADIUS, SPIN, table
 
 from carom.data import make_rebounds
-from carom.fitting import Setting, fit_laws
+from carom.fitting import Setting, fit_laws, with_profiles
 
 KINDS = {
     "slides": {"restitution": 0.75, "friction": 0.15, "tangential_restitution": 0.0},
@@ -30,11 +30,14 @@ def one_table(truth: dict[str, float], seed: int) -> dict[str, Any]:
     numbers = {name: columns.pop(name) for name in ("shot", "bounce")}
     rows = make_rebounds("planar", columns, extra=numbers)
     fit = fit_laws(rows, Setting(RADIUS, KAPPA), ["contact"], profiles=False, bootstrap=0).best
+    profiled = with_profiles(fit, ["spin_width"]).estimates["spin_width"]
     found: dict[str, Any] = {"rows": len(fit.problem.x), "chi2": fit.chi2 / fit.dof}
     for name, true in (truth | {"spin_width": SPIN}).items():
         one = fit.estimates[name]
         found[name] = None if one.value is None or not one.stderr else (one.value - true) / one.stderr
         found[f"{name} bar"] = one.stderr
+    ends = profiled.interval_68, profiled.interval_95
+    found["spin_width (profile)"] = None if None in ends else [end[0] <= SPIN <= end[1] for end in ends if end]
     return found
 
 
@@ -48,6 +51,7 @@ def main(words: Sequence[str] | None = None) -> None:
             for name in (*truth, "spin_width"):
                 bar = np.median([row[f"{name} bar"] or 0.0 for row in rows])
                 run.say(f"{kind:7} {name:24} {shares([row[name] for row in rows])}; error bar {bar:.2g}")
+            run.say(f"{kind:7} {'spin_width (profile)':24} {shares([row['spin_width (profile)'] for row in rows])}")
 
 
 if __name__ == "__main__":

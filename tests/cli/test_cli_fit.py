@@ -13,6 +13,7 @@ from reference.synthetic_bounces import measured_bounces as bounces
 
 import carom
 from carom import cli
+from carom.cli.ranking_output import _in_lines
 from carom.data.datasets import load
 
 
@@ -448,3 +449,11 @@ def test_notes_go_with_faults_of_the_table_too(here, monkeypatch, capsys):
     assert "expected at least 3 rebounds" in fault
     assert len(notes) == 1
     assert notes[0].startswith("note: no sigma_ columns")
+
+
+def test_a_number_stays_whole_and_beside_its_name_in_a_narrow_table() -> None:
+    numbers = "restitution 0.74987 ± 0.00074, friction 5 (at its upper bound, 5), stiffness_ratio 0.8798 ± 0.0050"
+    assert _in_lines(numbers, 30).split("\n") == [
+        "restitution 0.74987 ± 0.00074,", "friction", "5 (at its upper bound, 5),", "stiffness_ratio", "0.8798 ± 0.0050",
+    ]  # fmt: skip
+    assert _in_lines(numbers, 100) == numbers

@@ -10,10 +10,12 @@ from reference.puck_sequences import KAPPA, RADIUS, deviance, table
 
 from carom.data import Rebounds, make_rebounds
 from carom.fitting import Setting, fit_law, make_problem, spin_chains, usable_rows
+from carom.fitting.conditions import unsettled
 from carom.fitting.data import Problem
 from carom.fitting.laws import laws_named
 from carom.fitting.model import model_of
 from carom.fitting.parameters import INDEX
+from carom.fitting.result import Estimate
 
 SETTING = Setting(RADIUS, KAPPA)
 CONTACT = laws_named(["contact"], "planar", upright=True)[0][0]
@@ -67,3 +69,7 @@ def test_no_row_is_dropped_and_friction_is_known_as_with_measured_spins() -> Non
         assert abs(one.value - true) < 3 * one.stderr
         assert one.stderr < 1.4 * other.stderr
     assert 0.4 < hidden.chi2 / hidden.dof < 1.6
+    # discs thrown without spin: a width of 0 forbids no decision, a wide one does
+    for value, note in ((1e-3, ""), (3.0, "its spin_width is at a bound")):
+        bound = {"spin_width": Estimate(value, None, "at a bound")}
+        assert unsettled(replace(hidden, estimates=hidden.estimates | bound)) == note

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 __all__ = ["print_ranking", "show", "show_each"]
 
 MAX_OUTLIERS = 10
+GAP, EDGES = 3, 2  # characters between columns, and at both edges of a table
 
 
 def show(ranking: Ranking) -> None:
@@ -103,6 +105,17 @@ def _print_population(population: Population, column: str) -> None:
     out().print(said, soft_wrap=True)
 
 
+def _in_lines(parameters: str, room: int) -> str:
+    """Return names with their numbers in lines of so many characters, so that a line ends between two of them, or before a number."""
+    lines: list[str] = []
+    for item in re.split(r"(?<=,) (?=[a-z])", parameters):
+        if lines and len(lines[-1]) + 1 + len(item) <= room:
+            lines[-1] += f" {item}"
+        else:
+            lines += [item] if len(item) <= room else item.split(" ", 1)
+    return "\n".join(lines)
+
+
 def print_ranking(
     ranking: Ranking | TrackRanking | ShotsRanking,
     heads: Sequence[str],
@@ -120,12 +133,15 @@ def print_ranking(
     from carom.cli.console import out
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
-    for head in ("law", "ΔAICc", *heads, "parameters"):
+    names = ("law", "ΔAICc", *heads, "parameters")
+    for head in names:
         words = head in ("law", "parameters")
         table.add_column(head, justify="left" if words else "right", no_wrap=head != "parameters")
-    for one in ranking.ranked:
-        behind = f"{one.fit.aicc - ranking.best.aicc:.1f}"
-        table.add_row(one.fit.law.name, behind, *cells(one), style="bold" if one is ranking.ranked[0] else None)
+    rows = [(one.fit.law.name, f"{one.fit.aicc - ranking.best.aicc:.1f}", *cells(one)) for one in ranking.ranked]
+    others = list(zip(names, *rows, strict=True))[:-1]
+    room = out().width - EDGES - sum(GAP + max(map(len, column)) for column in others)
+    for i, row in enumerate(rows):
+        table.add_row(*row[:-1], _in_lines(row[-1], room), style=None if i else "bold")
     out().print(table)
     out().print(Text(f"{ranking.aicc_note}{more}", style="dim"), soft_wrap=True)
     out().print(Text(ranking.verdict, style="bold green" if ranking.decisive else "bold yellow"), soft_wrap=True)

@@ -22,10 +22,14 @@ COUNTED = ((8, 249, 6), (30, 541, 7), (200, 251, 0))
 
 
 def unsettled(best: Fit) -> str:
-    """Return why the numbers of the best law forbid a decision for it: one is at a bound, or none is identifiable; else ""."""
+    """Return why the numbers of the best law forbid a decision for it: one is at a bound, or none is identifiable; else "".
+
+    A width of 0 of the unmeasured spins forbids none: balls that are thrown without spin have it.
+    """
     bound = [
         f"{name} is {estimate.note}" for name, estimate in best.estimates.items()
         if estimate.value is not None and estimate.stderr is None and estimate.note
+        and not (name == "spin_width" and estimate.value <= model_of(best.law, best.problem).parameters[name].low)
     ]  # fmt: skip
     if bound:
         return f"its {' and its '.join(bound)}"
