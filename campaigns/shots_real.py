@@ -1,6 +1,6 @@
 """Whole shots of a film of your own: distances by horizon, numbers of the table, forms, halves, what first parts predict.
 
-    python campaigns/shots_real.py [N] --films FILE [--radius METRES] [--only fit|forms|halves]
+    python campaigns/shots_real.py [N] --films FILE [--radius METRES] [--only fit|forms|rest|halves]
 
 Without a film, N shots (2) that carom draws are fitted, whose numbers are known. Halves: the shots with even and odd numbers are
 fitted by themselves; their numbers are compared in error bars, and each half predicts the shots of the other from their first
@@ -23,7 +23,8 @@ from carom.fitting.shots import HeldOut, ShotsFit, compare_forms, drawn_films, p
 from carom.fitting.shots.result import HORIZONS
 from carom.tracks.film_tracks import films_of
 
-KINDS = ("fit", "forms", "halves")
+KINDS = ("fit", "forms", "rest", "halves")
+PARTS = ((1 / 3, "first third"), (1 / 2, "first half"))
 
 
 def fitted(run: Campaign, tracks: Any, table: Any) -> ShotsFit:
@@ -63,7 +64,7 @@ def halves(run: Campaign, tracks: Sequence[Any], table: Any) -> None:
         if first.stderr and second.stderr:
             apart = (first.value - second.value) / math.hypot(first.stderr, second.stderr)
             run.say(f"{name:28} {with_error_bar(first)} and {with_error_bar(second)}: {apart:+.1f} error bars apart")
-    for share, what in ((1 / 3, "first third"), (1 / 2, "first half")):
+    for share, what in PARTS:
         found = [predict_rest(fits[k], share, [one.film for one in fits[1 - k].shots]) for k in range(2)]
         said_of(run, found, f"{what}, by the table of the other half")
 
@@ -77,11 +78,13 @@ def main(words: Sequence[str] | None = None) -> None:
         else:
             tracks, scenes = drawn_films(run.count, seed=5, until=1.5 if run.small else 6.0)
             table = scenes[0]
-        if run.wants("fit", KINDS) or run.wants("forms", KINDS):
+        if any(run.wants(kind, KINDS) for kind in KINDS[:3]):
             best = fitted(run, tracks, table)
             if run.wants("forms", KINDS) and best.names:
                 for form in compare_forms(best):
                     run.say(form.describe())
+            for share, what in PARTS if run.wants("rest", KINDS) and run.given.films else ():
+                said_of(run, [predict_rest(best, share)], what)
         if run.wants("halves", KINDS) and run.given.films:
             halves(run, tracks, table)
 

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 import carom
-from carom.fitting.shots import compare_forms, drawn_films, predict_rest
+from carom.fitting.shots import LawErrors, compare_forms, drawn_films, predict_rest
 from carom.fitting.shots.film import filmed_shots
+from carom.fitting.shots.followed import belief_of_start, followed
 from carom.fitting.shots.forms import FORMS
 from carom.fitting.shots.start import residuals
 from carom.fitting.shots.table import FREE, TERMS, TableModel, begun, scene_of_films
@@ -122,14 +123,35 @@ def test_a_scatter_between_shots_is_found_and_widens_the_errors():
 
 def test_the_first_part_predicts_the_rest_within_its_regions(ranking):
     found = predict_rest(ranking.best, 0.6, draws=60)
-    assert found.median < 0.03
-    assert found.coverage[1] > 0.6
+    assert found.median < 0.02
+    assert found.coverage[0] > 0.4
+    assert found.coverage[1] > 0.75
     for until, far, expected, count in found.against_time((0, 0.5, 1.0)):
         assert 0 < until <= 1
         assert 0.1 < far / expected < 10
         assert count == 2
+    # laws with larger errors leave wider regions
+    films = [one.film for one in ranking.best.shots]
+    wide = predict_rest(ranking.best, 0.6, films, draws=60, errors=LawErrors(share=0.2))
+    assert wide.coverage[1] > 0.95
+    assert wide.against_time((0, 1.0))[0][2] > 2 * found.against_time((0, 1.0))[0][2]
     with pytest.raises(carom.CaromError, match="share: expected a number between 0 and 1"):
         predict_rest(ranking.best, 1.5)
+
+
+def test_a_shot_that_is_followed_is_known_within_its_errors(ranking, films):
+    _tracks, scenes = films
+    for one, start, scene in zip(ranking.best.shots, ranking.best.starts, scenes, strict=True):
+        table, frames = ranking.best.table, one.film.horizons["ball"]
+        errors = LawErrors(frame=1.5e-3).times(0.2)
+        belief = belief_of_start(table, start, start.best[frames], frames, errors)
+        until = followed(table, one.film, belief, errors)
+        state = carom.simulate(scene).at(until.belief.time - one.time)
+        known = until.belief.mean.reshape(3, 7)
+        error = np.sqrt(np.diag(until.belief.covariance)).reshape(3, 7)
+        apart = np.hstack([known[:, :2] - state.position[:, :2], known[:, 2:4] - state.velocity[:, :2]])
+        assert (np.abs(apart) < 4 * error[:, :4] + 1e-3).all()
+        assert 1e-3 < until.distance < 3e-3
 
 
 def test_forms_are_compared_on_the_same_shots(ranking):

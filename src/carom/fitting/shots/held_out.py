@@ -12,17 +12,19 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.fitting.shots.film import FilmedShot, until_time
+from carom.fitting.shots.followed import LawErrors, belief_of_start, drawn_rests, followed
 from carom.fitting.shots.result import ShotsFit
-from carom.fitting.shots.search import SearchSettings, ShotStart, error_of_frames, refined, search_start, soft
-from carom.fitting.shots.start import distances, places_of, residuals
-from carom.fitting.shots.table import TableNumbers
+from carom.fitting.shots.search import SearchSettings, ShotStart, horizons, refined, search_start
+from carom.fitting.shots.table import TableNumbers, table_of
 
-__all__ = ["HeldOut", "PredictedShot", "predict_rest"]
+__all__ = ["HeldOut", "PredictedShot", "errors_of_laws", "predict_rest"]
 
 Array = NDArray[np.float64]
 LEVELS = (0.68, 0.95)
 FEWEST_DRAWS = 20
-KEPT = 0.999  # of the draws' own probability: draws that the first part excludes are left out
+FEWEST = 6  # frames of a shot, before it is followed in steps
+SHOTS, DRAWS = 12, 40  # of a fit, and of each: for the errors of the laws
+FACTORS, HALVINGS = (0.1, 6.0), 4  # on the errors of the laws: where a search looks, and for how long
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,12 +86,14 @@ class HeldOut(NamedTuple):
 
 
 def predict_rest(
-    fit: ShotsFit, share: float = 1 / 3, films: Sequence[FilmedShot] | None = None, *, draws: int = 200, seed: int = 0
-) -> HeldOut:
+    fit: ShotsFit, share: float = 1 / 3, films: Sequence[FilmedShot] | None = None, *, draws: int = 200, seed: int = 0,
+    errors: LawErrors | None = None,
+) -> HeldOut:  # fmt: skip
     """Predict the rest of shots from their first parts, with the numbers of the table of a fit.
 
-    The start of each shot, and by how much its table differs, are searched for in the first part alone. The region is that of
-    draws from what this part leaves open: its frames count by how far their residuals are correlated.
+    The start of each shot is fitted up to its second event. From there the shot is followed in steps, in which
+    the laws have errors at each change of a velocity, to the end of the first part. The rest is drawn from what is known then,
+    with such errors in each later step; its middle is the median of the draws.
 
     Parameters
     ----------
@@ -99,6 +103,8 @@ def predict_rest(
     films : sequence of FilmedShot, optional
         Shots of the same table; default: those of the fit. Others, that were not fitted, test the table's numbers as well.
     draws, seed : int
+    errors : LawErrors, optional
+        Default: :func:`errors_of_laws` of the fit.
 
     Examples
     --------
@@ -111,34 +117,89 @@ def predict_rest(
     """
     if not 0 < share < 1:
         raise CaromError(f"predict_rest: share: expected a number between 0 and 1, got {share!r:.60}")
+    begun = _begun(fit, films or [one.film for one in fit.shots], share, seed)
+    if errors is None:
+        errors = errors_of_laws(fit, share, seed=seed) if films else _errors(fit, begun, seed)
+    return _held_out(fit, share, begun, errors, draws, seed)
+
+
+def errors_of_laws(fit: ShotsFit, share: float = 1 / 3, *, seed: int = 0) -> LawErrors:
+    """Return the errors of the laws with which the regions of 68 % hold so many of the film's rows, counted on a fit's own shots:
+    those of :class:`LawErrors` times a factor."""
+    return _errors(fit, _begun(fit, [one.film for one in fit.shots], share, seed), seed)
+
+
+def _errors(fit: ShotsFit, begun: Sequence[_Begun], seed: int) -> LawErrors:
+    """Return the errors of the laws by bisection of their factor, on some of the shots."""
+    some = begun[:: max(len(begun) // SHOTS, 1)]
+    low, high = np.log(FACTORS)
+    for _ in range(HALVINGS if some else 0):
+        middle = (low + high) / 2
+        errors = LawErrors().times(float(np.exp(middle)))
+        held = _held_out(fit, 0.0, some, errors, DRAWS, seed).coverage[0]
+        low, high = (middle, high) if held < LEVELS[0] else (low, middle)
+    return LawErrors().times(float(np.exp((low + high) / 2)))
+
+
+def _held_out(
+    fit: ShotsFit, share: float, begun: Sequence[_Begun], errors: LawErrors, draws: int, seed: int
+) -> HeldOut:
+    """Return all predictions with given errors of the laws."""
     table = fit.table
-    every = [one.film for one in fit.shots] if films is None else list(films)
-    found = [_predicted(fit, table, one, share, draws, np.random.default_rng([seed, i])) for i, one in enumerate(every)]
-    return HeldOut(share, tuple(one for one in found if one is not None))
+    return HeldOut(share, tuple(_predicted(fit, table, one, errors, draws, seed) for one in begun))
+
+
+def _first_frames(shot: FilmedShot) -> int:
+    """Return how many frames there are up to the second event: those from which a start is known."""
+    later = [shot.frames_until(one.low) for one in shot.events[1:]]
+    return min(max(later[0], FEWEST) if later else horizons(shot)[0], len(shot.time))
+
+
+class _Begun(NamedTuple):
+    """A shot whose first part is to be followed."""
+
+    shot: FilmedShot
+    first: FilmedShot
+    start: ShotStart
+    best: Array
+    frames: int
+    """Up to which the start is the best."""
+
+
+def _begun(fit: ShotsFit, films: Sequence[FilmedShot], share: float, seed: int) -> list[_Begun]:
+    """Return the shots that go on after their first part, with the start that fits the frames up to the first ball."""
+    table, found = fit.table, []
+    for i, shot in enumerate(films):
+        first = until_time(shot, share)
+        if len(first.time) < len(shot.time):
+            rng, frames = np.random.default_rng([seed, i]), _first_frames(first)
+            start = search_start(table, first, fit.noise, rng, SearchSettings(), widths=fit.widths)
+            found.append(_Begun(shot, first, start, refined(table, start, frames, 9, 3).start, frames))
+    return found
 
 
 def _predicted(
-    fit: ShotsFit, table: TableNumbers, shot: FilmedShot, share: float, draws: int, rng: np.random.Generator
-) -> PredictedShot | None:
-    first = until_time(shot, share)
-    n = len(first.time)
-    if n >= len(shot.time):
-        return None
-    start = search_start(table, first, fit.noise, rng, SearchSettings(), widths=fit.widths)
-    best = refined(table, start, n, 30, 3)
-    # a frame says less than its residual: it is correlated with its neighbours, and a start bends to whatever the laws lack
-    sigma = error_of_frames(table, start, best.start, n, _follows_to(fit))
-    best = refined(table, start, n, 30, 3, sigma, best.start)
-    tried = np.concatenate([best.start[None], _drawn(table, start, best.start, sigma, n, draws, rng)])
-    places = places_of(table, shot, tried)
-    places = (
-        places[np.isfinite(places).all(axis=(1, 2, 3))] if np.isfinite(places).all(axis=(1, 2, 3)).any() else places
-    )
+    fit: ShotsFit, table: TableNumbers, begun: _Begun, errors: LawErrors, draws: int, seed: int
+) -> PredictedShot:
+    """Return the rest of a shot by draws of what its first part tells, and of the laws' errors after it."""
+    shot, first, n, rng = begun.shot, begun.first, len(begun.first.time), np.random.default_rng([seed, 1])
+    belief, distance = belief_of_start(table, begun.start, begun.best, begun.frames, errors), float("nan")
+    until = followed(table, first, belief, errors)
+    if until is not None:
+        belief, distance = until.belief, until.distance
     rest = slice(n, None)
     x = shot.position[rest]
-    middle = np.nanmedian(places[:, rest], axis=0)
-    away = places[:, rest] - middle
-    cover = np.einsum("ntbi,ntbj->tbij", away, away) / len(away) + fit.noise**2 * np.eye(2)
+    places = drawn_rests(table, belief, shot.time[rest], errors, draws, rng)
+    wall = table_of(fit.scene)
+    inside = np.abs(places - np.array(wall.center)) < np.array([wall.length, wall.width]) / 2
+    on_table = inside.all(axis=(1, 2, 3))  # (a ball that is drawn behind a cushion leaves it; NaN: no state)
+    places = places[on_table] if on_table.sum() >= FEWEST_DRAWS else np.nan_to_num(places)
+    middle = np.median(places, axis=0)
+    # (a place of the film has the error with which the laws follow the frames up to the first ball, at least that of a frame)
+    near = fit.median("ball") / np.sqrt(2)
+    noise = max(fit.noise, near if np.isfinite(near) else 0.0)
+    away = places - middle + rng.normal(0.0, noise, places.shape)
+    cover = np.einsum("ntbi,ntbj->tbij", away, away) / len(away)
     inverse = np.linalg.inv(cover)
     film = x - middle
     of_draws = np.einsum("ntbi,tbij,ntbj->ntb", away, inverse, away)
@@ -147,37 +208,5 @@ def _predicted(
         inside = np.array([of_film <= np.quantile(of_draws, level, axis=0) for level in LEVELS])
     far = np.where(shot.measured[rest], np.sqrt(np.square(film).sum(axis=-1)), np.nan)
     expected = np.sqrt(np.trace(cover, axis1=2, axis2=3))
-    fitted = float(np.sqrt(distances(table, first, best.start[None], n).mean()))
     name, time = shot.name or "film", shot.time[rest] - shot.time[n - 1]
-    return PredictedShot(name, time, middle, far, expected, inside, fitted)
-
-
-def _follows_to(fit: ShotsFit) -> float:
-    """Return the distance (m) to which the laws follow shots through one cushion."""
-    found = fit.median("cushion 1")
-    return found if np.isfinite(found) else 0.0
-
-
-def _drawn(
-    table: TableNumbers, start: ShotStart, best: Array, sigma: float, frames: int, count: int, rng: np.random.Generator
-) -> Array:
-    """Return draws (N, K) of starts from what the first frames leave open."""
-    from scipy.stats import chi2
-
-    at = residuals(table, start.shot, best, frames)
-    _gap, (jac,) = soft(at.gap, [at.by_start], sigma)
-    rows = start.prior.rows
-    information = jac.T @ jac + rows.T @ rows
-    unit = 1 / np.sqrt(np.diag(information))
-    value, vector = np.linalg.eigh(information * unit[:, None] * unit)
-    root = (unit[:, None] * vector) / np.sqrt(np.maximum(value, 1e-12))
-    tried = best + rng.normal(size=(count, len(best))) @ root.T
-
-    def cost(some: Array) -> Array:
-        z = distances(table, start.shot, some, frames) / (3 * sigma) ** 2
-        unlikely = np.square((some - start.prior.center) @ rows.T).sum(axis=1)
-        return np.asarray(18 * (np.sqrt(1 + z) - 1).sum(axis=1) + unlikely)
-
-    rise = cost(tried) - cost(best[None])[0]
-    good = rise < chi2.ppf(KEPT, len(best))
-    return np.asarray(tried[good] if good.sum() >= FEWEST_DRAWS else tried[np.argsort(rise)[:FEWEST_DRAWS]])
+    return PredictedShot(name, time, middle, far, expected, inside, distance)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +15,10 @@ from carom.fitting.shots.table import TableNumbers
 from carom.simulation.records import BALLS
 from carom.simulation.sensitivity.at_times import Limits, states_and_slopes, states_at
 
-__all__ = ["FIRST_PLACE", "SPIN", "Residuals", "StartPrior", "distances", "places_of", "residuals", "start_size"]
+__all__ = [
+    "FIRST_PLACE", "LIMITS", "SPIN", "TIME", "VELOCITY", "Residuals", "StartPrior", "StatesBy", "distances",
+    "residuals", "start_size", "starting_balls", "states_by",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 TIME, VELOCITY, SPIN, FIRST_PLACE = 0, slice(1, 3), slice(3, 6), 6
@@ -81,7 +85,7 @@ class Residuals(NamedTuple):
     """(M, P) derivatives by the shared numbers."""
 
 
-def _balls(table: TableNumbers, starts: Array) -> NDArray[np.void]:
+def starting_balls(table: TableNumbers, starts: Array) -> NDArray[np.void]:
     """Return the balls (N, B) of starts (N, K)."""
     n, b = len(starts), len(table.arrays.balls)
     starts = starts[:, : start_size(b)]
@@ -102,11 +106,11 @@ def _gap(shot: FilmedShot, states: Array, frames: int) -> tuple[Array, NDArray[n
     return np.where(np.isnan(gap), UNKNOWN, gap), known
 
 
-def places_of(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int | None = None) -> Array:
+def _places_of(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int | None = None) -> Array:
     """Return the places (N, T, B, 2) at the times of frames for starts (N, K); NaN where the model has no state."""
     many = len(shot.time) if frames is None else frames
     time = np.maximum(shot.time[None, :many] - starts[:, :1], 0.0)
-    balls = _balls(table, starts)
+    balls = starting_balls(table, starts)
     places = np.empty((len(starts), many, len(shot.balls), 2))
     deviations, group = np.unique(starts[:, start_size(len(shot.balls)) :], axis=0, return_inverse=True)
     for k, one in enumerate(deviations):
@@ -118,8 +122,49 @@ def places_of(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int 
 
 def distances(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int) -> Array:
     """Return squared distances (N, M) of the known frames up to a horizon, m^2, for starts (N, K)."""
-    gap, known = _gap(shot, places_of(table, shot, starts, frames), frames)
+    gap, known = _gap(shot, _places_of(table, shot, starts, frames), frames)
     return np.asarray(np.square(gap).sum(axis=-1)[:, known])
+
+
+class StatesBy(NamedTuple):
+    """States of a shot's balls at times, with exact derivatives."""
+
+    states: Array
+    """(T, B, 9): position, velocity, spin; NaN where the model has none."""
+    by_columns: Array
+    """(T, B, N, K): of their first N numbers, by numbers of the balls at the start."""
+    by_shared: Array
+    """(T, B, N, P): by the shared numbers."""
+
+
+def states_by(
+    table: TableNumbers, balls: NDArray[np.void], deviations: Array, time: Array, columns: Sequence[tuple[int, str, int, float]],
+    numbers: int, shared: bool,
+) -> StatesBy:  # fmt: skip
+    """Return states of balls (B,) at times (T,) since the start, on a table that deviates by (P,), and their derivatives.
+
+    ``columns``: ball, field of its record, component, and the derivative of that number by the column.
+    """
+    b, k = len(balls), len(columns)
+    parts = {name: table.slopes[name] for name in ("world", "features")} if table.slopes and shared else {}
+    mine, own = -(-k // LANES), len(parts["world"]) if parts else 0
+    places = float_places(BALLS)
+    by_start = np.zeros((1, mine + own, b, float_count(BALLS), LANES))
+    for column, (ball, name, component, slope) in enumerate(columns):
+        by_start[0, column // LANES, ball, places[name].start + component, column % LANES] = slope
+    by_scene = {
+        name: np.concatenate(
+            [np.zeros((mine, len(rows), float_count(rows.dtype), LANES)), *([parts[name]] if parts else [])]
+        )
+        for name, rows in (("world", table.arrays.world), ("features", table.arrays.features))
+    }
+    states, slopes = states_and_slopes(
+        table.moved(deviations), table.duals, balls[None], time[None], np.array([len(time)]), by_scene, by_start, numbers,
+        limits=LIMITS,
+    )  # fmt: skip
+    d = np.moveaxis(slopes[0], 0, 3).reshape(len(time), b, numbers, -1)
+    first = mine * LANES
+    return StatesBy(states[0], d[..., :k], d[..., first : first + (len(table.values) if parts else 0)])
 
 
 def residuals(table: TableNumbers, shot: FilmedShot, start: Array, frames: int, shared: bool = False) -> Residuals:
@@ -127,38 +172,18 @@ def residuals(table: TableNumbers, shot: FilmedShot, start: Array, frames: int, 
     b = len(shot.balls)
     k = start_size(b)
     deviations = start[k:]
-    parts = {name: table.slopes[name] for name in ("world", "features")} if table.slopes else {}
-    if not shared and not len(deviations):
-        parts = {}
-    mine = -(-(k - 1) // LANES)
-    own = len(parts["world"]) if parts else 0
     a = float(table.arrays.balls["radius"][0])
-    places = float_places(BALLS)
-    by_start = np.zeros((1, mine + own, b, float_count(BALLS), LANES))
-    at = [(0, places["v"].start, 1.0), (0, places["v"].start + 1, 1.0)]
-    at += [(0, places["w"].start + j, 1 / a) for j in range(3)]
-    at += [(ball, places["x"].start + j, 1.0) for ball in range(b) for j in range(2)]
-    for column, (ball, place, slope) in enumerate(at):
-        by_start[0, column // LANES, ball, place, column % LANES] = slope
-    by_scene = {
-        name: np.concatenate(
-            [np.zeros((mine, len(rows), float_count(rows.dtype), LANES)), *([parts[name]] if parts else [])]
-        )
-        for name, rows in (("world", table.arrays.world), ("features", table.arrays.features))
-    }
-    time = np.maximum(shot.time[None, :frames] - start[TIME], 0.0)
-    states, slopes = states_and_slopes(
-        table.moved(deviations), table.duals, _balls(table, start[None]), time, np.array([frames]), by_scene, by_start, 2,
-        limits=LIMITS,
-    )  # fmt: skip
-    gap, known = _gap(shot, states[0], frames)
-    d = np.moveaxis(slopes[0], 0, 3).reshape(frames, b, 2, -1)[known]
-    moving = np.where(time[0] > 0, 1.0, 0.0)[:, None, None]
-    by_time = -np.nan_to_num(states[0, :, :, 3:5] * moving)[known]
-    found = np.concatenate([by_time[..., None], d[..., : k - 1]], axis=-1).reshape(-1, k)
-    by_shared = np.zeros((len(found), 0))
-    if parts:
-        by_shared = d[..., mine * LANES : mine * LANES + len(table.values)].reshape(len(found), -1)
+    columns = [(0, "v", 0, 1.0), (0, "v", 1, 1.0), *((0, "w", j, 1 / a) for j in range(3))]
+    columns += [(ball, "x", j, 1.0) for ball in range(b) for j in range(2)]
+    time = np.maximum(shot.time[:frames] - start[TIME], 0.0)
+    at = states_by(
+        table, starting_balls(table, start[None])[0], deviations, time, columns, 2, shared or bool(len(deviations))
+    )
+    gap, known = _gap(shot, at.states, frames)
+    moving = np.where(time > 0, 1.0, 0.0)[:, None, None]
+    by_time = -np.nan_to_num(at.states[:, :, 3:5] * moving)[known]
+    found = np.concatenate([by_time[..., None], at.by_columns[known]], axis=-1).reshape(-1, k)
+    by_shared = at.by_shared[known].reshape(len(found), -1)
     good = np.isfinite(found).all(axis=1) & np.isfinite(by_shared).all(axis=1)
     found[~good], by_shared[~good] = 0.0, 0.0
     if len(deviations):

@@ -1,0 +1,255 @@
+"""Follow a filmed shot in short steps, with errors of the laws in each: what is known of the balls at a time, and what comes next.
+
+A run from one start has no error after it, so that a start bends to whatever the laws lack. Here places, velocities and spins are
+normal, and carried from step to step by an extended Kalman filter with exact derivatives through contacts (iterated in each step:
+Bell & Cathey, IEEE Trans. Autom. Control 38, 294 (1993)). The frames of a step narrow what is known, and each change of a velocity,
+by a contact or by the cloth, widens it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.fitting.shots.film import FilmedShot
+from carom.fitting.shots.search import ShotStart, error_of_frames, soft
+from carom.fitting.shots.start import (
+    FIRST_PLACE,
+    LIMITS,
+    SPIN,
+    TIME,
+    VELOCITY,
+    residuals,
+    start_size,
+    starting_balls,
+    states_by,
+)
+from carom.fitting.shots.table import TableNumbers
+from carom.simulation.sensitivity.at_times import states_at
+
+__all__ = ["Belief", "Followed", "LawErrors", "belief_of_start", "drawn_rests", "followed"]
+
+Array = NDArray[np.float64]
+STEP = 0.1  # s
+OWN = 7  # numbers of a ball: place (m), velocity (m/s), spin times radius (m/s)
+PLACE, MOTION, TURN = slice(0, 2), slice(2, 4), slice(4, 7)
+ROUNDS = 3  # of a step's descent
+SOFT = 3.0  # errors of a frame, beyond which it counts in proportion
+TAIL = 4.0  # degrees of freedom of Student's t: the laws' errors have heavy tails
+MET = 0.25  # m/s in a step: a larger change of velocity is a contact's, whose moment within the step is not known
+EACH = 8  # draws on one table
+DIFFERENCE = 1e-3  # s
+
+
+class LawErrors(NamedTuple):
+    """Errors of the laws in each step, and of a frame: standard deviations."""
+
+    share: float = 0.03
+    """Of a change of velocity, along it and across."""
+    spin: float = 0.1
+    """Of the spin times radius after it, over the change of velocity."""
+    late: float = 2e-3
+    """s by which a change comes too early or too late."""
+    drift: float = 5e-3
+    """m/s in one second, of a ball that moves: a cloth that slopes or drags aside."""
+    frame: float = 1e-3
+    """m, of one coordinate of one frame."""
+
+    def times(self, factor: float) -> LawErrors:
+        """Return the errors of the laws times a factor, with the same error of a frame."""
+        return LawErrors(*(factor * one for one in self))._replace(frame=self.frame)
+
+
+@dataclass(frozen=True, eq=False)
+class Belief:
+    """What is known of a shot at a time: normal."""
+
+    time: float
+    """s of the film."""
+    mean: Array
+    """(S,): of each ball its place, velocity, and spin times radius; then by how much the table differs for this shot."""
+    covariance: Array
+    """(S, S)"""
+
+
+class Followed(NamedTuple):
+    """A shot that was followed through its frames."""
+
+    belief: Belief
+    """At its last frame."""
+    distance: float
+    """m (rms), from the frames to what is known with them."""
+
+
+def _numbers(states: Array, radius: float) -> Array:
+    """Return the numbers (..., OWN) of states (..., 9)."""
+    return np.concatenate([states[..., :2], states[..., 3:5], radius * states[..., 6:9]], axis=-1)
+
+
+def _balls(table: TableNumbers, numbers: Array) -> NDArray[np.void]:
+    """Return the balls (N, B) of numbers (N, B, OWN)."""
+    balls = np.tile(table.arrays.balls, (len(numbers), 1))
+    a = float(balls["radius"][0, 0])
+    balls["x"][..., :2], balls["x"][..., 2] = numbers[..., PLACE], a
+    balls["v"][..., :2], balls["v"][..., 2] = numbers[..., MOTION], 0.0
+    balls["w"] = numbers[..., TURN] / a
+    return balls
+
+
+def _moved(table: TableNumbers, mean: Array, time: Array) -> tuple[Array, Array]:
+    """Return the numbers (T, B, OWN) at times since now, and their derivatives (T, B, OWN, S)."""
+    b, a = len(table.arrays.balls), float(table.arrays.balls["radius"][0])
+    columns = [
+        (k, name, j, size)
+        for k in range(b)
+        for name, count, size in (("x", 2, 1.0), ("v", 2, 1.0), ("w", 3, 1 / a))
+        for j in range(count)
+    ]
+    own, deviations = mean[: OWN * b].reshape(1, b, OWN), mean[OWN * b :]
+    at = states_by(table, _balls(table, own)[0], deviations, time, columns, 9, bool(len(deviations)))
+    d = np.concatenate([at.by_columns, at.by_shared], axis=-1)
+    d = np.concatenate([d[:, :, :2], d[:, :, 3:5], a * d[:, :, 6:9]], axis=2)
+    return _numbers(at.states, a), np.nan_to_num(d)
+
+
+def _carried(now: Array, slopes: Array) -> Array:
+    """Return the derivative (S, S) of all numbers after a step by those before it."""
+    found = np.eye(slopes.shape[-1])
+    found[: now.size] = slopes.reshape(now.size, -1)
+    return found
+
+
+def _widened(before: Array, after: Array, errors: LawErrors, seconds: float) -> Array:
+    """Return the variances (B, OWN) that changes of velocity between numbers (B, OWN) bring."""
+    size = np.hypot(*(after - before)[:, MOTION].T)[:, None]
+    found = np.zeros_like(after)
+    found[:, PLACE] = (errors.late * size) ** 2
+    goes = np.hypot(*after[:, MOTION].T)[:, None] > 0
+    found[:, MOTION] = ((errors.share * size) ** 2 + errors.drift**2 * seconds) * goes
+    found[:, TURN] = (errors.spin * size) ** 2 * goes
+    return found
+
+
+def belief_of_start(table: TableNumbers, start: ShotStart, best: Array, frames: int, errors: LawErrors) -> Belief:
+    """Return what the first frames of a shot say of it at the last of them, by its best start."""
+    shot, own = start.shot, start_size(len(start.shot.balls))
+    b, a = len(shot.balls), float(table.arrays.balls["radius"][0])
+    at = residuals(table, shot, best, frames)
+    _gap, (jac,) = soft(at.gap, [at.by_start], error_of_frames(table, start, best, frames, errors.frame))
+    rows = start.prior.rows
+    covariance = np.linalg.inv(jac.T @ jac + rows.T @ rows)
+    first = starting_balls(table, best[None])[0]
+    begin = np.concatenate([first["x"][:, :2], first["v"][:, :2], a * first["w"]], axis=1)
+    mean = np.concatenate([begin.ravel(), best[own:]])
+    by_start = np.zeros((len(mean), len(best)))
+    by_start[range(2, OWN), range(VELOCITY.start, SPIN.stop)] = 1.0
+    for k in range(b):
+        by_start[range(OWN * k, OWN * k + 2), range(FIRST_PLACE + 2 * k, FIRST_PLACE + 2 * k + 2)] = 1.0
+    by_start[range(OWN * b, len(mean)), range(own, len(best))] = 1.0
+    seconds = max(float(shot.time[frames - 1] - best[TIME]), 2 * DIFFERENCE)
+    states, slopes = _moved(table, mean, np.array([seconds - DIFFERENCE, seconds]))
+    slope = _carried(states[1], slopes[1]) @ by_start
+    slope[: OWN * b, TIME] = -(states[1] - states[0]).ravel() / DIFFERENCE
+    wide = np.zeros(len(mean))
+    wide[: OWN * b] = _widened(begin, states[1], errors, seconds).ravel()
+    mean[: OWN * b] = states[1].ravel()
+    return Belief(float(shot.time[frames - 1]), mean, slope @ covariance @ slope.T + np.diag(wide))
+
+
+def followed(table: TableNumbers, shot: FilmedShot, belief: Belief, errors: LawErrors) -> Followed | None:
+    """Follow a shot through its frames after a belief; None where the model has no state."""
+    frames, last = int(np.searchsorted(shot.time, belief.time + 1e-9)), float(shot.time[-1])
+    squares, count = 0.0, 0
+    while frames < len(shot.time):
+        end = belief.time + STEP if last - belief.time > 1.5 * STEP else last
+        until = int(np.searchsorted(shot.time, end + 1e-9))
+        found = _step(table, shot, belief, slice(frames, until), end, errors)
+        if found is None:
+            return None
+        belief, gaps = found
+        squares, count, frames = squares + float(np.square(gaps).sum()), count + len(gaps), until
+    return Followed(belief, float(np.sqrt(2 * squares / max(count, 1))))
+
+
+def _step(
+    table: TableNumbers, shot: FilmedShot, belief: Belief, rows: slice, end: float, errors: LawErrors
+) -> tuple[Belief, Array] | None:
+    """Take in the frames of a step; return what is known at its end, and the gaps that are left, m."""
+    b = len(shot.balls)
+    film, known = shot.position[rows], shot.known[rows]
+    time = np.append(shot.time[rows], end) - belief.time
+    mean, covariance, before = belief.mean, belief.covariance, belief.covariance
+    for turn in range(ROUNDS if known.any() else 0):
+        at, slopes = _moved(table, mean, time)
+        if not np.isfinite(at).all():
+            return None
+        gap, by = (film - at[:-1, :, PLACE])[known].ravel(), slopes[:-1, :, PLACE][known].reshape(-1, len(mean))
+        change = np.hypot(*(at[-1] - mean[: OWN * b].reshape(b, OWN))[:, MOTION].T)
+        variance = errors.frame**2 + np.where(change > MET, (errors.share * change * STEP / 2) ** 2, 0.0)
+        noise = np.broadcast_to(variance[None, :, None], (*known.shape, 2))[known].ravel()
+        if turn:
+            far = np.sqrt(np.square(gap.reshape(-1, 2)).sum(axis=1) / noise[::2])
+            noise = noise * np.maximum(far / SOFT, 1.0).repeat(2) ** 2
+        surprise, gain = gap - by @ (belief.mean - mean), before @ by.T
+        spread = by @ gain + np.diag(noise)
+        solved = np.linalg.solve(spread, np.column_stack([surprise, gain.T]))
+        mean = belief.mean + gain @ solved[:, 0]
+        covariance = before - gain @ solved[:, 1:]
+    at, slopes = _moved(table, mean, time)
+    if not np.isfinite(at).all():
+        return None
+    carry = _carried(at[-1], slopes[-1])
+    covariance = carry @ covariance @ carry.T
+    own = np.arange(OWN * b)
+    covariance[own, own] += _widened(mean[own].reshape(b, OWN), at[-1], errors, end - belief.time).ravel()
+    gaps = (film - at[:-1, :, PLACE])[known].ravel()
+    return Belief(end, np.append(at[-1], mean[OWN * b :]), (covariance + covariance.T) / 2), gaps
+
+
+def drawn_rests(
+    table: TableNumbers, belief: Belief, time: Array, errors: LawErrors, draws: int, rng: np.random.Generator
+) -> Array:
+    """Return places (N, T, B, 2) of draws of what is known and of the laws' errors, at times of the film after it; NaN where the
+    model has no state."""
+    b, a, size = len(table.arrays.balls), float(table.arrays.balls["radius"][0]), len(belief.mean)
+    root = _root(belief.covariance)
+    own, every = OWN * b, []
+    for some in _groups(draws):
+        # (on a table of its own each group is a call of the engine: the balls are drawn given the table)
+        z = rng.normal(size=(some, size))
+        z[:, : size - own] = z[0, : size - own]
+        tried = belief.mean + z @ root.T
+        heavy = np.sqrt(TAIL / rng.chisquare(TAIL, (some, 1, 1)))
+        arrays, now = table.moved(tried[0, own:]), tried[:, :own].reshape(some, b, OWN)
+        now[..., MOTION.start :] *= np.any(belief.mean[:own].reshape(b, OWN)[:, MOTION.start :] != 0, axis=1)[:, None]
+        places, begin, frames = np.full((some, len(time), b, 2), np.nan), belief.time, 0
+        while frames < len(time):
+            until = int(np.searchsorted(time, begin + STEP + 1e-9))
+            since = np.append(time[frames:until] - begin, STEP)
+            states = states_at(
+                arrays, _balls(table, now), since[None], np.full(some, len(since)), numbers=9, limits=LIMITS
+            )
+            at = _numbers(states, a)
+            places[:, frames:until] = at[:, :-1, :, PLACE]
+            wide = np.array([_widened(*both, errors, STEP) for both in zip(now, at[:, -1], strict=True)])
+            wide[..., PLACE] = 0.0  # (a ball behind a cushion would not come back)
+            now = at[:, -1] + heavy * np.sqrt(wide) * rng.normal(size=now.shape)
+            begin, frames = begin + STEP, until
+        every.append(places)
+    return np.concatenate(every)
+
+
+def _root(covariance: Array) -> Array:
+    """Return a root of a covariance (S, S), whose first columns alone reach its last numbers."""
+    value, vector = np.linalg.eigh(covariance[::-1, ::-1])
+    triangle = np.linalg.qr((vector * np.sqrt(np.maximum(value, 0.0))).T)[1].T
+    return np.asarray(triangle[::-1])
+
+
+def _groups(draws: int) -> Iterator[int]:
+    for first in range(0, draws, EACH):
+        yield min(EACH, draws - first)
