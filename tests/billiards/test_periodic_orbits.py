@@ -8,6 +8,7 @@ import math
 import numpy as np
 import pytest
 from mpmath import mp, workdps
+from reference.commands import command
 from reference.critical_lengths import critical_lengths
 from reference.precise_bounces import return_map_trace
 
@@ -208,3 +209,17 @@ def test_a_branch_begins_at_its_orbit() -> None:
         billiards.continue_orbit(one, billiards.sinai, 0.3, 0.4)
     with pytest.raises(CaromError, match="`table` and `ball`, got sides"):
         billiards.continue_orbit(one, lambda radius: {"sides": radius}, 0.3, 0.4)
+
+
+def test_lists_say_what_they_may_leave_out(capsys):
+    """Corners, at which orbits end; orbits between obstacles that random starts do not find."""
+    assert (
+        "corners: orbits that meet one are left out."
+        in billiards.periodic_orbits(billiards.regular(3), 2, starts=5).completeness
+    )
+    assert "corners" not in billiards.periodic_orbits(billiards.circle(), 2, law="mirror", starts=5).completeness
+    code, printed, told = command(capsys, "orbit", "discs", "--periodic", "2", "--starts", "5")
+    assert code == 0
+    assert "No periodic orbit" in printed
+    assert "--itinerary AB,ABC seeks" in told
+    assert "--itinerary" not in command(capsys, "orbit", "discs", "--itinerary", "AB", "--starts", "5")[2]

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards.curved_wall import CurvedWall, chord_frame, graphs, left_of, plane_of
+from carom.billiards.curved_wall import CurvedWall, chord_frame, graphs, left_of, plane_of, slopes
 from carom.billiards.touched_wall import Bend, Stretch, no_room, touched
 from carom.core.geometry.curve import BEND, CX, FIRST_XI, HALF, HIGH, LAST_XI, LOW, OX, ROW, SLOPE, TX, W0, W1, X
 
@@ -72,9 +72,10 @@ class CurvedRegion:
         low, h = rows[:, W0], rows[:, HALF]
         half = (w - low) / 2
         total = np.zeros(len(row))
-        for node, weight in zip(NODES, WEIGHTS, strict=True):
-            total += weight * np.sqrt(1 + graphs(rows, low + half * (1 + node))[1] ** 2)
-        turned = np.arctan(graphs(rows, w)[1]) - np.arctan(graphs(rows, low)[1])
+        rates = np.sqrt(1 + slopes(rows, low + half * (1 + NODES[:, None])) ** 2)
+        for weight, rate in zip(WEIGHTS, rates, strict=True):
+            total += weight * rate
+        turned = np.arctan(slopes(rows, w)) - np.arctan(slopes(rows, low))
         found: Array = total * half * h - self.inset * turned
         return found
 
@@ -134,7 +135,9 @@ class CurvedRegion:
             _f, f1, f2 = graphs(rows, w)
             q = np.sqrt(1 + f1 * f1)
             rate = rows[:, HALF] * q * np.maximum(1 - self.inset * f2 / q**3, 1e-6)
-            w = np.clip(w - (self._length_to(row, w) - rest) / rate, low, high)
+            before, w = w, np.clip(w - (self._length_to(row, w) - rest) / rate, low, high)
+            if (w == before).all():
+                break
         return self._point(rows, w)
 
     def _point(self, rows: Array, w: Array) -> tuple[Array, Array]:

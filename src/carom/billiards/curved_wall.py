@@ -20,7 +20,7 @@ from carom.core.geometry.polygon import outline_faults
 from carom.errors import CaromError, Fault
 from carom.scene.figures import Piece
 
-__all__ = ["CurvedWall", "WallLoop", "chord_frame", "graphs", "left_of", "plane_of"]
+__all__ = ["CurvedWall", "WallLoop", "chord_frame", "graphs", "left_of", "plane_of", "slopes"]
 
 Array = NDArray[np.float64]
 CORNER_TURN = 1e-7  # rad
@@ -64,6 +64,15 @@ def graphs(rows: Array, w: Array) -> tuple[Array, Array, Array]:
         f1 = f1 * w + k * c if k > 0 else f1
         f2 = f2 * w + k * (k - 1) * c if k > 1 else f2
     return f, f1 / rows[:, HALF], f2 / rows[:, HALF] ** 2
+
+
+def slopes(rows: Array, w: Array) -> Array:
+    """Return f' (..., N) of panels, rows (N, ROW), at w (..., N), with the bits of :func:`graphs`."""
+    f1 = np.zeros_like(w)
+    for k in range(DEGREE, 0, -1):
+        f1 = f1 * w + k * rows[:, COEFFICIENTS + k]
+    found: Array = f1 / rows[:, HALF]
+    return found
 
 
 def chord_frame(rows: Array, x: Array) -> tuple[Array, Array]:

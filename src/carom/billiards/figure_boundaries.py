@@ -36,6 +36,7 @@ WHOLE, RIGHT, LEFT = (0.0, 360.0), (-90.0, 90.0), (90.0, 270.0)  # the arcs that
 HALVES = {WHOLE: 0.0, RIGHT: 1.0, LEFT: -1.0}
 
 
+@functools.lru_cache(maxsize=64)
 def boundary_of(figure: Figure, inset: float, name: str = "") -> Boundary:
     """Return the boundary of a figure for a centre that stays ``inset``, m, away from its wall.
 

@@ -117,7 +117,9 @@ def periodic_orbits(
         found += _distinct(shell, y, p)
         if report is not None:
             report(k + 1, len(periods), "periods")
-    return PeriodicOrbits(tuple(sorted(found, key=lambda one: (one.period, one.duration))), count)
+    return PeriodicOrbits(
+        tuple(sorted(found, key=lambda one: (one.period, one.duration))), count, shell.setup.has_corners
+    )
 
 
 def refine_orbit(

@@ -150,6 +150,8 @@ class PeriodicOrbits(Sequence[PeriodicOrbit]):
     orbits: tuple[PeriodicOrbit, ...]
     starts: int
     """Number of starts for each period."""
+    corners: bool = False
+    """Whether the table has corners, at which orbits end."""
 
     def __len__(self) -> int:
         """Return the number of orbits."""
@@ -175,16 +177,19 @@ class PeriodicOrbits(Sequence[PeriodicOrbit]):
 
     @property
     def completeness(self) -> str:
-        """How many starts closed, and whether orbits were found once only: one line."""
+        """How many starts closed, whether orbits were found once only, and whether corners leave some out: one line."""
         closed, once = sum(one.found for one in self.orbits), sum(one.found == 1 for one in self.orbits)
+        left_out = (
+            " The map is not smooth at the table's corners: orbits that meet one are left out." if self.corners else ""
+        )
         if not closed:
-            return f"No periodic orbit: none of {self.starts:,} starts for each period closed."
+            return f"No periodic orbit: none of {self.starts:,} starts for each period closed.{left_out}"
         end = (
             f"{counted(once, 'orbit')} found once: more starts may show more"
             if once
             else "every orbit was found twice or more"
         )
-        return f"{counted(closed, 'start')} closed, of {self.starts:,} for each period; {end}."
+        return f"{counted(closed, 'start')} closed, of {self.starts:,} for each period; {end}.{left_out}"
 
     def describe(self) -> str:
         """Return a line for each orbit, and how complete the list is likely to be."""

@@ -110,6 +110,12 @@ class OrbitSetup:
         """Whether the table lies in the plane."""
         return self.table.dimension == 2
 
+    @property
+    def has_corners(self) -> bool:
+        """Whether the boundary has corners, at which the map of bounces is not defined, and beside which it is not continuous."""
+        sides = self.pieces[: self.world[0]["faces"]]
+        return bool(self.world[0]["arc_corners"] or np.isfinite(sides["low"]).any() or np.isfinite(sides["high"]).any())
+
     def reversed_in_time(self) -> OrbitSetup:
         """Return the setup in which an orbit runs backwards: with the opposite magnetic field."""
         if not self.table.magnetic_field:

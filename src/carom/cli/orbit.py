@@ -218,6 +218,11 @@ def orbit(
         say_json(facts)
     else:
         print_orbit(facts, found)
+        if found.periodic is not None and not len(found.periodic) and itinerary is None:
+            note(
+                "note: random starts seldom lead to unstable orbits between obstacles or through openings;"
+                " --itinerary AB,ABC seeks those that meet given walls"
+            )
     _draw(found, plot, portrait, boundary)
     if lyapunov_plot is not None and found.spectrum is not None:
         from carom.plot import plot_lyapunov, save
