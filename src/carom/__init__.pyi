@@ -1,7 +1,5 @@
 # The public names of carom, once: loaded when they are first used (lazy_loader), read by type checkers as they stand.
 from . import billiards as billiards
-from . import cli as cli
-from . import core as core
 from . import data as data
 from . import derive as derive
 from . import explorer as explorer
