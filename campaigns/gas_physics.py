@@ -1,8 +1,9 @@
 """Gases against what is known of them: known beside found.
 
-    python campaigns/gas_physics.py [--only pressure|free-time|diffusion|sharing|haff|rough] [--scale 1.0]
+    python campaigns/gas_physics.py [--scale 1.0]
+        [--only pressure|free-time|diffusion|sharing|haff|rough|ratio|transport|shear|walls]
 
-``--scale`` multiplies the lengths of the runs: at 1 all parts take about four minutes of CPU time. Units: diameter, mass, k_B T
+``--scale`` multiplies the lengths of the runs: at 1 all parts take about ten minutes of CPU time. Units: diameter, mass, k_B T
 at the start.
 """
 
@@ -15,7 +16,8 @@ import numpy as np
 from campaign import Campaign, campaign
 
 import carom
-from carom.gas import Gas, Species, scattered, simulate_gas
+from carom.gas import Drive, Gas, Species, scattered, sheared_viscosity, simulate_gas, transport_coefficients
+from carom.gas import enskog as enskog_theory
 
 SMOOTH, ROUGH = carom.Surface(1, 0, -1), carom.Surface(1, math.inf, 1)
 BALL, DISC = carom.Ball(0.5, 1.0, 0.4), carom.Disc(0.5, 1.0, 0.5)
@@ -202,8 +204,94 @@ def rough(run: Campaign, scale: float) -> None:
             line(run, f"{name} after {until} a ball", rot / tr, found, "mean field, Maxwellians")
 
 
+def ratio(run: Campaign, scale: float) -> None:
+    """Rough spheres that cool freely: T_rot/T_tr after so long that the start is forgotten, and the energy by Haff's law."""
+    balls = 400
+    for e, beta in ((0.9, 0.0), (0.8, 0.5), (0.95, -0.5), (0.7, 0.9)):
+        rates = rough_rates(e, beta, BALL.kappa, 3)
+        tr, rot = 1.0, 1.0
+        for _ in range(20_000):
+            d_tr, d_rot = rates(tr, rot)
+            tr, rot = tr + d_tr / 3 * 0.01, rot + d_rot / 3 * 0.01
+            tr, rot = 1.0, rot / tr
+        found, kept = [], []
+        for seed in range(max(int(60 * scale), 2)):
+            gas = cooling(BALL, balls, 0.05, carom.Surface(e, math.inf, beta), seed)
+            gas.advance(60 * balls // 2)
+            begin, energy = gas.time, sum(gas.energy())
+            gas.advance(balls)
+            # (with a constant ratio the energy falls as T0 / (1 + t/tau)^2, Haff's law: to 1/16 after three tau)
+            tau = (gas.time - begin) / (math.sqrt(energy / sum(gas.energy())) - 1)
+            for k in range(1, 16):
+                gas.advance(until=max(gas.time, begin + 3 * tau * k / 15))
+                moves, turns, _ = gas.energy()
+                found.append(turns / moves)
+            kept.append(sum(gas.energy()) / energy)
+        name = f"rough spheres, e = {e}, beta = {beta}"
+        line(run, f"{name}: T_rot/T_tr after 60 a ball", rot, float(np.mean(found)), "mean field, Maxwellians")
+        line(run, "  the energy, three Haff times later", 1 / 16, float(np.mean(kept)))
+
+
+def transport(run: Campaign, scale: float) -> None:
+    """Helfand's relations in equilibrium, smooth spheres, beside Enskog's theory."""
+    balls = 200
+    for density in (0.01, 0.1, 0.3, 0.5):
+        gas = Gas([Species(BALL, balls)], ((balls / density) ** (1 / 3),) * 3, contacts=SMOOTH, seed=1)
+        gas.advance(40 * balls)
+        found, known = transport_coefficients(gas, max(int(5000 * scale), 200)), enskog_theory(density)
+        for name in found._fields:
+            one = getattr(found, name)
+            line(
+                run, f"{name}, spheres, n = {density} (Enskog)", getattr(known, name), one.value, f"+- {one.error:.2g}"
+            )
+
+
+def shear(run: Campaign, scale: float) -> None:
+    """Lees-Edwards boundaries, smooth spheres, kept at a temperature by a weak thermostat."""
+    balls = 1000
+    for density in (0.1, 0.3, 0.5):
+        side = ((balls / density) ** (1 / 3),) * 3
+        rate = 0.1 / enskog_theory(density).mean_free_time
+        gas = Gas([Species(BALL, balls)], side, contacts=SMOOTH, shear_rate=rate, seed=1)
+        gas.advance(20 * balls)
+        begin = gas.mark()
+        found = sheared_viscosity(gas, max(int(400 * balls * scale), 2 * balls))
+        warm = gas.measured_since(begin).temperature_translational
+        known = enskog_theory(density, temperature=warm).viscosity
+        name = f"viscosity at a shear rate of 0.1 / mean free time, n = {density} (Enskog)"
+        line(run, name, known, found.value, f"+- {found.error:.2g}, k_B T {warm:.2f}")
+
+
+def walls(run: Campaign, scale: float) -> None:
+    """Heat between walls of different temperature: flux from what the walls give, gradient in the middle from exact layers."""
+    balls, density = 2000, 0.1
+    width = (balls / density / 4) ** (1 / 3)
+    side = (width, width, 4 * width)
+    contacts = {("a", "a"): SMOOTH, ("a", "wall"): SMOOTH}
+    drives = {
+        name: Drive(temperature=t, temperature_rotational=0.0) for name, t in (("bottom", 0.8), ("top", 1.2))
+    }  # fmt: skip
+    species = Species(BALL, balls, "a", 1.0, 0.0)  # (smooth balls carry the energy of their spins unchanged)
+    gas = Gas([species], side, periodic=(True, True, False), contacts=contacts, drives=drives, seed=1)
+    gas.advance(200 * balls)
+    found = gas.run(max(int(2000 * balls * scale), 20 * balls))
+    layers, area = found.averages.layers, width * width
+    assert layers is not None
+    flux = (found.energy_from_walls["top"] - found.energy_from_walls["bottom"]) / (2 * area * found.simulated_time)
+    middle = (layers.edges[1:] + layers.edges[:-1]) / 2
+    inner = (middle > 0.25 * side[2]) & (middle < 0.75 * side[2])
+    slope = np.polyfit(middle[inner], layers.temperature[0, inner], 1)[0]
+    volumes = area * np.diff(layers.edges)
+    known = np.mean([
+        enskog_theory(n, temperature=t).conductivity
+        for n, t in zip((layers.number[0] / volumes)[inner], layers.temperature[0, inner], strict=True)
+    ])  # fmt: skip
+    line(run, f"conductivity between walls at 0.8 and 1.2, n = {density} (Enskog)", float(known), float(flux / slope))
+
+
 PARTS = {
     "free-time": free_time, "pressure": pressure, "diffusion": diffusion, "sharing": sharing, "haff": haff, "rough": rough,
+    "ratio": ratio, "transport": transport, "shear": shear, "walls": walls,
 }  # fmt: skip
 
 

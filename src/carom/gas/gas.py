@@ -292,7 +292,9 @@ class Gas:
     def measure_heat(self) -> None:
         """Measure the heat current from now on, until the gas is restored from a state."""
         if len(self.arrays.heat) == 0:
-            self.arrays, self._compiled = self.arrays._replace(heat=np.zeros(1, HEAT)), False
+            heat = np.zeros(1, HEAT)
+            heat["spins"] = not self.arrays.materials.pairs["smooth"].all()
+            self.arrays, self._compiled = self.arrays._replace(heat=heat), False
 
     def heat_passed(self) -> Array:
         """Return the integral over time of the heat current (J m), (dimensions,), from :meth:`measure_heat` on."""

@@ -90,7 +90,8 @@ def transport_coefficients(gas: Gas, windows: int = 2000, *, progress: Progress 
     """Return the shear and bulk viscosity and the heat conductivity of a gas in equilibrium, which is advanced meanwhile.
 
     As :func:`viscosity`: the bulk viscosity from the fluctuations of the pressure about its mean, the conductivity from the heat
-    current, the energy that balls carry and pass on in collisions (energy of spins included).
+    current, the energy that balls carry and pass on in collisions (with the energy of spins, where contacts
+    change them).
 
     Parameters
     ----------

@@ -207,7 +207,7 @@ def note_carried_heat(heat: Any, species: Any, ball: Any, body: Any, now: float)
         return
     one, sums = species[U64(ball.species)], heat[0]
     v, w = (ball.vx, ball.vy, ball.vz), (body.wx, body.wy, body.wz)
-    energy = one.mass / 2.0 * (dot(v, v) + one.kappa * one.radius * one.radius * dot(w, w))
+    energy = one.mass / 2.0 * (dot(v, v) + sums.spins * one.kappa * one.radius * one.radius * dot(w, w))
     way = energy * (now - ball.time)
     sums.carried_x += way * v[0]
     sums.carried_y += way * v[1]

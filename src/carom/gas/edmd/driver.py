@@ -341,7 +341,8 @@ def heat_until(arrays: GasArrays, time: float) -> NDArray[np.float64]:
     kinds, sums = arrays.materials.species[motions["species"]], arrays.heat[0]
     v = np.stack([motions[f"v{axis}"] for axis in "xyz"], axis=1)
     w = np.stack([bodies[f"w{axis}"] for axis in "xyz"], axis=1)
-    energy = kinds["mass"] / 2 * ((v * v).sum(axis=1) + kinds["kappa"] * kinds["radius"] ** 2 * (w * w).sum(axis=1))
+    turning = sums["spins"] * kinds["kappa"] * kinds["radius"] ** 2 * (w * w).sum(axis=1)
+    energy = kinds["mass"] / 2 * ((v * v).sum(axis=1) + turning)
     way = energy * ((time - one["base"]) - one["rest"] - motions["time"])
     found: NDArray[np.float64] = (
         np.array([sums["carried_" + axis] + sums["passed_" + axis] for axis in "xyz"]) + way @ v

@@ -235,8 +235,9 @@ SYSTEM = np.dtype(
 SHEAR = np.dtype([("rate", _FLOAT), ("speed", _FLOAT), ("offset", _FLOAT)])
 
 # Of a gas whose heat current is measured: the sums over flights of a ball's energy times its way, and over collisions of two balls
-# of the distance of their centres times the energy that the first one gains, both by components.
-HEAT = np.dtype([(part + axis, _FLOAT) for part in ("carried_", "passed_") for axis in "xyz"])
+# of the distance of their centres times the energy that the first one gains, both by components. ``spins`` is 0 where
+# collisions change no spin, whose energy is then no heat, else 1.
+HEAT = np.dtype([("spins", _FLOAT), *((part + axis, _FLOAT) for part in ("carried_", "passed_") for axis in "xyz")])
 
 # What means over time are made of (edmd.averages). Of a species: sums over the jumps of a cycle, times the time (x2, y2, z2: of
 # impulses, times its square); sums over the balls at its end (names with t); integrals over the earlier cycles (time_...). xx to
