@@ -1,5 +1,7 @@
 """Launches in smooth curves against brute force: no crossing of a line or a parabola with the wall missed, none made up.
 
+Each curve is the boundary of a billiard, and a wall of a scene: its arcs, asked through the address by which a run asks them.
+
     python campaigns/curve_hits.py [N] [--only CURVE]
 
 N launches (1,000,000) a curve along lines and as many along parabolas; half from the wall, at angles down to 1e-3, a tenth of the
@@ -9,6 +11,7 @@ falling ones nearly or exactly vertical. Every hit must lie on the curve at the 
 
 from __future__ import annotations
 
+import ctypes
 import functools
 import sys
 from collections.abc import Sequence
@@ -19,13 +22,18 @@ from reference.curves import CURVES, depth, first_crossings, on_parallel
 
 import carom
 from carom import billiards
+from carom.core.geometry.arc_tables import arc_tables
+from carom.core.geometry.curve_features import HIT, NUMBERS, arc_address
+from carom.core.jit.pointers import address_of_table
 from carom.scene.figures import OutlineFigure, Piece
 
 NEAR = 1e-12  # m: a hit lies at the ball's distance from the curve to this
 EARLIER = 1e-4  # s: a crossing that is earlier by less is not told apart
 CHUNK = 20_000
 GRAVITY = 1.0
-KINDS = [f"{name}, {path}" for name in CURVES for path in ("lines", "parabolas")]
+SCENE = "scene: "
+KINDS = [f"{user}{name}, {path}" for user in ("", SCENE) for name in CURVES for path in ("lines", "parabolas")]
+SLOW = 1e-14  # m/s: approach that counts as rounding
 
 
 class Given(Piece):
@@ -51,7 +59,7 @@ def table(name: str) -> tuple[billiards.Table, carom.Disc]:
 
 def launches(kind: str, seed: int, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return places and velocities (N, 2), half of them from the wall, and the acceleration."""
-    name, path = kind.split(", ")
+    name, path = kind.removeprefix(SCENE).split(", ")
     curve, a = CURVES[name]
     rng = np.random.default_rng([seed, KINDS.index(kind)])
     made, ball = table(name)
@@ -75,18 +83,39 @@ def launches(kind: str, seed: int, count: int) -> tuple[np.ndarray, np.ndarray, 
     return x, v, np.array([0.0, -GRAVITY])
 
 
-def judge(kind: str, seed: int, count: int) -> Row:
-    """Count launches, misses, hits that are none, and launches without a hit."""
-    name = kind.split(", ", maxsplit=1)[0]
-    curve, a = CURVES[name]
-    x, v, g = launches(kind, seed, count)
+def met_by_orbit(name: str, x: np.ndarray, v: np.ndarray, g: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return times (N) and places (N, 2) of the first bounces in a billiard; NaN where there is none."""
     made, ball = table(name)
     made = billiards.under(made, g) if g.any() else made
     found = billiards.orbit(made, (x, v, 0.0), 1, ball=ball, law="mirror", corners="pass")
-    none = found.count == 0
     # (a flight of less than rounding leaves no bounce: it grazes)
-    t = np.where(none, np.inf, found.t[:, 0])
-    off = np.abs(depth(curve, found.position[~none, 0]) - a)
+    return np.where(found.count == 0, np.nan, found.t[:, 0]), found.position[:, 0]
+
+
+def met_by_arcs(name: str, x: np.ndarray, v: np.ndarray, g: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return times (N) and places (N, 2) of the first contacts with the arcs of a scene's wall; NaN where there is none."""
+    curve, a = CURVES[name]
+    ask = ctypes.CFUNCTYPE(None, *[ctypes.c_double] * NUMBERS, ctypes.c_void_p)(arc_address())
+    out = (ctypes.c_double * 6)()
+    place, t = ctypes.addressof(out), np.full(len(x), np.inf)
+    tables = arc_tables(curve.at, *curve.span())
+    for address in [float(address_of_table(one)) for one in tables]:
+        for k, ((px, py), (vx, vy)) in enumerate(zip(x.tolist(), v.tolist(), strict=True)):
+            ask(HIT, address, a, px, py, vx, vy, *g.tolist(), t[k], SLOW, place)
+            t[k] = min(t[k], out[0])
+    t[np.isinf(t)] = np.nan
+    return t, x + v * t[:, None] + g * (t * t / 2)[:, None]
+
+
+def judge(kind: str, seed: int, count: int) -> Row:
+    """Count launches, misses, hits that are none, and launches without a hit."""
+    name = kind.removeprefix(SCENE).split(", ", maxsplit=1)[0]
+    curve, a = CURVES[name]
+    x, v, g = launches(kind, seed, count)
+    t, place = (met_by_arcs if kind.startswith(SCENE) else met_by_orbit)(name, x, v, g)
+    none = np.isnan(t)
+    off = np.abs(depth(curve, place[~none]) - a)
+    t = np.where(none, np.inf, t)
     earlier = first_crossings(curve, a, x, v, g, t - EARLIER, after=1e-6)
     missed = np.isfinite(earlier) & ~none
     return {

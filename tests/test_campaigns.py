@@ -29,6 +29,10 @@ def test_it_runs(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert f"| `{name}` |" in before  # and the page names every campaign
 
 
+def test_arcs_of_scenes_are_hit_as_brute_force_says() -> None:
+    assert not importlib.import_module("curve_hits").main(["--small", "1000", "--only", "scene: flower, parabolas"])
+
+
 def test_error_bars_of_fits_hold_the_truth(capsys: pytest.CaptureFixture[str]) -> None:
     # 60 tables: each share within three counting errors of what is promised
     importlib.import_module("fit_coverage").main(["--small", "60", "--only", "40 bounces, all measured"])

@@ -44,6 +44,19 @@ def test_first_contacts_are_those_of_small_steps(name: str, inside: bool) -> Non
     assert touched >= 2
 
 
+@pytest.mark.parametrize(
+    ("name", "x", "v", "t"),
+    [
+        ("flower", (0.49549449644086785, -0.8825576350373271), (5.0867184551152786e-11, 1.6492739854114085), 3.4658572069141),
+        ("random 3", (0.9397281409923082, 0.001205764413273025), (0.0, 0.28778924644733356), 1.5927710376818),
+    ],
+)  # fmt: skip
+def test_a_flight_over_the_tangent_of_an_arc_comes_back_to_it(name: str, x: Any, v: Any, t: float) -> None:
+    """It passes the continuation of the arc where rounding hides on which side it is; the place is known to the billiard."""
+    found = soonest(tables_of(CURVES[name][0]), 0.0, np.array(x), np.array(v), np.array([0.0, -1.0]))
+    assert found == pytest.approx(t, rel=1e-12)
+
+
 def test_a_circle() -> None:
     """Of constant curvature: quarters, from both sides, with the contacts of its equation; in touch, and along the wall."""
     circle = CURVES["ellipse"][0].__class__(())

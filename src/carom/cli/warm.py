@@ -191,6 +191,7 @@ def measure_gas() -> None:
     gas = Gas([Species(carom.Ball(0.5, 1.0), 50)], side, contacts=carom.Surface(1, math.inf, 1))
     measures = Measures(gas)
     gas.run(10)
+    Gas.restore(gas.state())
     measures.sample(gas)
     scattered([0.5] * 50, side)
 

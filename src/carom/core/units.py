@@ -76,6 +76,8 @@ SPELLINGS = {
     "centimetre": "cm", "centimetres": "cm", "centimeter": "cm", "centimeters": "cm",
     "millimetre": "mm", "millimetres": "mm", "millimeter": "mm", "millimeters": "mm",
 }  # fmt: skip
+# Units of quantities that end no header (t_min is a least time), and need no pint, whose import takes half a second.
+_OF_CLOCKS = {"min": Unit("min", 60.0), "h": Unit("h", 3600.0)}
 _DIMENSION_OF = {
     "m": "length", "m/s": "speed", "m/s^2": "acceleration", "kg": "mass", "s": "time", "rad/s": "spin",
 }  # fmt: skip
@@ -132,6 +134,8 @@ def parse_quantity(text: str, unit: str) -> float:
         raise ValueError
     amount, name = Decimal(found[1].replace("_", "")), found[2].strip()
     known = unit_named(name, _DIMENSION_OF[unit]) if unit in _DIMENSION_OF else None
+    if unit == "s":
+        known = known or _OF_CLOCKS.get(name)
     if known is not None and known.exact:
         return float(amount * Decimal(repr(known.numerator)) / Decimal(repr(known.denominator)))
     units = _registry()

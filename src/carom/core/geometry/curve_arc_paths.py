@@ -23,6 +23,7 @@ from typing import Any
 from carom.core.geometry.curve import CX, OX, TX, X, offset_point, panel_crossing, panel_where_slope_is
 from carom.core.geometry.curve_arcs import SEAM, SENSE, SIZE, Ends, arc_depth, node_of, touchable_part
 from carom.core.jit.kernel import kernel
+from carom.core.roots.bracketed import least_of_chord, newton_or_half
 from carom.core.roots.first_root import hit2
 
 __all__ = ["arc_hit"]
@@ -247,9 +248,7 @@ def _fall_in(
     """Return the one root between low, where the gap is not negative, and high, where it is g and falls with u."""
     s = high
     for _ in range(MOST_STEPS):
-        new = s - g / u if u < 0.0 else low
-        if not low < new < high:
-            new = low + (high - low) / 2.0
+        new = newton_or_half(s, g, u, low, high)
         if abs(new - s) <= 4e-16 * high or not low < new < high:
             return new
         s = new
@@ -273,14 +272,7 @@ def _first_fall(
         length = right - s0
         short = length <= max(tiny, 4e-16 * right)
         if g1 > 0.0:
-            # least of the chord less pull t (length - t)/2
-            t = length / 2.0
-            if pull > 0.0:
-                t = t - (g1 - g0) / (length * pull)
-            least = min(g0, g1)
-            if 0.0 < t < length:
-                least = g0 + (g1 - g0) * (t / length) - pull * t * (length - t) / 2.0
-            if least >= 0.0 or short:
+            if short or least_of_chord(g0, g1, length, pull) >= 0.0:
                 s0, g0, u0 = right, g1, u1
                 right = min(right + 2.0 * max(length, tiny, 4e-16 * right), end)
                 continue
@@ -316,9 +308,9 @@ def _approach(
 @kernel
 def _leave(
     table: Any, ends: Ends, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float,
-    s: float, until: float, tiny: float, near: float,
+    s: float, until: float, tiny: float, near: float, sign: float,
 ) -> tuple[float, bool]:  # fmt: skip
-    """Return when the gap of a ball that touches is more than rounding, and True; or when it comes down before, and False.
+    """Return when the gap of a ball that touches, times ``sign``, is more than rounding, and True; or False when it falls before.
 
     The rate is known better than the gap, which at first is nothing but rounding.
     """
@@ -326,9 +318,9 @@ def _leave(
     while s < until:
         s = min(begin + step, until)
         g, u, _half, _whole, _beyond = _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)
-        if g > near:
+        if sign * g > near:
             return s, True
-        if u < 0.0:
+        if sign * u < 0.0:
             return s, False
         step = step + step
     return NEVER, True
@@ -390,16 +382,19 @@ def _parabola_hit(
     for _ in range(ROUNDS):
         if not out:
             if not touches:
-                # it is behind the arc, or over a tangent that continues it
-                if sense > 0.0:
+                # it is behind the arc, or over a tangent that continues it: first to where it is so by more than rounding
+                behind = True
+                if _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)[0] >= -near:
+                    s, behind = _leave(table, ends, d, dd, x, y, vx, vy, gx, gy, s, last, tiny, near, -1.0)
+                if behind and s < last and sense > 0.0:
                     s = _approach(table, ends, d, dd, x, y, vx, vy, gx, gy, s, last, tiny, near, -1.0)
-                else:
+                elif behind and s < last:
                     h = 0.5 * s
                     x1, y1, ux, uy = x + (vx + gx * h) * s, y + (vy + gy * h) * s, vx + gx * s, vy + gy * s
                     s = s + _nodes_time(table, ends, d + dd * s, dd, x1, y1, ux, uy, gx, gy, 2.0)
                 if not s < last:
                     return NEVER
-            s, out = _leave(table, ends, d, dd, x, y, vx, vy, gx, gy, s, last, tiny, near)
+            s, out = _leave(table, ends, d, dd, x, y, vx, vy, gx, gy, s, last, tiny, near, 1.0)
             if not out and s <= last:
                 if _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)[4] <= seam:
                     return s

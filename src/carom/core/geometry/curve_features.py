@@ -18,7 +18,8 @@ from carom.core.jit.kernel import ON_GPU, Vec, kernel, vector, without_slopes
 from carom.core.jit.pointers import Answer, address_of, answer_at, python_address, register_tables, table_at
 
 __all__ = [
-    "arc_address", "arc_entry", "curve_bend", "curve_depth", "curve_gap", "curve_hit", "curve_is_far", "curve_normal",
+    "HIT", "NUMBERS", "arc_address", "arc_entry", "curve_bend", "curve_depth", "curve_gap", "curve_hit", "curve_is_far",
+    "curve_normal",
 ]  # fmt: skip
 
 NUMBERS = 11

@@ -118,7 +118,6 @@ class GasArrays(NamedTuple):
 
 class _CompiledLoop(NamedTuple):
     fill_cells: Callable[..., Any]
-    restore_lists: Callable[..., Any]
     run: Callable[..., Any]
     synchronize: Callable[..., Any]
     close_cycle: Callable[..., Any]
@@ -127,17 +126,17 @@ class _CompiledLoop(NamedTuple):
 @functools.cache
 def compiled_loops() -> _CompiledLoop:
     """Return the compiled functions of the loop."""
+    return _CompiledLoop(*map(_compiled, _CompiledLoop._fields))
+
+
+@functools.cache
+def _compiled(name: str) -> Callable[..., Any]:
     from carom.core.jit.compile import njit
     from carom.core.jit.prefetch import register_prefetch
 
     # Without reference counts of arrays (_nrt): nothing is allocated in the loop, and counting took half of its time.
     # Without Python's lock (nogil): the gases of an ensemble run at once.
-    return _CompiledLoop(
-        *(
-            njit(getattr(loop, name), needs=(register_prefetch,), _nrt=False, nogil=True)
-            for name in _CompiledLoop._fields
-        )
-    )
+    return njit(getattr(loop, name), needs=(register_prefetch,), _nrt=False, nogil=True)
 
 
 def loop_is_cached() -> bool:
@@ -270,7 +269,7 @@ def restore(state: Mapping[str, NDArray[Any]]) -> GasArrays:
         copies[name][:] = given
         del given  # (a state read from a file has one array in memory at a time)
     arrays = _assemble(copies, memory)
-    compiled_loops().restore_lists(arrays.system[0], arrays.balls, arrays.calendar, arrays.cells)
+    _compiled("restore_lists")(arrays.system[0], arrays.balls, arrays.calendar, arrays.cells)
     return arrays
 
 
