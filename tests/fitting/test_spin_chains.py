@@ -51,6 +51,18 @@ def test_the_likelihood_is_the_sum_over_the_first_spin(monkeypatch: pytest.Monke
         assert abs(found[chain].sum() - deviance(rows, 0.02, *NUMBERS.values(), points=2001)) < 0.02
 
 
+def test_the_deviance_has_no_ripples() -> None:
+    """With steps and ripples of half a unit descents stopped anywhere, by the last bit of a prediction."""
+    model = model_of(CONTACT, problem_of(0))
+    numbers = NUMBERS | {"friction": 0.16, "tangential_restitution": -0.02, "spin_mean": 0.0}
+    for name, half, degree in (("spin_width", 0.15, 4), ("friction", 0.006, 4)):
+        p, t = np.tile(model.start, (41, 1)), np.linspace(-1, 1, 41)
+        p[:, [INDEX[one] for one in numbers]] = list(numbers.values())
+        p[:, INDEX[name]] += half * t
+        seen = np.array([model.evaluate(one[None], derivatives=False).deviance.sum() for one in p])
+        assert np.abs(seen - np.polynomial.Polynomial.fit(t, seen, degree)(t)).max() < 0.25
+
+
 def test_scores_and_information_are_those_of_the_deviance() -> None:
     model = model_of(CONTACT, problem_of(2))
     p = model.start.copy()

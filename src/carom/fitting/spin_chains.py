@@ -2,7 +2,9 @@
 
 Between walls nothing changes the spin of a disc that slides without friction, or of a ball in flight, so the spin before a contact
 is that after the one before. The spin before the first has a prior, a sum of C narrow normal components; each of them follows the
-chain as in an extended Kalman filter (Alspach & Sorenson, IEEE Trans. Autom. Control 17, 439 (1972)). With the law f, inputs x that
+chain as in an extended Kalman filter (Alspach & Sorenson, IEEE Trans. Autom. Control 17, 439 (1972)). Its derivatives J are
+differences over an error bar to both sides, so that the deviance has no steps where a contact changes from sliding to sticking; and
+the components are narrow beside what a measurement says of a spin, so that it has no ripples. With the law f, inputs x that
 have variances V, the component's spin among them, and r = y - f,
 
     S = var(y) + J V J' - J C - C' J',   c = r' S^-1 r,
@@ -31,14 +33,14 @@ __all__ = ["chains_of", "evaluate_chains", "observed_information"]
 
 Array = NDArray[np.float64]
 OF_BALL = ("film", "shot", "ball")
-COMPONENTS, REACH, NARROW = 41, 3.2, 0.16  # of the prior: number, ends of the centres and own width, in its widths
+COMPONENTS, REACH, NARROW = 101, 3.2, 0.064  # of the prior: number, ends of the centres and own width, in its widths
 LEAST = 1e-300  # weight of a component that has none left
 LEAST_SPIN, LEAST_VARIANCE = 1e-6, 1e-12  # of v/a, for a derivative at a known spin; of a spin, (rad/s)^2
 WITHIN, LEAST_PART = (
     0.3,
     0.05,
 )  # error bars between which the curvature is taken; the least part of the information that is kept
-STEP = 1e-4  # of a speed before the wall, for its derivative
+STEP = 1e-4  # of a speed before the wall, for its derivative where it has a smaller error bar
 
 
 def chains_of(rebounds: Rebounds) -> NDArray[np.int64]:
@@ -151,21 +153,24 @@ def _prior(model: Any, numbers: Array, x: Array) -> _Spins:
     return _Spins(weight, mean[..., None] + z * width, np.square(narrow * width) + 0 * z)
 
 
-def _linear(model: Any, numbers: Array, x: Array, spins: _Spins) -> tuple[Array, Array]:
+def _linear(model: Any, numbers: Array, x: Array, v_x: Array, spins: _Spins) -> tuple[Array, Array]:
     """Return the law's predictions (Q, M, C, 3) at x (Q, M, 3) with the spins' means, and their derivatives (Q, M, C, 3, 3)."""
-    tried = np.empty((5, *spins.mean.shape, 3))
+    tried = np.empty((7, *spins.mean.shape, 3))
     tried[..., :2], tried[..., 2] = x[:, :, None, :2], spins.mean
     speed = np.hypot(x[..., 0], x[..., 1])[..., None]
-    ahead, side = STEP * speed, np.sqrt(spins.variance) + LEAST_SPIN * speed / model.problem.setting.radius
-    tried[1, ..., 0] += ahead
-    tried[2, ..., 1] += ahead
-    tried[3:, ..., 2] += np.stack([side, -side])
+    bars = (
+        *(np.maximum(np.sqrt(v), STEP * speed[..., 0])[..., None] for v in v_x[:, :2].T),
+        np.sqrt(spins.variance) + LEAST_SPIN * speed / model.problem.setting.radius,
+    )
+    for i, bar in enumerate(bars):
+        tried[1 + 2 * i, ..., i] += bar
+        tried[2 + 2 * i, ..., i] -= bar
     p = np.broadcast_to(numbers[None, :, None, None], (*tried.shape[:-1], numbers.shape[1])).reshape(
         -1, numbers.shape[1]
     )
     data = model.likelihood(False).rows._replace(stages=np.zeros(len(p), np.int64), spins=None)
     f = predictions(model.law.kind, data, tried.reshape(-1, 3), p).reshape(tried.shape)
-    steps = (f[1] - f[0]) / ahead[..., None], (f[2] - f[0]) / ahead[..., None], (f[3] - f[4]) / (2 * side[..., None])
+    steps = [(f[1 + 2 * i] - f[2 + 2 * i]) / (2 * bar[..., None]) for i, bar in enumerate(bars)]
     return f[0], np.stack(steps, axis=-1)
 
 
@@ -173,7 +178,7 @@ def _after(model: Any, numbers: Array, rows: Any, x: Array, y: Array, spins: _Sp
     """Write what a contact of each chain, at x (Q, M, 3), says of the numbers into ``out``, and return the spins after it."""
     problem = model.problem
     v_x, v_y, (n, t) = problem.vx[rows] * (1, 1, 0), problem.vy[rows], problem.covariance[rows].T
-    here, jacobian = _linear(model, numbers, x, spins)
+    here, jacobian = _linear(model, numbers, x, v_x, spins)
     cross = np.zeros((len(rows), 3, 3))
     cross[:, 0, 0], cross[:, 1, 1] = n, t
     both = jacobian @ cross[:, None]
