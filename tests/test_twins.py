@@ -34,6 +34,7 @@ TWINS: dict[str, tuple[Callable[..., Any], set[str], set[str]]] = {
         OUTPUT | {"out", "stage", "sliding", "balls"},
         {"progress"},
     ),  # (of its table: found.rebounds())
+    "fit gas": (carom.fit_gas, OUTPUT, {"progress"}),
     "judge": (carom.tracks.judge, OUTPUT, {"kappa", "gravity"}),
     "compare": (carom.incoming, OUTPUT | {"law"}, set()),  # (carom.compare(laws, ...) hands its numbers on)
 }

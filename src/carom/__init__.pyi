@@ -26,6 +26,7 @@ from .errors import CaromError as CaromError
 from .explorer.page import explore as explore
 from .fitting.design_shots import design as design
 from .fitting.fit_files import fit as fit
+from .fitting.gas_fit import fit_gas as fit_gas
 from .fitting.shots.fit import fit_shots as fit_shots
 from .gas.simulate import simulate_gas as simulate_gas
 from .laws.comparison import Comparison as Comparison

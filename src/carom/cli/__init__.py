@@ -9,13 +9,26 @@ import sys
 from typing import Annotated, Any
 
 import typer
+from typer.core import TyperGroup
 
 from carom.cli.interrupts import noticed_interrupts, say_interrupted
 from carom.errors import CaromError
 from carom.public.interrupts import INTERRUPTED
 
+
+class Verbs(TyperGroup):
+    """The verbs, of which some are two words: ``fit gas``, unless the second is a file."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        """Return the command that the first words name, and the rest of the arguments."""
+        if (two := " ".join(args[:2])) in self.commands and len(args) > 1 and not os.path.exists(args[1]):
+            args = [two, *args[2:]]
+        return super().resolve_command(ctx, args)
+
+
 app = typer.Typer(
     name="carom",
+    cls=Verbs,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
 )
@@ -24,7 +37,7 @@ app = typer.Typer(
 # fmt: off
 MODULES: tuple[str, ...] = (
     "compare", "catalog", "paper", "predict", "scene", "simulate", "aim", "explore", "gas", "orbit", "sweep", "tracks", "fit",
-    "design", "judge", "doctor", "warm",
+    "fit_gas", "design", "judge", "doctor", "warm",
 )
 # fmt: on
 

@@ -22,7 +22,7 @@ from carom.laws.results import GRAVITY
 from carom.scene.floor import gravity_on_slope
 from carom.tracks.judgement_paths import EXACT, FEW, BallPath, PathPiece, read_paths
 
-__all__ = ["LAWS", "Judgement", "Violation", "judge"]
+__all__ = ["LAWS", "Judgement", "Violation", "event_time", "judge", "path_events"]
 
 Array = NDArray[np.float64]
 LAWS = {
@@ -163,8 +163,8 @@ def judge(
             _between_contacts(ball, piece, sigma, pull, floor_friction, found)
     for one, other in ((a, b) for i, a in enumerate(balls) for b in balls[i + 1 :]):
         _overlap(one, other, sigma, found)
-    for event in _events(balls, sigma):
-        t, late = _time(event)
+    for event in path_events(balls, sigma):
+        t, late = event_time(event)
         if not math.isnan(t):
             _energy(t, late, event, kappa, pull, found)
             if len(event.members) == 2:
@@ -260,7 +260,7 @@ class _Event(NamedTuple):
     members: tuple[_Change, ...]
 
 
-def _events(balls: Sequence[BallPath], sigma: float) -> Iterator[_Event]:
+def path_events(balls: Sequence[BallPath], sigma: float) -> Iterator[_Event]:
     """Yield events: changes of one ball, joined where two balls are in reach of each other at the same time."""
     most = 1 if sigma < EXACT else 5  # frames between two pieces, with one event there
     changes = [
@@ -308,7 +308,7 @@ def _in_reach(one: _Change, other: _Change, interval: float, sigma: float) -> bo
     return bool(gap < SIGMAS * sigma + 2 * closing * interval)
 
 
-def _time(event: _Event) -> tuple[float, float]:
+def event_time(event: _Event) -> tuple[float, float]:
     """Return when an event is, and its error: where the paths before and after meet; NaN where several events lie between."""
     best, error = math.nan, math.inf
     span = event.high - event.low

@@ -1,0 +1,164 @@
+"""Restitution, friction and tangential restitution of a gas, from tracks of its balls or its temperatures: ``carom fit gas``."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from carom.data.columns import as_columns, is_columns, read_columns
+from carom.errors import CaromError, FaultList
+from carom.files import as_path
+from carom.fitting.fit_files import fit
+from carom.fitting.gas_collisions import collisions_of_tracks
+from carom.fitting.gas_curves import CURVES, GasCurve, fit_curve
+from carom.fitting.ranking import Ranking
+from carom.gas.build import load_gas
+from carom.gas.scene import GasScene
+from carom.public.progress import Progress
+
+__all__ = ["GasFit", "fit_gas"]
+
+NUMBERS = ("restitution", "friction", "tangential_restitution")
+TRACKS = ("t", "ball", "x", "y")
+
+
+@dataclass(frozen=True)
+class GasFit:
+    """Numbers of the contacts of a gas's balls, with standard errors."""
+
+    values: dict[str, float]
+    errors: dict[str, float]
+    data: str
+    """From which they are: "tracks" or "curve"."""
+    rows: int
+    """Collisions found in tracks, or times of a curve."""
+    notes: tuple[str, ...] = ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the results as plain numbers."""
+        parameters = {name: {"value": x, "stderr": self.errors[name]} for name, x in self.values.items()}
+        return {"parameters": parameters, "data": self.data, "rows": self.rows, "notes": list(self.notes)}
+
+
+def fit_gas(
+    file: str | Path | Any,
+    scene: str | Path | GasScene,
+    *,
+    names: Sequence[str] | None = None,
+    simulations: int = 80,
+    seed: int = 0,
+    progress: Progress | None = None,
+) -> GasFit:
+    """Infer restitution, friction and tangential restitution of the balls of a gas, with error bars.
+
+    Parameters
+    ----------
+    file : path, or columns
+        Tracks of free balls: columns ``t``, ``ball``, ``x``, ``y``, maybe ``z`` and spins ``wz`` (``wx``, ``wy``), a row per ball
+        and frame. Each collision of two balls in them is a rebound, to which the contact law is fitted. Or curves: columns ``t``
+        and ``temperature``, ``temperature_rotational`` or ``ratio`` (rotational to translational), maybe with relative standard
+        errors ``sigma_temperature``, ...; they are compared with those of simulated gases.
+    scene : path or GasScene
+        The gas: container, number, radius and inertia of the balls; of curves the numbers that are not inferred, too.
+    names : sequence of str, optional
+        What is inferred from a curve. Default: restitution and, with rotational temperatures, tangential_restitution. Tracks tell
+        all.
+    simulations : int
+        Gases simulated in each of four rounds, for a curve.
+    seed : int
+        Of these.
+    progress : callable(done, total, text), optional
+
+    Returns
+    -------
+    GasFit
+        Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom.fitting import fit_gas
+    >>> fit_gas({"t": [0.0, 1.0]}, "gas.toml")
+    Traceback (most recent call last):
+    carom.errors.CaromError: fit_gas: expected tracks (columns t, ball, x, y) or curves (t and temperature or ratio), got t
+    """
+    where = "fit_gas"
+    if is_columns(file):
+        columns = as_columns(file, where)
+    else:
+        path = as_path(where, file)
+        where, columns = str(path), read_columns(path)[0]
+    curves = [name for name in CURVES if name in columns]
+    is_track = set(TRACKS) <= set(columns)
+    faults = FaultList(where)
+    if not is_track and not ("t" in columns and curves):
+        expected = f"tracks (columns {', '.join(TRACKS)}) or curves (t and temperature or ratio)"
+        faults.add("", expected, f"{', '.join(columns)}")
+    for name in names or ():
+        if name not in NUMBERS:
+            faults.add("names", f"some of {', '.join(NUMBERS)}", f"{name!r}")
+    if is_track and names:
+        faults.add("names", "none with tracks, which tell all", f"{', '.join(names)}", "omit it")
+    if isinstance(simulations, bool) or not simulations >= 20:
+        faults.add("simulations", "a whole number >= 20", f"{simulations!r}")
+    faults.raise_if_any()
+    gas = scene if isinstance(scene, GasScene) else load_gas(scene)
+    return (
+        _of_tracks(columns, gas)
+        if is_track
+        else _of_curves(where, columns, curves, gas, names, simulations, seed, progress)
+    )
+
+
+def _of_tracks(columns: Any, scene: GasScene) -> GasFit:
+    species = scene.species[0]
+    table, notes = collisions_of_tracks(dict(columns), species.nominal)
+    kappa = species.kappa(scene.container.dimensions)
+    ranking = fit(table, species.nominal, inertia=kappa, laws=["contact"], bootstrap=0, profiles=False, robust=True)
+    assert isinstance(ranking, Ranking)
+    estimates = ranking.ranked[0].fit.estimates
+    values, errors = {}, {}
+    for name in NUMBERS:
+        one = estimates.get(name)
+        if one is None or one.value is None or one.stderr is None:
+            notes.append(f"{name} is not told by these data")
+        else:
+            values[name], errors[name] = float(one.value), float(one.stderr)
+    return GasFit(values, errors, "tracks", len(table["v_n_in"]), tuple(notes))
+
+
+def _of_curves(
+    where: str, columns: Any, curves: Sequence[str], scene: GasScene, names: Sequence[str] | None, simulations: int, seed: int,
+    progress: Progress | None,
+) -> GasFit:  # fmt: skip
+    faults = FaultList(where)
+    t = np.asarray(columns["t"], dtype=float)
+    values = {name: np.asarray(columns[name], dtype=float) for name in curves}
+    errors = {name: np.asarray(columns.get(f"sigma_{name}", np.zeros(len(t))), dtype=float) for name in curves}
+    if len(t) < 2 or not np.isfinite(t).all() or not (np.diff(t) > 0).all():
+        faults.add("t", "two or more times, each later than the one before", f"{len(t)} values")
+    for name, column in values.items():
+        if not ((column > 0) & (column < math.inf)).all():
+            faults.add(name, "numbers > 0", f"{column[~((column > 0) & (column < math.inf))][0]:g}")
+    for name, column in errors.items():
+        if not ((column >= 0) & (column < 1)).all():
+            faults.add(f"sigma_{name}", "relative standard errors from 0 to 1", "others")
+    faults.raise_if_any()
+    if names is None:
+        names = ["restitution"] if list(curves) == ["temperature"] else ["restitution", "tangential_restitution"]
+    if not any(one.between for one in scene.contacts):
+        raise CaromError(f"{where}: contacts: expected a contact of the balls in the scene, got none")
+    curve = GasCurve(t, values, errors)
+    found, covariance, notes = fit_curve(curve, scene, names, simulations, seed, progress)
+    sigma = np.sqrt(np.diag(covariance))
+    return GasFit(
+        dict(zip(names, found.tolist(), strict=True)),
+        dict(zip(names, sigma.tolist(), strict=True)),
+        "curve",
+        len(t),
+        tuple(notes),
+    )

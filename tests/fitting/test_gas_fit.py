@@ -1,0 +1,95 @@
+"""Numbers of a gas's contacts from its tracks and from its cooling."""
+
+from __future__ import annotations
+
+import csv
+import json
+
+import numpy as np
+import pytest
+from reference.commands import command, fails
+from reference.gas_films import cooling, film, scene
+
+import carom
+from carom import CaromError
+from carom.fitting.gas_collisions import collisions_of_tracks
+from carom.gas import gas_text
+
+TRUTH = {"restitution": 0.85, "friction": 0.3, "tangential_restitution": 0.4}
+
+
+def test_collisions_in_exact_tracks_have_the_restitution_and_the_impulse_of_the_law():
+    rows, _notes = collisions_of_tracks(film(scene(), 80, noise=0.0, spin_noise=0.0), 0.5)
+    assert len(rows["v_n_in"]) > 10
+    assert rows["v_n_out"] == pytest.approx(0.85 * rows["v_n_in"], rel=1e-6)
+    # the tangential impulse from velocity and from spin, and Coulomb's bound or the tangential restitution
+    push = rows["v_t_out"] - rows["v_t_in"]
+    assert rows["spin_out"] - rows["spin_in"] == pytest.approx(-push / (0.5 * 0.5), abs=1e-6)
+    slip = rows["v_t_in"] - 0.5 * rows["spin_in"]
+    assert -push == pytest.approx(np.minimum(1.4 / 3 * slip, 0.3 * 1.85 * rows["v_n_in"]), rel=1e-5)
+
+
+def test_the_numbers_are_found_in_a_noisy_film_and_by_the_command(tmp_path, capsys):
+    columns = film(scene(seed=4))
+    found = carom.fit_gas(columns, scene(0.5, 0.5, 0.0))
+    assert found.data == "tracks"
+    assert found.rows > 12
+    for name, true in TRUTH.items():
+        assert abs(found.values[name] - true) < 4 * found.errors[name] < 0.1
+    with (tmp_path / "film.csv").open("w", newline="") as file:
+        csv.writer(file).writerows([list(columns), *zip(*columns.values(), strict=True)])
+    (tmp_path / "gas.toml").write_text(gas_text(scene(0.5, 0.5, 0.0)), encoding="utf-8")
+    code, out, _err = command(
+        capsys, "fit", "gas", str(tmp_path / "film.csv"), "--scene", str(tmp_path / "gas.toml"), "--json"
+    )
+    assert code == 0
+    assert json.loads(out)["parameters"]["restitution"]["value"] == pytest.approx(found.values["restitution"], rel=1e-9)
+
+
+def test_a_cooling_curve_tells_restitution_and_roughness():
+    curve = cooling(scene(0.85, 1e9, 0.4, seed=8), np.linspace(0, 80, 9))
+    found = carom.fit_gas(curve, scene(0.5, 1e9, 0.0), simulations=30)
+    assert found.data == "curve"
+    for name in ("restitution", "tangential_restitution"):
+        assert abs(found.values[name] - TRUTH[name]) < 3.5 * found.errors[name]
+    assert found.errors["restitution"] < 0.15
+
+
+@pytest.mark.parametrize(
+    ("columns", "options", "line"),
+    [
+        (
+            {"t": [0, 1]},
+            {},
+            "fit_gas: expected tracks (columns t, ball, x, y) or curves (t and temperature or ratio), got t",
+        ),
+        ({"t": [0, 1], "ratio": [1.0, -1.0]}, {}, "fit_gas: ratio: expected numbers > 0, got -1"),
+        (
+            {"t": [1, 0], "ratio": [1.0, 1.0]},
+            {},
+            "fit_gas: t: expected two or more times, each later than the one before",
+        ),
+        (
+            {"t": [0, 1], "ratio": [1.0, 0.8]},
+            {"names": ["mu"]},
+            "fit_gas: names: expected some of restitution, friction, tang",
+        ),
+        (
+            {"t": [0, 1], "ratio": [1.0, 0.8]},
+            {"simulations": 3},
+            "fit_gas: simulations: expected a whole number >= 20, got 3",
+        ),
+    ],
+)
+def test_bad_input_has_one_line(columns, options, line):
+    with pytest.raises(CaromError) as error:
+        carom.fit_gas(columns, scene(), **options)
+    assert line in str(error.value)
+    assert len(error.value.faults) == 1
+
+
+def test_the_command_says_where(tmp_path, capsys):
+    (tmp_path / "gas.toml").write_text(gas_text(scene()), encoding="utf-8")
+    (tmp_path / "a.csv").write_text("t,temperture\n0,1\n1,0.5\n", encoding="utf-8")
+    (line,) = fails(capsys, "fit", "gas", str(tmp_path / "a.csv"), "--scene", str(tmp_path / "gas.toml"))
+    assert "a.csv: expected tracks (columns t, ball, x, y) or curves" in line

@@ -1,0 +1,52 @@
+"""Made-up films of gases: tracks of discs with noise, and cooling curves."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from carom.gas import GasScene
+from carom.gas.build import build
+
+SIDE = 40.0
+
+
+def scene(restitution=0.85, friction=0.3, tangential_restitution=0.4, count=60, seed=1):
+    contact = {
+        "between": ("a", "a"), "restitution": restitution, "friction": friction, "tangential_restitution": tangential_restitution,
+    }  # fmt: skip
+    return GasScene(
+        container={"shape": "periodic", "size": (SIDE, SIDE)}, contacts=[contact], contact_time=1e-6,
+        species=[{"count": count, "radius": 0.5, "temperature_rotational": 0.2}], run={"max_events": 1000, "seed": seed},
+    )  # fmt: skip
+
+
+def film(one, frames=150, interval=0.15, noise=0.001, spin_noise=0.05, seed=1):
+    """Tracks as columns, unwrapped; no noise gives the simulation's own numbers."""
+    gas, rng = build(one), np.random.default_rng(seed)
+    rows = []
+    for k in range(frames):
+        if k:
+            gas.advance(until=k * interval)
+        now = gas.balls()
+        x = now.position + now.images * (SIDE, SIDE, 1.0)
+        rows.append(np.column_stack([np.full(len(x), k * interval), np.arange(len(x)), x[:, :2], now.spin[:, 2]]))
+    table = np.concatenate(rows)
+    table[:, 2:4] += noise * rng.standard_normal((len(table), 2))
+    table[:, 4] += spin_noise * rng.standard_normal(len(table))
+    return dict(zip(("t", "ball", "x", "y", "wz"), table.T, strict=True))
+
+
+def cooling(one, times):
+    """Temperatures at some times, of all balls."""
+    gas, found = build(one), []
+    for t in times:
+        if t > 0:
+            gas.advance(until=float(t))
+        now = gas.balls()
+        v = now.velocity - now.velocity.mean(axis=0)
+        found.append(((v**2).sum(axis=1).mean() / 2, (0.125 * now.spin**2).sum(axis=1).mean()))
+    return {
+        "t": np.array(times, dtype=float),
+        "temperature": np.array(found)[:, 0],
+        "temperature_rotational": np.array(found)[:, 1],
+    }
