@@ -108,7 +108,7 @@ def _calibrated(inputs: Array, outputs: Array, target: Array) -> tuple[Array, Ar
         centre = (inputs.max(axis=0) + inputs.min(axis=0)) / 2
         reach = (inputs.max(axis=0) - inputs.min(axis=0)) / 2 + 1e-300
         x = _powers((inputs[tested] - centre) / reach)
-        surface: Array = np.linalg.lstsq(x, estimate(outputs[tested]), rcond=None)[0]
+        surface = np.asarray(np.linalg.lstsq(x, estimate(outputs[tested]), rcond=None)[0], np.float64)
         left = estimate(outputs[tested]) - x @ surface
         scatter = left.T @ left / max(len(left) - x.shape[1], 1)
         u, inverse = _solved(surface, estimate(target[None])[0])
@@ -127,13 +127,13 @@ def _solved(surface: Array, wanted: Array) -> tuple[Array, Array]:
     """Return where a quadratic surface, of the columns of :func:`_powers`, has the wanted values, and its inverse slope there."""
     size = len(wanted)
     u: Array = np.zeros(size)
-    inverse: Array = np.linalg.pinv(surface[1 : size + 1].T)
+    inverse = np.asarray(np.linalg.pinv(surface[1 : size + 1].T), np.float64)
     for _ in range(STEPS):
         u = np.clip(u + inverse @ (wanted - (_powers(u[None]) @ surface)[0]), -FARTHEST, FARTHEST)
         slope = np.stack(
             [(_powers((u + h)[None]) - _powers((u - h)[None]))[0] @ surface / (2 * STEP) for h in STEP * np.eye(size)]
         )
-        inverse = np.linalg.pinv(slope.T)
+        inverse = np.asarray(np.linalg.pinv(slope.T), np.float64)
     return u, inverse
 
 
