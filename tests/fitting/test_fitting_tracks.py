@@ -380,6 +380,7 @@ def test_a_fit_that_does_not_follow_says_so() -> None:
     setting = replace(SETTING, cushions=1, fixed={"restitution": 0.7, "friction": 0.18, "rolling_resistance": 0.008})
     found = fit_tracks(measured(1, 2), setting, ["two-step"])
     assert not found.best.follows
+    assert found.best.design_effect > 1
     assert found.verdict.startswith("No law fits: the best, two-step")
     assert "where the noise is 300 µm" in found.verdict
     worst = found.best.frames.segments[int(np.argmax(found.best.scatter))].label

@@ -19,6 +19,7 @@ __all__ = ["print_ranking", "show", "show_each"]
 
 MAX_OUTLIERS = 10
 GAP, EDGES = 3, 2  # characters between columns, and at both edges of a table
+LEAST_ROOM = 26  # characters, for the longest names of parameters
 
 
 def show(ranking: Ranking) -> None:
@@ -106,7 +107,7 @@ def _print_population(population: Population, column: str) -> None:
 
 
 def _in_lines(parameters: str, room: int) -> str:
-    """Return names with their numbers in lines of so many characters, so that a line ends between two of them, or before a number."""
+    """Return names with their numbers in lines of so many characters, which end between two of them, or before a number."""
     lines: list[str] = []
     for item in re.split(r"(?<=,) (?=[a-z])", parameters):
         if lines and len(lines[-1]) + 1 + len(item) <= room:
@@ -140,9 +141,14 @@ def print_ranking(
     rows = [(one.fit.law.name, f"{one.fit.aicc - ranking.best.aicc:.1f}", *cells(one)) for one in ranking.ranked]
     others = list(zip(names, *rows, strict=True))[:-1]
     room = out().width - EDGES - sum(GAP + max(map(len, column)) for column in others)
+    beside = room >= LEAST_ROOM
+    if not beside:  # the numbers of each law stand below the table
+        table.columns.pop()
     for i, row in enumerate(rows):
-        table.add_row(*row[:-1], _in_lines(row[-1], room), style=None if i else "bold")
+        table.add_row(*row[:-1], *([_in_lines(row[-1], room)] if beside else []), style=None if i else "bold")
     out().print(table)
+    for law, *_cells, numbers in [] if beside else rows:
+        out().print(Text(f"{law}: {numbers}"))
     out().print(Text(f"{ranking.aicc_note}{more}", style="dim"), soft_wrap=True)
     out().print(Text(ranking.verdict, style="bold green" if ranking.decisive else "bold yellow"), soft_wrap=True)
     if unidentified := dict.fromkeys(ranking.degenerate):

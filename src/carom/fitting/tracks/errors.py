@@ -13,10 +13,10 @@ from carom.fitting.result import Estimate, without_estimate
 from carom.fitting.tracks.objective import BestStarts, descend, projected, settle, shared_slope
 from carom.fitting.tracks.result import TrackFit
 
-__all__ = ["ERROR_TOO_SMALL", "ambiguous", "covariance_by_shot", "with_errors"]
+__all__ = ["MISFIT_AS_NOISE", "ambiguous", "covariance_by_shot", "with_errors"]
 
 Array = NDArray[np.float64]
-ERROR_TOO_SMALL = "error bar too small: the law does not follow the frames"
+MISFIT_AS_NOISE = "the law does not follow the frames; error bar as if their distances were correlated noise"
 LEAST_SHOTS = 5  # for error bars from the scatter of shots
 NOTHING_LEFT = 1e-9  # share of the information that the other shots have
 FOLLOWING_STEPS = 5  # of the starts after a parameter has been changed
@@ -38,12 +38,26 @@ def covariance_by_shot(information: Array, scores: Array, by_shot: Array) -> Arr
     return np.asarray(np.array(moved).T @ np.array(moved))
 
 
+def misfit_as_noise(gap: Array, count: NDArray[np.int64], dof: float) -> float:
+    """Return by how much variances grow if the gaps (N, 2 T), in standard deviations, are noise that fades from frame to frame.
+
+    With the correlation r of neighbours a mean has (1 + r) / (1 - r) times the variance that independent frames would give it, at
+    most that of one free number a segment; ``count`` (N,): frames of each.
+    """
+    steps = gap.reshape(len(gap), -1, 2)
+    r = max(float((steps[:, 1:] * steps[:, :-1]).sum()) / max(float((gap * gap).sum()), 1e-300), 0.0)
+    length = min((1 + r) / max(1 - r, 1e-9), float(count.mean()))
+    return float(max((gap * gap).sum() / max(dof, 1.0) * length, 1.0))
+
+
 class _Subject:
     """A fit of whole tracks, for :func:`carom.fitting.identifiability.identify`.
 
     If the law follows the frames, the covariance is computed from derivatives and the noise, with all starts free. If not,
     residuals are correlated from frame to frame; only shots are independent, and the covariance is computed from the scores of
-    shots, each corrected for how much of the information is its own (CR2 of Bell & McCaffrey, Survey Methodology 28, 169 (2002)).
+    shots, each corrected for how much of the information is its own (CR2 of Bell & McCaffrey, Survey Methodology 28, 169 (2002));
+    of fewer than five shots their segments are taken as independent, and of fewer than five segments the covariance is enlarged as
+    by noise of this size and correlation.
     The design effect is the median over the parameters of this variance over the variance of independent frames.
     """
 
@@ -55,17 +69,23 @@ class _Subject:
         self.information = np.einsum("ntp,ntq->pq", gaps, gaps) + np.einsum("nkp,nkq->pq", prior, prior)
         each = np.einsum("ntp,nt->np", gaps, settled.gap)
         each += np.einsum("nkp,nk->np", prior, np.sqrt(fit.starts.weight) * settled.q)
-        self.scores = np.array([each[rows].sum(axis=0) for rows in fit.frames.groups])
+        # (of few shots the balls: each has walls of its own)
+        groups = fit.frames.groups
+        groups = groups if len(groups) >= LEAST_SHOTS else [np.array([n]) for n in range(len(each))]
+        self.scores = np.array([each[rows].sum(axis=0) for rows in groups])
         by_segment = np.einsum("ntp,ntq->npq", gaps, gaps) + np.einsum("nkp,nkq->npq", prior, prior)
-        self.by_shot = np.array([by_segment[rows].sum(axis=0) for rows in fit.frames.groups])
+        self.by_shot = np.array([by_segment[rows].sum(axis=0) for rows in groups])
         self.by_shots, self.design_effect = False, 1.0
+        self.misfit = misfit_as_noise(settled.gap, fit.frames.count, fit.dof)
 
     def covariance(self, inside: NDArray[np.int64]) -> Array:
         """Return the covariance of some parameters."""
         independent = np.linalg.inv(self.information[np.ix_(inside, inside)])
         self.by_shots = not self.fit.follows and len(self.scores) >= LEAST_SHOTS
         if not self.by_shots:
-            return np.asarray(independent)
+            if not self.fit.follows:
+                self.design_effect = self.misfit
+            return np.asarray(self.design_effect * independent)
         both = np.ix_(inside, inside)
         by_shot = np.array([one[both] for one in self.by_shot])
         found = covariance_by_shot(self.information[both], self.scores[:, inside], by_shot)
@@ -101,7 +121,7 @@ def with_errors(fit: TrackFit, settled: BestStarts) -> TrackFit:
         return fit
     subject = _Subject(fit, settled)
     found = identify(subject)
-    note: dict[str, Any] = {} if fit.follows or subject.by_shots else {"note": ERROR_TOO_SMALL}
+    note: dict[str, Any] = {} if fit.follows or subject.by_shots else {"note": MISFIT_AS_NOISE}
     estimates = {name: one if one.stderr is None else replace(one, **note) for name, one in found.estimates.items()}
     return replace(fit, **{**vars(found), "estimates": estimates}, design_effect=subject.design_effect)
 

@@ -16,7 +16,7 @@ from carom.fitting.by_shots import RankedByShots, nearer_shots
 from carom.fitting.evidence import DECIDED, LEANS, Evidence, Ranked, odds_in_words, verdict_words, weigh
 from carom.fitting.ranking import step_callback
 from carom.fitting.setting import Setting, require_settings
-from carom.fitting.tracks.errors import ERROR_TOO_SMALL
+from carom.fitting.tracks.errors import MISFIT_AS_NOISE
 from carom.fitting.tracks.fit import starting_numbers
 from carom.fitting.tracks.model import track_models
 from carom.fitting.tracks.result import TrackFit
@@ -194,8 +194,8 @@ def _verdict(best: TrackFit, evidence: Evidence, support: float, reason: str) ->
         first = f"No law fits: the best, {best.law.called}, leaves {scatter} where the noise is {noise}"
         first += f", chi^2 {best.chi2:.0f} for {best.dof:.0f} degrees of freedom" if best.known else ""
         first += f", most in {worst}" if len(best.scatter) > 1 else ""
-        loose = any(estimate.note == ERROR_TOO_SMALL for estimate in best.estimates.values())
-        first += "; its parameters may be off by many error bars. " if loose else ". "
+        loose = any(estimate.note == MISFIT_AS_NOISE for estimate in best.estimates.values())
+        first += "; its error bars take this as noise that is correlated from frame to frame. " if loose else ". "
     said = verdict_words(best.law.called, evidence, "the tracks", support, reason)
     if support < LEANS and not best.follows:
         said += f"; {best.law.name} is {reason}"
