@@ -93,7 +93,8 @@ def caustics(found: Orbit, centre: Sequence[float] = (0.0, 0.0)) -> Caustics:
 
     Returns
     -------
-    Caustics, NaN where there is no such flight. CaromError if a force bends the flights.
+    Caustics, NaN where there is no such flight. CaromError if an acceleration bends the flights. In a magnetic field each flight counts
+    with the distance of its circle from the centre.
 
     Examples
     --------
@@ -102,10 +103,16 @@ def caustics(found: Orbit, centre: Sequence[float] = (0.0, 0.0)) -> Caustics:
     >>> billiards.caustics(found).radii.round(12)
     array([0.5, 0.5])
     """
-    if found.setup.table.bends_flights:
-        raise CaromError(Fault("caustics", "", "a table of straight flights (along z apart)", f"{found.setup.table}"))
+    if any(found.setup.table.acceleration[:2]):
+        expected = "a table without an acceleration (along z apart)"
+        raise CaromError(Fault("caustics", "", expected, f"{found.setup.table}"))
     x, v = found.position[..., :2] - np.asarray(centre, float), found.velocity[..., :2]
-    distance = np.abs(x[..., 0] * v[..., 1] - x[..., 1] * v[..., 0]) / np.hypot(v[..., 0], v[..., 1])
+    moment, speed = x[..., 0] * v[..., 1] - x[..., 1] * v[..., 0], np.hypot(v[..., 0], v[..., 1])
+    distance = np.abs(moment) / speed
+    if field := found.setup.table.magnetic_field:
+        # the circle's middle x + J v/field is at a distance d, and d - r = (d^2 - r^2)/(d + r)
+        d = np.hypot(x[..., 0] - v[..., 1] / field, x[..., 1] + v[..., 0] / field)
+        distance = np.abs(((x * x).sum(-1) - 2 * moment / field) / (d + speed / abs(field)))
     # (..., N, 2), flights after odd and after even bounces; a single one has none of one kind
     more = [(0, 0)] * (distance.ndim - 1) + [(0, 2 - distance.shape[-1] % 2)]
     flights = np.pad(distance, more, constant_values=np.nan).reshape(*distance.shape[:-1], -1, 2)

@@ -58,7 +58,7 @@ def orbit_facts(found: OrbitResult) -> dict[str, Any]:
         facts["periods"] = {str(p): int(c) for p, c in zip(names.tolist(), counts.tolist(), strict=True) if p}
         falls = bool(found.setup.world["flight"][0] == PARABOLA)
         round_ = "circle" in (table.name, getattr(getattr(table.figure, "over", None), "shape", ""))
-        if round_ and not table.bends_flights:
+        if round_ and not falls:
             caustics = billiards.caustics(found)
             facts["caustics"] = np.atleast_2d(caustics.radii)[0].tolist() if len(made) == 1 else None
         along = any(table.acceleration) or table.name in ("strip", "plates", "cylinder")
