@@ -95,6 +95,8 @@ def _row(one: Any, two: Any, t: float, late: float, radius: float) -> tuple[floa
     approach = -float(states[0][0] @ n)
     if approach < LEAST_APPROACH * states[0][2][0]:
         return None
+    if float(states[1][0] @ n) < 0:  # (they meet again, or a third ball, before four frames have gone by)
+        return None
     slip = states[0][0] + approach * n - states[0][1]
     length = float(np.linalg.norm(slip))
     along = slip / length if length > 0 else np.cross(n, [0.0, 0.0, 1.0])
