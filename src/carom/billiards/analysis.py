@@ -93,8 +93,8 @@ def caustics(found: Orbit, centre: Sequence[float] = (0.0, 0.0)) -> Caustics:
 
     Returns
     -------
-    Caustics, NaN where there is no such flight. CaromError if an acceleration bends the flights. In a magnetic field each flight counts
-    with the distance of its circle from the centre.
+    Caustics, NaN where there is no such flight. CaromError if an acceleration bends the flights.
+    In a magnetic field the distance of a flight is that of its circle from the centre.
 
     Examples
     --------
@@ -104,7 +104,7 @@ def caustics(found: Orbit, centre: Sequence[float] = (0.0, 0.0)) -> Caustics:
     array([0.5, 0.5])
     """
     if any(found.setup.table.acceleration[:2]):
-        expected = "a table without an acceleration (along z apart)"
+        expected = "a table of straight flights (along z apart) or arcs of circles"
         raise CaromError(Fault("caustics", "", expected, f"{found.setup.table}"))
     x, v = found.position[..., :2] - np.asarray(centre, float), found.velocity[..., :2]
     moment, speed = x[..., 0] * v[..., 1] - x[..., 1] * v[..., 0], np.hypot(v[..., 0], v[..., 1])
