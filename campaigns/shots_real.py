@@ -3,8 +3,8 @@
     python campaigns/shots_real.py [N] --films FILE [--radius METRES] [--only fit|forms|rest|halves]
 
 Without a film, N shots (2) that carom draws are fitted, whose numbers are known. Halves: the shots with even and odd numbers are
-fitted by themselves; their numbers are compared in error bars, and each half predicts the shots of the other from their first
-third and first half.
+fitted by themselves from the numbers of all; theirs are compared in error bars, and each half predicts the shots of the other from
+their first third and first half.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from campaign import Campaign, campaign
 
 import carom
 from carom.fitting.result import with_error_bar
-from carom.fitting.shots import HeldOut, ShotsFit, compare_forms, drawn_films, predict_rest
+from carom.fitting.shots import HeldOut, ShotsFit, compare_forms, drawn_films, fit_of_some, predict_rest
 from carom.fitting.shots.result import HORIZONS
 from carom.tracks.film_tracks import films_of
 
@@ -54,12 +54,10 @@ def said_of(run: Campaign, found: Sequence[HeldOut], what: str) -> None:
         run.say(f"  up to {until:3g} s later {1e3 * far:5.0f} mm, expected {1e3 * thought:5.0f} ({count} shots)")
 
 
-def halves(run: Campaign, tracks: Sequence[Any], table: Any) -> None:
-    """Fit halves of the shots, compare their numbers, and predict each half with the table of the other."""
-    groups = list(dict.fromkeys(one.group for one in tracks))
-    parts = [[one for one in tracks if groups.index(one.group) % 2 == k] for k in range(2)]
-    fits = [fitted(run, part, table) for part in parts]
-    for name in fits[0].names:
+def halves(run: Campaign, best: ShotsFit) -> None:
+    """Compare the numbers of the table that halves of the shots give, and predict each half with the table of the other."""
+    fits = [fit_of_some(best, range(k, len(best.shots), 2)) for k in range(2)]
+    for name in best.names:
         first, second = (fit.estimates[name] for fit in fits)
         if first.stderr and second.stderr:
             apart = (first.value - second.value) / math.hypot(first.stderr, second.stderr)
@@ -78,15 +76,14 @@ def main(words: Sequence[str] | None = None) -> None:
         else:
             tracks, scenes = drawn_films(run.count, seed=5, until=1.5 if run.small else 6.0)
             table = scenes[0]
-        if any(run.wants(kind, KINDS) for kind in KINDS[:3]):
-            best = fitted(run, tracks, table)
-            if run.wants("forms", KINDS) and best.names:
-                for form in compare_forms(best):
-                    run.say(form.describe())
-            for share, what in PARTS if run.wants("rest", KINDS) and run.given.films else ():
-                said_of(run, [predict_rest(best, share)], what)
+        best = fitted(run, tracks, table)
+        if run.wants("forms", KINDS) and best.names:
+            for form in compare_forms(best):
+                run.say(form.describe())
+        for share, what in PARTS if run.wants("rest", KINDS) and run.given.films else ():
+            said_of(run, [predict_rest(best, share)], what)
         if run.wants("halves", KINDS) and run.given.films:
-            halves(run, tracks, table)
+            halves(run, best)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import carom
-from carom.fitting.shots import LawErrors, compare_forms, drawn_films, predict_rest
+from carom.fitting.shots import LawErrors, compare_forms, drawn_films, fit_of_some, predict_rest
 from carom.fitting.shots.film import filmed_shots
 from carom.fitting.shots.followed import belief_of_start, followed
 from carom.fitting.shots.forms import FORMS
@@ -117,6 +117,10 @@ def test_a_scatter_between_shots_is_found_and_widens_the_errors():
     estimate = best.estimates[name]
     assert estimate.stderr > 0.5 * best.scatter[name] / np.sqrt(len(met))
     assert abs(estimate.value - 0.85) < 3 * estimate.stderr
+    # the numbers of some of the shots alone
+    some = fit_of_some(best, [0, 2, 4])
+    assert [one.name for one in some.shots] == ["shot 1", "shot 3", "shot 5"]
+    assert 0 < abs(some.estimates[name].value - estimate.value) < 3 * some.estimates[name].stderr
     own = [one.scene.walls[0].restitution.value for one in best.shots]
     assert own == pytest.approx([estimate.value + one.deviations[name] for one in best.shots], abs=1e-12)
 

@@ -1,6 +1,7 @@
 from .drawn import drawn_films as drawn_films
 from .film import FilmedEvent as FilmedEvent
 from .film import FilmedShot as FilmedShot
+from .fit import fit_of_some as fit_of_some
 from .fit import fit_shots as fit_shots
 from .followed import LawErrors as LawErrors
 from .forms import compare_forms as compare_forms

@@ -41,7 +41,7 @@ from carom.scene.scene import Scene
 from carom.scene.schema import Model
 from carom.tracks.film_tracks import films_of
 
-__all__ = ["fit_shots"]
+__all__ = ["fit_of_some", "fit_shots"]
 
 Array = NDArray[np.float64]
 DURATION = 60.0  # s: no shot takes longer
@@ -260,6 +260,21 @@ def _fit_law(
     return ShotsFit(
         law, table.scene, shots, _estimates(model, values, covariance), covariance, *likelihood, JOINT[-1], films.noise, by_shots,
         model=model, widths=widths, starts=tuple(ready),
+    )  # fmt: skip
+
+
+def fit_of_some(fit: ShotsFit, which: Sequence[int]) -> ShotsFit:
+    """Fit means and scatter of the table's numbers to some of the shots alone, by their places, beginning from the fit to all."""
+    if fit.widths is None:
+        raise CaromError(f"fit_of_some: expected a fit to at least {FEWEST} shots, got {len(fit.shots)}")
+    some = [fit.starts[i] for i in which]
+    starts = [ShotStart(one.shot, one.prior, dict(one.best), [*one.pool]) for one in some]
+    frames = [frames_of_events(one.shot, fit.events) for one in starts]
+    values = np.array([one.value for one in fit.estimates.values()])
+    found = fit_scatter(fit.model, values, starts, frames, fit.widths, fit.noise, lambda _done: None)
+    return replace(
+        fit, scene=fit.model.scene_at(found.values), shots=tuple(fit.shots[i] for i in which), starts=tuple(some),
+        estimates=_estimates(fit.model, found.values, found.covariance), covariance=found.covariance, widths=found.widths,
     )  # fmt: skip
 
 
