@@ -106,7 +106,8 @@ def _explained(
     except TypeError:  # too few arguments, too many, or another name: Python says it well, but not which there are
         known = [name for name in signature.parameters if name not in ("self", "cls")]
         hints = filter(None, (did_you_mean(name, known) for name in options if name not in known))
-        error.args = ("; ".join((str(error), *list(hints)[:1])),)
+        said = str(error).partition(". Did you mean")[0]  # (from 3.14 on Python has a hint of its own)
+        error.args = ("; ".join((said, *list(hints)[:1])),)
         error.add_note(f"{where} takes {', '.join(known) or 'no arguments'}")
         return None
     first = next(iter(signature.parameters), "")
