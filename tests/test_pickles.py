@@ -168,7 +168,9 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
             0.3, (shots.PredictedShot("1", *(np.zeros((2, 1)),) * 4, np.zeros((2, 2, 1), dtype=bool), 0.001),)
         ),
         shots.ComparedForm("cushion", "not yielding", 3.0, {"e": 0.8}, (1, 2)),
-        gas.Coefficient(0.2, 0.01, np.ones(3), np.ones(3)),
+        gas.TransportCoefficients(*3 * [gas.Coefficient(0.2, 0.01, np.ones(3), np.ones(3))]),
+        gas.enskog(0.1),
+        gas.ShearRun(1.0, 0.2, 0.1, 5.0),
         gas.GasSurface(restitution=0.9, friction=0.1),
     ],
     "judgements": lambda: [
