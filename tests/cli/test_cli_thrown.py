@@ -190,14 +190,14 @@ def test_the_restitution_of_each_contact_is_shown(
     file = tmp_path / "film.csv"
     cells = np.column_stack([track.time, track.position[:, 0], np.round(track.position[:, 1], 3)])
     np.savetxt(file, cells, delimiter=",", header="t [s],x [m],y [m]", comments="", fmt="%.5f")
-    for width, shown in (("90", True), ("78", True), ("70", False)):
+    for width, shown in (("90", True), ("75", True), ("65", False)):
         monkeypatch.setenv("COLUMNS", width)
         code, out, _err = command(capsys, "tracks", "show", str(file))
         assert code == 0
         assert ("out/in" in out) is shown
         rows = [line for line in out.splitlines() if "bottom " in line]
         assert len(rows) == 3
-        assert rows[0].startswith("bottom" if width == "78" else "ball bottom")
+        assert rows[0].startswith("bottom" if width == "75" else "ball bottom")
         assert max(len(row.rstrip()) for row in rows) <= int(width)
         if shown:
             for row in rows:
