@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 from abc import abstractmethod
 from collections.abc import Mapping
@@ -47,7 +48,7 @@ class Figure(Model):
     def __pydantic_init_subclass__(cls, **_options: Any) -> None:
         """Enter it among all figures."""
         # (a wall of a scene derives from its figure, and is none itself)
-        if "shape" in vars(cls).get("__annotations__", {}):
+        if "shape" in inspect.get_annotations(cls):  # (its own; from Python 3.14 on they are made when asked for)
             FIGURES[cls.kind()] = cls
 
     @classmethod
