@@ -17,7 +17,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import carom
 from carom import billiards, data, derive, fitting, gas, scene, sweeps, tracks
-from carom.fitting import shots
+from carom.fitting import GasFit, shots
 from carom.fitting.shots import drawn_films
 from carom.fitting.tracks import fit_tracks
 from carom.interop import pooltool
@@ -167,6 +167,8 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
         shots.HeldOut(
             0.3, (shots.PredictedShot("1", *(np.zeros((2, 1)),) * 4, np.zeros((2, 2, 1), dtype=bool), 0.001),)
         ),
+        shots.LawErrors(),
+        GasFit({"restitution": 0.9}, {"restitution": 0.01}, "tracks", 30),
         shots.ComparedForm("cushion", "not yielding", 3.0, {"e": 0.8}, (1, 2)),
         gas.TransportCoefficients(*3 * [gas.Coefficient(0.2, 0.01, np.ones(3), np.ones(3))]),
         gas.enskog(0.1),
