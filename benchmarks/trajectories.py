@@ -16,7 +16,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from rows import paired, report
+from rows import alone, paired, report
 
 import carom
 from carom.scene.shapes import Plane, Table
@@ -75,6 +75,8 @@ def carom_shots() -> dict[str, float]:
             rate = len(run.events) / seconds
             print(f"  {label:38} {len(run.events):4} events {seconds * 1e6:8.0f} us {rate:12,.0f} events/s")
             found[label] = seconds
+    rack = carom.load_scene("pool-9ft")
+    report(alone("the break of a pool rack, 16 balls", lambda: carom.simulate(rack), unit="break", calls=30))
     return found
 
 

@@ -1,0 +1,425 @@
+"""List every number that README.md, docs/index.md, paper.md and the pages of docs/theory state, with the line that made it.
+
+    python docs/dev/stated.py           # counts by kind and page, and the numbers without a source
+    python docs/dev/stated.py --all     # every number: page, line, kind, source
+    python docs/dev/stated.py --check   # exit status 1 if a statement below differs from what is computed now
+
+A number is made by one of these, tried in this order:
+
+- cell: it stands in a cell that runs as the docs are built, and the build fails where the cell fails;
+- code: it is an argument in a command or in code, or stands in a name;
+- checked: one of ``STATEMENTS`` below computes it, from the library or from docs/benchmarks.md, and tests/test_stated.py compares;
+- formula: it is a coefficient or an exponent of typeset mathematics;
+- name: year, volume or page of a source, number of an equation, section or version;
+- said: its paragraph, or the table with the paragraph before it, names the test, script or page that gives it;
+- count: a whole number up to 12 in a sentence (an order, an index, a number of contacts): an argument, no measurement;
+- record: the same number stands in a record of a run (benchmarks.md, campaigns.md, validation, datasets and howto in docs).
+
+Whatever is left is printed as without a source: a constant in an argument, or a result that no cell, script or record gives.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import re
+import sys
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
+from importlib.util import module_from_spec, spec_from_file_location
+from itertools import groupby
+from pathlib import Path
+from typing import Any
+
+import carom
+from carom.data import read_rebounds
+
+ROOT = Path(__file__).parents[2]
+PAGES = (
+    "README.md",
+    "docs/index.md",
+    "paper.md",
+    *sorted(f"docs/theory/{p.name}" for p in (ROOT / "docs/theory").glob("*.md")),
+)
+RECORDS = ("benchmarks.md", "campaigns.md", "validation/*.md", "datasets/*.md", "howto/*.md")
+KINDS = ("cell", "code", "checked", "formula", "name", "said", "record", "count", "no source")
+NUMBER = re.compile(r"(?<![\w.,])[-−]?\d+(?:,\d{3})*(?:\.\d+)?(?:e-?\d+)?(?![\w])")
+FENCE = re.compile(r"^(`{3,}|:{3,}).*?^\1[ \t]*$", re.MULTILINE | re.DOTALL)
+INLINE = re.compile(r"`[^`\n]+`|\]\([^)\s]*\)|<[^>\n]*>|https?://\S+|\[@\w+\]|\{#.*?\}|\b[\w.]+/[\w./]+")
+FORMULA = re.compile(
+    r"\\begin\{(?:equation|align|aligned|gather)\*?\}.+?\\end\{(?:equation|align|aligned|gather)\*?\}[^\n]*|\$\$.+?\$\$|(?<![\w$])\$[^$]+?\$",
+    re.DOTALL,
+)
+NAME = re.compile(
+    r"\(\d+[a-z]?\)(?: (?:to|and) \(\d+[a-z]?\))*"  # equations
+    r"|\b(?:sections?|equations?|chapter|Fig\.|figure|Table|lemma|theorem|version|seed|commit|page|pp?\.) \d[\d.]*"
+    r"|\b(?:Python|pooltool|Numba|NumPy) \d[\d.]*(?:(?: to | and |, |–)\d[\d.]*)*"
+    r"|(?:[A-Z][a-z]\w*\.?|\b[A-Z])\*? (?:[A-Z]\*? )?\d+[A-Z]?, [L\d]\d+(?:[–-]\d+)?(?=[ ,)])"  # Phys. Rev. E 61, 5573
+    r"|\b(?:1[6-9]|20)\d\d(?:-\d\d-\d\d)?[a-z]?\b|\b\d{4}\.\d{5}\b|^#+ [^\n]*|^\d+\. |\A---\n.*?^---$",
+    re.MULTILINE | re.DOTALL,
+)
+SOURCE = re.compile(
+    r"(?:tests|campaigns|benchmarks|docs)/[\w/]+\.(?:py|md)|`carom [a-z][^`]*`"
+    r"|\]\([^)\s]*\)|\ba test\b|\bthe tests\b|the cells? (?:above|below)"
+)
+WORDS = (
+    *("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"),
+    *("thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen", "twenty"),
+)
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A sentence of a page whose numbers, the groups of the pattern, are computed again; ``source`` says by what."""
+
+    page: str
+    pattern: str
+    computed: Callable[[], Sequence[float]]
+    source: str
+
+    def printed(self) -> list[str]:
+        """The numbers of the sentence as they stand, wherever its lines break."""
+        found = self.search()
+        return [] if found is None else list(found.groups())
+
+    def search(self) -> re.Match[str] | None:
+        return re.search(self.pattern.replace(" ", r"\s+"), text(self.page), re.DOTALL)
+
+    def wrong(self) -> str:
+        """What differs between the sentence and the computation; empty where they agree to the printed digits."""
+        printed, computed = self.printed(), self.computed()
+        if len(printed) != len(computed):
+            return f"{self.page}: no sentence like: {self.pattern}"
+        if all(agrees(a, b) for a, b in zip(printed, computed, strict=True)):
+            return ""
+        now = ", ".join(f"{x:.5g}" for x in computed)
+        return f"{self.page}: {', '.join(printed)} printed in: {self.pattern}; {self.source} gives {now}"
+
+
+def agrees(printed: str, value: float) -> bool:
+    """Whether a number is the value rounded to the digits that are printed; a word of a count is that count."""
+    plain = str(WORDS.index(printed) if printed in WORDS else printed).replace(",", "").replace("−", "-")
+    digits = len(plain.partition(".")[2])
+    return abs(float(plain) - value) <= 0.5 * 10.0**-digits * (1 + 1e-9)
+
+
+@cache
+def text(page: str) -> str:
+    return (ROOT / page).read_text(encoding="utf-8")
+
+
+# --- from the library -----------------------------------------------------------------------------------------------
+def example() -> list[float]:
+    """The paper's example: incidence, final angles of the conventional and the two-step law, degrees, and the hop, mm."""
+    comparison = carom.compare()
+    by_law = {one.law: one for one in comparison.verdicts}
+    two = by_law["two-step"]
+    return [
+        comparison.incident_angle_deg,
+        by_law["conventional"].reflection_angle_deg,
+        two.reflection_angle_deg,
+        1e3 * two.as_dict()["flight"]["height"],
+    ]
+
+
+def rack() -> list[float]:
+    """Balls and events of the break that the table pool-9ft comes with."""
+    scene = carom.load_scene("pool-9ft")
+    return [len(scene.balls), len(carom.simulate(scene).events)]
+
+
+def measured(name: str) -> list[float]:
+    """Shots, least and largest measured value, RMS and largest deviation of a row of the README's table."""
+    row = next(row for row in beside_measurements() if row[0] == name)
+    return [float(x) for cell in row[2:] for x in cell.split(" to ")]
+
+
+@cache
+def beside_measurements() -> list[tuple[str, ...]]:
+    """The table that docs/dev/measured.py prints; its pictures are not saved."""
+    script = beside("measured")
+    script.save = lambda figure, _name: script.plt.close(figure)
+    return [*script.mathavan(), *script.kharaz()]
+
+
+def beside(name: str) -> Any:
+    """A script of this folder, as a module of its own."""
+    spec = spec_from_file_location(f"stated_{name}", Path(__file__).with_name(f"{name}.py"))
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+# --- from the tables of the docs ----------------------------------------------------------------------------------
+def rows(page: str) -> Iterator[list[str]]:
+    """The cells of the page's tables, row by row."""
+    for line in text(page).splitlines():
+        if line.startswith("| "):
+            yield [cell.strip() for cell in line.strip("|").split("|")]
+
+
+def benchmark(work: str) -> tuple[float, float]:
+    """carom's time, s, and how many times as long the peer takes, of a row of docs/benchmarks.md."""
+    cells = next(row for row in rows("docs/benchmarks.md") if row[0] == work)
+    size, unit = cells[1].split()[:2]
+    ratio = cells[3].split()[0]
+    times = float(ratio[2:]) if ratio.startswith("1/") else 1 / float(ratio) if ratio != "repeats" else math.nan
+    return float(size) * {"ns": 1e-9, "us": 1e-6, "ms": 1e-3}[unit], times
+
+
+MIRROR = ("a shot, one ball, mirror", "a shot, three balls, mirror")
+NOSES = ("a shot, one ball, two-step, nose at 37 mm", "a shot, three balls, two-step, nose at 37 mm")
+
+
+def ratios() -> list[float]:
+    """Least and largest of pooltool's times over carom's: among noses, among mirror cushions."""
+    return [choose(benchmark(work)[1] for work in group) for group in (NOSES, MIRROR) for choose in (min, max)]
+
+
+def shots() -> list[float]:
+    """Least and largest time of a shot: carom's, µs, and pooltool's, ms."""
+    both = [benchmark(work) for work in (*NOSES, *MIRROR)]
+    ours, theirs = [1e6 * a for a, _ in both], [1e3 * a * b for a, b in both]
+    return [min(ours), max(ours), min(theirs), max(theirs)]
+
+
+def gas_ratios() -> list[float]:
+    """Least and largest ratio to EDMD and to DynamO, least and most balls, of both tables of docs/theory/gas.md."""
+    table = [
+        row for row in rows("docs/theory/gas.md") if {"smooth", "rough"} & set(row[1:3]) and row[0] != "balls"
+    ]  # balls, gas, ...
+    edmd = [float(row[4]) for row in table if row[1] == "smooth" and row[4]]
+    dynamo, balls = [float(row[-1]) for row in table], [int(row[0].replace(",", "")) for row in table]
+    return [min(edmd), max(edmd), min(dynamo), max(dynamo), min(balls), max(balls)]
+
+
+def law_of_films(law: str, column: int) -> float:
+    """A number of the table of results on docs/validation/which_law.md, by docs/dev/real_angles.py."""
+    cells = next(row for row in rows("docs/validation/which_law.md") if row[0].startswith(law))
+    return float(cells[column])
+
+
+def fitted() -> list[float]:
+    cells = next(row for row in rows("docs/validation/which_law.md") if row[0].startswith("two-step, wall and floor"))
+    return [float(re.findall(rf"{name} ([\d.]+)", cells[1])[0]) for name in ("e", "friction")]
+
+
+def speed_dependent() -> list[float]:
+    """Gain in AICc of a restitution that depends on speed, least and most of three laws; odds of the best law over springs."""
+    above: dict[str, list[float]] = {}
+    for row in rows("docs/theory/cushions.md"):
+        if len(row) == 5 and "e = " in row[1]:
+            above.setdefault(row[0], []).append(float(row[3]))
+    gains = [constant - falling for falling, constant in above.values()]
+    return [min(gains), max(gains), math.exp(above["`stronge-cushion`"][0] / 2)]
+
+
+def rebounds() -> list[float]:
+    """Rebounds of filmed balls that the fits use, and those together with the row that is left out."""
+    use = list(read_rebounds(ROOT / "docs" / "data" / "carom_tracks_rebounds.csv").extra["use"])
+    return [use.count("yes"), use.count("yes") + use.count("reversed")]
+
+
+COUNTS = "len(carom.LAWS), len(carom.compare().verdicts)"
+TABLE, FILMS = "docs/benchmarks.md", "docs/validation/which_law.md"
+STATEMENTS = (
+    Statement(
+        "README.md",
+        r"wall at (\d+)°\. .*? reflected at ([\d.]+)°\. .*? the final angle is ([\d.]+)°, after a hop of (\d+) mm",
+        example,
+        "carom.compare()",
+    ),
+    Statement(
+        "README.md", r"break of a full rack, (\d+) balls and (\d+) events", rack, "docs/dev/stated.py: carom.simulate"
+    ),
+    Statement("README.md", r"takes ([\d.]+) to ([\d.]+) µs; pooltool 0\.6 needs ([\d.]+) to ([\d.]+) ms", shots, TABLE),
+    *(
+        Statement(page, pattern, ratios, TABLE)
+        for page, pattern in (
+            ("README.md", r"\((\d+) to (\d+) times as long among real noses, (\d+) to (\d+) times"),
+            ("paper.md", r"takes (\d+) to (\d+) times as long as carom .*? real noses and (\d+) to (\d+) times"),
+            ("docs/comparison.md", r"carom is (\d+) to (\d+) times as fast .*? real noses, and (\d+) to (\d+) times"),
+        )
+    ),
+    Statement(
+        "paper.md",
+        r"orbit in a circle takes ([\d.]+) times as long",
+        lambda: [1 / benchmark("one no-slip orbit, circle")[1]],
+        TABLE,
+    ),
+    Statement(
+        "paper.md",
+        r"(\d+) to (\d+) times as fast as EDMD .*? and (\d+) to (\d+) times as fast as DynamO at (\d+) to ([\d,]+) balls",
+        gas_ratios,
+        "docs/theory/gas.md",
+    ),
+    Statement("paper.md", r"outcome under (\w+) laws", lambda: [len(carom.LAWS)], COUNTS),
+    Statement("docs/index.md", r"compares (\w+) laws", lambda: [len(carom.compare().verdicts)], COUNTS),
+    *(
+        Statement(
+            page,
+            r"numbered \((\d+)\) to \((\d+)\)" if page[0] == "d" else r"Equations \((\d+)\) to \((\d+)\) of the paper",
+            lambda: [1, beside("equations").LAST],
+            "docs/dev/equations.py",
+        )
+        for page in ("docs/index.md", "paper.md")
+    ),
+    *(
+        Statement(
+            "README.md",
+            rf"\| {name} \|[^|]*\| (\d+) \| ([\d.]+) to ([\d.]+) \| ([\d.]+) \| ([\d.]+) \|",
+            lambda row=row: measured(row),
+            "docs/dev/measured.py",
+        )
+        for name, row in (
+            ("Mathavan 2009, snooker cushion, below 1.5 m/s", "Mathavan 2009, below 1.5 m/s"),
+            ("the same, above 1.5 m/s", "&nbsp;&nbsp; the same, above"),
+            ("below 1.5 m/s, cushion first and then the cloth", "&nbsp;&nbsp; below, cushion alone, then the cloth"),
+            ("Kharaz 2001, alumina on glass, above 35°", "Kharaz 2001, above 35°"),
+            ("the same, below 35°, β = 0", "&nbsp;&nbsp; below 35°, β = 0"),
+        )
+    ),
+    Statement(
+        "README.md",
+        r"rejected too\*\*, by (\d+), as is the conventional law, by (\d+)",
+        lambda: [law_of_films("two-step with", 3), law_of_films("conventional", 3)],
+        FILMS,
+    ),
+    Statement(
+        "README.md",
+        r"Fitted to (\d+) rebounds .*? one row of (\d+) that was left out",
+        rebounds,
+        "docs/data/carom_tracks_rebounds.csv",
+    ),
+    Statement(
+        "README.md",
+        r"three laws tried fit better, by (\d+) to (\d+), .*? within (\d+) to 1 of",
+        speed_dependent,
+        "docs/theory/cushions.md",
+    ),
+    Statement("README.md", r"fitted restitution is ([\d.]+) and the friction ([\d.]+)", fitted, FILMS),
+    Statement(
+        "README.md",
+        r"compliance come within (\d+) and (\d+)\.",
+        lambda: [law_of_films("tangential compliance", 3), law_of_films("two-step, then the floor, with", 3)],
+        FILMS,
+    ),
+)
+
+
+# --- every number ---------------------------------------------------------------------------------------------------
+@dataclass(frozen=True)
+class Stated:
+    """A number of a page, its kind and what made it."""
+
+    page: str
+    line: int
+    number: str
+    kind: str
+    source: str
+
+
+def spans(pattern: re.Pattern[str], page: str) -> list[tuple[int, int, str]]:
+    return [(m.start(), m.end(), m.group(0)) for m in pattern.finditer(text(page))]
+
+
+@cache
+def recorded() -> dict[str, str]:
+    """Where each number of three characters or more first stands in the records."""
+    found: dict[str, str] = {}
+    for pattern in RECORDS:
+        for path in sorted((ROOT / "docs").glob(pattern)):
+            for n, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                for number in NUMBER.findall(line):
+                    if len(number) > 2:
+                        found.setdefault(number, f"{path.relative_to(ROOT)}:{n}")
+    return found
+
+
+def paragraphs(page: str) -> list[tuple[int, int, str]]:
+    """Start, end and text of what stands between blank lines; a table has the paragraph before it as well."""
+    found: list[tuple[int, int, str]] = []
+    for m in re.finditer(r"(?:.+\n?)+", text(page)):
+        before = found[-1][2] if found and m.group(0).startswith("|") else ""
+        found.append((m.start(), m.end(), before + m.group(0)))
+    return found
+
+
+def stated(page: str) -> list[Stated]:
+    """Every number of a page."""
+    fences, codes, formulas, names = (spans(p, page) for p in (FENCE, INLINE, FORMULA, NAME))
+    checked = []
+    for one in STATEMENTS:
+        if one.page == page and (found := one.search()):
+            checked += [(found.start(k), found.end(k), one.source) for k in range(1, 1 + len(found.groups()))]
+            # the sentence is searched with these numbers in it, as in "below 35°"
+            words = NUMBER.finditer(found.group(0))
+            checked += [
+                (found.start() + m.start(), found.start() + m.end(), one.source)
+                for m in words
+                if m.group(0) in NUMBER.findall(one.pattern.replace("\\", ""))
+            ]
+    blocks = paragraphs(page)
+
+    def inside(at: int, places: Sequence[tuple[int, int, str]]) -> str:
+        return next((what for start, end, what in places if start <= at < end), "")
+
+    def kind(at: int, number: str) -> tuple[str, str]:
+        if fence := inside(at, fences):
+            head = fence.partition("\n")[0]
+            return (
+                ("cell", "executed as the docs are built")
+                if "code-cell" in head
+                else ("formula", "")
+                if "math" in head
+                else ("code", head.strip("`:"))
+            )
+        if source := inside(at, checked):
+            return "checked", source
+        for name, places in (("code", codes), ("formula", formulas), ("name", names)):
+            if inside(at, places):
+                return name, ""
+        if source := SOURCE.search(inside(at, blocks)):
+            return "said", source.group(0)
+        if number.isdigit() and int(number) <= 12:
+            return "count", ""
+        return ("record", recorded()[number]) if number in recorded() else ("no source", "")
+
+    whole = text(page)
+    return [
+        Stated(
+            page, whole.count("\n", 0, m.start()) + 1, m.group(0), *kind(m.start() + len(m.group(0)) - 1, m.group(0))
+        )
+        for m in NUMBER.finditer(whole)
+    ]
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Print the list; return 1 where ``--check`` finds a statement that is wrong."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("--all", action="store_true", help="print every number")
+    parser.add_argument("--check", action="store_true", help="compute the checked ones again")
+    given = parser.parse_args(words)
+    if given.check:
+        faults = [fault for one in STATEMENTS if (fault := one.wrong())]
+        print(*faults, sep="\n")
+        return bool(faults)
+    everything = [one for page in PAGES for one in stated(page)]
+    if given.all:
+        for one in everything:
+            print(f"{one.page}:{one.line}: {one.number} [{one.kind}] {one.source}".rstrip())
+    for (page, line), some in groupby(
+        (one for one in everything if one.kind == "no source"), lambda one: (one.page, one.line)
+    ):
+        print(f"{page}:{line}: no source: {', '.join(one.number for one in some)}")
+    print("\n| page | " + " | ".join(KINDS) + " |\n" + "|---" * (1 + len(KINDS)) + "|")
+    for page in PAGES:
+        count = Counter(one.kind for one in everything if one.page == page)
+        print(f"| {page} | " + " | ".join(str(count[kind]) for kind in KINDS) + " |")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
