@@ -254,6 +254,24 @@ def test_every_kind_of_picture(table: billiards.Table) -> None:
             plot_boundary(found)
 
 
+@pytest.mark.parametrize("name", ["flower", "mushroom"])
+@pytest.mark.parametrize("bounds", ["centre", "surface"])
+def test_walls_of_curves_are_drawn(name: str, bounds: Any) -> None:
+    """Orbits within smooth curves were drawn without the wall."""
+    table = billiards.table(name, bounds=bounds)
+    found = billiards.orbit(table, billiards.starts(table, 1), 30)
+    lines = [line.get_xydata() for line in plot_orbit(found).axes[0].lines if len(line.get_xydata()) > 1]
+    for x in found.position.reshape(-1, 2):
+        assert min(away(x, line) for line in lines) < 1e-3
+
+
+def away(x: Any, line: Any) -> float:
+    """The distance of a point from a line of segments."""
+    step, d = np.diff(line, axis=0), x - line[:-1]
+    along = np.clip((d * step).sum(1) / np.maximum((step**2).sum(1), 1e-300), 0, 1)
+    return float(np.hypot(*(d - along[:, None] * step).T).min())
+
+
 def test_exponents_drawn(tmp_path: Path) -> None:
     table = billiards.stadium()
     save(plot_lyapunov(billiards.lyapunov(table, billiards.starts(table, 3, 1), 500)), tmp_path / "l.png")

@@ -105,6 +105,15 @@ def test_a_column_of_ratios_beside_components_is_passed_on(tmp_path: Path) -> No
     assert found.extra["e"].tolist() == ["0.8", "0.8"]
 
 
+def test_numbers_under_an_unknown_name_are_not_passed_over_in_silence(tmp_path: Path) -> None:
+    text = "incidence_deg,reflection_deg,err_percent,angle,theta,shot,speed\n30,25,2,30,,1,slow\n40,33,2,40,,2,fast\n"
+    (note,) = [one for one in table(tmp_path, text.replace("speed", "speed class")).notes if "not read" in one]
+    assert note.startswith("not read: 'err_percent', 'angle'; names that are read")
+    assert not any(
+        "not read" in one for one in table(tmp_path, "v_n_in,v_n_out,spin_in,e,sigma_t\n2,1.6,0,0.8,1\n").notes
+    )
+
+
 def test_a_header_tells_a_table_of_rebounds_from_a_track() -> None:
     assert heads_rebounds("drop_height_cm;rebound_height_cm\n")
     assert not heads_rebounds("t,x,y\n")
@@ -134,6 +143,7 @@ def test_a_height_below_the_floor_is_refused(tmp_path: Path, capsys: pytest.Capt
             "v_n_in,v_n_out,spin_in\n1,0.6 ± 1e999,0\n",
             "v_n_out: expected an error bar that is a finite number, got inf at",
         ),
+        ("angle,e,e_t\n30,0.8,0.7\n40,0.8,0.7\n", "column 'e_t': expected v_t_in, or an angle of incidence, beside it"),
         (
             "v_n_in,v_n_out ± 1e999,spin_in\n1,0.6,0\n",
             "v_n_out ± 1e999: expected an error bar that is a finite number, got",

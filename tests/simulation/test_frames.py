@@ -109,7 +109,14 @@ def test_figures_of_a_break(run: carom.Trajectory) -> None:
             {"table": "snooker", "rack": "9-ball"},
             "rack: expected a pool table, for a rack by name, got a snooker table",
         ),
-        ({"table": "pool-9ft", "break_speed": -1.0}, "break_speed: expected a speed in m/s, > 0, got -1"),
+        (
+            {"table": "pool-9ft", "break_speed": -1.0},
+            "break_speed: expected a speed in m/s, > 0 and at most 100, got -1",
+        ),
+        (
+            {"table": "pool-9ft", "break_speed": 400.0},
+            "break_speed: expected a speed in m/s, > 0 and at most 100, got 400",
+        ),
         ({"rack": "9-ball"}, "rack: expected a pool table by name with it"),
     ],
 )

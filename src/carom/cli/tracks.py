@@ -70,7 +70,10 @@ def show(
     ] = None,
     view: Annotated[str | None, shared("view", default="by the motion", rich_help_panel=FILE)] = None,
     radius: Annotated[
-        float | None, shared("radius", help="Radius, 0.03075 (m) or 30.75mm; needed where balls may meet.")
+        float | None,
+        shared(
+            "radius", help="Radius, 0.03075 (m) or 30.75mm; needed where several balls are filmed; 0: they cannot meet."
+        ),
     ] = None,
     inertia: Annotated[str, shared("inertia")] = "solid",
     wall: Annotated[

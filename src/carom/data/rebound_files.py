@@ -40,6 +40,11 @@ Errors = tuple[Array, NDArray[np.bool_]]
 """Error bars (N,), NaN where there is none, and which are in per cent."""
 Numbers = tuple[Array, Errors | None]
 PERCENT = 100.0
+# Words in headers of measurements and their error bars, and in none of the other columns that a table of carom's own has
+MEASURED_WORDS = {
+    "angle", "angles", "delta", "err", "error", "errors", "height", "incidence", "reflection", "sd", "speed", "std", "stdev",
+    "theta", "unc", "uncertainty", "velocity",
+}  # fmt: skip
 LEAST_SHARE = 0.05  # of the median size: error bars in per cent do not shrink below this where a value is nearly 0
 
 
@@ -169,7 +174,28 @@ def rebounds_of_columns(
     if kind == "planar" and stage is None:
         stages = None
     made = make_rebounds(kind, measured, stage=stages, extra=extra, rows=rows, source=source)
-    return rows_of_stage(replace(made, notes=(*found.notes, *made.notes)), stage)
+    return rows_of_stage(replace(made, notes=(*found.notes, *_unread(extra), *made.notes)), stage)
+
+
+def _unread(extra: Mapping[str, NDArray[Any]]) -> list[str]:
+    """Return a note on columns of numbers that are headed as a measurement or an error bar, under a name that is not known."""
+    found = [
+        header
+        for header, cells in extra.items()
+        if MEASURED_WORDS.intersection(re.split(r"[\W\d_]+", header.lower()))
+        and NAMED.parse(_plain(header)) is None
+        and WRITTEN.parse(_plain(header)) is None
+        and _has_numbers([str(cell) for cell in cells])
+    ]
+    if not found:
+        return []
+    names = "incidence_deg, reflection_deg, speed_in, e_n, e_t, and sigma_ before one of these for an error bar"
+    return [f"not read: {', '.join(map(repr, found))}; names that are read are for example {names}"]
+
+
+def _has_numbers(cells: Sequence[str]) -> bool:
+    parsed = parse_numbers(cells, decimal_comma=True)
+    return not parsed.bad and bool(np.isfinite(parsed.values).any())
 
 
 def _directions(alone: NDArray[np.bool_] | None, kind: Kind, faults: FaultList) -> dict[str, NDArray[Any]]:

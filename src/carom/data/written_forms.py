@@ -273,7 +273,10 @@ class _Conversion:
     def ratios(self) -> None:
         """Take the other ratios of speeds after and before: e_t of the centre, e_x (Cross) and beta (Walton) of the slip."""
         along = self.take("e_t")
-        if along is not None and "v_t_in" in self.have:
+        if along is not None and "v_t_in" not in self.have:
+            wanted = "v_t_in, or an angle of incidence, beside it (incidence_deg)"
+            self.faults.add("column 'e_t'", wanted, "none")
+        elif along is not None:
             # (v_t_out is 0 where v_t_in is)
             v_t = self.have["v_t_in"]
             self.put("v_t_out", along[0] * v_t, along[1] * np.abs(v_t))

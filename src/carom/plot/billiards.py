@@ -206,7 +206,7 @@ def draw_table(axes: Any, setup: OrbitSetup, low: Array, high: Array) -> None:
 
 
 def _outline(shape: Boundary, low: Array, high: Array) -> list[Array]:
-    """Return the lines to draw: faces, arcs, ellipses."""
+    """Return the lines to draw: faces, arcs, ellipses, smooth curves."""
     size = float(np.abs([low, high]).sum())
     lines = []
     for n, c, _r, begin, end, *_ in shape.faces:
@@ -228,6 +228,8 @@ def _outline(shape: Boundary, low: Array, high: Array) -> list[Array]:
     if shape.ellipse is not None:
         curve = _curve(shape)
         lines.append(np.concatenate([curve, curve[:1]]))
+    if shape.curve is not None:
+        lines += [shape.curve.place(k, np.linspace(0, length, 200))[0] for k, length in enumerate(shape.curve.lengths)]
     if shape.sphere is not None:
         u = np.linspace(0, math.tau, 400)
         lines.append(shape.sphere * np.stack([np.cos(u), np.sin(u)], axis=-1))

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from carom.errors import CaromError, Fault, did_you_mean, shown
+from carom.scene.plausible import FAST
 from carom.scene.presets import Preset, Sourced, preset_fault, presets
 
 __all__ = ["RACKS", "rack_fault", "table_scene"]
@@ -159,11 +160,11 @@ def rack_fault(game: str, rack: str | None) -> list[Fault]:
 
 def _speed_fault(game: str, speed: float | None) -> list[Fault]:
     """Return the problem with the speed of a break on the table of a game (empty: unknown)."""
-    if speed is None or (0 < speed < math.inf and game in ("pool", "")):
+    if speed is None or (0 < speed <= FAST and game in ("pool", "")):
         return []
     if game not in ("pool", ""):
         return [Fault("", "break_speed", "a pool table, for a break", f"a {game} table", "omit the speed")]
-    return [Fault("", "break_speed", "a speed in m/s, > 0", f"{speed:g}")]
+    return [Fault("", "break_speed", f"a speed in m/s, > 0 and at most {FAST:g}", f"{speed:g}")]
 
 
 def _rows(x: float, radius: float, rows: Sequence[int]) -> list[tuple[float, float]]:

@@ -49,7 +49,7 @@ class Settings:
     """
 
     radius: float | None = None
-    """m; without it contacts between balls are not searched for."""
+    """m; needed where several balls are filmed, whose contacts are searched for; 0: they cannot meet."""
     kappa: float = 2 / 5
     """I/(m a^2)."""
     view: View | None = None
