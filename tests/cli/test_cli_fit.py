@@ -14,6 +14,7 @@ from reference.synthetic_bounces import measured_bounces as bounces
 import carom
 from carom import cli
 from carom.cli.ranking_output import _in_lines
+from carom.data import published_rebounds
 from carom.data.datasets import load
 
 
@@ -382,9 +383,15 @@ def test_sets_that_come_with_carom_are_fitted_by_name(here, monkeypatch, capsys)
     found = json.loads(run(monkeypatch, capsys, "fit", "mathavan", *options)[1])["ranking"][0]["parameters"]
     assert found["restitution_slope"]["value"] == pytest.approx(0.8165, abs=5e-4)
     assert found["restitution_offset"]["value"] == pytest.approx(0.0870, abs=5e-4)
-    code, out, err = run(monkeypatch, capsys, "fit", "alciatore")
-    assert (code, out, len(err.splitlines())) == (2, "", 1)
-    assert "got directions alone" in err
+    # directions alone: tan(out) = 5/(7 e) tan(in) where the ball sticks
+    code, out, err = run(monkeypatch, capsys, "fit", "alciatore", "--json", "--laws", "sticking,mirror", "--no-report")
+    best = json.loads(out)["ranking"][0]
+    assert (code, best["law"]) == (0, "sticking")
+    columns = published_rebounds("alciatore_tpb28").rebounds
+    outgoing = np.tan(np.arcsin(columns["v_t_out"]))
+    slope = np.median(outgoing / (columns["v_t_in"] / columns["v_n_in"]))
+    assert best["parameters"]["restitution"]["value"] == pytest.approx(5 / (7 * slope), abs=0.05)
+    assert "directions alone" in err
     assert not list(here.iterdir())
 
 

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 
 from carom.data.datasets import Dataset, load, names
+from carom.data.headers import DIRECTION_COLUMN, DIRECTION_UNIT
 from carom.data.rebound_files import read_rebounds
 from carom.data.rebounds import Rebounds, make_rebounds
-from carom.errors import CaromError
 
 __all__ = ["Published", "published_at", "published_name", "published_rebounds"]
 
@@ -59,11 +59,6 @@ def published_rebounds(name: str) -> Published:
     Returns
     -------
     Published
-
-    Raises
-    ------
-    CaromError
-        For a set without speeds before and after the wall.
 
     Examples
     --------
@@ -133,10 +128,17 @@ def _rackets(data: Dataset) -> Published:
 
 
 def _alciatore(data: Dataset) -> Published:
-    raise CaromError(
-        f"{data.name}: expected speeds before and after the wall, got directions alone: no law can be fitted to them; what they"
-        " say is in docs/datasets/alciatore.md"
+    """Return the directions of the tables whose angles are known, of balls without spin."""
+    seen = np.isfinite(data.columns["theta_in_deg_derived"])
+    before, after = (np.radians(data.columns[f"theta_{name}_deg_derived"][seen]) for name in ("in", "out"))
+    columns = {"v_n_in": np.cos(before), "v_t_in": np.sin(before), "spin_in": 0 * before, "v_t_out": np.sin(after)}
+    extra = {"table": data.columns["table"][seen], DIRECTION_COLUMN: np.full(len(before), DIRECTION_UNIT)}
+    notes = (
+        "directions alone, at a speed taken as 1 m/s, for an aim at diamond 0; the push of the nose on the upper half of the ball,"
+        " which the cloth turns into speed on the way to the opposite rail, is left out: see docs/datasets/alciatore.md",
     )
+    rebounds = make_rebounds("planar", columns, extra=extra, source=data.name, notes=notes)
+    return Published(rebounds, {"radius": 0.028575, "kappa": 0.4})
 
 
 _READ: dict[str, Callable[[Dataset], Published]] = {
