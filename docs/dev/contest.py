@@ -50,12 +50,12 @@ class Answer(NamedTuple):
     """(N,) log densities."""
 
 
-_BEST: dict[tuple[int, Setting], tuple[Problem, Any]] = {}  # of training rows, which more than one contestant asks for
+_BEST: dict[tuple[int, str], tuple[Problem, Any]] = {}  # of training rows, which more than one contestant asks for
 
 
 def best_law(problem: Problem, setting: Setting) -> Any:
     """Return the law with the least AICc."""
-    key = (id(problem), setting)
+    key = (id(problem), str(setting.restitution))
     if key not in _BEST:
         rows = replace(problem, setting=setting)
         laws = laws_for(rows.rebounds.kind, setting.contact_height == 1.0)
