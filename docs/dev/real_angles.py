@@ -84,15 +84,15 @@ def prior(fit: Fit) -> tuple[float, float]:
 def draw(rebounds: Rebounds, first: np.ndarray, fits: dict[str, Fit]) -> None:
     style = {
         "svg.hashsalt": "carom", "font.family": "STIXGeneral", "mathtext.fontset": "stix",
-        "svg.fonttype": "path", "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
-        "axes.titlesize": 9, "axes.titlelocation": "left", "legend.frameon": False,
+        "svg.fonttype": "path", "font.size": 11, "axes.spines.top": False, "axes.spines.right": False,
+        "axes.titlesize": 11, "axes.titlelocation": "left", "legend.frameon": False,
     }  # fmt: skip
     with plt.rc_context(style):
-        figure, panels = plt.subplots(1, 3, figsize=(10.5, 4.2), sharex=True, sharey=True)
+        figure, panels = plt.subplots(1, 3, figsize=(7.4, 3.9), sharex=True, sharey=True)  # (10 pt are 7 px on a phone)
         a, b, sa, sb = folded(rebounds)
         line = np.radians(np.linspace(0.5, 80, 120))
         titles = {
-            "conventional": "conventional", "two-step-paper": "two-step, paper's surfaces", "two-step": "two-step, fitted surfaces",
+            "conventional": "conventional", "two-step-paper": "two-step, the paper's", "two-step": "two-step, fitted",
         }  # fmt: skip
         for axes, (name, title) in zip(panels, titles.items(), strict=True):
             fit = fits[name]
@@ -101,7 +101,7 @@ def draw(rebounds: Rebounds, first: np.ndarray, fits: dict[str, Fit]) -> None:
                 at(fit, line, s) for s in (0.0, c * np.sin(line), c * np.sin(line) + w, c * np.sin(line) - w)
             )
             low, high = np.minimum(one, other), np.maximum(one, other)
-            within = f"running side ${c:.2f}\\,v_t/a \\pm {w:.2f}\\,v/a$"
+            within = f"${c:.2f}\\,v_t/a \\pm {w:.2f}\\,v/a$"
             axes.plot(np.degrees(line), none, color="#0072B2", lw=1.2, ls="--", label="without sidespin")
             axes.fill_between(np.degrees(line), low, high, color="#0072B2", alpha=0.15, lw=0, label=within)
             axes.plot(np.degrees(line), middle, color="#0072B2", lw=1.5, label="with the mean sidespin")
@@ -118,10 +118,13 @@ def draw(rebounds: Rebounds, first: np.ndarray, fits: dict[str, Fit]) -> None:
                     label=label,
                 )
             axes.plot((0, 80), (0, 80), color="#999999", lw=0.6, ls=":")
-            axes.set(xlim=(0, 80), ylim=(-40, 85), xlabel="incidence, degrees from the normal", title=title)
+            axes.set(xlim=(0, 80), ylim=(-30, 90), xticks=range(0, 81, 20), yticks=range(-30, 91, 30), title=title)
         panels[0].set_ylabel("reflection once it rolls again, degrees")
-        panels[0].legend(loc="lower right", fontsize=7)
-        figure.tight_layout()
+        panels[1].set_xlabel("incidence, degrees from the normal")
+        figure.tight_layout(rect=(0, 0.15, 1, 1), w_pad=1.2)
+        figure.legend(
+            *panels[0].get_legend_handles_labels(), loc="lower center", ncols=3, fontsize=10, columnspacing=1.2
+        )
         figure.savefig(IMAGES / "which_law.svg", metadata={"Date": None, "Creator": None})
 
 
