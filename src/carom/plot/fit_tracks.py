@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 __all__ = ["plot_tracks", "write_track_report"]
 
+WIDTH = 8.2  # inches
 SHOTS, MORE = 6, 12  # largest number of shots drawn from above, and that for wide tables, of which more rows fit
 BALLS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 
@@ -31,24 +32,25 @@ def plot_tracks(ranking: TrackRanking) -> Figure:
     shots = list(dict.fromkeys(one.group for one in best.frames.segments))
     size = np.ptp(np.concatenate([one.position for one in best.frames.segments]), axis=0)
     shown = shots[: MORE if size[0] > 1.5 * size[1] else SHOTS]
+    names = list(dict.fromkeys(one.name for one in best.frames.segments))
+    columns = min(4 if len(shown) > SHOTS else 3, len(shown))
+    rows = -(-len(shown) // columns)
+    above = rows * min(3.0, 0.3 + WIDTH / columns * float(size[1] / size[0])) + 0.3  # inches
     with style():
-        figure = new_figure(10.4, 6.6)
-        left, right = figure.subfigures(1, 2, squeeze=False, width_ratios=[1.55, 1]).flat
-        columns = min(3, len(shown)) if len(shown) > 1 else 1
-        rows = -(-len(shown) // columns)
-        panels = left.subplots(rows, columns, squeeze=False)
-        names = list(dict.fromkeys(one.name for one in best.frames.segments))
+        figure = new_figure(WIDTH, above + 3.1)
+        upper, lower = figure.subfigures(2, 1, squeeze=False, height_ratios=[above, 3.1]).flat
+        panels = upper.subplots(rows, columns, squeeze=False)
         for axes in panels.flat[len(shown) :]:
             axes.set_axis_off()
         for axes, shot in zip(panels.flat, shown, strict=False):
             _from_above(axes, best, shot, names)
-        left.subplots_adjust(left=0.02, right=0.98, top=0.91, bottom=0.03, wspace=0.08, hspace=0.2)
+        upper.subplots_adjust(left=0.01, right=0.99, top=1 - 0.5 / above, bottom=0.01, wspace=0.06, hspace=0.28)
         more = f", {len(shown)} of {len(shots)} shots" if len(shots) > len(shown) else ""
-        left.suptitle(f"Tracked (dots) and simulated by {literal(best.law.name)} (lines){more}", fontsize=9)
-        upper, lower = right.subplots(2, 1, height_ratios=[1, 1])
-        _by_shot(upper, ranking)
-        _over_time(lower, best)
-        right.subplots_adjust(left=0.17, right=0.97, top=0.93, bottom=0.09, hspace=0.36)
+        upper.suptitle(f"Tracked (dots) and simulated by {literal(best.law.name)} (lines){more}", fontsize=9)
+        left, right = lower.subplots(1, 2)
+        _by_shot(left, ranking)
+        _over_time(right, best)
+        lower.subplots_adjust(left=0.08, right=0.98, top=0.9, bottom=0.16, wspace=0.24)
     return figure
 
 
@@ -103,24 +105,22 @@ def _by_shot(axes: Any, ranking: TrackRanking) -> None:
 
 
 def _over_time(axes: Any, fit: TrackFit) -> None:
-    """Plot the distances of the best law since the first contact, one line per track."""
-    for n, one in enumerate(fit.frames.segments):
-        count = int(fit.frames.count[n])
-        gap = 1e3 * np.hypot(*fit.gap[n, :count].T)
-        axes.plot(one.time[:count] - one.contacts[0], gap, color=INK, lw=0.4, alpha=0.3)
-    since = np.concatenate(
-        [one.time[: int(c)] - one.contacts[0] for one, c in zip(fit.frames.segments, fit.frames.count, strict=True)]
-    )
-    every = 1e3 * np.concatenate([np.hypot(*fit.gap[n, : int(c)].T) for n, c in enumerate(fit.frames.count)])
-    edges = np.linspace(since.min(), since.max(), 25)
-    middles = [(a + b) / 2 for a, b in pairwise(edges) if ((since >= a) & (since < b)).sum() >= 10]
-    medians = [
-        np.median(every[(since >= a) & (since < b)])
-        for a, b in pairwise(edges)
-        if ((since >= a) & (since < b)).sum() >= 10
-    ]
-    axes.plot(middles, medians, color="#D55E00", lw=1.8, label="median")
-    axes.legend(fontsize=7, frameon=False, loc="upper left")
+    """Plot the distances of the best law since the first contact: a line per track, of more than a few tracks the shares."""
+    gaps = [1e3 * np.hypot(*fit.gap[n, : int(c)].T) for n, c in enumerate(fit.frames.count)]
+    times = [one.time[: len(gap)] - one.contacts[0] for one, gap in zip(fit.frames.segments, gaps, strict=True)]
+    if len(gaps) <= len(BALLS):
+        for time, gap in zip(times, gaps, strict=True):
+            axes.plot(time, gap, color=INK, lw=0.5, alpha=0.5)
+    since, every = np.concatenate(times), np.concatenate(gaps)
+    bins = [(a, b, every[(since >= a) & (since < b)]) for a, b in pairwise(np.linspace(since.min(), since.max(), 25))]
+    middles = [(a + b) / 2 for a, b, some in bins if len(some) >= 10]
+    if middles:
+        shares = np.array([np.percentile(some, (10, 25, 50, 75, 90)) for *_, some in bins if len(some) >= 10]).T
+        if len(gaps) > len(BALLS):
+            axes.fill_between(middles, shares[0], shares[4], color=INK, alpha=0.12, lw=0, label="80 % of frames")
+            axes.fill_between(middles, shares[1], shares[3], color=INK, alpha=0.25, lw=0, label="50 %")
+        axes.plot(middles, shares[2], color="#D55E00", lw=1.8, label="median")
+        axes.legend(fontsize=7, frameon=False, loc="upper left")
     axes.axvline(0, color=GREY, lw=0.8, ls=":")
     axes.set(yscale="log", xlabel="time since the first contact, s", ylabel="distance, mm")
     axes.set_title(f"Over time, {fit.law.name}", fontsize=9)
