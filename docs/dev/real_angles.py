@@ -81,14 +81,16 @@ def prior(fit: Fit) -> tuple[float, float]:
     return float(fit.numbers[INDEX["spin_mean"]]), float(fit.numbers[INDEX["spin_width"]])
 
 
-def draw(rebounds: Rebounds, first: np.ndarray, fits: dict[str, Fit]) -> None:
+def draw(rebounds: Rebounds, first: np.ndarray, fits: dict[str, Fit], *, narrow: bool = False) -> None:
+    """Save the panels side by side, or (for phones, where the letters would be 7 px high) one below the other."""
     style = {
         "svg.hashsalt": "carom", "font.family": "STIXGeneral", "mathtext.fontset": "stix",
         "svg.fonttype": "path", "font.size": 11, "axes.spines.top": False, "axes.spines.right": False,
         "axes.titlesize": 11, "axes.titlelocation": "left", "legend.frameon": False,
     }  # fmt: skip
     with plt.rc_context(style):
-        figure, panels = plt.subplots(1, 3, figsize=(7.4, 3.9), sharex=True, sharey=True)  # (10 pt are 7 px on a phone)
+        shape, size = ((3, 1), (3.9, 8.4)) if narrow else ((1, 3), (7.4, 3.9))
+        figure, panels = plt.subplots(*shape, figsize=size, sharex=True, sharey=True)
         a, b, sa, sb = folded(rebounds)
         line = np.radians(np.linspace(0.5, 80, 120))
         titles = {
@@ -119,13 +121,13 @@ def draw(rebounds: Rebounds, first: np.ndarray, fits: dict[str, Fit]) -> None:
                 )
             axes.plot((0, 80), (0, 80), color="#999999", lw=0.6, ls=":")
             axes.set(xlim=(0, 80), ylim=(-30, 90), xticks=range(0, 81, 20), yticks=range(-30, 91, 30), title=title)
-        panels[0].set_ylabel("reflection once it rolls again, degrees")
-        panels[1].set_xlabel("incidence, degrees from the normal")
+        panels[1 if narrow else 0].set_ylabel("reflection once it rolls again, degrees")
+        panels[2 if narrow else 1].set_xlabel("incidence, degrees from the normal")
         figure.tight_layout(rect=(0, 0.15, 1, 1), w_pad=1.2)
-        figure.legend(
-            *panels[0].get_legend_handles_labels(), loc="lower center", ncols=3, fontsize=10, columnspacing=1.2
-        )
-        figure.savefig(IMAGES / "which_law.svg", metadata={"Date": None, "Creator": None})
+        handles = panels[0].get_legend_handles_labels()
+        figure.legend(*handles, loc="lower center", ncols=1 if narrow else 3, fontsize=10, columnspacing=1.2)
+        name = "which_law_narrow" if narrow else "which_law"
+        figure.savefig(IMAGES / f"{name}.svg", metadata={"Date": None, "Creator": None})
 
 
 def first_balls(rebounds: Rebounds) -> np.ndarray:
@@ -153,7 +155,8 @@ def main() -> None:
         print(f"left out: {where}: v_n {n:.2f}, v_t {t:.2f} m/s before, {after:.2f} and {along:.2f} after")
     kept = table.select(~odd)
     ranking = ranked(kept, None)
-    draw(kept, first_balls(table)[~odd], {one.fit.law.name: one.fit for one in ranking.ranked})
+    for narrow in (False, True):
+        draw(kept, first_balls(table)[~odd], {one.fit.law.name: one.fit for one in ranking.ranked}, narrow=narrow)
     if given.first:
         return
     two = ["two-step", "two-step-after", "contact", "no-slip"]
