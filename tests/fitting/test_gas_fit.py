@@ -55,6 +55,12 @@ def test_a_cooling_curve_tells_restitution_and_roughness():
     assert found.errors["restitution"] < 0.15
 
 
+def test_a_gas_that_cools_less_than_any_simulated_one_is_at_the_end_of_the_range():
+    found = carom.fit_gas({"t": [0, 5, 10], "temperature": [1, 1.1, 1.2]}, scene(0.5, 0.5, 0.0), simulations=20)
+    assert found.values["restitution"] == 1
+    assert any("restitution: 1 is the end of the range" in note for note in found.notes)
+
+
 @pytest.mark.parametrize(
     ("columns", "options", "line"),
     [
@@ -93,3 +99,7 @@ def test_the_command_says_where(tmp_path, capsys):
     (tmp_path / "a.csv").write_text("t,temperture\n0,1\n1,0.5\n", encoding="utf-8")
     (line,) = fails(capsys, "fit", "gas", str(tmp_path / "a.csv"), "--scene", str(tmp_path / "gas.toml"))
     assert "a.csv: expected tracks (columns t, ball, x, y) or curves" in line
+    (tmp_path / "a.csv").write_text("t,temperature\n0,1\n1,0.5\n", encoding="utf-8")
+    options = ["--scene", str(tmp_path / "gas.toml"), "--simulations", "3"]
+    (line,) = fails(capsys, "fit", "gas", str(tmp_path / "a.csv"), *options)
+    assert "--simulations: expected a whole number >= 20, got 3" in line

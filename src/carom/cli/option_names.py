@@ -28,7 +28,8 @@ ARGUMENTS: dict[str, dict[str, str]] = {
     "Ball": {}, "Disc": {}, "wall": {}, "Surface": {}, "incoming": {}, "compare": {},
     "floor": {name: f"floor_{name}" for name in ("restitution", "friction", "tangential_restitution")},
     "in_magnetic_field": {}, "under": {},
-    "Run": {}, "simulate": {}, "predict": {}, "fit": {}, "design": {}, "tracks": {}, "measure_tracks": {}, "judge": {},
+    "Run": {}, "simulate": {}, "predict": {}, "fit": {}, "fit_gas": {}, "design": {}, "tracks": {}, "measure_tracks": {},
+    "judge": {},
     "aim": {"errors": "error"}, "aim: reach": {}, "explore": {}, "plot": {"orbit": "plot"}, "sensitivity": {"wrt": "sensitivity"},
     "GasSettings": {}, "simulate_gas": {}, "simulate_ensemble": {}, "orbit": {}, "orbit: start": {}, "starts": {},
 }  # fmt: skip

@@ -87,6 +87,11 @@ def fit_curve(
         low, high = np.maximum(where - width, begin), np.minimum(where + width, end)
     flat = [name for k, name in enumerate(names) if math.sqrt(covariance[k, k]) > (end - begin)[k] / math.sqrt(12)]
     notes += [f"{name} is not told by these data" for name in flat]
+    notes += [
+        f"{name}: {where[k]:g} is the end of the range that was searched; check the other numbers of the scene, which were held"
+        for k, name in enumerate(names)
+        if name not in flat and where[k] in (begin[k], end[k])
+    ]
     return where, covariance, notes
 
 

@@ -94,17 +94,18 @@ def fit_gas(
         where, columns = str(path), read_columns(path)[0]
     curves = [name for name in CURVES if name in columns]
     is_track = set(TRACKS) <= set(columns)
-    faults = FaultList(where)
+    faults, arguments = FaultList(where), FaultList("fit_gas")
     if not is_track and not ("t" in columns and curves):
         expected = f"tracks (columns {', '.join(TRACKS)}) or curves (t and temperature or ratio)"
         faults.add("", expected, f"{', '.join(columns)}")
     for name in names or ():
         if name not in NUMBERS:
-            faults.add("names", f"some of {', '.join(NUMBERS)}", f"{name!r}")
+            arguments.add("names", f"some of {', '.join(NUMBERS)}", f"{name!r}")
     if is_track and names:
-        faults.add("names", "none with tracks, which tell all", f"{', '.join(names)}", "omit it")
+        arguments.add("names", "none with tracks, which tell all", f"{', '.join(names)}", "omit it")
     if isinstance(simulations, bool) or not simulations >= 20:
-        faults.add("simulations", "a whole number >= 20", f"{simulations!r}")
+        arguments.add("simulations", "a whole number >= 20", f"{simulations!r}")
+    faults += arguments
     faults.raise_if_any()
     gas = scene if isinstance(scene, GasScene) else load_gas(scene)
     return (
