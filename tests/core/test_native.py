@@ -35,7 +35,10 @@ def _function(name: str) -> Any:
     whole, *held = name.split(" ")
     module, _, path = whole.partition(":")
     made = getattr(importlib.import_module(module), path.partition(".<locals>")[0])
-    return made(*(_function(":".join(one.partition("=")[2].rsplit(".", 1))) for one in held)) if held else made
+    if not held:
+        return made
+    given = made(*(_function(":".join(one.partition("=")[2].rsplit(".", 1))) for one in held))
+    return next(one for one in given if one.__qualname__ == path) if isinstance(given, tuple) else given
 
 
 def test_the_packages_loops_are_of_todays_kernels() -> None:
