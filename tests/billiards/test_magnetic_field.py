@@ -208,6 +208,17 @@ def test_command(capsys, tmp_path):
     assert "--magnetic-field: expected a magnetic field in a table in the plane only, got sphere" in line
 
 
+@pytest.mark.parametrize("name", ["ellipse", "curve"])
+def test_weak_fields_bend_nothing(name):
+    """Circles up to 10^60 times as large as the table miss no wall: their middles are rounded."""
+    start = billiards.starts(TABLES[name], 300, 3, law="mirror")
+    straight = billiards.orbit(TABLES[name], start, 3, law="mirror")
+    for field in (1e-13, 0.1 + 0.2 - 0.3, -1e-30, 1e-60):
+        found = billiards.orbit(in_field(TABLES[name], field), start, 3, law="mirror")
+        assert (found.count == straight.count).all()
+        np.testing.assert_allclose(found.t[:, 0], straight.t[:, 0], rtol=0, atol=1e-13 + 100 * abs(field))
+
+
 def test_angle_of_a_tangent():
     x = np.append(np.random.default_rng(1).uniform(0, 1, 300), [0.0, 1e-300, 0.4375, 0.6875, 1.0])
     found = np.array([angle_of_tangent(float(one)) for one in x])

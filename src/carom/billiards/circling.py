@@ -34,6 +34,7 @@ FULL_CIRCLE = 4.0 + 1e-9  # quarters of a circle, and a margin for rounding
 OVERLAP = 1e-13  # of a panel's length: so much beyond its ends still belongs to it
 SLOW = 1e-14  # approach that counts as rounding, relative to the speed
 NOISE = 4e-16  # of the table's size: so much of a distance from a smooth curve is rounding
+CIRCLE_NOISE = 1e-14  # of the Larmor radius: rounding of distances from the circle's middle
 BEHIND = 1e3  # times a distance that is rounding: so far beyond a wall a ball has not just met it
 ON_THE_CIRCLE, ALONG_THE_CIRCLE = 1e-14, 1e-8  # squares, relative: a ball on a circle, and nearly tangent to it
 
@@ -271,6 +272,8 @@ def _curve(panels: Any, first: int, last: int, a: float, near: float, x: Vec, v:
     best = most
     found = NEVER
     radius = 0.5 * math.sqrt(v[0] * v[0] + v[1] * v[1])
+    # of a circle much larger than the table, too, whose middle is rounded
+    near_circle = near + CIRCLE_NOISE * radius
     mx, my = x[0] + 0.5 * k[0], x[1] + 0.5 * k[1]
     for j in range(first, last):
         ex, ey = panels[j, CX], panels[j, CX + 1]
@@ -279,10 +282,11 @@ def _curve(panels: Any, first: int, last: int, a: float, near: float, x: Vec, v:
         begin, end, low, high = panels[j, FIRST_XI], panels[j, LAST_XI], panels[j, LOW] - near, panels[j, HIGH] + near
         cx, cy = ex * dx + ey * dy, ex * dy - ey * dx
         wide, tall = max(begin - cx, cx - end, 0.0), max(low - cy, cy - high, 0.0)
-        if wide * wide + tall * tall > (radius + near) * (radius + near):
+        if wide * wide + tall * tall > (radius + near_circle) * (radius + near_circle):
             continue
         wide, tall = max(cx - begin, end - cx), max(cy - low, high - cy)
-        if radius > near and wide * wide + tall * tall < (radius - near) * (radius - near):
+        inner = radius - near_circle
+        if inner > 0.0 and wide * wide + tall * tall < inner * inner:
             continue
         dx, dy = x[0] - panels[j, OX], x[1] - panels[j, OX + 1]
         u = _panel(

@@ -17,6 +17,8 @@ from carom.scene.figures import Figure, figure
 
 __all__ = ["Table", "in_magnetic_field", "table", "under"]
 
+WEAKEST_FIELD = 1e-50  # rad/s: powers of the Larmor radius overflow in a weaker one, which bends nothing
+
 
 @dataclass(frozen=True)
 class Table:
@@ -176,8 +178,8 @@ def in_magnetic_field(table: Table, magnetic_field: float) -> Table:
         In the plane, without an acceleration.
     magnetic_field : float
         The cyclotron frequency, rad/s: the angular velocity at which the velocity turns, counterclockwise where it is positive.
-        The centre moves on circles of the Larmor radius, the speed over the frequency's size. It replaces the table's; 0: none.
-        The field does not change the spin.
+        The centre moves on circles of the Larmor radius, the speed over the frequency's size. It replaces the table's; 0: none,
+        as is a field below 1e-50. The field does not change the spin.
 
     Returns
     -------
@@ -207,7 +209,7 @@ def in_magnetic_field(table: Table, magnetic_field: float) -> Table:
     if field:
         _require_one_force(faults, "magnetic_field", replace(table, magnetic_field=1.0))
     faults.raise_if_any()
-    return replace(table, magnetic_field=float(field))
+    return replace(table, magnetic_field=float(field) if abs(field) > WEAKEST_FIELD else 0.0)
 
 
 def _require_table(faults: FaultList, table: Any) -> None:
