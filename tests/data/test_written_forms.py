@@ -143,6 +143,7 @@ def test_a_height_below_the_floor_is_refused(tmp_path: Path, capsys: pytest.Capt
             "v_n_in,v_n_out,spin_in\n1,0.6 ± 1e999,0\n",
             "v_n_out: expected an error bar that is a finite number, got inf at",
         ),
+        ("angle_in_deg,angle_out_deg\n", "rebounds.csv: expected rebounds, got none"),
         ("angle,e,e_t\n30,0.8,0.7\n40,0.8,0.7\n", "column 'e_t': expected v_t_in, or an angle of incidence, beside it"),
         (
             "v_n_in,v_n_out ± 1e999,spin_in\n1,0.6,0\n",

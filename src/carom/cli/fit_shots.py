@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -38,7 +39,8 @@ def show_shots(ranking: ShotsRanking) -> None:
 
     def cells(one: Ranked[ShotsFit]) -> tuple[str, ...]:
         numbers = ", ".join(f"{name} {with_error_bar(estimate)}" for name, estimate in one.fit.estimates.items())
-        return (*(f"{1e3 * one.fit.median(name):.1f}" for name in HORIZONS), numbers or "none")
+        medians = (1e3 * one.fit.median(name) for name in HORIZONS)
+        return (*("–" if math.isnan(mm) else f"{mm:.1f}" for mm in medians), numbers or "none")
 
     said = f"\nRMS distances in mm: median of the shots, to the first ball, through its cushions, to rest. Errors: {_errors(best)}"
     print_ranking(ranking, ("ball", "1", "2", "3 cushions", "whole"), cells, said)

@@ -86,6 +86,8 @@ def read_rebounds(
     faults = FaultList(str(path))
     read = _read_parquet if path.suffix.lower() in (".parquet", ".pq") else _read_csv
     headers, cells, rows, number = read(path, faults)
+    if not rows:
+        raise CaromError(f"{path}: expected rebounds, got none")
     return rebounds_of_columns(headers, cells, number, rows, kind, stage, faults, str(path), ball)
 
 
