@@ -11,7 +11,7 @@ import pytest
 from reference.brute_force_scene import random_scene
 
 import carom
-from carom.simulation import compiled, interpreted, run_log
+from carom.simulation import compiled, interpreted, scene_loop
 from carom.simulation.compiled import compiled_engine
 from carom.simulation.event_rows import ALL
 from carom.simulation.records import LOG
@@ -95,8 +95,8 @@ def called(monkeypatch: pytest.MonkeyPatch) -> list[str]:
         calls.append("Python")
         return interpreted.run_interpreted(*numbers)
 
-    monkeypatch.setattr(run_log, "compiled_engine", compiled)
-    monkeypatch.setattr(run_log, "run_interpreted", python)
+    monkeypatch.setattr(scene_loop, "compiled_engine", compiled)
+    monkeypatch.setattr(scene_loop, "run_interpreted", python)
     monkeypatch.setattr(interpreted, "is_loaded", lambda: False)
     monkeypatch.setattr(interpreted, "compiled_before", lambda _scene: False)
     monkeypatch.setattr(interpreted, "_spent", 0.0)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.billiards.rolling import spin_matrix
+from carom.billiards.rolling import spin_matrix, spin_vector
 from carom.billiards.rolling_phases import Ended, RollingPhase, RollingSetting, fly, land, roll_on, size
 from carom.billiards.surfaces import RollingSurface
 from carom.bodies import Ball, Surface
@@ -44,12 +44,17 @@ class RollingStates(NamedTuple):
     place: Array
     velocity: Array
     spin: Array
-    """Matrices W, (N, d, d): `carom.billiards.rolling.spin_vector` makes angular velocities of those in space."""
+    """Matrices W, (N, d, d): in space :attr:`angular_velocity` has them as vectors."""
     pressure: Array
     """Force of the surface (m/s^2), 0 in flight."""
     friction: Array
     """Friction that rolling needs (m/s^2), 0 in flight."""
     rolls: NDArray[np.bool_]
+
+    @property
+    def angular_velocity(self) -> Array:
+        """Return the spins as vectors in space (N, 3), rad/s."""
+        return spin_vector(self.spin)
 
 
 @dataclass(frozen=True, eq=False)

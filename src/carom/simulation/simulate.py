@@ -26,8 +26,9 @@ from carom.simulation.event_rows import PHASES_FROM, rows_of_an_event
 from carom.simulation.loop import LIMIT
 from carom.simulation.many_runs import ManyRuns
 from carom.simulation.records import BALL, EVENT_KINDS, IN_CLUSTER, KINDS, LOG, START
-from carom.simulation.run_log import FIRST_ROWS, run_limits, run_scene
+from carom.simulation.run_log import run_limits, run_scene
 from carom.simulation.run_many import LOG_ROWS, PARTS, ROWS_KEPT, compiled_many, empty_counts, empty_logs
+from carom.simulation.scene_loop import FIRST_ROWS
 from carom.simulation.setup import SceneArrays, set_up
 from carom.simulation.starts import starts_of
 from carom.simulation.trajectory import Trajectory

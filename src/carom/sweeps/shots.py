@@ -70,7 +70,7 @@ EVENT_KINDS = {
     **{
         name: k
         for k, name in enumerate(KINDS)
-        if name not in ("start", "phase", "nothing", "in-cluster", "wall-in-cluster")
+        if name not in ("start", "phase", "nothing", "in-cluster", "wall-in-cluster", "rim")
     },
     **{name: PHASES_FROM + k for k, name in enumerate(PHASES) if name not in KINDS},
 }

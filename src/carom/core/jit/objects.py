@@ -40,5 +40,5 @@ def as_objects(records: NDArray[np.void]) -> ObjectArray:
 def write_back(objects: ObjectArray, records: NDArray[np.void], count: int | None = None) -> None:
     """Write the objects, or the first ``count`` of them, into the records that they were made of."""
     some = objects[:count]
-    for name in records.dtype.names or ():
+    for name in (records.dtype.names or ()) if some else ():
         records[name][: len(some)] = [getattr(one, name) for one in some]
