@@ -3,6 +3,7 @@
     python docs/dev/contest.py                                              the published sets
     python docs/dev/contest.py TABLE.csv --radius 0.02 --inertia hollow     a table of your own; --by COLUMN: each surface apart
     python docs/dev/contest.py --only films                                 the sets whose name contains a text
+    python docs/dev/contest.py --few 4                                      few rows of one racket, alone and beside the other
 
 Everything is chosen and fitted within the four fifths that train: the law by AICc, forms and splines by held-out rows among them.
 The log score is the mean log density of a held-out row, in m/s (a spin counts as the radius times its size). The lengths are
@@ -26,7 +27,7 @@ import numpy as np
 
 from carom.bodies import inertia_number
 from carom.data import published_rebounds, read_rebounds
-from carom.fitting import Setting, fit_law, make_problem
+from carom.fitting import Setting, fit_law, fit_population, make_problem
 from carom.fitting.data import Problem
 from carom.fitting.form_choice import choose_forms
 from carom.fitting.laws import laws_for
@@ -35,6 +36,8 @@ from carom.fitting.parameters import FORMS
 from carom.fitting.predictive import predictive_of
 
 FOLDS, SPINS = 5, 400
+LEAST_NOISE = 1e-3  # of a Gaussian process: its variance, in that of the outputs
+LEAST_LENGTH = 1.0  # in standard deviations of an input
 FEW_FORMS = ("line", "viscoelastic")
 FILMED = Path(__file__).parents[1] / "data" / "carom_tracks_rebounds.csv"
 
@@ -130,13 +133,13 @@ def law_and_functions(train: Problem, test: Problem) -> Answer:
 
 
 def law_and_process(train: Problem, test: Problem) -> Answer:
-    """Constants, and a Gaussian process of what they leave, in error bars of the law's prediction."""
+    """Constants, and a Gaussian process of what they leave, in error bars of the law's prediction; its noise is of their size."""
     fit = best_law(train, train.setting)
     said, left = answer(fit, test), answer(fit, train)
     mean, error, logs = said.mean.copy(), said.error.copy(), np.zeros(len(test.y))
     units, sides = np.array([1.0, 1.0, train.setting.radius]), (_side(train), _side(test))
     for i in np.flatnonzero(np.isfinite(train.y).all(axis=0)):
-        process = _Process(line=False)
+        process = _Process(residuals=True)
         process.fit(_inputs(train), ((train.y - left.mean) / left.error * sides[0])[:, i])
         off, wide = process.predict(_inputs(test))
         mean[:, i] += sides[1][:, i] * said.error[:, i] * off
@@ -198,17 +201,20 @@ class _Scaled:
 class _Process(_Scaled):
     """scikit-learn's Gaussian process: a line, a squared exponential with a length for each input, and noise."""
 
-    def __init__(self, line: bool = True) -> None:
-        self.line = line
+    def __init__(self, residuals: bool = False) -> None:
+        self.residuals = residuals
 
     def fit(self, x: Any, y: Any) -> None:
         from sklearn.gaussian_process import GaussianProcessRegressor
         from sklearn.gaussian_process.kernels import RBF, ConstantKernel, DotProduct, WhiteKernel
 
-        x, y = self.scaled(x, y)
-        kernel = ConstantKernel(1.0) * RBF(np.ones(x.shape[1]), (0.1, 100)) + WhiteKernel(0.01, (1e-6, 10))
-        kernel = DotProduct(1.0) + kernel if self.line else kernel
-        self.process = GaussianProcessRegressor(kernel, n_restarts_optimizer=1, random_state=0).fit(x, y)
+        x, scaled = self.scaled(x, y)
+        smooth = ConstantKernel(1.0, (1e-4, 1e4)) * RBF(np.ones(x.shape[1]), (LEAST_LENGTH, 100))
+        if self.residuals:  # of a law, in error bars
+            kernel, scaled, self.shift, self.scale = smooth + WhiteKernel(1.0, (0.1, 2.0)), y, 0.0, 1.0
+        else:
+            kernel = DotProduct(1.0) + smooth + WhiteKernel(0.01, (LEAST_NOISE, 10))
+        self.process = GaussianProcessRegressor(kernel, n_restarts_optimizer=1, random_state=0).fit(x, scaled)
 
     def predict(self, x: Any) -> tuple[Any, Any]:
         mean, error = self.process.predict(self.inputs(x), return_std=True)
@@ -286,6 +292,25 @@ def where_it_wins(problem: Problem, gain: Any) -> str:
     return f"(beyond {np.median(speed):.3g} m/s, {np.median(angle):.3g} degrees) " + "; ".join(parts)
 
 
+def few_rows(count: int, draws: int = 20) -> None:
+    """Print the score of a racket's other rows after a fit to few of them, alone and in a population with the other racket."""
+    chosen, rng = published_rebounds("tt_rackets"), np.random.default_rng(1)
+    rows, setting = chosen.rebounds, Setting(**chosen.setting)
+    racket = rows.extra["racket"]
+    for name in np.unique(racket):
+        scores = []
+        for _ in range(draws):
+            own = rng.permutation(np.flatnonzero(racket == name))
+            some = np.sort(np.r_[own[:count], np.flatnonzero(racket != name)])
+            one = fit_population(rows.select(some), setting, by="racket").surfaces[name]
+            others = make_problem(rows.select(own[count:]), setting)[0]
+            scores.append([predictive_of(fit).log_density(others).mean() for fit in (one.alone, one.fit)])
+        alone, both = np.array(scores).T
+        error = (both - alone).std(ddof=1) / math.sqrt(draws)
+        print(f"{count} rows of {name}: alone {alone.mean():.2f} per row, beside the other {both.mean():.2f},", end=" ")
+        print(f"gain {(both - alone).mean():.2f} ± {error:.2f}, in {(both > alone).sum()} of {draws} draws", flush=True)
+
+
 def sets(arguments: Any) -> list[tuple[str, Problem]]:
     """Return the data sets as problems."""
     if arguments.table:
@@ -320,10 +345,15 @@ def main() -> None:
     parser.add_argument("--inertia", default="solid")
     parser.add_argument("--by")
     parser.add_argument("--only")
+    parser.add_argument("--few", type=int)
+    arguments = parser.parse_args()
     warnings.filterwarnings("ignore")
+    if arguments.few:
+        few_rows(arguments.few)
+        return
     print("| set | rows | contestant | log score per row | error of the velocity, m/s | error of the spin, rad/s |")
     print("|---|---:|---|---:|---:|---:|", flush=True)
-    for label, problem in sets(parser.parse_args()):
+    for label, problem in sets(arguments):
         # (forms are chosen where spins were measured)
         names = [name for name in CONTESTANTS if name != "law and functions" or problem.spins is None]
         found = contest(problem, names)
