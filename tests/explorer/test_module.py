@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import math
+import subprocess
+import sys
 
 import pytest
 
@@ -83,3 +85,10 @@ def test_code_that_numba_writes_otherwise_is_refused_in_a_sentence() -> None:
 
 def _entry_alone(x: float) -> float:
     return math.exp(x)
+
+
+def test_the_version_does_not_depend_on_what_was_imported() -> None:
+    """Public classes explain their misuse once they are asked for; the kernels that they name stay as they are."""
+    code = "import carom.scene as s; s.SceneBall, s.Floor; from carom.explorer.module import version; print(version())"
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert ran.stdout.strip() == description()["version"]

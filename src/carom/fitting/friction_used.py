@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
+from carom.fitting.kernels import DIRECTION
 from carom.fitting.parameters import INDEX
 from carom.fitting.result import Fit
 
@@ -49,6 +50,11 @@ def friction_used(fit: Fit) -> NDArray[np.float64]:
         got = "balls on a table" if fit.law.kind != "planar" else f"a friction {fit.problem.setting.friction}"
         raise CaromError(f"friction used: expected bounces in the plane and a constant friction, got {got}")
     x, after, mu = fit.problem.x, fit.predicted(), float(fit.numbers[INDEX["friction"]])
+    if (
+        stages := fit.problem.stages
+    ) is not None:  # (where only directions were measured, v_t is in units of the speed)
+        sine = np.where(stages == DIRECTION, after[:, 1], 0.0)
+        after[:, 1] = np.where(stages == DIRECTION, after[:, 0] * sine / np.sqrt(1 - sine**2), after[:, 1])
     with np.errstate(divide="ignore", invalid="ignore"):
         share = np.abs(x[:, 1] - after[:, 1]) / (mu * (x[:, 0] + after[:, 0]))
     return np.minimum(share, 1.0) if mu > 0 else np.full(len(x), np.nan)

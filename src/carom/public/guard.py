@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from carom.core.jit.kernel import KERNELS
 from carom.errors import CaromError, did_you_mean, float_array
 from carom.public.callers import called_from_outside, is_the_users
 from carom.public.own_laws import with_own_laws
@@ -61,7 +62,9 @@ def _guard_methods(cls: type) -> None:
         where = cls.__name__ if name == "__init__" else f"{cls.__name__}.{name}"
         if isinstance(member, classmethod | staticmethod):
             setattr(cls, name, type(member)(_guard(member.__func__, where)))
-        elif inspect.isfunction(member):
+        elif (
+            inspect.isfunction(member) and member not in KERNELS
+        ):  # (what a class names as its kernel is compiled as it is)
             setattr(cls, name, _guard(member, where))
 
 
