@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 
 import carom
+from carom.core.jit.kernel import KERNELS
 from carom import billiards, gas
 
 SOURCE = Path(carom.__file__).parent
@@ -228,6 +229,8 @@ def test_methods_of_what_calls_return() -> None:
                 }  # (old names warn)
                 methods = {key: getattr(thing, key) for key in kept if not key.startswith(("_", "model_"))}
                 for key, method in methods.items():
+                    if inspect.ismethod(method) and method.__func__ in KERNELS:  # (what compiled code calls)
+                        continue
                     if inspect.ismethod(method) and method.__func__.__module__.startswith("carom."):
                         for wrong in WRONG.values():
                             call(f"{name}().{key}", method, wrong)
