@@ -17,8 +17,8 @@ import numpy as np
 import pytest
 
 import carom
-from carom.core.jit.kernel import KERNELS
 from carom import billiards, gas
+from carom.core.jit.kernel import KERNELS
 
 SOURCE = Path(carom.__file__).parent
 PATIENCE = 60  # s: no call with wrong things may take that long
