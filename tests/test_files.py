@@ -183,3 +183,10 @@ def test_the_base_install_names_the_extra(words: list[str], said: str, tmp_path:
         [sys.executable, "-c", BASE, *words], cwd=tmp_path, capture_output=True, text=True, check=False, timeout=300
     )
     assert (done.returncode, done.stdout, done.stderr.splitlines()) == (2, "", [said])
+
+
+def test_pictures_need_no_scipy():
+    """Matplotlib alone is what the extra of pictures installs."""
+    code = "import sys; sys.modules['scipy'] = None; from carom import plot; print(all(getattr(plot, one) for one in plot.__all__))"
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert (ran.stdout.strip(), ran.stderr) == ("True", "")

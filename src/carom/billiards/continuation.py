@@ -10,7 +10,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
 from carom.billiards.energy_shell import LARGEST_RESIDUAL, NULL, EnergyShell, energy_shell, newton_steps, residual
 from carom.billiards.orbits import require_integer
@@ -19,6 +18,7 @@ from carom.billiards.periodic_records import PeriodicOrbit
 from carom.billiards.setup import needs_surface
 from carom.bodies import Surface
 from carom.errors import CaromError, Fault
+from carom.files import import_optional
 from carom.public.progress import Progress, as_progress
 
 __all__ = ["BranchPoint", "OrbitBranch", "continue_orbit"]
@@ -149,6 +149,7 @@ def continue_orbit(
     >>> bool(max(abs(branch.trace - [2 * math.cos(one) for one in theta])) < 1e-11)
     True
     """
+    import_optional("scipy.optimize", "continue_orbit")  # (said before the work)
     if not isinstance(orbit, PeriodicOrbit):
         raise CaromError(Fault("continue_orbit", "orbit", "a PeriodicOrbit", f"{orbit!r:.60}"))
     steps = require_integer("steps", steps)
@@ -324,7 +325,7 @@ class _Path:
             return sign(new)
 
         try:
-            where = float(brentq(at, 0.0, step, xtol=LOCATED))
+            where = float(import_optional("scipy.optimize", "continue_orbit").brentq(at, 0.0, step, xtol=LOCATED))
             at(where)
         except (_LostError, ValueError):  # (a step fails on the way, or rounding gives both ends one sign)
             where = float(np.linalg.norm(point - z))

@@ -11,13 +11,12 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import DOP853
-from scipy.optimize import brentq
 
 from carom.billiards.rolling import RollingMotion, spin_matrix, spin_vector
 from carom.billiards.surfaces import RollingSurface
 from carom.bodies import Ball, State, Surface
 from carom.errors import CaromError, Fault
+from carom.files import import_optional
 from carom.laws.contact import impact
 
 __all__ = ["RollingPhase", "RollingSetting", "fly", "land", "roll_on"]
@@ -102,7 +101,9 @@ def roll_on(setting: RollingSetting, piece: int, begin: float, state: Array) -> 
             return Ended(one.kind, begin, state, piece, [])
     phases: list[RollingPhase] = []
     energy, scale = motion.energy(state), setting.accuracy * _sizes_of_state(setting, motion, state)
-    solver = DOP853(motion.rates, begin, state, setting.duration, rtol=setting.accuracy, atol=scale)
+    solver = import_optional("scipy.integrate", "rolling on a surface").DOP853(
+        motion.rates, begin, state, setting.duration, rtol=setting.accuracy, atol=scale
+    )
     while solver.status == "running":
         solver.step()
         if solver.status == "failed":
@@ -159,7 +160,9 @@ def _first_event(
 
 
 def _root(function: Callable[[float], float], early: float, late: float) -> float:
-    return float(brentq(function, early, late, xtol=1e-300, rtol=1e-15))
+    return float(
+        import_optional("scipy.optimize", "rolling on a surface").brentq(function, early, late, xtol=1e-300, rtol=1e-15)
+    )
 
 
 def _sizes_of_state(setting: RollingSetting, motion: RollingMotion, state: Array) -> Array:
