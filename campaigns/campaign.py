@@ -219,6 +219,23 @@ def held(pulls: Sequence[float | Sequence[bool]]) -> tuple[float, float]:
     return one, two
 
 
+def deviations(truth: dict[str, float], values: dict[str, Any], errors: dict[str, Any]) -> dict[str, Any]:
+    """Return each number's deviation from the truth in error bars, None without one, and its error bar."""
+    found: dict[str, Any] = {}
+    for name, true in truth.items():
+        value, error = values.get(name), errors.get(name)
+        found[name] = None if value is None or not error else (value - true) / error
+        found[f"{name} bar"] = error
+    return found
+
+
+def say_shares(run: Any, kind: str, rows: Sequence[Row], names: Iterable[str]) -> None:
+    """Print a line a number: how often its error bars hold the truth, and their median."""
+    for name in names:
+        bar = np.median([row[f"{name} bar"] or 0.0 for row in rows])
+        run.say(f"{kind:7} {name:24} {shares([row[name] for row in rows])}; error bar {bar:.2g}")
+
+
 def shares(pulls: Sequence[float | Sequence[bool] | None]) -> str:
     """Format shares with their counting errors; an exclamation mark where one is off by more than two of them."""
     good = [one for one in pulls if one is not None]

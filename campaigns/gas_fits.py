@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from campaign import campaign, shares
+from campaign import campaign, deviations, say_shares
 from reference.gas_films import cooling, film, scene
 
 import carom
@@ -33,12 +33,7 @@ def one_gas(kind: str, seed: int) -> dict[str, Any]:
             scene(truth["restitution"], 1e9, truth["tangential_restitution"], seed=seed), np.linspace(0, 80, 9)
         )
         fit = carom.fit_gas(curve, scene(0.5, 1e9, 0.0), simulations=60, seed=seed)
-    found: dict[str, Any] = {"rows": fit.rows}
-    for name, true in truth.items():
-        value, error = fit.values.get(name), fit.errors.get(name)
-        found[name] = None if value is None or not error else (value - true) / error
-        found[f"{name} bar"] = error
-    return found
+    return {"rows": fit.rows} | deviations(truth, fit.values, fit.errors)
 
 
 def main(words: Sequence[str] | None = None) -> None:
@@ -48,9 +43,7 @@ def main(words: Sequence[str] | None = None) -> None:
             if not run.wants(kind, KINDS):
                 continue
             rows = run.rows.fill(kind, range(run.count), lambda seed, kind=kind: one_gas(kind, seed))
-            for name in truth:
-                bar = np.median([row[f"{name} bar"] or 0.0 for row in rows])
-                run.say(f"{kind:7} {name:24} {shares([row[name] for row in rows])}; error bar {bar:.2g}")
+            say_shares(run, kind, rows, truth)
 
 
 if __name__ == "__main__":

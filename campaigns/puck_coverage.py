@@ -11,8 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
-from campaign import campaign, shares
+from campaign import campaign, deviations, say_shares, shares
 from reference.puck_sequences import KAPPA, RADIUS, SPIN, table
 
 from carom.data import make_rebounds
@@ -31,11 +30,9 @@ def one_table(truth: dict[str, float], seed: int) -> dict[str, Any]:
     rows = make_rebounds("planar", columns, extra=numbers)
     fit = fit_laws(rows, Setting(RADIUS, KAPPA), ["contact"], profiles=False, bootstrap=0).best
     profiled = with_profiles(fit, ["spin_width"]).estimates["spin_width"]
+    values, errors = ({name: getattr(one, key) for name, one in fit.estimates.items()} for key in ("value", "stderr"))
     found: dict[str, Any] = {"rows": len(fit.problem.x), "chi2": fit.chi2 / fit.dof}
-    for name, true in (truth | {"spin_width": SPIN}).items():
-        one = fit.estimates[name]
-        found[name] = None if one.value is None or not one.stderr else (one.value - true) / one.stderr
-        found[f"{name} bar"] = one.stderr
+    found |= deviations(truth | {"spin_width": SPIN}, values, errors)
     ends = profiled.interval_68, profiled.interval_95
     found["spin_width (profile)"] = None if None in ends else [end[0] <= SPIN <= end[1] for end in ends if end]
     return found
@@ -48,9 +45,7 @@ def main(words: Sequence[str] | None = None) -> None:
             if not run.wants(kind, KINDS):
                 continue
             rows = run.rows.fill(kind, range(run.count), lambda seed, truth=truth: one_table(truth, seed))
-            for name in (*truth, "spin_width"):
-                bar = np.median([row[f"{name} bar"] or 0.0 for row in rows])
-                run.say(f"{kind:7} {name:24} {shares([row[name] for row in rows])}; error bar {bar:.2g}")
+            say_shares(run, kind, rows, (*truth, "spin_width"))
             run.say(f"{kind:7} {'spin_width (profile)':24} {shares([row['spin_width (profile)'] for row in rows])}")
 
 
