@@ -1,4 +1,4 @@
-"""NUMBA_DISABLE_JIT=1: what needs compiled code says so in one line, and what does not gives the same bits."""
+"""NUMBA_DISABLE_JIT=1, or no Numba: what needs compiled code says so in one line, and what does not gives the same bits."""
 
 from __future__ import annotations
 
@@ -8,9 +8,12 @@ import subprocess
 import sys
 
 import numpy as np
+import pytest
 
 import carom
 
+# What a browser's Python lacks (docs/howto/browser.md).
+ABSENT = "import sys; sys.modules.update(dict.fromkeys(('numba', 'llvmlite', 'lzma')))"
 REFUSED = """
 import json, sys, carom
 from carom import billiards, gas
@@ -44,15 +47,25 @@ json.dump([said, many.after.velocity.tolist(), one.final[0].velocity.tolist()], 
 """
 
 
-def test_what_needs_the_compiler_says_so() -> None:
+@pytest.mark.parametrize(
+    ("first", "off", "expected", "advice"),
+    [
+        ("", "1", "NUMBA_DISABLE_JIT: expected 0, or no such variable", "got 1; unset it"),
+        (ABSENT, "0", "numba: expected to be installed", "and is not; install it"),
+    ],
+    ids=["off", "absent"],
+)
+def test_what_needs_the_compiler_says_so(first: str, off: str, expected: str, advice: str) -> None:
     """It was an AttributeError: functions without py_func."""
-    environment = {**os.environ, "NUMBA_DISABLE_JIT": "1"}
-    done = subprocess.run([sys.executable, "-c", REFUSED], capture_output=True, text=True, env=environment, check=True)
+    environment = {**os.environ, "NUMBA_DISABLE_JIT": off}
+    done = subprocess.run(
+        [sys.executable, "-c", first + REFUSED], capture_output=True, text=True, env=environment, check=True
+    )
     said, many, one = json.loads(done.stdout)
     assert set(said) == {"simulate_many", "sensitivities", "orbit", "lyapunov", "gas", "sweep", "motion"}
     for text in said.values():
-        assert text.startswith("CaromError: NUMBA_DISABLE_JIT: expected 0, or no such variable")
-        assert "got 1; unset it" in text
+        assert text.startswith(f"CaromError: {expected}")
+        assert advice in text
     v = np.tile([-1.0, 0.5, 0.0], (500, 1))
     v[:, 1] = np.linspace(-1, 1, 500)
     compiled = carom.impact(carom.Ball(), carom.rolling(carom.Ball(), v), surface=carom.Surface(0.8, 0.2))

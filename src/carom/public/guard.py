@@ -101,7 +101,7 @@ def _explained(
     function: Callable[..., Any], where: str, args: Any, options: Any, error: Exception
 ) -> CaromError | None:
     """Return the error of a call as a CaromError; None for what is not about its arguments."""
-    if isinstance(error, Warning | MemoryError) or _is_the_callers(error):
+    if isinstance(error, Warning | MemoryError | ImportError) or _is_the_callers(error):
         return None
     signature = inspect.signature(function)
     try:

@@ -20,6 +20,7 @@ import os
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from importlib.util import find_spec
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -233,10 +234,16 @@ def compiling_failed() -> type[Exception]:
     return NumbaError
 
 
+@functools.cache
+def _has_numba() -> bool:
+    """Return whether Numba is installed: a browser has none (docs/howto/browser.md)."""
+    return find_spec("numba") is not None
+
+
 def compiler_is_off() -> bool:
-    """Return whether Numba was told to compile nothing."""
-    if "numba" not in sys.modules:  # (its import takes half a second)
-        return os.environ.get("NUMBA_DISABLE_JIT", "0").strip() not in ("", "0")
+    """Return whether Numba was told to compile nothing, or is not there."""
+    if sys.modules.get("numba") is None:  # (its import takes half a second)
+        return not _has_numba() or os.environ.get("NUMBA_DISABLE_JIT", "0").strip() not in ("", "0")
     import numba
 
     return bool(numba.config.DISABLE_JIT)
@@ -244,11 +251,15 @@ def compiler_is_off() -> bool:
 
 def _require_compiler() -> None:
     """Raise CaromError where nothing is compiled: loops read records, and count in 32 and 64 bits, as compiled code does."""
+    computed = "single impacts, arrays of them, and short runs are computed in Python"
+    if not _has_numba():
+        raise CaromError(
+            f"numba: expected to be installed for what runs as compiled code, and is not; install it ({computed})"
+        )
     if compiler_is_off():
         raise CaromError(
             "NUMBA_DISABLE_JIT: expected 0, or no such variable, for what runs as compiled code, got"
-            f" {os.environ.get('NUMBA_DISABLE_JIT', '1')}; unset it (single impacts, arrays of them, and short runs are computed in"
-            " Python)"
+            f" {os.environ.get('NUMBA_DISABLE_JIT', '1')}; unset it ({computed})"
         )
 
 

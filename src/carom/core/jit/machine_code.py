@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import functools
 import hashlib
-import lzma
 import os
 import threading
 import zlib
@@ -158,7 +157,7 @@ def finished_code(code: Bitcode) -> bytes:
     machine = _machine()[0]
     try:
         module = llvm.parse_bitcode(code.read())
-    except (RuntimeError, OSError, lzma.LZMAError):
+    except (RuntimeError, OSError):
         raise UnusableError from None
     module.triple, module.data_layout = machine.triple, str(machine.target_data)
     if code.vectorise:

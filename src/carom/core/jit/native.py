@@ -15,7 +15,6 @@ import ctypes
 import functools
 import hashlib
 import json
-import lzma
 import math
 import os
 import platform
@@ -342,7 +341,12 @@ def describe_loops() -> str:
 
 
 def _bitcode(name: str) -> bytes:
-    return lzma.decompress((FOLDER / f"{name}.bc.xz").read_bytes())
+    import lzma  # (Pyodide's Python has none)
+
+    try:
+        return lzma.decompress((FOLDER / f"{name}.bc.xz").read_bytes())
+    except lzma.LZMAError:
+        raise UnusableError from None
 
 
 def is_shipped(function: Callable[..., Any]) -> bool:
