@@ -20,7 +20,7 @@ from carom.fitting.form_starts import form_starts
 from carom.fitting.identifiability import identified_covariance, identify, parameter_ranges
 from carom.fitting.laws import FittedLaw
 from carom.fitting.likelihood import TabulatedLaw
-from carom.fitting.model import STEPS, FitModel, feels_spins, model_of, predict_law
+from carom.fitting.model import STEPS, TOLERANCE, FitModel, feels_spins, model_of, predict_law
 from carom.fitting.optimizer import EVERYWHERE, cross_kinks
 from carom.fitting.parameters import FORMS, INDEX, NUMBERS
 from carom.fitting.result import Estimate, Fit, refit, working_model
@@ -38,6 +38,9 @@ STARTS, MARGINAL_STARTS = 8, 12  # from which the search descends
 OWN_STARTS = 4  # from which a law descends itself whose search is that of a similar one
 ANNEALED_ROWS = 120  # of many, in which the search with shrinking error bars is made
 KINK_ROWS = 250  # among which, of many, frictions beyond kinks are sought
+FRICTIONS = tuple(np.geomspace(0.01, 1.0, 41).tolist())  # at which it is held where it is hardly known
+HARDLY_KNOWN, KINKED = 0.2, 1e-5  # error bar over the friction; rise of the deviance that a descent should still gain
+SIMPLICES, MOST_SIMPLICES = (1e-2, 2.5e-3, 6e-4), 40  # of the ranges, or of 1
 FREED = 3  # number of held frictions that are then freed
 MAX_EXCESS = 30.0  # of the deviance above the best: a start that ends higher is dropped
 HEATS = (16.0, 8.0, 4.0, 2.0)  # by which error bars are multiplied, in turn, in the search with a table
@@ -53,13 +56,66 @@ class Place(NamedTuple):
     p: Array
     deviance: float
     information: Array
+    score: Array = np.empty(0)
 
 
 def _descend(model: FitModel, p: Array) -> Place:
     """Descend from each of p (B, K), and return the best end point."""
     found = model.minimize(p, STEPS)
     best = int(np.argmin(found.value))
-    return Place(found.p[best], float(found.value[best]), found.information[best])
+    return Place(found.p[best], float(found.value[best]), found.information[best], found.score[best])
+
+
+def _descend_exactly(model: FitModel, p: Array) -> Array:
+    """Return the end point (K,) of descents, continued where rounding would decide it: at a kink, or where the friction is hardly
+    known. There the friction is held at other values, and a search without derivatives ends at the bottom of the kink."""
+    best = _descend(model, p)
+    if len(model.problem.x) > KINK_ROWS or not len(model.free):
+        return best.p
+    inside = (best.p[model.free] > model.low[model.free]) & (best.p[model.free] < model.high[model.free])
+    covariance = np.linalg.pinv(best.information[np.ix_(inside, inside)], hermitian=True)
+    promised = best.score[inside] @ covariance @ best.score[inside]
+    own = model.free[inside] == INDEX["friction"]
+    hardly = np.sqrt(np.diag(covariance))[own] > HARDLY_KNOWN * best.p[INDEX["friction"]]
+    if promised < KINKED and not hardly.any():
+        return best.p
+    starts = [best.p]
+    if "friction" in model.parameters:
+        i, held = INDEX["friction"], np.tile(best.p, (len(FRICTIONS), 1))
+        held[:, i] = np.clip(FRICTIONS, model.low[i], model.high[i])
+        found = model.holding("friction").minimize(held, FEW_STEPS)
+        sides = np.pad(found.value, 1, constant_values=np.inf)
+        valleys = np.flatnonzero((found.value <= sides[:-2]) & (found.value <= sides[2:]))
+        starts += [found.p[i] for i in valleys[np.argsort(found.value[valleys], kind="stable")[:FREED]]]
+    ends = [_bottom_of_kink(model, start, 1) for start in starts]
+    return _bottom_of_kink(model, min(ends, key=lambda end: end[1])[0], MOST_SIMPLICES)[0]
+
+
+def _bottom_of_kink(model: FitModel, p: Array, most: int) -> tuple[Array, float]:
+    """Return the end point (K,) of up to ``most`` searches by SciPy's Nelder-Mead, with simplices of several sizes until none of them
+    gains, and its deviance."""
+    from scipy.optimize import minimize
+
+    free, p = model.free, p.copy()
+    low, high = model.low[free], model.high[free]
+
+    def deviance(q: Array) -> float:
+        p[free] = q
+        return float(model.evaluate(p[None], derivatives=False).deviance.sum())
+
+    here, value, idle = p[free], deviance(p[free]), 0
+    for turn, size in enumerate(itertools.islice(itertools.cycle(SIMPLICES), most)):
+        step = size * np.minimum(high - low, 1.0) * (-1) ** turn
+        step = np.where((here + step > high) | (here + step < low), -step, step)
+        options = {"initial_simplex": np.vstack([here, here + np.diag(step)]), "xatol": 1e-6, "fatol": 1e-9}
+        found = minimize(deviance, here, method="Nelder-Mead", bounds=np.stack([low, high], axis=-1), options=options)
+        idle = 0 if found.fun < value - TOLERANCE else idle + 1
+        if found.fun < value:
+            here, value = found.x, float(found.fun)
+        if idle == 2 * len(SIMPLICES):
+            break
+    p[free] = here
+    return p, value
 
 
 def _search(model: FitModel) -> Array:
@@ -172,8 +228,11 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     scatter: dict[str, float] = {}
     extra, contacts = 0.0, None
     if problem.estimated.any() or problem.setting.scatter:
-        fits_scatter = with_estimated_scatter if problem.estimated.any() else with_contact_scatter
-        p, model, extra, scatter, contacts = fits_scatter(model, _search, lambda at, p: _descend(at, p).p)
+        if problem.estimated.any():
+            found = with_estimated_scatter(model, _search, _descend_exactly)
+        else:
+            found = with_contact_scatter(model, _search, lambda at, p: _descend(at, p).p)
+        p, model, extra, scatter, contacts = found
         problem = model.problem
     else:
         p = _search(model.without_shared())

@@ -27,6 +27,8 @@ Array = NDArray[np.float64]
 STEPS = 200
 MAX_SHARED = 5.0  # error bars: bound of shared errors
 TOLERANCE = 1e-7  # of the deviance: an expected gain below this ends the descent
+LEAST_SCATTER = 1e-9  # of the largest measured number and 1
+NO_PREDICTION = 1e4  # m/s or rad/s: the residual where a law has none
 MARGINAL_TOLERANCE = 1e-4  # the same where a spin is integrated over, to the precision of the quadrature
 CARRIED_TOLERANCE, CARRIED_STEPS = 1e-2, 25  # and where it is carried along chains of contacts
 # Taken from the setting if they are not fitted
@@ -54,6 +56,9 @@ class FitModel:
     """(S, NUMBERS) change of the law's parameters by shared errors."""
     tabulated: TabulatedLaw | None = None
     """A table that stands in for the law (:mod:`carom.fitting.tabulated`)."""
+    profiled: bool = False
+    """Whether the scatter of outputs without error bars is that of the residuals at each place, and enters the deviance; else it is
+    the problem's."""
 
     def using(self, tabulated: TabulatedLaw | None) -> FitModel:
         """Return the model with a table in place of the law, or none."""
@@ -138,12 +143,45 @@ class FitModel:
 
     def evaluate(self, p: Array, weights: Array | None = None, derivatives: bool = True) -> Evaluation:
         """Evaluate the likelihood at B sets of numbers p (B, K), with weights (B or 1, N) of the rows."""
+        if self.profiled:
+            each = [self._profile(one, derivatives) for one in p]
+            return Evaluation(*map(np.concatenate, zip(*(vars(seen).values() for seen in each), strict=True)))
         mixture = self.problem.mixture
         if not feels_spins(self.law, self.problem) or (mixture is None and not self.problem.carried):
             return evaluate(self.likelihood(derivatives), p, weights)
         if mixture is None:
             return evaluate_chains(self, p, weights, derivatives)
         return evaluate_mixture(self.likelihood, mixture, p, weights, derivatives)
+
+    def _profile(self, p: Array, derivatives: bool) -> Evaluation:
+        """Evaluate the likelihood at p (K,) with the scatter of the residuals there. (The scores are those with that scatter held:
+        it is the best one for p.)"""
+        (gap, vy), problem = self._residuals(p), self.problem
+        logs = np.log(np.where(self._measured[0] & problem.estimated, vy, 1.0)).sum(axis=1)
+        if derivatives or problem.vx.any():
+            model = self.likelihood(derivatives)
+            seen = evaluate(replace(model, rows=model.rows._replace(vy=vy)), p[None])
+            return replace(seen, deviance=seen.deviance + logs)
+        chi2 = (np.square(gap) / np.where(self._measured[0], vy, 1.0)).sum(axis=1)[None]
+        return Evaluation(chi2 + logs, chi2, np.zeros((1, 0)), np.zeros((1, 0, 0)))
+
+    def _residuals(self, p: Array) -> tuple[Array, Array]:
+        """Return the residuals (N, 3) at p (K,), 0 where nothing was measured, and the variances after the wall: of outputs without
+        error bars the mean square of the residuals."""
+        problem, (seen, least) = self.problem, self._measured
+        gap = problem.y - predictions(self.law.kind, self.likelihood(False).rows, problem.x, p)
+        gap = np.where(seen, np.where(np.isnan(gap), NO_PREDICTION, gap), 0.0)
+        mean = np.square(gap).sum(axis=0) / np.maximum(seen.sum(axis=0), 1)
+        return gap, np.where(problem.estimated & seen.any(axis=0), np.maximum(mean, least), problem.vy)
+
+    @functools.cached_property
+    def _measured(self) -> tuple[NDArray[np.bool_], Array]:
+        seen = np.isfinite(self.problem.y)
+        return seen, np.square(LEAST_SCATTER * (1 + np.where(seen, np.abs(self.problem.y), 0.0).max(axis=0)))
+
+    def with_scatter_of(self, p: Array) -> FitModel:
+        """Return the model with the scatter of the residuals at p (K,), held."""
+        return replace(self, problem=replace(self.problem, vy=self._residuals(p)[1]), profiled=False)
 
     def row_deviances(self, p: Array) -> tuple[Array, Array]:
         """Return deviance and chi^2 (N,) of each row at p."""

@@ -47,32 +47,24 @@ class Scattered(NamedTuple):
 
 
 def with_estimated_scatter(model: FitModel, search: Search, descend: Descend) -> Scattered:
-    """Fit parameters and the scatter of outputs without error bars in turn until neither changes."""
+    """Fit parameters with the scatter of outputs without error bars, which at each place is that of the residuals there.
+
+    Error bars before the wall, beside outputs without any, enter with the scatter held, in turn.
+    """
     problem = model.problem
-    columns = [column[np.isfinite(column)] for column in problem.y.T]
-    size = np.array([column.std() if len(column) else 1.0 for column in columns]) / 3 + 1e-9
-    n = np.isfinite(problem.y).sum(axis=0)
-    estimated = problem.estimated & (n > 0)
-
-    def having(variance: Array, which: NDArray[np.bool_]) -> FitModel:
-        vy = model.problem.vy.copy()
-        vy[:, which] = variance[which]
-        return replace(model, problem=replace(model.problem, vy=vy))
-
-    model = having(np.square(size), problem.estimated)
-    p = search(model)
-    for _ in range(ROUNDS):
-        p = descend(model, p)[None]
-        gap = np.nan_to_num(problem.y - predict_law(model.law, model.problem, p[0]))
-        new = np.maximum(np.square(gap).sum(axis=0) / np.maximum(n, 1), np.square(1e-9 * (size + 1)))
-        old = model.problem.vy[0]
-        model = having(new, estimated)
-        if np.all(np.abs(new - old)[estimated] < 1e-6 * old[estimated]):
+    at = replace(model, profiled=True)
+    p = descend(at, search(at))
+    at = at.with_scatter_of(p)
+    for _ in range(ROUNDS if problem.vx.any() else 0):
+        p, was = descend(at, p[None]), at.problem.vy
+        at = replace(at, problem=problem).with_scatter_of(p)
+        if np.allclose(at.problem.vy, was, rtol=1e-6, atol=0.0):
             break
     outputs = ("v_n_out", "v_t_out", "spin_out" if model.law.kind == "planar" else "spin_z_out")
-    scatter = {outputs[j]: math.sqrt(model.problem.vy[0, j]) for j in np.flatnonzero(problem.estimated).tolist()}
-    extra = float((n[estimated] * np.log(model.problem.vy[0, estimated])).sum())
-    return Scattered(p, model, extra, scatter, None)
+    n, variance = np.isfinite(problem.y).sum(axis=0), at.problem.vy[0]
+    scatter = {outputs[j]: math.sqrt(variance[j]) for j in np.flatnonzero(problem.estimated).tolist()}
+    estimated = problem.estimated & (n > 0)
+    return Scattered(p[None], at, float((n[estimated] * np.log(variance[estimated])).sum()), scatter, None)
 
 
 def with_contact_scatter(model: FitModel, search: Search, descend: Descend) -> Scattered:
