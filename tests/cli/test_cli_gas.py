@@ -131,11 +131,11 @@ def test_what_is_not_known_is_null(folder):
     pairs = {tuple(row["between"]): row for row in found["channels"]}
     assert set(pairs) == {
         ("big", "big"), ("big", "small"), ("small", "small"),
-        ("big", "front"), ("small", "front"), ("big", "back"), ("small", "back"),
+        ("big", "bottom"), ("small", "bottom"), ("big", "top"), ("small", "top"),
     }  # fmt: skip
     assert sum(row["collisions"] for row in pairs.values()) == found["events"]
     assert (
-        sum(row["collisions"] for name, row in pairs.items() if name[1] in ("front", "back"))
+        sum(row["collisions"] for name, row in pairs.items() if name[1] in ("bottom", "top"))
         == found["wall_collisions"]
     )
     lost = sum(row["lost_normal"] + row["lost_tangential"] for row in found["channels"])
@@ -161,7 +161,7 @@ def test_the_table(folder):
         "mean free time",
         "rotational /",
         "big – small",
-        "small – back",
+        "small – top",
         "(tangential)",
     ):
         assert words in text
@@ -437,7 +437,7 @@ def test_the_energy_balance_and_the_pressures_on_walls_are_in_table_and_json(fol
     )
     pressures = answer("mixed.toml")["wall_pressure"]
     text = run("mixed.toml")
-    for wall in ("front", "back"):
+    for wall in ("bottom", "top"):
         shown = re.search(rf"  on {wall}, N/m +(\S+)", text)
         assert float(shown[1]) == pytest.approx(pressures[wall], rel=1e-4)
 

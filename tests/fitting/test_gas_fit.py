@@ -55,6 +55,16 @@ def test_a_cooling_curve_tells_restitution_and_roughness():
     assert found.errors["restitution"] < 0.15
 
 
+def test_balls_that_meet_across_the_border_are_found_and_a_restitution_that_depends_on_the_speed():
+    sides, e = (9.0, 9.0, 9.0), {"form": "viscoelastic", "c": 0.2}
+    columns = film(scene(e, seed=1, sides=sides), 120, 0.05)
+    free, _notes = collisions_of_tracks(columns, 0.5)
+    found = carom.fit_gas(columns, scene({"form": "viscoelastic", "c": 0.5}, sides=sides))
+    assert found.rows > 2 * len(free["v_n_in"])
+    for name, true in (("restitution_c", 0.2), ("friction", 0.3), ("tangential_restitution", 0.4)):
+        assert abs(found.values[name] - true) < 4 * found.errors[name] < 0.1
+
+
 def test_a_gas_that_cools_less_than_any_simulated_one_is_at_the_end_of_the_range():
     found = carom.fit_gas({"t": [0, 5, 10], "temperature": [1, 1.1, 1.2]}, scene(0.5, 0.5, 0.0), simulations=20)
     assert found.values["restitution"] == 1

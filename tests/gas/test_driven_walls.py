@@ -90,7 +90,7 @@ def test_the_same_events_as_in_small_steps(name):
     met = sum(follow(gas, brute) for _ in range(30))
     assert met > 4
     for wall_name, motion in gas.wall_motion().items():
-        one = walls[["left", "right", "front", "back"].index(wall_name)] if wall_name != "scatterer" else None
+        one = walls[["left", "right", "bottom", "top"].index(wall_name)] if wall_name != "scatterer" else None
         if one is not None and not np.any(one.along):
             assert (motion.displacement, motion.speed) == pytest.approx(
                 (float(one.at(gas.time)), one.rate(gas.time)), abs=1e-9

@@ -83,7 +83,7 @@ def test_means_and_errors_are_those_of_the_members(folder):
         lambda one: one["pressure"],
         lambda one: one["species"]["small"]["a2_rotational"],
         lambda one: one["channels"][1]["rate"],
-        lambda one: one["wall_pressure"]["front"],
+        lambda one: one["wall_pressure"]["bottom"],
     )
     for place in places:
         values = [place(one) for one in found.members]

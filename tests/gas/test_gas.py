@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from carom import Ball, CaromError, Disc, Surface
-from carom.gas import Gas, Species, lattice, scattered, simulate_gas, thermal
+from carom.gas import Gas, Species, Thermostat, lattice, scattered, simulate_gas, thermal
 
 SMOOTH, ROUGH = Surface(1, 0, -1), Surface(1, math.inf, 1)
 SPHERE, DISC = Ball(0.5, 1.0, 0.4), Disc(0.5, 1.0, 0.5)
@@ -144,6 +144,19 @@ def test_starts():
     with pytest.raises(CaromError, match="random insertion"):
         scattered(np.full(500, 0.5), (7.0, 7.0, 7.0), True, rng)
     assert len(np.unique(lattice(1000, (12.0, 12.0)), axis=0)) == 1000
+
+
+def test_a_run_whose_next_collision_is_far_away_can_be_stopped():
+    gas = Gas([Species(Ball(0.5, 1.0), 2)], (1e7, 1e7, 1e7), contacts=Surface(1, 0, -1), seed=1)
+    asked = []
+    gas.advance(1000, stop=lambda: asked.append(gas.collisions) or len(asked) > 1)
+    assert gas.collisions < 1000
+    assert len(asked) <= 4
+
+
+def test_a_thermostat_that_lets_no_ball_move_is_refused():
+    with pytest.raises(CaromError, match="thermostat.rate: expected at most 1e.06 thermal speeds per radius .* lower it"):
+        Gas([Species(Ball(0.5, 1.0), 8)], (6, 6, 6), contacts=Surface(1, 0, -1), thermostat=Thermostat(1.0, 1e15))
 
 
 def test_progress_and_an_interrupt_between_chunks():

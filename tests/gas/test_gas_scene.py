@@ -198,7 +198,7 @@ WRONG = {
     ),
     "one wall left": (
         MIXED.replace('["small", "front"]', '["small", "left"]'),
-        'contacts: expected a contact between ["small", "front"], got none',
+        'contacts: expected a contact between ["small", "bottom"], got none',
     ),
     "strange name": (
         ROUGH.replace('between = ["a", "a"]', 'between = ["a", "wal"]'),
@@ -240,8 +240,8 @@ WRONG = {
         "drives[0].frequency: expected a number > 0 for an oscillating wall, got 0.0",
     ),
     "warms nothing": (
-        MIXED.replace("[run]", '[[drives]]\nwall = "frnt"\ntemperature = 1\n[run]'),
-        "drives[0].wall: expected the name of a wall, got 'frnt'; did you mean 'front'?",
+        MIXED.replace("[run]", '[[drives]]\nwall = "botom"\ntemperature = 1\n[run]'),
+        "drives[0].wall: expected the name of a wall, got 'botom'; did you mean 'bottom'?",
     ),
     "kicks without a rate": (
         MIXED.replace("[run]", "[thermostat]\ntemperature = 1\n[run]"),
@@ -431,7 +431,7 @@ def test_arguments_that_a_scene_excludes_and_those_that_are_missing(tmp_path):
 def test_what_a_gas_says_of_itself(tmp_path):
     gas = build(load(tmp_path, MIXED))
     gas.advance(1)
-    assert repr(gas).startswith("<Gas: 160 discs in 20 x 16, periodic x, walls front, back; t = ")
+    assert repr(gas).startswith("<Gas: 160 discs in 20 x 16, periodic x, walls bottom, top; t = ")
     assert repr(gas).endswith(", 1 collision>")
 
 

@@ -100,6 +100,10 @@ def test_bad_input_is_one_line():
         ({"periodic": (True, False, True)}, "Gas: shear_rate: expected a box that is periodic along all axes"),
         ({"gravity": (0, 0, -1)}, "Gas: shear_rate: expected no gravity"),
         ({"shear_rate": math.nan}, "Gas: shear_rate: expected a finite rate"),
+        (
+            {"shear_rate": -1e8},
+            "Gas: shear_rate: expected at most 1e.06 thermal speeds across the box, 1.67e.05, got -1e.08",
+        ),
     ):
         with pytest.raises(CaromError, match=said):
             Gas(kind, (6.0, 6.0, 6.0), contacts=elastic, **({"shear_rate": 0.1} | options))
@@ -109,5 +113,8 @@ def test_bad_input_is_one_line():
         "species": [{"count": 8, "radius": 0.5}],
         "shear_rate": 0.1,
     }
+    fast = scene | {"container": {"shape": "periodic", "size": (6, 6, 6)}, "shear_rate": 1e8}
+    with pytest.raises(CaromError, match=r"shear_rate: expected at most 1e.06 thermal speeds across the box"):
+        GasScene(**fast, contacts=contacts, run={"max_events": 10})
     with pytest.raises(CaromError, match=r"shear_rate: expected a box that is periodic .* got walls left"):
         GasScene(**scene, contacts=contacts, run={"max_events": 10})

@@ -704,3 +704,25 @@ def test_any_figure_of_straight_sides_is_a_container():
 def test_the_old_size_beside_a_new_one_is_refused() -> None:
     with pytest.raises(CaromError, match="size: expected radius alone, got both"):
         with_new_container({"shape": "stadium", "size": [14, 8], "radius": 3})
+
+
+def test_walls_of_discs_are_called_bottom_and_top_and_by_their_earlier_names():
+    contacts = {("a", "wall"): Surface(1, 0, -1), ("a", "a"): Surface(1, 0, -1), ("a", "back"): Surface(0.5, 0, -1)}
+    gases = [
+        Gas(
+            [Species(Disc(0.5, 1.0), 9)],
+            (6.0, 8.0),
+            periodic=False,
+            contacts=contacts,
+            gravity=(0, -1.0),
+            drives={name: Drive(0.1, 2.0)},
+        )
+        for name in ("front", "bottom")
+    ]
+    one, two = (gas.run(500) for gas in gases)
+    assert gases[0].walls == ("left", "right", "bottom", "top")
+    assert one.wall_pressure == two.wall_pressure
+    assert one.wall_pressure["front"] == one.wall_pressure["bottom"] > one.wall_pressure["top"]
+    assert "front" not in one.wall_pressure
+    assert container("stadium", straight=20.0, radius=5.0).names == ("bottom", "top", "left", "right")
+    assert container("stadium", straight=20.0, radius=5.0, height=9.0).names[0] == "front"

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from carom.data.rebounds import Rebounds, make_rebounds
 from carom.errors import CaromError
-from carom.tracks.judgement import event_time, path_events
+from carom.tracks.judgement import event_time, nearest_image, path_events
 from carom.tracks.judgement_paths import PathPiece, read_paths
 
 __all__ = ["collisions_of_tracks"]
@@ -25,7 +25,9 @@ LEAST_SIGMA = 1e-9  # of the speeds: simulated numbers have no noise, but a fit 
 LEAST_APPROACH = 4.0  # error bars of the approach speed: slower collisions tell nothing
 
 
-def collisions_of_tracks(columns: dict[str, Any], radius: float) -> tuple[Rebounds, list[str]]:
+def collisions_of_tracks(
+    columns: dict[str, Any], radius: float, sides: Array | None = None
+) -> tuple[Rebounds, list[str]]:
     """Return the collisions of two balls that free tracks show, as planar rebounds along their slip, and notes.
 
     Parameters
@@ -35,6 +37,9 @@ def collisions_of_tracks(columns: dict[str, Any], radius: float) -> tuple[Reboun
         ``radius`` and ``mass`` of each ball.
     radius : float
         Of balls without one, m.
+    sides : (3,) array, optional
+        Of a periodic box, m, in which balls meet each other's images; inf along an axis that is not periodic. Places may be wrapped
+        into the box, or not.
 
     Returns
     -------
@@ -50,12 +55,12 @@ def collisions_of_tracks(columns: dict[str, Any], radius: float) -> tuple[Reboun
     balls, sigma, _notes = read_paths(filled, radius, 1.0, None)
     found: list[tuple[float, ...]] = []
     seen = 0
-    for event in path_events(balls, sigma):
+    for event in path_events(balls, sigma, sides):
         if len(event.members) != 2:
             continue
         seen += 1
         t, late = event_time(event)
-        if not math.isnan(t) and (row := _row(event.members[0], event.members[1], t, late, radius)) is not None:
+        if not math.isnan(t) and (row := _row(event.members[0], event.members[1], t, late, radius, sides)) is not None:
             found.append(row)
     if not found:
         raise CaromError(
@@ -72,14 +77,14 @@ def collisions_of_tracks(columns: dict[str, Any], radius: float) -> tuple[Reboun
     return make_rebounds("planar", given, source="tracks"), notes
 
 
-def _row(one: Any, two: Any, t: float, late: float, radius: float) -> tuple[float, ...] | None:
+def _row(one: Any, two: Any, t: float, late: float, radius: float, sides: Array | None) -> tuple[float, ...] | None:
     """Return velocities and spins of a pair before and after, and their error bars; None for a slow approach."""
     pieces: list[tuple[PathPiece, PathPiece]] = [(one.before, two.before), (one.after, two.after)]
     r = np.zeros(3)
     spread = 0.0
     for a, b in pieces:
         (x, dx), (y, dy) = a.place(t), b.place(t)
-        r += (x - y) / 2
+        r += nearest_image(x - y, sides) / 2
         spread += (dx * dx + dy * dy) / 4
     distance = float(np.linalg.norm(r))
     n = r / distance

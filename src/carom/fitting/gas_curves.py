@@ -20,10 +20,13 @@ from carom.errors import CaromError
 from carom.gas.build import build
 from carom.gas.endings import EndedEarlyError
 from carom.gas.scene import GasScene
+from carom.gas.schema import GasContact
+from carom.gas.species import ANY
 from carom.public.progress import Progress
 from carom.scene.paths import replaced
+from carom.scene.restitution import Exponential, Polynomial, Power, Restitution, Viscoelastic
 
-__all__ = ["CURVES", "GasCurve", "fit_curve"]
+__all__ = ["CURVES", "GasCurve", "curve_numbers", "fit_curve", "of_balls", "restitution_form"]
 
 Array = NDArray[np.float64]
 CURVES = ("temperature", "temperature_rotational", "ratio")
@@ -32,7 +35,9 @@ WIDTHS = 3.0  # error bars, on both sides, to which the box shrinks
 SHAPES = 4  # of a curve: polynomials of the logarithm of time
 RIDGE = 1e-3
 STEPS, STEP, FARTHEST = 8, 1e-4, 1.5  # of Newton's method on a quadratic surface; of half a box from its middle
-BOX = {"restitution": (0.3, 1.0), "tangential_restitution": (-1.0, 1.0), "friction": (0.0, 1.0)}
+BOX = {"restitution": (0.3, 1.0), "friction": (0.0, 1.0), "tangential_restitution": (-1.0, 1.0)}
+FORM_BOX = {"at_rest": (0.3, 1.0), "at_speed": (0.3, 1.0), "exponent": (1e-3, 0.5)}
+SOFTEST = 0.8  # c v^(1/5) of a viscoelastic contact at the thermal speed of the start: a restitution of 0.43
 
 
 class GasCurve(NamedTuple):
@@ -49,6 +54,36 @@ class GasCurve(NamedTuple):
         spins = first.get("temperature_rotational", warm * first.get("ratio", 1.0))
         return {"temperature": warm, "temperature_rotational": spins}
 
+    def thermal_speed(self, scene: GasScene) -> float:
+        """Return the speed of a ball of the first species along an axis at the first time, m/s."""
+        return math.sqrt(self.starts()["temperature"] / scene.species[0].nominal_mass(scene.container.dimensions))
+
+
+def of_balls(scene: GasScene, contact: GasContact) -> bool:
+    """Return whether a contact is one of two balls (with wildcards also of a ball and a wall)."""
+    return set(contact.between) <= {ANY, *(one.name for one in scene.species)}
+
+
+def restitution_form(scene: GasScene) -> str:
+    """Return the form of the restitution of the balls' contact, as a fit of rebounds has it: "constant" for numbers."""
+    first = next(one.restitution for one in scene.contacts if of_balls(scene, one))
+    return first.form if isinstance(first, (Exponential, Polynomial, Power, Viscoelastic)) else "constant"
+
+
+def curve_numbers(scene: GasScene, thermal_speed: float) -> dict[str, tuple[str, float, float]]:
+    """Return by name the numbers that a curve may tell: their field in a contact, and the range that is searched.
+
+    Where the scene's restitution depends on the speed these are the numbers of its form, as the fit of rebounds names them.
+    """
+    found = {name: (name, low, high) for name, (low, high) in BOX.items()}
+    form = next(one.restitution for one in scene.contacts if of_balls(scene, one))
+    if restitution_form(scene) == "constant" or not isinstance(form, Restitution):
+        return found
+    del found["restitution"]
+    boxes = FORM_BOX | {"c": (1e-3, SOFTEST / thermal_speed**0.2)}
+    own = [name for name in type(form).model_fields if name in boxes]
+    return {f"restitution_{name}": (f"restitution.{name}", *boxes[name]) for name in own} | found
+
 
 def fit_curve(
     curve: GasCurve,
@@ -57,10 +92,12 @@ def fit_curve(
     simulations: int,
     seed: int,
     progress: Progress | None = None,
-) -> tuple[Array, Array, list[str]]:
-    """Return the numbers (P,) with ``names`` that the curve tells, their covariance (P, P), and notes."""
+) -> tuple[dict[str, float], dict[str, float], list[str]]:
+    """Return those of the numbers with ``names`` that the curve tells, their standard errors, and notes."""
     rng = np.random.default_rng([seed, 0x6A5])
-    low, high = (np.array([BOX[name][k] for name in names]) for k in (0, 1))
+    known = curve_numbers(scene, curve.thermal_speed(scene))
+    fields = [known[name][0] for name in names]
+    low, high = (np.array([known[name][k] for name in names]) for k in (1, 2))
     begin, end = low.copy(), high.copy()
     target = _features(curve, curve.values)
     total, count, notes = ROUNDS * simulations, 0, list[str]()
@@ -69,7 +106,7 @@ def fit_curve(
         inputs, outputs = [], []
         for _ in range(simulations):
             given = low + (high - low) * rng.random(len(names))
-            found = _simulated(curve, scene, dict(zip(names, given.tolist(), strict=True)), rng)
+            found = _simulated(curve, scene, dict(zip(fields, given.tolist(), strict=True)), rng)
             count += 1
             if progress is not None:
                 progress(count, total, "simulated gases")
@@ -92,7 +129,9 @@ def fit_curve(
         for k, name in enumerate(names)
         if name not in flat and where[k] in (begin[k], end[k])
     ]
-    return where, covariance, notes
+    told = [k for k, name in enumerate(names) if name not in flat]
+    values = {names[k]: float(where[k]) for k in told}
+    return values, {names[k]: math.sqrt(covariance[k, k]) for k in told}, notes
 
 
 def _calibrated(inputs: Array, outputs: Array, target: Array) -> tuple[Array, Array]:
@@ -159,7 +198,8 @@ def _features(curve: GasCurve, values: dict[str, Array]) -> Array:
 
 def _simulated(curve: GasCurve, scene: GasScene, numbers: dict[str, float], rng: np.random.Generator) -> Array | None:
     """Return the features of a simulated gas, with the noise of the measurement; None where it collapses."""
-    changes: dict[str, Any] = {f"contacts.*.{name}": value for name, value in numbers.items()}
+    contacts = [k for k, one in enumerate(scene.contacts) if of_balls(scene, one)]
+    changes: dict[str, Any] = {f"contacts.{k}.{field}": value for field, value in numbers.items() for k in contacts}
     changes |= {f"species.*.{name}": value for name, value in curve.starts().items()}
     changes["run.seed"] = int(rng.integers(2**31))
     gas = build(replaced(scene, changes))

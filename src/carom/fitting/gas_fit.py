@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 
 from carom.data.columns import as_columns, is_columns, read_columns
-from carom.errors import CaromError, FaultList
+from carom.errors import FaultList, did_you_mean
 from carom.files import as_path
 from carom.fitting.fit_files import fit
 from carom.fitting.gas_collisions import collisions_of_tracks
-from carom.fitting.gas_curves import CURVES, GasCurve, fit_curve
+from carom.fitting.gas_curves import CURVES, GasCurve, curve_numbers, fit_curve, of_balls, restitution_form
 from carom.fitting.ranking import Ranking
 from carom.gas.build import load_gas
 from carom.gas.scene import GasScene
@@ -23,7 +23,6 @@ from carom.public.progress import Progress
 
 __all__ = ["GasFit", "fit_gas"]
 
-NUMBERS = ("restitution", "friction", "tangential_restitution")
 TRACKS = ("t", "ball", "x", "y")
 
 
@@ -67,7 +66,8 @@ def fit_gas(
         The gas: container, number, radius and inertia of the balls; of curves the numbers that are not inferred, too.
     names : sequence of str, optional
         What is inferred from a curve. Default: restitution and, with rotational temperatures, tangential_restitution. Tracks tell
-        all.
+        all. Where the scene's restitution has a form of the speed, the numbers of the form stand in its place: ``restitution_c`` of
+        a viscoelastic contact, ``restitution_at_rest`` and so on.
     simulations : int
         Gases simulated in each of four rounds, for a curve.
     seed : int
@@ -98,16 +98,21 @@ def fit_gas(
     if not is_track and not ("t" in columns and curves):
         expected = f"tracks (columns {', '.join(TRACKS)}) or curves (t and temperature or ratio)"
         faults.add("", expected, f"{', '.join(columns)}")
-    for name in names or ():
-        if name not in NUMBERS:
-            arguments.add("names", f"some of {', '.join(NUMBERS)}", f"{name!r}")
     if is_track and names:
         arguments.add("names", "none with tracks, which tell all", f"{', '.join(names)}", "omit it")
     if isinstance(simulations, bool) or not simulations >= 20:
         arguments.add("simulations", "a whole number >= 20", f"{simulations!r}")
+    if isinstance(scene, GasScene) or not faults:
+        gas = scene if isinstance(scene, GasScene) else load_gas(scene)
+        if not any(of_balls(gas, one) for one in gas.contacts):
+            faults.add("contacts", "a contact of the balls in the scene", "none")
+        else:
+            known = list(curve_numbers(gas, 1.0))
+            for name in names or ():
+                if name not in known:
+                    arguments.add("names", f"some of {', '.join(known)}", f"{name!r}", did_you_mean(name, known))
     faults += arguments
     faults.raise_if_any()
-    gas = scene if isinstance(scene, GasScene) else load_gas(scene)
     return (
         _of_tracks(columns, gas)
         if is_track
@@ -117,15 +122,19 @@ def fit_gas(
 
 def _of_tracks(columns: Any, scene: GasScene) -> GasFit:
     species = scene.species[0]
-    table, notes = collisions_of_tracks(dict(columns), species.nominal)
+    box, sides = scene.container.geometry, np.full(3, math.inf)
+    for axis, (length, around) in enumerate(zip(box.size, box.periodic, strict=True)):
+        sides[axis] = length if around else math.inf
+    table, notes = collisions_of_tracks(dict(columns), species.nominal, sides)
     kappa = species.kappa(scene.container.dimensions)
-    ranking = fit(table, species.nominal, inertia=kappa, laws=["contact"], bootstrap=0, profiles=False, robust=True)
+    form = restitution_form(scene)
+    how: Any = {"bootstrap": 0, "profiles": False, "robust": True}
+    ranking = fit(table, species.nominal, inertia=kappa, laws=["contact"], restitution=form, **how)
     assert isinstance(ranking, Ranking)
     estimates = ranking.ranked[0].fit.estimates
     values, errors = {}, {}
-    for name in NUMBERS:
-        one = estimates.get(name)
-        if one is None or one.value is None or one.stderr is None:
+    for name, one in estimates.items():
+        if one.value is None or one.stderr is None:
             notes.append(f"{name} is not told by these data")
         else:
             values[name], errors[name] = float(one.value), float(one.stderr)
@@ -150,16 +159,8 @@ def _of_curves(
             faults.add(f"sigma_{name}", "relative standard errors from 0 to 1", "others")
     faults.raise_if_any()
     if names is None:
-        names = ["restitution"] if list(curves) == ["temperature"] else ["restitution", "tangential_restitution"]
-    if not any(one.between for one in scene.contacts):
-        raise CaromError(f"{where}: contacts: expected a contact of the balls in the scene, got none")
+        names = [name for name in curve_numbers(scene, 1.0) if name.startswith("restitution")]
+        names += [] if list(curves) == ["temperature"] else ["tangential_restitution"]
     curve = GasCurve(t, values, errors)
-    found, covariance, notes = fit_curve(curve, scene, names, simulations, seed, progress)
-    sigma = np.sqrt(np.diag(covariance))
-    return GasFit(
-        dict(zip(names, found.tolist(), strict=True)),
-        dict(zip(names, sigma.tolist(), strict=True)),
-        "curve",
-        len(t),
-        tuple(notes),
-    )
+    found, sigma, notes = fit_curve(curve, scene, names, simulations, seed, progress)
+    return GasFit(found, sigma, "curve", len(t), tuple(notes))

@@ -23,13 +23,40 @@ from carom.gas.old_containers import with_new_container
 from carom.scene.figures import FIGURES, Figure, PlaneFigure, figure
 from carom.scene.figures.solids import CylinderFigure, SphereFigure
 
-__all__ = ["BOXES", "SHAPES", "WALLS", "Container", "as_container", "container", "container_figures", "in_figure"]
+__all__ = [
+    "BOXES",
+    "SHAPES",
+    "WALLS",
+    "Container",
+    "WallNumbers",
+    "as_container",
+    "container",
+    "container_figures",
+    "in_figure",
+    "wall_name",
+]
 
 Array = NDArray[np.float64]
 
 # The walls of a box, the lower and the upper one along each axis.
 WALLS = ("left", "right", "front", "back", "bottom", "top")
 BOXES = ("periodic", "box")
+FLAT = {"front": "bottom", "back": "top"}  # of discs, for which y points upwards: the names of earlier versions
+
+
+def wall_name(name: str, dimensions: int) -> str:
+    """Return the name of a wall: of discs bottom and top for what was called front and back before."""
+    return FLAT.get(name, name) if dimensions == 2 else name
+
+
+class WallNumbers(dict[str, Any]):
+    """Numbers of discs by the names of walls, which are found by their earlier names as well."""
+
+    def __missing__(self, name: str) -> Any:
+        """Return the number of the wall that had this name."""
+        if name in FLAT and FLAT[name] in self:
+            return self[FLAT[name]]
+        raise KeyError(name)
 
 
 @dataclass(frozen=True)
@@ -202,10 +229,11 @@ def container(
     Returns
     -------
     Container
-        Its walls are called left, right, front, back, bottom, top in a box; side where round; bottom and top at flat ends; front,
-        back, left, right in a stadium and a rectangle; left, right, and side for the arc, in a sector; edge1, edge2, ... in a
-        polygon, of which edge1 goes from the first corner to the second, and a re-entrant corner belongs to the side that ends
-        there; scatterer (an obstacle); and plate1, plate2, ...
+        Its walls are called left, right, bottom and top for discs in a box, a rectangle or a stadium; left, right, front, back,
+        bottom, top in a box of three lengths; side where round; bottom and top at flat ends; front, back, left, right in an upright
+        stadium or rectangle; left, right, and side for the arc, in a sector; edge1, edge2, ... in a polygon, of which edge1 goes
+        from the first corner to the second, and a re-entrant corner belongs to the side that ends there; scatterer (an obstacle);
+        and plate1, plate2, ...
 
     Raises CaromError, one line per problem.
 
@@ -214,7 +242,7 @@ def container(
     >>> from carom.gas import container
     >>> strip = container("box", (30.0, 10.0), periodic=(True, False))
     >>> strip.names, strip.volume
-    (('front', 'back'), 300.0)
+    (('bottom', 'top'), 300.0)
     >>> container("stadium", straight=20.0, radius=5.0).size
     (30.0, 10.0)
     >>> lorentz = container("periodic", (1.0, 1.0), obstacles=[(0.5, 0.5, 0.25)])
@@ -327,7 +355,10 @@ def _with_obstacles(faults: FaultList, made: Container, obstacles: Any, plates: 
     walls, taken = _obstacles(faults, obstacles, made.size, made.periodic)
     walls += _plates(faults, plates, made.size, bounds)
     faults.raise_if_any()
-    every = tuple(replace(face, bounds_surfaces=bounds == "surface") for face in (*made.faces, *walls))
+    every = tuple(
+        replace(face, name=wall_name(face.name, len(made.size)), bounds_surfaces=bounds == "surface")
+        for face in (*made.faces, *walls)
+    )
     return replace(made, faces=every, volume=made.volume - taken)
 
 

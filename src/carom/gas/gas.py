@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time as clocks
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.errors import FaultList, float_or_nan
 from carom.formatting import counted, format_number
-from carom.gas.containers import Container, as_container
+from carom.gas.containers import Container, WallNumbers, as_container
 from carom.gas.drives import Drive, Thermostat, WallMotion, motion_of_walls
 from carom.gas.edmd import driver as engine
 from carom.gas.edmd.driver import GasArrays
@@ -196,10 +196,15 @@ class Gas:
 
     def _sum_by_wall(self, numbers: Any) -> dict[str, float]:
         """Return sums over the faces of each wall."""
-        return {
-            one: float(sum(n for n, name in zip(numbers, self._names, strict=True) if name == one))
-            for one in self.walls
-        }
+        return self._by_wall(
+            {
+                one: float(sum(n for n, name in zip(numbers, self._names, strict=True) if name == one))
+                for one in self.walls
+            }
+        )
+
+    def _by_wall(self, numbers: dict[str, Any]) -> dict[str, Any]:
+        return WallNumbers(numbers) if int(self.arrays.system[0]["dimensions"]) == 2 else numbers
 
     @property
     def shear_rate(self) -> float:
@@ -255,7 +260,7 @@ class Gas:
     def wall_motion(self) -> dict[str, WallMotion]:
         """Return place and speed of each wall that moves, or the spins of its obstacles, at the current time, by its name."""
         one, faces = self.arrays.system[0], self.arrays.walls.faces
-        return motion_of_walls(faces, self._names, (self._time - one["base"]) - one["rest"])
+        return self._by_wall(motion_of_walls(faces, self._names, (self._time - one["base"]) - one["rest"]))
 
     @property
     def bytes_per_ball(self) -> float:
@@ -314,8 +319,12 @@ class Gas:
         *,
         progress: Progress | None = None,
         chunk: int = CHUNK,
+        stop: Callable[[], bool] = lambda: False,
     ) -> None:
-        """Advance as :meth:`run` does, without measuring. The result does not depend on how a run is divided into pieces."""
+        """Advance as :meth:`run` does, without measuring, or until ``stop``, asked some times a second, returns True.
+
+        The result does not depend on how a run is divided into pieces.
+        """
         faults = FaultList("Gas.run")
         if isinstance(until, bool) or math.isnan(end := float_or_nan(until)):
             faults.add("until", "a time, or inf", f"{until!r}")
@@ -337,7 +346,7 @@ class Gas:
         while done < most:
             begin = clocks.thread_time()
             # (a number of the type float: a whole one would have the loop compiled again)
-            engine.advance(self.arrays, end, min(chunk, most - done))
+            engine.advance(self.arrays, end, min(chunk, most - done), stop)
             self.cpu_seconds += clocks.thread_time() - begin
             self._time = max(self._time, engine.time_of_last_event(self.arrays))
             done = self.collisions - before
@@ -347,6 +356,7 @@ class Gas:
             self._raise_if_ended(status, until)
             if status == DONE:
                 self._time = max(self._time, until if until < math.inf else self._time)
+            if status == DONE or stop():
                 break
 
     def _raise_if_ended(self, status: int, until: float) -> None:
@@ -397,7 +407,7 @@ class Gas:
             cpu_seconds=self.cpu_seconds - since.cpu,
             mean_free_time=_mean_free_time(count, t, pairs, self.ended_early),
             pressure=means.pressure,
-            wall_pressure={k: pushes[k] / (areas[k] * t) if t > 0 else math.nan for k in areas},
+            wall_pressure=self._by_wall({k: pushes[k] / (areas[k] * t) if t > 0 else math.nan for k in areas}),
             energy_from_walls=feeds,
             energy_from_thermostat=fed,
             energy_drift=(sum(energy) - fed - worked - sum(feeds.values())) / sum(energy0) - 1

@@ -14,7 +14,7 @@ from carom.bodies import Surface
 from carom.errors import Fault, FaultList, shown, suggestion
 from carom.formatting import counted, format_number
 from carom.gas.contact_forms import GasSurface
-from carom.gas.containers import BOXES, WALLS
+from carom.gas.containers import BOXES, WALLS, wall_name
 from carom.gas.drives import drive_faults
 from carom.gas.edmd.gas_records import ELLIPSE, MAX_BALLS
 from carom.gas.faces import JOINT_OVERLAP
@@ -91,6 +91,14 @@ class GasScene(Model):
 
     @model_validator(mode="after")
     def _check(self) -> GasScene:
+        axes = self.container.dimensions
+        drives = (one.model_copy(update={"wall": wall_name(one.wall, axes)}) for one in self.drives)
+        contacts = (
+            one.model_copy(update={"between": tuple(wall_name(name, axes) for name in one.between)})
+            for one in self.contacts
+        )
+        object.__setattr__(self, "drives", tuple(drives))
+        object.__setattr__(self, "contacts", tuple(contacts))
         raise_faults(gas_faults(self))
         return self
 
@@ -200,7 +208,9 @@ def _contact_faults(scene: GasScene) -> list[Fault]:
     found = FaultList()
     names = [one.name for one in scene.species]
     walls = scene.container.geometry.names
-    known = [ANY, *names, "wall", *dict.fromkeys((*WALLS[: 2 * scene.container.dimensions], *walls))]
+    axes = scene.container.dimensions
+    sides = dict.fromkeys(wall_name(name, axes) for name in WALLS[: 2 * axes])
+    known = [ANY, *names, "wall", *dict.fromkeys((*sides, *walls))]
     given: set[frozenset[str]] = set()
     pairs = [contact.between for contact in scene.contacts]
     names_known = True
@@ -255,8 +265,11 @@ def _drive_faults(scene: GasScene) -> list[Fault]:
 
 def _gravity_faults(scene: GasScene) -> list[Fault]:
     axes = scene.container.dimensions
-    if scene.shear_rate != 0 and (found := shear_faults(scene.container.geometry, scene.gravity_vector)):
-        return found
+    if scene.shear_rate != 0:
+        fastest = max(math.sqrt(one.temperature / one.nominal_mass(axes)) for one in scene.species)
+        found = shear_faults(scene.container.geometry, scene.gravity_vector, scene.shear_rate, fastest)
+        if found:
+            return found
     if any(scene.gravity_vector) and not scene.container.geometry.faces:
         advice = 'add walls, such as shape = "box" with periodic = ["x"]'
         return [Fault("", "gravity", "no gravity without walls to fall on", shown(scene.gravity), advice)]

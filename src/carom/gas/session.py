@@ -203,7 +203,7 @@ class Session:
             if self.gas.at_rest and (self.mark is None or self.scene.run.duration is None):
                 self.gas.raise_early(EarlyEnd(AT_REST, self.gas.time))
             before, end = self.gas.collisions, self.gas.time + self.max_wait
-            self.gas.advance(collisions, min(until, end))
+            self.gas.advance(collisions, min(until, end), stop=stop)
             # a cooling gas slows down without limit: after few collisions in a piece, take longer ones
             if end < until and self.gas.collisions - before <= collisions // 8:
                 self.max_wait *= 2

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from carom.bodies import Ball, Surface
 from carom.errors import Fault, FaultList, require_type, suggestion
 from carom.gas.contact_forms import GasSurface, contact_numbers
-from carom.gas.containers import WALLS, Container
+from carom.gas.containers import WALLS, Container, wall_name
 from carom.gas.drives import Drive, Thermostat, face_records
 from carom.gas.edmd.driver import SystemRecords
 from carom.gas.edmd.gas_records import (
@@ -38,6 +38,10 @@ __all__ = ["ANY", "Contacts", "Species", "best_contact", "layer_axis", "shear_fa
 Contacts = Surface | GasSurface | Mapping[tuple[str, str], Surface | GasSurface]
 ANY = "*"  # in contacts: every species and wall
 NO_TOTALS = (0, 0.0, 0.0, 0.0)  # of a contact that has not happened yet
+FASTEST_FLOW = (
+    1e6  # thermal speeds, of a shear flow across the box: faster, images go by so fast that hardly a ball meets another
+)
+MOST_KICKS = 1e6  # of a thermostat, on a ball's way of one radius
 BALLS_PER_CELL = 0.5  # where the balls are small compared with their distances
 
 
@@ -169,6 +173,8 @@ def system_records(
     ``groups`` numbers the species of which the given ones are classes of radii, which may then have one name.
     """
     faults = FaultList("Gas")
+    axes = len(container.size)
+    drives = {wall_name(name, axes): drive for name, drive in drives.items()}
     for one in species:
         require_type("Gas", "species", one, Species)
     names = [one.name for one in species]
@@ -177,7 +183,6 @@ def system_records(
         faults.add("species", f"1 to {MAX_BALLS} balls in total", f"{[one.count for one in species]}")
     if len(set(names)) < (len(names) if groups is None else len(set(groups))):
         faults.add("species", "a different name for each", f"{names}")
-    axes = len(container.size)
     _check_discs(faults, species, axes)
     pull = np.array(gravity, dtype=float)
     if pull.shape not in {(3,), (axes,)} or not np.isfinite(pull).all():
@@ -188,6 +193,8 @@ def system_records(
         faults.add("contact_time", "a time >= 0", f"{contact_time!r}")
     _check_contacts(faults, contacts, names, container)
     faults.raise_if_any()
+    if isinstance(contacts, Mapping):
+        contacts = {(wall_name(one, axes), wall_name(two, axes)): given for (one, two), given in contacts.items()}
     system = np.zeros(1, SYSTEM)
     one = system[0]
     one["dimensions"], one["side"], one["periodic"], one["cells"], one["cell_size"] = axes, 1.0, 1, 1, 1.0
@@ -196,10 +203,7 @@ def system_records(
     one["contact_time"], one["scale"] = contact_time, 1.0
     # the engine's random numbers are a stream of their own; consecutive seeds give independent streams
     one["key"] = np.random.SeedSequence(seed).generate_state(2).astype(np.int64)
-    if thermostat is not None:
-        one["rate"], one["temperature"] = thermostat.rate * count, thermostat.temperature
-        rotational = thermostat.temperature_rotational
-        one["spin_temperature"] = thermostat.temperature if rotational is None else rotational
+    _set_thermostat(faults, one, thermostat, species)
     widest = max(float(one.ball.radius) for one in species)
     longest = LONGEST_SIDE * min(float(one.ball.radius) for one in species)
     _set_cells(faults, system[0], container, 2 * widest, longest, count)
@@ -209,7 +213,8 @@ def system_records(
                 "species", f"radii below {min(face.vector[:2]):g}, the ellipse's smaller half axis", f"{widest:g}"
             )
     faces = face_records(faults, container, drives, widest)
-    shear = _shear_record(faults, container, pull, shear_rate)
+    fastest = max(math.sqrt(one.temperature / one.ball.mass) for one in species)
+    shear = _shear_record(faults, container, pull, shear_rate, fastest)
     kinds = np.array([(kind.ball.radius, kind.ball.mass, kind.ball.kappa) for kind in species], SPECIES)
     pairs, pair_forms, with_walls, wall_forms = _contact_records(faults, species, container, contacts)
     faults.raise_if_any()
@@ -219,18 +224,41 @@ def system_records(
     )
 
 
-def _shear_record(faults: FaultList, container: Container, gravity: Any, rate: float) -> NDArray[np.void]:
+def _set_thermostat(faults: FaultList, one: Any, thermostat: Thermostat | None, species: Sequence[Species]) -> None:
+    """Set the thermostat's rate and temperatures; add the fault of a rate with which balls hardly move."""
+    if thermostat is None:
+        return
+    radius = min(float(kind.ball.radius) for kind in species)
+    most = MOST_KICKS * max(math.sqrt(thermostat.temperature / kind.ball.mass) for kind in species) / radius
+    if thermostat.rate > most > 0:
+        expected = f"at most {MOST_KICKS:g} thermal speeds per radius of the smallest ball, {most:.3g}"
+        faults.add(
+            "thermostat.rate",
+            expected,
+            f"{thermostat.rate:g}",
+            "lower it: kicked so often, hardly a ball meets another",
+        )
+    rotational = thermostat.temperature_rotational
+    one["rate"], one["temperature"] = thermostat.rate * sum(kind.count for kind in species), thermostat.temperature
+    one["spin_temperature"] = thermostat.temperature if rotational is None else rotational
+
+
+def _shear_record(
+    faults: FaultList, container: Container, gravity: Any, rate: float, thermal_speed: float
+) -> NDArray[np.void]:
     """Return the record of a shear rate, or none."""
     if not math.isfinite(rate):
         faults.add("shear_rate", "a finite rate", f"{rate!r}")
     elif rate != 0:
-        faults += [replace(fault, where=faults.where) for fault in shear_faults(container, gravity)]
+        faults += [
+            replace(fault, where=faults.where) for fault in shear_faults(container, gravity, rate, thermal_speed)
+        ]
         return np.array([(rate, rate * container.size[1], 0.0)], SHEAR)
     return np.zeros(0, SHEAR)
 
 
-def shear_faults(container: Container, gravity: Any) -> list[Fault]:
-    """Return what is against a shear rate in a container."""
+def shear_faults(container: Container, gravity: Any, rate: float, thermal_speed: float) -> list[Fault]:
+    """Return what is against a shear rate in a container, of a gas with a thermal speed along an axis (0: at rest)."""
     found = FaultList()
     if container.faces or not all(container.periodic):
         got = f"walls {', '.join(container.names)}"
@@ -241,6 +269,10 @@ def shear_faults(container: Container, gravity: Any) -> list[Fault]:
         found.add(
             "shear_rate", "no gravity, under which a gas without walls falls for ever", "gravity", "omit one of them"
         )
+    most = FASTEST_FLOW * thermal_speed / container.size[1]
+    if not found and abs(rate) > most > 0:
+        expected = f"at most {FASTEST_FLOW:g} thermal speeds across the box, {most:.3g}"
+        found.add("shear_rate", expected, f"{rate:g}", "lower the rate, or raise the temperature")
     return found
 
 

@@ -22,7 +22,7 @@ from carom.laws.results import GRAVITY
 from carom.scene.floor import gravity_on_slope
 from carom.tracks.judgement_paths import EXACT, FEW, BallPath, PathPiece, read_paths
 
-__all__ = ["LAWS", "Judgement", "Violation", "event_time", "judge", "path_events"]
+__all__ = ["LAWS", "Judgement", "Violation", "event_time", "judge", "nearest_image", "path_events"]
 
 Array = NDArray[np.float64]
 LAWS = {
@@ -260,8 +260,20 @@ class _Event(NamedTuple):
     members: tuple[_Change, ...]
 
 
-def path_events(balls: Sequence[BallPath], sigma: float) -> Iterator[_Event]:
-    """Yield events: changes of one ball, joined where two balls are in reach of each other at the same time."""
+def nearest_image(r: Array, sides: Array | None) -> Array:
+    """Return the distance (3,) between two places by the shortest way, in a box with periodic sides (inf: not periodic)."""
+    if sides is None:
+        return r
+    around = np.isfinite(sides)
+    nearest: Array = r - np.where(around, np.round(r / sides), 0.0) * np.where(around, sides, 0.0)
+    return nearest
+
+
+def path_events(balls: Sequence[BallPath], sigma: float, sides: Array | None = None) -> Iterator[_Event]:
+    """Yield events: changes of one ball, joined where two balls are in reach of each other at the same time.
+
+    ``sides`` (3,) are the sides of a periodic box, along whose axes balls meet each other's images.
+    """
     most = 1 if sigma < EXACT else 5  # frames between two pieces, with one event there
     changes = [
         _Change(ball, a, b)
@@ -280,14 +292,16 @@ def path_events(balls: Sequence[BallPath], sigma: float) -> Iterator[_Event]:
             other = changes[j]
             if float(other.ball.t[other.before.last]) >= high:
                 break
-            if j not in used and any(_in_reach(member, other, high - low, sigma) for member in group):
+            if j not in used and any(_in_reach(member, other, high - low, sigma, sides) for member in group):
                 group.append(other)
                 used.add(j)
-        if not any(_takes_part(ball, group, low, high, sigma) for ball in balls):
+        if not any(_takes_part(ball, group, low, high, sigma, sides) for ball in balls):
             yield _Event(low, high, tuple(group))
 
 
-def _takes_part(ball: BallPath, group: Sequence[_Change], low: float, high: float, sigma: float) -> bool:
+def _takes_part(
+    ball: BallPath, group: Sequence[_Change], low: float, high: float, sigma: float, sides: Array | None
+) -> bool:
     """Return whether a ball beside a group is in reach of it, and is not on one path meanwhile: the event is not resolved."""
     if any(one.ball is ball for one in group):
         return False
@@ -295,16 +309,20 @@ def _takes_part(ball: BallPath, group: Sequence[_Change], low: float, high: floa
         return False
     k = int(np.argmin(np.abs(ball.t - low)))
     fastest = max(*(one.ball.fastest for one in group), ball.fastest)
-    gaps = [np.linalg.norm(ball.x[k] - one.ball.x[one.before.last]) - ball.radius - one.ball.radius for one in group]
+    gaps = [
+        np.linalg.norm(nearest_image(ball.x[k] - one.ball.x[one.before.last], sides)) - ball.radius - one.ball.radius
+        for one in group
+    ]
     return bool(min(gaps) < SIGMAS * sigma + 4 * fastest * (high - low))
 
 
-def _in_reach(one: _Change, other: _Change, interval: float, sigma: float) -> bool:
+def _in_reach(one: _Change, other: _Change, interval: float, sigma: float, sides: Array | None) -> bool:
     if one.ball is other.ball:
         return False
     t = float(one.ball.t[one.before.last])
     closing = float(np.linalg.norm(one.before.velocity(t)[0] - other.before.velocity(t)[0]))
-    gap = np.linalg.norm(one.before.place(t)[0] - other.before.place(t)[0]) - one.ball.radius - other.ball.radius
+    apart = nearest_image(one.before.place(t)[0] - other.before.place(t)[0], sides)
+    gap = np.linalg.norm(apart) - one.ball.radius - other.ball.radius
     return bool(gap < SIGMAS * sigma + 2 * closing * interval)
 
 

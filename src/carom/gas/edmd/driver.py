@@ -309,14 +309,17 @@ def _features(arrays: GasArrays) -> Features | None:
     return Features(ellipse, arrays.walls.curves if curved else None, shear, heat)
 
 
-def advance(arrays: GasArrays, until: float, max_collisions: int) -> None:
-    """Advance to a time, or by so many collisions; ``system["status"]`` says which came first."""
+def advance(arrays: GasArrays, until: float, max_collisions: int, stop: Callable[[], bool] = lambda: False) -> None:
+    """Advance to a time, or by so many collisions; ``system["status"]`` says which came first, unless ``stop`` returns True.
+
+    That is asked some times a second, however rare collisions are.
+    """
     run, one, features = compiled_loops().run, arrays.system[0], _features(arrays)
     last, pace = _collisions(one) + max_collisions, Pace(FIRST_STEPS)
     while True:
         steps = pace.begin()
         status = run(one, *arrays[1:-2], until, last - _collisions(one), steps, features)
-        if status != LIMIT or _collisions(one) >= last:
+        if status != LIMIT or _collisions(one) >= last or stop():
             return
         pace.done(steps)
 
