@@ -7,6 +7,7 @@ import importlib
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 import threading
@@ -17,7 +18,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from carom.core.jit import machine_code, native
+from carom.core.jit import machine_code, native, native_build
 from carom.core.jit.compile import array_of, njit, signature
 from carom.core.jit.kernel import kernel, prange
 from carom.core.jit.lowering import LoweringError
@@ -240,6 +241,26 @@ def test_machine_code_is_kept_and_what_is_not_whole_is_made_again(
     assert len(made) == 2
     assert machine_code._object(code) == first
     assert len(made) == 2
+
+
+def _vectors(code: Any) -> set[str]:
+    """Return how wide the vectors of numbers in a loop's bitcode are."""
+    import llvmlite.binding as llvm
+
+    return set(re.findall(r"<(\d+) x double>", str(llvm.parse_bitcode(code.read()))))
+
+
+@pytest.mark.parametrize("left", [False, True])
+def test_loops_over_numbers_are_vectors_of_any_machine_or_of_the_users(
+    left: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(native_build, "MOSTLY_VECTORS", 0.01 if left else 0.99)
+    with NativeBuild().recording():
+        rows = njit(_rows, parallel=True)
+        rows(np.arange(9.0), out := np.zeros(9))
+    assert rows.codes[0].described["vectorise"] == left
+    assert _vectors(rows.codes[0]) == (set() if left else {"4"})
+    assert out.tolist() == [_scaled(x, 1.0) for x in range(9)]
 
 
 def test_a_loop_that_makes_an_array_is_refused_when_it_is_built() -> None:
