@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -14,7 +13,7 @@ from carom.cli.options import OUTPUT, RUN, shared
 from carom.cli.progress import working
 from carom.cli.streams import say_json
 from carom.errors import CaromError, FaultList
-from carom.formatting import counted, format_number
+from carom.formatting import counted
 
 if TYPE_CHECKING:
     from carom.sweeps.sweep import Sweep
@@ -25,7 +24,7 @@ FILE = Annotated[
 STORE = Annotated[
     str, typer.Argument(metavar="STORE", help="The store of a sweep: a folder, or an address (s3://...).")
 ]
-SHOWN_FAILURES, LOOKED_AT = 5, 100  # points without an outcome
+SHOWN_FAILURES = 5  # points without an outcome
 OWN_LAWS = Annotated[bool, shared("allow_own_laws")]
 JSON = Annotated[bool, shared("json")]
 
@@ -65,7 +64,7 @@ def explain(file: FILE, allow_own_laws: OWN_LAWS = False, as_json: JSON = False)
 
     plan = _sweep(str(file), None, allow_own_laws).explain()
     if as_json:
-        _print({name: value for name, value in vars(plan).items() if name != "text"})
+        say_json({name: value for name, value in vars(plan).items() if name != "text"})
     else:
         say(plan.text)
 
@@ -119,12 +118,16 @@ def run(
     except KeyboardInterrupt:
         say_interrupted(f"carom: stopped; what is done stays in {made.store.name}: the same command goes on")
         raise
-    _report(made, as_json, quiet)
+    found = made.status(0 if as_json or quiet else SHOWN_FAILURES)
+    _report(made.store.name, found, as_json, quiet)
 
 
 def status(store: STORE, as_json: JSON = False, allow_own_laws: OWN_LAWS = False) -> None:
     """Say how far a sweep is, how many of its points have no outcome, and why: of the first five."""
-    _report(_stored(store, allow_own_laws), as_json, False)
+    made = _stored(store, allow_own_laws)
+    assert made.store is not None
+    found = made.status(0 if as_json else SHOWN_FAILURES)
+    _report(made.store.name, found, as_json, False)
 
 
 def verify(
@@ -141,7 +144,7 @@ def verify(
         bad = made.verify(blocks, report)
     done = made.blocks.number - len(made.missing())
     if as_json:
-        _print({"blocks_done": done, "blocks_computed_again": min(blocks, done), "blocks_that_differ": bad})
+        say_json({"blocks_done": done, "blocks_computed_again": min(blocks, done), "blocks_that_differ": bad})
     elif bad:
         say(f"{store}: {len(bad):,} of {done:,} blocks differ: {', '.join(map(str, bad[:12]))}")
     else:
@@ -229,52 +232,19 @@ def _part(text: str) -> tuple[int, int]:
     return int(first), int(second)
 
 
-def _report(made: Sweep, as_json: bool, quiet: bool) -> None:
+def _report(store: str, found: dict[str, Any], as_json: bool, quiet: bool) -> None:
+    """Print how far a store is; ``found``: what its sweep says of it (Sweep.status)."""
     from carom.cli.streams import say
 
-    found = made.status()
     if as_json:
-        _print(found)
+        say_json(found)
+    if as_json or quiet:
         return
-    if quiet:
-        return
-    assert made.store is not None
     say(
-        f"{made.store.name}: {found['points_done']:,} of {found['points']:,} points,"
+        f"{store}: {found['points_done']:,} of {found['points']:,} points,"
         f" {found['blocks_done']:,} of {found['blocks']:,} blocks"
     )
     for reason, count in found["failed"].items():
         say(f"  without an outcome: {counted(count, 'point')} ({reason.replace('_', ' ')})")
-    if found["failed"]:
-        for line in _first_failures(made):
-            say(f"    {line}")
-
-
-def _first_failures(made: Sweep) -> list[str]:
-    """Return the first points without an outcome, by their parameters, and why each one has none."""
-    import numpy as np
-
-    from carom.sweeps.dataset import open_dataset
-    from carom.sweeps.outcomes import FAILED
-
-    def words(value: Any) -> str:
-        return ", ".join(
-            format_number(x, 6) if isinstance(x, int | float) else str(x) for x in np.ravel(value).tolist()
-        )
-
-    codes = open_dataset(made)[FAILED].values
-    shown: Counter[str] = Counter()
-    for place in np.argwhere(codes > 0)[:LOOKED_AT]:
-        index = int(np.ravel_multi_index(tuple(place), codes.shape)) if codes.shape else 0
-        values = made.space.columns(index, index + 1)
-        point = ", ".join(f"{path} = {words(value)}" for path, value in values.items())
-        line = f"{point}: {made.why(*place)}"
-        if line in shown or len(shown) < SHOWN_FAILURES:  # (repeats are counted)
-            shown[line] += 1
-    left = int((codes > 0).sum()) - shown.total()
-    lines = [line if count == 1 else f"{line} ({count:,} times)" for line, count in shown.items()]
-    return [*lines, f"and {counted(left, 'more point')}"] if left else lines
-
-
-def _print(found: dict[str, Any]) -> None:
-    say_json(found)
+    for line in found["first_failures"]:
+        say(f"    {line}")

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import json
 import warnings
+from collections import Counter
 from typing import Any
 
 import numpy as np
 
 from carom.files import import_optional
+from carom.formatting import counted, format_number
 from carom.sweeps.outcomes import FAILED, FAILURES, Outcome
 
-__all__ = ["dataset_of", "open_dataset"]
+__all__ = ["dataset_of", "first_failures", "open_dataset"]
+
+LOOKED_AT = 100  # points without an outcome
 
 
 def _attributes(sweep: Any) -> dict[str, Any]:
@@ -59,3 +63,23 @@ def open_dataset(sweep: Any) -> Any:
     found = found[[*(one.name for one in sweep.outcomes), FAILED]].assign_coords(_coordinates(sweep))
     del found.attrs["carom"]  # (which is in "specification", as text)
     return found.assign_attrs(_attributes(sweep))
+
+
+def first_failures(sweep: Any, most: int) -> list[str]:
+    """Return the first points without an outcome, by their parameters, and why each one has none; repeats are counted."""
+    codes = open_dataset(sweep)[FAILED].values
+    shown: Counter[str] = Counter()
+    for place in np.argwhere(codes > 0)[:LOOKED_AT]:
+        index = int(np.ravel_multi_index(tuple(place), codes.shape)) if codes.shape else 0
+        values = sweep.space.columns(index, index + 1)
+        point = ", ".join(f"{path} = {_words(value)}" for path, value in values.items())
+        line = f"{point}: {sweep.why(*place)}"
+        if line in shown or len(shown) < most:
+            shown[line] += 1
+    left = int((codes > 0).sum()) - shown.total()
+    lines = [line if count == 1 else f"{line} ({count:,} times)" for line, count in shown.items()]
+    return [*lines, f"and {counted(left, 'more point')}"] if left else lines
+
+
+def _words(value: Any) -> str:
+    return ", ".join(format_number(x, 6) if isinstance(x, int | float) else str(x) for x in np.ravel(value).tolist())

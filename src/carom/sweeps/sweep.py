@@ -21,7 +21,7 @@ from carom.errors import CaromError
 from carom.formatting import format_bytes, format_time
 from carom.public.own_laws import with_own_laws
 from carom.sweeps.cluster import run_on_cluster
-from carom.sweeps.dataset import dataset_of, open_dataset
+from carom.sweeps.dataset import dataset_of, first_failures, open_dataset
 from carom.sweeps.gpu import require_gpu
 from carom.sweeps.outcomes import FAILED, FAILURES, NOT_DONE, Outcome
 from carom.sweeps.plan import SweepPlan
@@ -287,20 +287,25 @@ class Sweep:
         index = int(np.ravel_multi_index(place, self.space.shape)) if self.space.shape else 0
         return self.space.subject.why(self.space.columns(index, index + 1))
 
-    def status(self) -> dict[str, Any]:
-        """Return how far the store is: points and blocks, done and in all, and how many points have no outcome, by reason."""
+    def status(self, failures: int = 0) -> dict[str, Any]:
+        """Return how far the store is: points and blocks, done and in all, and how many points have no outcome, by reason.
+
+        With ``failures`` also a line each of the first ones, by their parameters.
+        """
         done = np.flatnonzero(self._checksums() != 0).tolist()
         failed = np.zeros(len(FAILURES), int)
         assert self.store is not None
         for block in done:
             codes = self.store.read(FAILED, self.blocks.region(block)).ravel()
             failed += np.bincount(codes[codes != NOT_DONE], minlength=len(FAILURES))
+        shown = {"first_failures": first_failures(self, failures) if failed.any() else []} if failures else {}
         return {
             "points": self.space.size,
             "points_done": sum(self._size(block) for block in done),
             "blocks": self.blocks.number,
             "blocks_done": len(done),
             "failed": {name: int(count) for name, count in zip(FAILURES[1:], failed[1:], strict=True) if count},
+            **shown,
         }
 
     def verify(self, blocks: int = 3, progress: Progress | None = None) -> list[int]:

@@ -66,6 +66,8 @@ def load_sweep(path: str | Path, store: Any = None, *, allow_own_laws: bool = Fa
     """
     path = as_path("load_sweep", path)
     table = read_toml(path, f"carom sweep new {path} writes one", "a sweep file")
+    if allow_own_laws:
+        table = with_own_laws(table)
     if not set(FIELDS) & set(table) and (
         strange := sorted({"balls", "container", "floor", "species", "walls"} & set(table))
     ):
@@ -89,8 +91,7 @@ def load_sweep(path: str | Path, store: Any = None, *, allow_own_laws: bool = Fa
         found.add("parameters", "a table [parameters] of paths", shown(table.get("parameters"), 60))
     else:
         for name, data in table["parameters"].items():
-            permitted = with_own_laws(data) if allow_own_laws else data
-            axis = found.attempt(axis_from_data, permitted, f"{path}: {name}")
+            axis = found.attempt(axis_from_data, data, f"{path}: {name}")
             parameters |= {} if axis is None else {name: axis}
     made = None
     if subject is not None and parameters:  # (what is sound is looked at even where something is not)
@@ -98,7 +99,7 @@ def load_sweep(path: str | Path, store: Any = None, *, allow_own_laws: bool = Fa
             space = Space(subject, parameters, table.get("repeats", 1), table.get("seed", 0))
             made = sweep_over(space, table.get("keep", ()), store, table.get("block", BLOCK_POINTS))
         except CaromError as error:
-            found += error.records_at(str(path))
+            found += error.records_at(found.where)
     if found or made is None:
         raise CaromError(*found)
     return made
