@@ -99,8 +99,9 @@ def main(words: Sequence[str] | None = None) -> None:
             run.say(f"{kind}, e = {e}, beta = {beta}: T_rot/T_tr after {STOPS} contacts a ball")
             show(run, "mean field", [mean_field(axes, e, beta, q)])
             rngs = [np.random.default_rng(seed) for seed in range(max(seeds // 6, 2))]
-            balls = 2_000 if run.small else 20_000
-            show(run, "Monte Carlo", [monte_carlo(balls, axes, e, beta, q, rng, STOPS) for rng in rngs])
+            # (compiling takes longer than a few balls as plain Python)
+            draw, balls = (monte_carlo.py_func, 50) if run.small else (monte_carlo, 20_000)
+            show(run, "Monte Carlo", [draw(balls, axes, e, beta, q, rng, STOPS) for rng in rngs])
             for density, balls in ((0.2, 200), (0.02, 200), (0.002, 1000))[: 1 if run.small else 3]:
                 runs = [
                     gas(axes, e, beta, density / (axes - 1), balls, seed)

@@ -49,7 +49,7 @@ def main(words: Sequence[str] | None = None) -> None:
     first = {"type": int, "default": 0, "help": "number of the first mutant of each room"}
     work = {"type": Path, "default": ROOT / "build" / "mutants", "help": "folder for the copy and for what is compiled"}
     with campaign("mutants", __doc__, words, count=25, small=1, again=again, first=first, work=work) as run:
-        rooms = [room for room in ROOMS if run.small or run.wants(room, ROOMS)]
+        rooms = [room for room in ROOMS if run.wants(room, ROOMS)]
         if run.small:
             only_drawn(run, rooms)
         else:

@@ -514,7 +514,7 @@ def main(words: Sequence[str] | None = None) -> int:
         "keep": {"type": Path},
     }
     faults = Counter[str]()
-    with campaign("mutated_files", __doc__, words, count=100_000, small=60, **options) as run:
+    with campaign("mutated_files", __doc__, words, count=100_000, small=24, **options) as run:
         keep = run.given.keep
         if keep is not None:
             keep.mkdir(parents=True, exist_ok=True)

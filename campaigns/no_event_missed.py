@@ -60,7 +60,7 @@ def main(words: Sequence[str] | None = None) -> int:
         "first": {"type": int, "default": 0},
         "processes": {"type": int, "help": "default: one for each core"},
     }
-    with campaign("no_event_missed", __doc__, words, count=100_000, small=10, **options) as run:
+    with campaign("no_event_missed", __doc__, words, count=100_000, small=3, **options) as run:
         seeds = range(run.given.first, run.given.first + run.count)
         with processes(1 if run.small else run.given.processes) as many:
             rows = run.go_through([("scene", seed) for seed in seeds], look, many=many)

@@ -8,6 +8,7 @@ rectangle; speeds have errors of 0.02 m/s. Spins are carried from one contact to
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Sequence
 from typing import Any
 
@@ -23,9 +24,9 @@ KINDS = {
 }
 
 
-def one_table(truth: dict[str, float], seed: int) -> dict[str, Any]:
+def one_table(truth: dict[str, float], shots: int, seed: int) -> dict[str, Any]:
     """Deviations of the fitted numbers in error bars."""
-    columns = table(seed, *truth.values())
+    columns = table(seed, *truth.values(), shots)
     numbers = {name: columns.pop(name) for name in ("shot", "bounce")}
     rows = make_rebounds("planar", columns, extra=numbers)
     fit = fit_laws(rows, Setting(RADIUS, KAPPA), ["contact"], profiles=False, bootstrap=0).best
@@ -44,7 +45,8 @@ def main(words: Sequence[str] | None = None) -> None:
         for kind, truth in KINDS.items():
             if not run.wants(kind, KINDS):
                 continue
-            rows = run.rows.fill(kind, range(run.count), lambda seed, truth=truth: one_table(truth, seed))
+            one = functools.partial(one_table, truth, 2 if run.small else 5)
+            rows = run.rows.fill(kind, range(run.count), one)
             say_shares(run, kind, rows, (*truth, "spin_width"))
             run.say(f"{kind:7} {'spin_width (profile)':24} {shares([row['spin_width (profile)'] for row in rows])}")
 
