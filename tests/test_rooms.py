@@ -9,7 +9,6 @@ import re
 from pathlib import Path
 from typing import Any
 
-import pytest
 import typer
 
 import carom
@@ -32,6 +31,12 @@ LOADERS = {
 }
 
 
+@functools.cache
+def tree_of(name: str) -> ast.Module:
+    """The code of a module, parsed once."""
+    return ast.parse(MODULES[name].read_text(encoding="utf-8"))
+
+
 def loaded_by_text(tree: ast.AST) -> set[str]:
     """Names that a module hands to import_module and its like, and "module:function" texts; "?" for a name that is computed."""
     found = set()
@@ -50,7 +55,7 @@ def loaded_by_text(tree: ast.AST) -> set[str]:
 
 def imports_of(name: str) -> set[str]:
     """Modules of carom that a module imports anywhere: at its top, in functions, for types, and by a text."""
-    tree = ast.parse(MODULES[name].read_text(encoding="utf-8"))
+    tree = tree_of(name)
     found = loaded_by_text(tree)
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
@@ -62,7 +67,10 @@ def imports_of(name: str) -> set[str]:
     return {one for one in found if one in MODULES} - {name}
 
 
-GRAPH = {name: imports_of(name) for name in MODULES}
+@functools.cache
+def graph_of_modules() -> dict[str, set[str]]:
+    """Imports between all modules."""
+    return {name: imports_of(name) for name in MODULES}
 
 
 def circles(graph: dict[str, set[str]]) -> list[list[str]]:
@@ -107,13 +115,12 @@ def packages_of(graph: dict[str, set[str]]) -> dict[str, set[str]]:
 
 
 def test_no_circle_of_modules_or_rooms() -> None:
-    assert circles(GRAPH) == []
-    assert circles(packages_of(GRAPH)) == []
+    assert circles(graph_of_modules()) == []
+    assert circles(packages_of(graph_of_modules())) == []
 
 
-@pytest.mark.parametrize("name", [name for name in MODULES if name not in LOADERS])
-def test_no_module_is_loaded_by_a_computed_name(name: str) -> None:
-    assert "?" not in loaded_by_text(ast.parse(MODULES[name].read_text(encoding="utf-8")))
+def test_no_module_is_loaded_by_a_computed_name() -> None:
+    assert [name for name in MODULES if name not in LOADERS and "?" in loaded_by_text(tree_of(name))] == []
 
 
 def test_a_module_that_is_loaded_by_a_text_is_an_import() -> None:
@@ -129,7 +136,7 @@ def test_few_rooms_and_few_modules_at_the_top() -> None:
     rooms = [path.name for path in ROOT.iterdir() if path.is_dir() and (path / "__init__.py").exists()]
     assert len(rooms) <= 16
     assert len(list(ROOT.glob("*.py"))) <= 6
-    assert len(levels(packages_of(GRAPH))) <= 10
+    assert len(levels(packages_of(graph_of_modules()))) <= 10
 
 
 def levels(graph: dict[str, set[str]]) -> list[set[str]]:
@@ -151,23 +158,24 @@ def test_tests_stand_in_the_same_rooms() -> None:
     assert folders <= rooms
 
 
-@pytest.mark.parametrize("name", [name for name in MODULES if not name.startswith("carom.core")])
-def test_only_core_imports_numba(name: str) -> None:
-    tree = ast.parse(MODULES[name].read_text(encoding="utf-8"))
-    outside = {
-        (alias.name if isinstance(node, ast.Import) else node.module or "").split(".")[0]
-        for node in ast.walk(tree)
+def test_only_core_imports_numba() -> None:
+    strange = {
+        name
+        for name in MODULES
+        for node in ast.walk(tree_of(name))
         if isinstance(node, ast.Import | ast.ImportFrom)
         for alias in node.names
+        if (alias.name if isinstance(node, ast.Import) else node.module or "").split(".")[0] in ("numba", "llvmlite")
     }
-    assert not outside & {"numba", "llvmlite"}
+    assert {name for name in strange if not name.startswith("carom.core")} == set()
+    assert strange  # (core does)
 
 
 def test_a_class_name_occurs_once() -> None:
     names = collections.Counter(
         node.name
-        for path in MODULES.values()
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        for name in MODULES
+        for node in ast.walk(tree_of(name))
         if isinstance(node, ast.ClassDef) and not node.name.startswith("_")
     )
     twice = {name for name, count in names.items() if count > 1}
@@ -175,23 +183,23 @@ def test_a_class_name_occurs_once() -> None:
     assert twice <= {"Start", "Table", "Contact"}
 
 
-@pytest.mark.parametrize("name", MODULES)
-def test_modules_are_short(name: str) -> None:
-    assert len(MODULES[name].read_text(encoding="utf-8").splitlines()) <= 450
+def test_modules_are_short() -> None:
+    lines = {name: len(path.read_text(encoding="utf-8").splitlines()) for name, path in MODULES.items()}
+    assert {name: count for name, count in lines.items() if count > 450} == {}
 
 
 # --- words of the command line ----------------------------------------------------------------------------------------
 
 # (a second command, of its own)
-LIBRARY = {name: path for name, path in MODULES.items() if not name.startswith("carom.cli")}
+LIBRARY = [name for name in MODULES if not name.startswith("carom.cli")]
 
 
-def texts_of(path: Path, docs: bool) -> list[tuple[int, str]]:
+def texts_of(name: str, docs: bool) -> list[tuple[int, str]]:
     """Texts in a module with their lines, docstrings among them or not; what an f-string puts in is {}."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    alone = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
-    texts = [(node, node.value) for node in ast.walk(tree) if isinstance(node, ast.Constant)]
-    for node in ast.walk(tree):
+    nodes = list(ast.walk(tree_of(name)))
+    alone = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}
+    texts = [(node, node.value) for node in nodes if isinstance(node, ast.Constant)]
+    for node in nodes:
         if isinstance(node, ast.JoinedStr):
             pieces = [one.value if isinstance(one, ast.Constant) else "{}" for one in node.values]
             texts.append((node, "".join(map(str, pieces))))  # type: ignore[arg-type]
@@ -221,8 +229,8 @@ def test_no_text_of_the_library_names_an_option() -> None:
     """Texts name parameters, in backquotes; the command shows its options in their place (`cli/option_names.py`)."""
     named = {
         f"{name}:{line}: {option}"
-        for name, path in LIBRARY.items()
-        for line, text in texts_of(path, docs=True)
+        for name in LIBRARY
+        for line, text in texts_of(name, docs=True)
         for option in re.findall(r"(?<![\w-])--(?:[a-z][a-z-]*|\{)", text)
         if option in options() or option == "--{"
     }
@@ -235,8 +243,8 @@ def test_every_parameter_that_a_text_names_is_an_option_of_some_verb() -> None:
     known = set(SYNONYMS).union(*options().values())
     strange = {
         f"{name}:{line}: {parameter}"
-        for name, path in LIBRARY.items()
-        for line, text in texts_of(path, docs=False)
+        for name in LIBRARY
+        for line, text in texts_of(name, docs=False)
         for parameter in re.findall(r"(?<!`)`(\w+)(?:=True)?`", text)
         if parameter not in known
     }
