@@ -92,6 +92,27 @@ def test_error_bars_in_cells_in_headers_and_in_per_cent(tmp_path: Path) -> None:
     assert found["sigma_spin_out"] == pytest.approx([2, 2])
 
 
+def test_units_stand_in_the_row_below_the_names_of_any_layout(tmp_path: Path) -> None:
+    """They were read as SI units in columns of other forms than components, such as speeds."""
+    path = tmp_path / "below.tsv"
+    path.write_text(
+        "speed_in\tincidence\tspin_in\te_n\te_t\nkm/h\tdeg\trev/s\t-\t\n36\t60\t2\t0.8\t0.5\n36\t30\t2\t0.8\t0.5\n"
+    )
+    rows = read_rebounds(path)
+    assert rows["v_n_in"] == pytest.approx([5.0, 10 * np.sqrt(0.75)])
+    assert rows["v_n_out"] == pytest.approx(0.8 * rows["v_n_in"])
+    assert rows["spin_in"] == pytest.approx(4 * np.pi)
+
+
+def test_a_column_whose_error_bar_is_in_per_cent_is_no_column_in_per_cent(tmp_path: Path) -> None:
+    path = tmp_path / "percent.csv"
+    path.write_text("v_n_in,v_t_in,spin_in,v_n_out ± 2 %,v_t_out [m/s] ± 5%\n2,1,0,1.6,0.5\n4,1,0,3.2,0.5\n")
+    rows = read_rebounds(path)
+    assert rows["v_n_out"].tolist() == [1.6, 3.2]
+    assert rows["sigma_v_n_out"] == pytest.approx([0.032, 0.064])
+    assert rows["sigma_v_t_out"] == pytest.approx(0.025)
+
+
 def test_spins_alone_are_refused_with_what_they_lack(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "spins.csv"
     path.write_text("spin_in,spin_out\n10,20\n20,30\n0,12\n")

@@ -92,6 +92,7 @@ WRITTEN_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
 DIRECTION_COLUMN, DIRECTION_UNIT = "unit_of_v_t_out", "speed_out"
 # Names of other columns in tables of the release before: new -> old. They are read as the new ones.
 OLD_COLUMNS = {"floor_friction": "cloth_friction", "sigma_floor_friction": "sigma_cloth_friction"}
+NO_UNIT = ("", "-", "–", "1")  # below the header of a column of pure numbers
 BRACKETS = re.compile(r"^(.*?)\s*[\[(]([^\])]*)[\])]$")
 _NAME_AND_UNIT = re.compile(r"^(.*?\S)\s*(?:/|,|\bin\s)\s*(\S.*)$", re.IGNORECASE)
 # (the longest first: m_s before s)
@@ -165,14 +166,20 @@ class ColumnNames:
         return None if unit is None else Heading(name, _normalized(found[1]), unit, "bracket", dimension)
 
 
-def with_units_below(names: ColumnNames, headers: Sequence[str], row: Sequence[str]) -> list[str] | None:
-    """Return the headers with the units of a row below them, in brackets; None unless all known columns have one."""
+def with_units_below(kinds: Sequence[ColumnNames], headers: Sequence[str], row: Sequence[str]) -> list[str] | None:
+    """Return the headers with the units of a row below them, in brackets; None unless all columns of these kinds have one.
+
+    A column of pure numbers may have none, or a dash.
+    """
     found = list(headers)
     for i, header in enumerate(headers):
-        meaning = names.parse(header)
-        if meaning is None:
+        names = next((names for names in kinds if names.parse(header) is not None), None)
+        meaning = None if names is None else names.parse(header)
+        if names is None or meaning is None:
             continue
         unit = row[i].strip().strip("()[]") if i < len(row) else ""
+        if meaning.dimension == "number" and unit in NO_UNIT:
+            continue
         said = names.parse(f"{header.strip()} [{unit}]") if unit and meaning.style == "plain" else None
         if said is None or said.unit is None:
             return None

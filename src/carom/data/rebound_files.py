@@ -271,7 +271,7 @@ def _read_csv(path: Path, faults: FaultList) -> Reader:
         headers = table.headers
         records = list(table.records())
         semicolons = table.delimiter != ","
-    units = with_units_below(NAMED, headers, records[0][2]) if records else None
+    units = with_units_below((NAMED, WRITTEN), headers, records[0][2]) if records else None
     if units is not None:
         headers, records = units, records[1:]
     lines = [f"line {number}" for number, _text, _fields in records]

@@ -130,13 +130,13 @@ def header_error(header: str) -> tuple[float, bool, str] | None:
 
 
 def relative_header(header: str) -> str:
-    """Return the header of a column in per cent without the sign; empty where it is in a unit.
+    """Return the header of a column in per cent without the sign; empty where it is in a unit, or only its error bar in per cent.
 
-    >>> relative_header("sigma_v_n_out [%]"), relative_header("sigma_v_n_out")
-    ('sigma_v_n_out', '')
+    >>> relative_header("sigma_v_n_out [%]"), relative_header("sigma_v_n_out"), relative_header("v_n_out ± 2 %")
+    ('sigma_v_n_out', '', '')
     """
     found = _RELATIVE.match(header.strip())
-    return "" if found is None else found[1]
+    return "" if found is None or header_error(header) else found[1]
 
 
 def _strict(cell: str) -> float:

@@ -92,8 +92,8 @@ def _descend_exactly(model: FitModel, p: Array) -> Array:
 
 
 def _bottom_of_kink(model: FitModel, p: Array, most: int) -> tuple[Array, float]:
-    """Return the end point (K,) of up to ``most`` searches by SciPy's Nelder-Mead, with simplices of several sizes until none of them
-    gains, and its deviance."""
+    """Return where up to ``most`` searches by SciPy's Nelder-Mead end, with simplices of several sizes until none gains, and the
+    deviance there."""
     from scipy.optimize import minimize
 
     free, p = model.free, p.copy()
@@ -281,9 +281,7 @@ def fit_at(
     information = own_information(best.information, len(names))
     information = information * ((STUDENT_NU + d) / (STUDENT_NU + d + 2) if problem.nu else 1.0)
     if scatter:
-        estimated = problem.estimated
-        counted = int(np.isfinite(problem.y).sum(axis=0)[estimated].sum()) if estimated.any() else problem.count
-        information = information * max(problem.count - fit.k, 1) / max(counted, 1)
+        information = information * max(problem.count - fit.k, 1) / problem.count
     done = _identified(fit, information)
     if problem.spins is not None and "friction" in done.untold:
         done = _identified(fit, with_profiled_friction(fit, information, extra))
