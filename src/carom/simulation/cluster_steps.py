@@ -6,7 +6,9 @@ change beside the state. It writes to fields of the balls' records, so that noth
 
 from __future__ import annotations
 
+import functools
 import math
+import operator
 from typing import Any
 
 from carom.core.contact import friction_at_slip
@@ -38,8 +40,11 @@ WEIGHTS = (
     3134564353537 / 4481467310338,
     2277821191437 / 14882151754819,
 )
-# The share of each stage's rates in a whole step.
-PARTS = tuple(sum(WEIGHTS[k] * math.prod(SHARES[stage + 1 : k + 1]) for k in range(stage, 5)) for stage in range(5))
+# The share of each stage's rates in a whole step. (The built-in sum adds floats in another way from Python 3.12 on: other bits.)
+PARTS = tuple(
+    functools.reduce(operator.add, (WEIGHTS[k] * math.prod(SHARES[stage + 1 : k + 1]) for k in range(stage, 5)))
+    for stage in range(5)
+)
 
 
 @kernel
