@@ -58,11 +58,8 @@ def _collect(function: Any, found: dict[str, str], instead: Mapping[Callable[...
     name = name_with_values(function)
     if name in found:
         return
-    node = _definitions(function.__code__.co_filename)[function.__code__.co_firstlineno]
-    body = node.body[1:] if ast.get_docstring(node) is not None else node.body
-    found[name] = repr([_shape(node.args), *map(_shape, body)])
-    used = {one.id for part in body for one in ast.walk(part) if isinstance(one, ast.Name)}
-    for key in sorted(used):
+    found[name], used = _written(function.__code__)
+    for key in used:
         value = held.get(key, function.__globals__.get(key))
         if isinstance(value, functools._lru_cache_wrapper):
             value = value.__wrapped__
@@ -77,6 +74,15 @@ def _collect(function: Any, found: dict[str, str], instead: Mapping[Callable[...
             )
         elif isinstance(value, (int, float, str, tuple)):
             found[f"{function.__module__}.{key}"] = repr(value)
+
+
+@functools.cache
+def _written(code: types.CodeType) -> tuple[str, list[str]]:
+    """Return a function's arguments and statements as a text, and the names in them (many loops share most of their kernels)."""
+    node = _definitions(code.co_filename)[code.co_firstlineno]
+    body = node.body[1:] if ast.get_docstring(node) is not None else node.body
+    used = {one.id for part in body for one in ast.walk(part) if isinstance(one, ast.Name)}
+    return repr([_shape(node.args), *map(_shape, body)]), sorted(used)
 
 
 def module_hash(paths: Iterable[Path]) -> str:

@@ -25,7 +25,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from carom.core.jit.cache import PLAIN_ROOMS, cache_folder
+from carom.core.jit.cache import PLAIN_ROOMS, cache_base
 from carom.core.jit.kernel import DERIVED
 from carom.core.jit.kernel_hash import kernel_hash, module_hash, name_with_values
 from carom.core.jit.machine_code import Bitcode, UnusableError, function_address
@@ -272,8 +272,11 @@ def hash_of_code(function: Callable[..., Any], arguments: str) -> str:
 
 @functools.cache
 def _known_hashes() -> tuple[Path, dict[str, str]]:
-    """Return the file of hashes in the cache of compiled code, one for each state of the sources, and its content."""
-    path = cache_folder() / f"kernels-{_files()}.json"
+    """Return the file of hashes in the cache, one for each state of the sources, and its content.
+
+    (Not in the folder of what Numba compiles: to know that one takes half a second, where nothing is compiled for nothing.)
+    """
+    path = cache_base() / f"sources-{_files()}.json"
     try:
         return path, json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -291,6 +294,7 @@ def _is_current(function: Callable[..., Any], described: dict[str, Any]) -> bool
         known[key] = hash_of_code(function, arguments)
         with contextlib.suppress(OSError):
             part = path.with_name(f"{path.stem}.{os.getpid()}.json")
+            part.parent.mkdir(parents=True, exist_ok=True)
             part.write_text(json.dumps(known), encoding="utf-8")
             part.replace(path)
     return bool(known[key] == described["hash"])
