@@ -12,6 +12,7 @@ A number is made by one of these, tried in this order:
 - formula: it is a coefficient or an exponent of typeset mathematics;
 - name: year, volume or page of a source, number of an equation, section or version;
 - said: its paragraph, or the table with the paragraph before it, names the test, script or page that gives it;
+- given: how many were counted, at which angle, or which share of an interval: a condition of a result, in its own words;
 - count: a whole number up to 12 in a sentence (an order, an index, a number of contacts): an argument, no measurement;
 - record: the same number stands in a record of a run (benchmarks.md, campaigns.md, validation, datasets and howto in docs).
 
@@ -35,16 +36,30 @@ from typing import Any
 
 import carom
 from carom.data import read_rebounds
+from carom.fitting import evidence, identifiability, spin_quadrature, tabulated
+from carom.gas import initial, session
+from carom.gas.edmd import calendar, collisions
+from carom.laws import hertz
+from carom.simulation import cluster_steps
 
 ROOT = Path(__file__).parents[2]
 PAGES = (
     "README.md",
     "docs/index.md",
     "paper.md",
+    "docs/comparison.md",
+    "docs/faq.md",
     *sorted(f"docs/theory/{p.name}" for p in (ROOT / "docs/theory").glob("*.md")),
 )
 RECORDS = ("benchmarks.md", "campaigns.md", "validation/*.md", "datasets/*.md", "howto/*.md")
-KINDS = ("cell", "code", "checked", "formula", "name", "said", "record", "count", "no source")
+KINDS = ("cell", "code", "checked", "formula", "name", "said", "given", "record", "count", "no source")
+NOUNS = "(?:tables|rows|bounces|balls|shots|spins|draws|directions|films|spheres|orbits|layouts|racks|windows|neighbours|frames)"
+GIVEN = re.compile(
+    rf"\b(?:[Oo]f|[Ii]n|[Ww]ith|[Ff]or|from|and) (?:some |only |the |another )?\d[\d,]*(?=\s(?:[*a-z]+\s)?{NOUNS}\b)"
+    r"|\d[\d,]*(?=\s(?:frames per second|random [a-z]+)\b)"
+    r"|(?:\b[Aa]t|[Aa]bove|[Bb]elow|of|angles?|than)\s\d+(?=°|\sdegrees)"
+    r"|\d+(?=\s%\sinterval)"
+)
 NUMBER = re.compile(r"(?<![\w.,])[-−]?\d+(?:,\d{3})*(?:\.\d+)?(?:e-?\d+)?(?![\w])")
 FENCE = re.compile(r"^(`{3,}|:{3,}).*?^\1[ \t]*$", re.MULTILINE | re.DOTALL)
 INLINE = re.compile(r"`[^`\n]+`|\]\([^)\s]*\)|<[^>\n]*>|https?://\S+|\[@\w+\]|\{#.*?\}|\b[\w.]+/[\w./]+")
@@ -56,8 +71,8 @@ NAME = re.compile(
     r"\(\d+[a-z]?\)(?: (?:to|and) \(\d+[a-z]?\))*"  # equations
     r"|\b(?:sections?|equations?|chapter|Fig\.|figure|Table|lemma|theorem|version|seed|commit|page|pp?\.) \d[\d.]*"
     r"|\b(?:Python|pooltool|Numba|NumPy) \d[\d.]*(?:(?: to | and |, |–)\d[\d.]*)*"
-    r"|(?:[A-Z][a-z]\w*\.?|\b[A-Z])\*? (?:[A-Z]\*? )?\d+[A-Z]?, [L\d]\d+(?:[–-]\d+)?(?=[ ,)])"  # Phys. Rev. E 61, 5573
-    r"|\b(?:1[6-9]|20)\d\d(?:-\d\d-\d\d)?[a-z]?\b|\b\d{4}\.\d{5}\b|^#+ [^\n]*|^\d+\. |\A---\n.*?^---$",
+    r"|(?:[A-Z][a-z]\w*\.?|\b[A-Z])\*? (?:[A-Z]\*? )?\d+[A-Z]?,\s[L\d]\d*(?:[–-]\d+)?(?=[ ,)])"  # Phys. Rev. E 61, 5573
+    r"|\(\d{4}\), \d+\.\d+\b|\b(?:1[6-9]|20)\d\d(?:-\d\d-\d\d)?[a-z]?\b|\b\d{4}\.\d{5}\b|^#+ [^\n]*|^\d+\. |\A---\n.*?^---$",
     re.MULTILINE | re.DOTALL,
 )
 SOURCE = re.compile(
@@ -222,9 +237,77 @@ def rebounds() -> list[float]:
     return [use.count("yes"), use.count("yes") + use.count("reversed")]
 
 
+def corner() -> list[float]:
+    """The least friction that wedges a ball between the floor and a cushion that touches it at 7/5 of the radius."""
+    return [math.sqrt((1 - 0.4) / (1 + 0.4))]
+
+
+def pool_balls() -> list[float]:
+    """How long two balls of pool touch at 1 and at 9.5 m/s, microseconds."""
+    spring = hertz.stiffness(hertz.contact_modulus(5.84e9, 0.34), 0.028575, 0.028575)
+    return [1e6 * hertz.contact_time(0.085, spring, speed) for speed in (1.0, 9.5)]
+
+
+def cue() -> list[float]:
+    """The default cue: mass in ounces, end mass in g, restitution, friction."""
+    one = carom.Cue()
+    return [one.mass / 28.349523e-3, 1e3 * one.end_mass, one.restitution, one.friction]
+
+
 COUNTS = "len(carom.LAWS), len(carom.compare().verdicts)"
 TABLE, FILMS = "docs/benchmarks.md", "docs/validation/which_law.md"
 STATEMENTS = (
+    *(
+        Statement(f"docs/theory/{page}.md", pattern, lambda value=value: [value], source)
+        for page, pattern, value, source in (
+            ("gas", r"takes some (\d+) samples", session.SAMPLES, "carom.gas.session"),
+            ("gas", r"reset every (\d+) collisions per ball", initial.STAGE, "carom.gas.initial"),
+            ("gas", r"a ball with (\d+) contacts", collisions.PATIENCE, "carom.gas.edmd.collisions"),
+            ("pairs", r"and Kennedy\), (\d+) a contact", cluster_steps.STEPS, "carom.simulation.cluster_steps"),
+            ("fitting", r"has risen by ([\d.]+) \(99", identifiability.FLAT_RISE, "carom.fitting.identifiability"),
+            ("fitting", r"stays below ([\d.]+) \(99", identifiability.FLAT_RISE, "carom.fitting.identifiability"),
+            ("fitting", r"From (\d+) such rows on", tabulated.LEAST_ROWS, "carom.fitting.tabulated"),
+            ("fitting", r"normal prior by (\d+) to 1", evidence.DECIDED, "carom.fitting.evidence"),
+            (
+                "fitting",
+                r"evaluated at (\d+) values",
+                len(spin_quadrature.sigma_grid()),
+                "carom.fitting.spin_quadrature",
+            ),
+        )
+    ),
+    Statement(
+        "README.md",
+        r"a collision takes ([\d.]+) to ([\d.]+) µs among ([\d,]+) spheres",
+        lambda: [*(1e6 * benchmark(f"a gas of 100,000 {kind} spheres")[0] for kind in ("smooth", "rough")), 100_000],
+        TABLE,
+    ),
+    Statement(
+        "docs/theory/pressed.md", r"1 for a vertical wall and ([\d.]+) for a cushion at 7/5", corner, "its formula"
+    ),
+    Statement(
+        "docs/theory/landing.md",
+        r"which is 4/35 = ([\d.]+) for the solid ball and 4/15 = ([\d.]+) for",
+        lambda: [4 / 35, 4 / 15],
+        "its formula",
+    ),
+    Statement("docs/theory/pairs.md", r"0\.95\$ this is ([\d.]+) even", lambda: [2 / 7 / 1.95], "its formula"),
+    Statement("docs/theory/pairs.md", r"for (\d+) µs at 1 m/s and (\d+) µs at 9\.5", pool_balls, "carom.laws.hertz"),
+    Statement(
+        "docs/theory/strike.md",
+        r"default cue \((\d+) oz, end mass (\d+) g, tip \$e = ([\d.]+)\$, \$\\mu = ([\d.]+)\$",
+        cue,
+        "carom.Cue()",
+    ),
+    Statement(
+        "docs/theory/gas.md", r"balls in the (\d+) \(discs: (\d+)\) cells", lambda: [3**3, 3**2], "3 to the dimensions"
+    ),
+    Statement(
+        "docs/theory/gas.md", r"two pages, of (\d+) bins each", lambda: [calendar.PAGE], "carom.gas.edmd.calendar"
+    ),
+    Statement(
+        "docs/theory/fitting.md", r"with (\d+) Gauss points", lambda: [len(spin_quadrature.NODES)], "carom.fitting"
+    ),
     Statement(
         "README.md",
         r"wall at (\d+)°\. .*? reflected at ([\d.]+)°\. .*? the final angle is ([\d.]+)°, after a hop of (\d+) mm",
@@ -349,7 +432,7 @@ def paragraphs(page: str) -> list[tuple[int, int, str]]:
 
 def stated(page: str) -> list[Stated]:
     """Every number of a page."""
-    fences, codes, formulas, names = (spans(p, page) for p in (FENCE, INLINE, FORMULA, NAME))
+    fences, codes, formulas, names, conditions = (spans(p, page) for p in (FENCE, INLINE, FORMULA, NAME, GIVEN))
     checked = []
     for one in STATEMENTS:
         if one.page == page and (found := one.search()):
@@ -383,8 +466,8 @@ def stated(page: str) -> list[Stated]:
                 return name, ""
         if source := SOURCE.search(inside(at, blocks)):
             return "said", source.group(0)
-        if number.isdigit() and int(number) <= 12:
-            return "count", ""
+        if inside(at, conditions) or (number.isdigit() and int(number) <= 12):
+            return ("given" if inside(at, conditions) else "count"), ""
         return ("record", recorded()[number]) if number in recorded() else ("no source", "")
 
     whole = text(page)
