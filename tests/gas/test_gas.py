@@ -155,7 +155,9 @@ def test_a_run_whose_next_collision_is_far_away_can_be_stopped():
 
 
 def test_a_thermostat_that_lets_no_ball_move_is_refused():
-    with pytest.raises(CaromError, match="thermostat.rate: expected at most 1e.06 thermal speeds per radius .* lower it"):
+    with pytest.raises(
+        CaromError, match=r"thermostat.rate: expected at most 1e.06 thermal speeds per radius .* lower it"
+    ):
         Gas([Species(Ball(0.5, 1.0), 8)], (6, 6, 6), contacts=Surface(1, 0, -1), thermostat=Thermostat(1.0, 1e15))
 
 
