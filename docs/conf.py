@@ -25,6 +25,7 @@ version = release = carom.__version__
 sys.path.insert(0, str(Path(__file__).parent))
 extensions = [
     "explorer_frame",
+    "page_looks",
     "picture_count",
     "shell_cells",
     "myst_nb",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import itertools
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -26,6 +27,9 @@ __all__ = [
 # What steers a terminal and is no text: C0 without tab and new line, C1, line separators, changes of the writing direction, and
 # the halves of characters that stand for bytes of a file's name.
 _CONTROLS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
+
+# Cells of a column of numbers: also a dash, or nothing, where there is none.
+_BEGINS_A_NUMBER = re.compile(r"[-−+±<>]?\d|[-−]?(inf|nan)|[-–—]?$")
 
 
 def escape_controls(text: str) -> str:
@@ -140,15 +144,22 @@ def format_bytes(count: float) -> str:
 
 
 def html_table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
-    """Return a table as HTML, for notebooks.
+    """Return a table as HTML, for notebooks: columns of numbers to the right, of words to the left.
 
-    >>> html_table(["law"], [["<two-step>"]])
-    '<table><thead><tr><th>law</th></tr></thead><tbody><tr><td>&lt;two-step&gt;</td></tr></tbody></table>'
+    >>> html_table(["law"], [["<two-step>"]]).partition("<tbody>")[2]
+    '<tr><td style="text-align: left">&lt;two-step&gt;</td></tr></tbody></table>'
     """
+    body = [[str(cell) for cell in cells] for cells in rows]
+    sides = ["right" if all(map(_BEGINS_A_NUMBER.match, column)) else "left" for column in zip(*body, strict=True)]
 
-    def row(cells: Iterable[object], tag: str) -> str:
-        return "<tr>" + "".join(f"<{tag}>{html.escape(str(cell))}</{tag}>" for cell in cells) + "</tr>"
+    def row(cells: Iterable[str], tag: str) -> str:
+        sided = itertools.zip_longest(cells, sides, fillvalue="left")
+        return (
+            "<tr>"
+            + "".join(f'<{tag} style="text-align: {side}">{html.escape(cell)}</{tag}>' for cell, side in sided)
+            + "</tr>"
+        )
 
     return (
-        f"<table><thead>{row(head, 'th')}</thead><tbody>{''.join(row(cells, 'td') for cells in rows)}</tbody></table>"
+        f"<table><thead>{row(head, 'th')}</thead><tbody>{''.join(row(cells, 'td') for cells in body)}</tbody></table>"
     )
