@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from reference import commands
 from typer.testing import CliRunner
 
 import carom
@@ -437,3 +438,18 @@ def test_periodic_orbits_by_their_walls() -> None:
     assert " ABC " in run(*words).stdout
     with pytest.raises(carom.CaromError, match="itinerary: expected two walls or more, letters from A to C"):
         runner.invoke(app, ["orbit", *words[:4], "AX"], catch_exceptions=False)
+
+
+def test_a_table_of_points_is_no_figure_and_whole_numbers_may_have_an_exponent(tmp_path, capsys):
+    (tmp_path / "r.csv").write_text("x,y\n0,0\n1,0\n1,1\n")
+    (line,) = commands.fails(capsys, "orbit", "--table", str(tmp_path / "r.csv"))
+    assert "expected a figure in TOML or JSON, got a table (.csv); corners are a list of [x, y] in JSON" in line
+    code, out, _err = commands.command(capsys, "orbit", "circle", "--bounces", "2e1", "--json", "--seed", "1")
+    assert (code, out) == (
+        0,
+        commands.command(capsys, "orbit", "circle", "--bounces", "20", "--json", "--seed", "1")[1],
+    )
+    (line,) = commands.fails(capsys, "orbit", "circle", "--bounces", "2.5")
+    assert "--bounces: expected a whole number, such as 20000 or 2e4, got '2.5'" in line
+    (line,) = commands.fails(capsys, "gas", "--max-events", "1e3.5")
+    assert "--max-events: expected a whole number" in line

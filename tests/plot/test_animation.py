@@ -94,7 +94,7 @@ def test_an_mp4_is_one(tmp_path: Path) -> None:
 def test_ffmpeg_may_come_from_a_package(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shutil, "which", lambda _name: None)
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", SimpleNamespace(get_ffmpeg_exe=lambda: "/its/own/ffmpeg"))
-    assert animation._ffmpeg() == "/its/own/ffmpeg"
+    assert animation.ffmpeg() == "/its/own/ffmpeg"
 
 
 def test_without_ffmpeg_it_says_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -213,9 +213,9 @@ def test_a_tilted_floor(suffix: str, tmp_path: Path) -> None:
     ("name", "text", "said"),
     [
         ("scene.toml", "[floor]\nfriction = 0.2\n", "expected columns t, x and y"),
-        ("run.json", '{"t": [0, 1], "balls": []}', "as frames are saved, got KeyError: 'position'"),
-        ("run.json", "t,x\n", "expected a table (.csv, .parquet), or JSON with t, balls and position"),
-        ("run.json", '{"t": [0], "balls": [1], "position": [[[1]]]}', "as frames are saved, got ValueError"),
+        ("run.json", '{"t": [0, 1], "balls": []}', "as frames are saved, got JSON without 'position'"),
+        ("run.json", "t,x\n", "with t, balls and position as frames are saved, got text that is no JSON in line 1"),
+        ("run.json", '{"t": [0], "balls": [1], "position": [[[1]]]}', "as frames are saved, got JSON of another form"),
     ],
 )
 def test_files_that_are_no_trajectory_get_one_line(name: str, text: str, said: str, tmp_path: Path) -> None:
@@ -224,6 +224,25 @@ def test_files_that_are_no_trajectory_get_one_line(name: str, text: str, said: s
         judge(tmp_path / name)
     assert said in str(caught.value)
     assert len(caught.value.faults) == 1
+
+
+def test_headers_with_units_and_files_of_tracker_are_judged_as_columns_in_metres(tmp_path: Path) -> None:
+    rows = two_balls(after=((0.1, 0, 0), (1.2, 0, 0)))
+    t, x, y, balls = (rows[name] for name in ("t", "x", "y", "ball"))
+    plain = judge({"t": t, "x": x, "y": y, "ball": balls}, radius=R)
+    (tmp_path / "units.csv").write_text(
+        "t [ms],x [cm],y [cm],ball\n"
+        + "".join(f"{1e3 * a!r},{100 * b!r},{100 * c!r},{d}\n" for a, b, c, d in zip(t, x, y, balls, strict=True))
+    )
+    units = judge(tmp_path / "units.csv", radius=R)
+    assert (
+        [(one.law, one.balls) for one in units.violations] == [(one.law, one.balls) for one in plain.violations] != []
+    )
+    assert units.violations[0].time == pytest.approx(plain.violations[0].time, abs=1e-9)
+    alone = [k for k, ball in enumerate(balls) if ball == balls[0]]
+    text = "mass_A\nt,x,y\n" + "".join(f"{t[k]!r},{x[k]!r},{y[k]!r}\n" for k in alone)
+    (tmp_path / "tracker.txt").write_text(text)
+    assert judge(tmp_path / "tracker.txt", radius=R).checked["friction"] > 0
 
 
 def test_the_command_prints_the_table(tmp_path: Path) -> None:

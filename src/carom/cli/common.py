@@ -70,6 +70,7 @@ def write_report_page(write: Callable[[], Path], say: Callable[[str, float], Non
 
 
 PICTURES = (".svg", ".pdf", ".png")
+GAS_FILMS = (".svg", ".gif", ".mp4")
 LIBRARIES = {
     **dict.fromkeys((*PICTURES, ".mp4", ".gif"), ("matplotlib",)),
     **dict.fromkeys((".parquet", ".pq"), ("pyarrow",)),

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.common import of_option, require_outputs, write_files, wrote
+from carom.cli.common import GAS_FILMS, of_option, require_outputs, write_files, wrote
 from carom.cli.gas_snapshots import allowed_size, size_limit
 from carom.cli.interrupts import stop_requests
 from carom.cli.options import OUTPUT, RUN, shared
@@ -65,6 +65,14 @@ def gas(
     as_json: Annotated[bool, shared("json")] = False,
     quiet: Annotated[bool, shared("quiet")] = False,
     plot: Annotated[Path | None, shared("plot")] = None,
+    animate: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="A film of the gas as it goes on after the run: .svg (moves in a page), .gif or .mp4.",
+            rich_help_panel=OUTPUT,
+        ),
+    ] = None,
     measures: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="All measures, with the curves of the plot: .json.", rich_help_panel=OUTPUT),
@@ -120,9 +128,15 @@ def gas(
         "--checkpoint": checkpoint,
         "--resume": resume if checkpoint is None and resume and resume.exists() else None,
     }
-    _check_files(found, plot, measures, snapshots, kept)
+    _check_files(found, {"--plot": plot, "--animate": animate, "--measures": measures, "--snapshots": snapshots}, kept)
     if ensemble is not None:
-        files = {"--snapshots": snapshots, "--every": every, "--max-size": max_size, "--yes": yes or None}
+        files = {
+            "--animate": animate,
+            "--snapshots": snapshots,
+            "--every": every,
+            "--max-size": max_size,
+            "--yes": yes or None,
+        }
         require_no_files(found, ensemble, files | {"--checkpoint": checkpoint, "--resume": resume})
     if snapshots is not None and resume is None and not force and snapshots.is_file():
         found.add(f"--snapshots {snapshots}", "a new file", "an existing one", "--force overwrites it")
@@ -166,7 +180,8 @@ def gas(
     found += end.faults
     if end.finished:
         # the report is printed even if a file cannot be written
-        written = write_files(found, session, [(plot, _plot), (measures, _write_measures)])
+        actions = [(plot, _plot), (animate, lambda one, path: _animate(one, path, quiet)), (measures, _write_measures)]
+        written = write_files(found, session, actions)
         with collected(found):
             _print_report(session, as_json, quiet)
         if not quiet:
@@ -177,16 +192,16 @@ def gas(
 # --- options -------------------------------------------------------------------------------------------------------
 
 
-def _check_files(
-    found: FaultList, plot: Path | None, measures: Path | None, snapshots: Path | None, kept: dict[str, Path | None]
-) -> None:
+def _check_files(found: FaultList, named: dict[str, Path | None], kept: dict[str, Path | None]) -> None:
     """Add the faults of the files to be written, and of missing libraries, to ``found``."""
     from carom.gas.checkpoint import require_checkpoint
 
     # (a checkpoint has any name)
-    kinds = {option: (path.suffix.lower(),) for option, path in kept.items() if path is not None}
-    named = {"--plot": plot, "--measures": measures, "--snapshots": snapshots, **kept}
-    require_outputs(found, named, {"--measures": (".json",), "--snapshots": (".gsd",), **kinds})
+    kinds: dict[str, tuple[str, ...]] = {
+        option: (path.suffix.lower(),) for option, path in kept.items() if path is not None
+    }
+    kinds |= {"--animate": GAS_FILMS, "--measures": (".json",), "--snapshots": (".gsd",)}
+    require_outputs(found, named | kept, kinds)
     checkpoint = kept["--checkpoint"]
     if checkpoint is not None and not any(str(fault).startswith("--checkpoint ") for fault in found):
         faults = FaultList()
@@ -359,6 +374,15 @@ def _plot(session: Session, plot: Path) -> None:
     from carom.plot.gas import plot_gas
 
     plot_gas(session, plot)
+
+
+def _animate(session: Session, path: Path, quiet: bool) -> None:
+    """Write the film."""
+    from carom.cli.progress import working
+    from carom.plot.gas_film import animate_gas
+
+    with working("rendering", quiet=quiet) as progress:
+        animate_gas(session, path, progress=progress)
 
 
 def _write_measures(session: Session, measures: Path) -> None:

@@ -25,6 +25,7 @@ __all__ = [
     "parse_length",
     "parse_number",
     "parse_pair",
+    "parse_whole",
     "parse_with_unit",
     "quantity",
     "shared",
@@ -82,7 +83,7 @@ _SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
     ),
     "gravity": (FLOOR, "Gravity, m/s^2.", {"unit": "m/s^2"}),
     "duration": (RUN, "Duration; overrides the scene's.", {"metavar": "T"}),
-    "max_events": (RUN, "Largest number of events; overrides the scene's.", {"metavar": "N"}),
+    "max_events": (RUN, "Largest number of events; overrides the scene's.", {"metavar": "N", "whole": True}),
     "seed": (RUN, "Seed of the random numbers.", {"metavar": "N"}),
     "rate": (TRACK, "Frames per second; overrides the times of the file.", {"flags": ("--rate", "--fps")}),
     "scale": (TRACK, "Metres per unit of the file: 0.0005, or 0.5mm.", {}),
@@ -110,6 +111,8 @@ def shared(name: str, default: str | None = None, **changes: Any) -> Any:
     settings = {"help": text, "rich_help_panel": panel, **more, **changes}
     if unit := settings.pop("unit", None):
         settings |= quantity(f"--{name.replace('_', '-')}", unit)
+    if settings.pop("whole", False):
+        settings["parser"] = functools.partial(parse_whole, f"--{name.replace('_', '-')}")
     if default is not None:
         settings["show_default"] = default
     return typer.Option(*settings.pop("flags", ()), **settings)
@@ -153,6 +156,19 @@ def quantity(option: str, unit: str) -> dict[str, Any]:
     """Return the arguments of typer.Option for a value that may have a unit: ``--radius 0.0286`` or ``--radius 28.6mm``."""
     what = _QUANTITIES[unit][0].partition(" ")[2]
     return {"parser": functools.partial(parse_with_unit, option, unit), "metavar": what.replace(" ", "_").upper()}
+
+
+def parse_whole(option: str, text: str | int) -> int:
+    """Return a whole number, which may be written as 20000, 20_000 or 2e4."""
+    if isinstance(text, int):
+        return text
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not (math.isfinite(value) and value == math.floor(value)):
+        raise CaromError(f"{option}: expected a whole number, such as 20000 or 2e4, got {text!r:.60}")
+    return int(text) if text.lstrip("+-").isdecimal() else int(value)
 
 
 def parse_assignments(faults: FaultList, option: str, texts: list[str] | None) -> Iterator[tuple[str, str]]:

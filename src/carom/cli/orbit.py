@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -10,7 +11,7 @@ import typer
 
 from carom.billiards.old_sizes import OLD_SIZES, new_sizes
 from carom.cli.common import require_outputs, wrote
-from carom.cli.options import BALL, OUTPUT, quantity, shared
+from carom.cli.options import BALL, OUTPUT, parse_whole, quantity, shared
 from carom.cli.orbit_output import every_bounce, orbit_facts, print_orbit
 from carom.cli.progress import working
 from carom.cli.streams import note, say_json
@@ -40,7 +41,9 @@ def orbit(
             " or cylinder:NAME, a cylinder along z over a figure in the plane. An unknown name is answered with all names.",
         ),
     ] = None,
-    bounces: Annotated[int, typer.Option(help="Number of bounces.")] = BOUNCES,
+    bounces: Annotated[
+        int, typer.Option(help="Number of bounces.", metavar="N", parser=functools.partial(parse_whole, "--bounces"))
+    ] = BOUNCES,
     table_file: Annotated[
         Path | None,
         typer.Option(

@@ -183,7 +183,9 @@ def verdict_words(
         s = "s" if len(evidence.containing) == 1 else ""
         more = f"; {', '.join(evidence.containing)}, which contain{s} it, fit{s} no better"
     if evidence.rival is None:
-        return f"{subject} are described by {called}; there was no other law to compare it with{more}"
+        only = f"{called} is the only law that was compared{f': {reason}' if reason else ''}"
+        fits = f"{subject} are described by {called}; there was no other law to compare it with"
+        return f"{only if reason or nearest else fits}{more}"
     if nearest and support >= LEANS:
         return f"{called} is nearest to {subject}, {reason}{more}"
     if support >= DECIDED and narrow:

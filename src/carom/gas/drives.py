@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from carom.errors import FaultList, checked_number, suggestion
 from carom.gas.containers import Container
 from carom.gas.edmd.gas_records import CURVE, FACE, OUTSIDE, PLANE
-from carom.gas.edmd.moving_walls import place
+from carom.gas.edmd.moving_walls import oscillation, place
 from carom.gas.faces import ContainerFace
 
 __all__ = ["Drive", "Thermostat", "WallMotion", "drive_faults", "face_records", "motion_of_walls"]
@@ -209,8 +209,11 @@ class WallMotion:
         return {"spins": list(self.spins)} if self.spins else {"displacement": self.displacement, "speed": self.speed}
 
 
-def motion_of_walls(faces: Any, names: Sequence[str], now: float) -> dict[str, WallMotion]:
-    """Return the motion of the walls that move, by their names, from the engine's records at a time of its clock."""
+def motion_of_walls(faces: Any, names: Sequence[str], now: float, oscillating: bool = False) -> dict[str, WallMotion]:
+    """Return the motion of the walls that move, by their names, from the engine's records at a time of its clock.
+
+    Walls that oscillate, whose motion is known, are among them only if asked for.
+    """
     found = {}
     for name in dict.fromkeys(names):
         those = [k for k, one in enumerate(names) if one == name and faces[k]["moving"] != 0]
@@ -218,6 +221,10 @@ def motion_of_walls(faces: Any, names: Sequence[str], now: float) -> dict[str, W
             face, rotors = faces.view(np.recarray)[those[0]], [k for k in those if faces[k]["rotor"] == k]
             displacement, speed, _half = place(face, now)
             found[name] = WallMotion(float(displacement), float(speed), tuple(float(faces[k]["wz"]) for k in rotors))
+        shaken = [k for k, one in enumerate(names) if one == name and faces[k]["amplitude"] != 0]
+        if oscillating and shaken:
+            displacement, speed, _half, _left = oscillation(faces.view(np.recarray)[shaken[0]], now)
+            found[name] = WallMotion(float(displacement), float(speed), ())
     return found
 
 

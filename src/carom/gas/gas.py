@@ -257,10 +257,14 @@ class Gas:
             )
         return float(found[0]), float(found[1]), float(found[2])
 
-    def wall_motion(self) -> dict[str, WallMotion]:
-        """Return place and speed of each wall that moves, or the spins of its obstacles, at the current time, by its name."""
+    def wall_motion(self, *, oscillating: bool = False) -> dict[str, WallMotion]:
+        """Return place and speed of each wall that moves, or the spins of its obstacles, at the current time, by its name.
+
+        With ``oscillating`` also of walls that do so.
+        """
         one, faces = self.arrays.system[0], self.arrays.walls.faces
-        return self._by_wall(motion_of_walls(faces, self._names, (self._time - one["base"]) - one["rest"]))
+        now = (self._time - one["base"]) - one["rest"]
+        return self._by_wall(motion_of_walls(faces, self._names, now, oscillating))
 
     @property
     def bytes_per_ball(self) -> float:

@@ -8,6 +8,7 @@ from .comparison import path_after_wall as path_after_wall
 from .friction import plot_friction as plot_friction
 from .gas import plot_gas as plot_gas
 from .gas_ensemble import plot_ensemble as plot_ensemble
+from .gas_film import animate_gas as animate_gas
 from .paper import collision as collision
 from .paper import figures as figures
 from .paper import incidence_and_reflection as incidence_and_reflection

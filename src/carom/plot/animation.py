@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -21,7 +21,7 @@ from carom.plot.style import style
 from carom.plot.video import Film
 from carom.simulation.trajectory import Trajectory
 
-__all__ = ["animate"]
+__all__ = ["FASTEST_GIF", "MOST_FRAMES", "WIDE", "animate", "ffmpeg", "write_gif", "write_mp4"]
 
 Progress = Callable[[int, int], None]
 KINDS = (".mp4", ".gif", ".html")
@@ -30,6 +30,19 @@ WIDE = {".mp4": 1280, ".gif": 800}
 # The highest frame rate at which browsers play a GIF.
 FASTEST_GIF = 50
 MOST_FRAMES = 100_000
+
+
+class Frames(Protocol):
+    """Frames of a film, in pixels."""
+
+    times: Any
+    size: tuple[int, int]
+
+    def frame(self, n: int) -> Any:
+        """Return the n-th frame, (high, wide, 4) bytes."""
+
+    def frames(self, tell: Progress) -> Iterator[Any]:
+        """Yield all frames in order."""
 
 
 def animate(
@@ -101,14 +114,14 @@ def animate(
         raise CaromError(
             f"animate: expected at most {MOST_FRAMES} frames, got {count}; take a shorter time, or a greater speed"
         )
-    program = _ffmpeg() if kind == ".mp4" else ""
+    program = ffmpeg() if kind == ".mp4" else ""
     times = np.minimum(span[0] + np.arange(count) * speed / fps, span[1])
     with style(), atomic_path(path) as part:
         film = Film(run, times, span, WIDE[kind])
         if kind == ".mp4":
-            _mp4(film, part, program, fps, tell)
+            write_mp4(film, part, program, fps, tell)
         else:
-            _gif(film, part, fps, tell)
+            write_gif(film, part, fps, tell)
     return path
 
 
@@ -133,7 +146,7 @@ def _is_number(x: Any) -> bool:
     return isinstance(x, (int, float, np.integer, np.floating)) and not isinstance(x, bool)
 
 
-def _ffmpeg() -> str:
+def ffmpeg() -> str:
     """Return the program that writes .mp4: the system's ffmpeg, or the ffmpeg of the package imageio-ffmpeg."""
     found = shutil.which("ffmpeg")
     if found is None:
@@ -147,7 +160,8 @@ def _ffmpeg() -> str:
     return found
 
 
-def _mp4(film: Film, path: Path, program: str, fps: float, tell: Progress) -> None:
+def write_mp4(film: Frames, path: Path, program: str, fps: float, tell: Progress) -> None:
+    """Write a film by ffmpeg."""
     wide, high = film.size
     # frames are sent through a pipe: Matplotlib's own writer would redraw the whole figure for each of them
     command = [
@@ -174,7 +188,8 @@ def _mp4(film: Film, path: Path, program: str, fps: float, tell: Progress) -> No
             )
 
 
-def _gif(film: Film, path: Path, fps: float, tell: Progress) -> None:
+def write_gif(film: Frames, path: Path, fps: float, tell: Progress) -> None:
+    """Write a film as GIF."""
     from PIL import Image
 
     # one palette for all frames, so that colours do not flicker; it is taken from a frame in the middle, which has all colours

@@ -23,14 +23,15 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 __all__ = [
-    "COLOURS", "MAX_PAIRS", "density_title", "draw_maxwell", "heading", "note_maxwell", "pair_title", "panel_title", "plot_gas",
-    "scale_temperatures",
+    "COLOURS", "LEAST_SHOWN", "MAX_PAIRS", "density_title", "draw_maxwell", "draw_outline", "heading", "note_maxwell", "pair_title",
+    "panel_title", "plot_gas", "scale_temperatures",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
 # Okabe & Ito's colours, for species and pairs of species.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 MAX_DRAWN = 4000  # balls; of more only a part of the box is drawn
+LEAST_SHOWN = 0.003  # of the longer side: radius of discs that are smaller
 MAX_PAIRS = 6  # of species
 OUTLINE_POINTS = 400  # along each side of the grid on which walls are found
 
@@ -127,11 +128,12 @@ def _balls(axes: Any, session: Session) -> None:
     if not flat:  # their cross-sections by a plane
         depth = np.abs(x[:, 1] - size[1] / 2)
         cut = depth < radius
-        x, radius, species = x[cut], np.sqrt(radius[cut] ** 2 - depth[cut] ** 2), balls.species[cut]
+        x, radius, species = x[cut], np.sqrt(radius[cut] ** 2 - depth[cut] ** 2), gas.groups[balls.species[cut]]
         velocity = balls.velocity[cut]
     else:
-        species, velocity = balls.species, balls.velocity
+        species, velocity = gas.groups[balls.species], balls.velocity
     window = size[pair] * min(1.0, math.sqrt(MAX_DRAWN / max(len(x), 1)))
+    radius = np.maximum(radius, LEAST_SHOWN * float(window.max())) if flat else radius
     low = (size[pair] - window) / 2 if window[0] < size[pair][0] else np.zeros(2)
     around = np.array(session.scene.container.geometry.periodic)[pair]
     x, colours = x[:, pair], _colours(session, species, velocity)
@@ -145,7 +147,7 @@ def _balls(axes: Any, session: Session) -> None:
         offset_transform=axes.transData, facecolors=inks[seen], edgecolors="white", linewidths=0.2,
     )  # fmt: skip
     axes.add_collection(circles)
-    _outline(axes, session.scene.container.geometry, pair, low, window)
+    draw_outline(axes, session.scene.container.geometry, pair, low, window)
     circles.set_clip_path(Rectangle(tuple(low), *window, transform=axes.transData))
     margin = 0.004 * window.max()  # half a line's width
     axes.set_xlim(low[0] - margin, low[0] + window[0] + margin)
@@ -154,16 +156,18 @@ def _balls(axes: Any, session: Session) -> None:
     axes.set_axis_off()
     what = "discs" if flat else f"middle cross-section, {names[0]} and {names[1]}"
     part = ", part of the box" if window[0] < size[pair][0] else ""
-    text = what + part if len(kinds) == 1 else f"{'discs' if flat else 'cross-section'}{part}: {_listed(session)}"
+    text = (
+        what + part if len(session.names) == 1 else f"{'discs' if flat else 'cross-section'}{part}: {_listed(session)}"
+    )
     place = axes.get_subplotspec().get_position(axes.figure)  # (the panel itself is as narrow as the box)
     axes.figure.text(place.x0, place.y1 + 0.012, literal(text), fontsize=8.5, color=INK, va="bottom")
-    if len(kinds) == 1:
+    if len(session.names) == 1:
         axes.text(
             0.5, -0.02, "darker: faster", transform=axes.transAxes, ha="center", va="top", fontsize=7.5, color=GREY
         )
 
 
-def _outline(axes: Any, container: Container, pair: list[int], low: Array, window: Array) -> None:
+def draw_outline(axes: Any, container: Container, pair: list[int], low: Array, window: Array) -> None:
     """Draw the walls where the plane of the figure cuts them; periodic borders are dashed, and the outside is shaded.
 
     The walls are contours on a fine grid: one mechanism for every shape, and for obstacles.
@@ -180,6 +184,11 @@ def _outline(axes: Any, container: Container, pair: list[int], low: Array, windo
         if (gap < 0).any():
             axes.contourf(u, v, gap, levels=[-np.inf, 0], colors=[PALE], zorder=0)
             axes.contour(u, v, gap, levels=[0], colors=[INK], linewidths=0.8, zorder=3)
+    for face in container.faces:
+        if face.thin:  # (a side of a plate)
+            along, at = np.asarray(face.along), np.asarray(face.centre)
+            ends = np.array([at + (end - at @ along) * along for end in (face.low, face.high)])[:, pair]
+            axes.plot(*ends.T, color=INK, linewidth=0.8, zorder=3)
     high = low + window
     for axis in range(2):
         bare = container.periodic[pair[axis]] or window[axis] < container.size[pair[axis]]

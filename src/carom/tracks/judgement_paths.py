@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.data.columns import Columns, as_columns, is_columns, read_columns
-from carom.errors import CaromError, FaultList
+from carom.errors import CaromError, Fault, FaultList
 from carom.files import as_path
 from carom.formatting import counted
 
@@ -93,7 +93,7 @@ def read_paths(
         columns = as_columns(table, where)
     else:
         where = str(path := as_path("judge", table))
-        columns = _columns(path)
+        columns = _columns(path, notes)
     faults = FaultList(where)
     if not {"t", "x", "y"} <= set(columns):
         got = ", ".join(columns)
@@ -142,10 +142,14 @@ def read_paths(
     return [BallPath(name, t, x, a, m, tuple(_pieces(t, x, w, sigma))) for name, t, x, w, a, m in split], sigma, notes
 
 
-def _columns(path: Path) -> Columns:
-    """Return the columns of a file; of JSON, frames as ``save_frames`` writes them, with arrays (frame, ball, axis)."""
+def _columns(path: Path, notes: list[str]) -> Columns:
+    """Return the columns of a file; of JSON, frames as ``save_frames`` writes them, with arrays (frame, ball, axis).
+
+    Any other file of tracks is read as such, with its units.
+    """
     if path.suffix.lower() != ".json":
-        return read_columns(path)[0]
+        columns = {} if path.suffix.lower() == ".msgpack" else read_columns(path)[0]
+        return columns if {"t", "x", "y"} <= set(columns) else _of_tracks(path, columns, notes)
     expected = f"{path}: expected a table (.csv, .parquet), or JSON with t, balls and position as frames are saved"
     try:
         given = json.loads(path.read_text(encoding="utf-8"))
@@ -158,9 +162,41 @@ def _columns(path: Path) -> Columns:
         found |= {key: np.tile([ball[key] for ball in balls], count) for key in ("name", "radius", "mass")}
     except OSError as error:
         raise CaromError(f"{path}: expected a file that can be read, got: {error.strerror}") from None
-    except (ValueError, TypeError, KeyError) as error:
-        raise CaromError(f"{expected}, got {type(error).__name__}: {error}") from None
+    except json.JSONDecodeError as error:
+        raise CaromError(f"{expected}, got text that is no JSON in line {error.lineno}") from None
+    except KeyError as error:
+        raise CaromError(f"{expected}, got JSON without {error.args[0]!r}") from None
+    except (ValueError, TypeError):
+        raise CaromError(f"{expected}, got JSON of another form") from None
     return found
+
+
+def _of_tracks(path: Path, columns: Columns, notes: list[str]) -> Columns:
+    """Return the columns of a file that a tracking program wrote, with headers that have units, too."""
+    from carom.tracks.read import read_tracks
+
+    try:
+        file = read_tracks(path)
+    except CaromError:
+        if {"t", "x"} <= set(columns) or not columns:
+            raise
+        got = ", ".join(columns)
+        expected = (
+            "columns t, x and y, in s and m, a row per ball and frame, or tracks of a program that carom tracks reads"
+        )
+        raise CaromError(Fault(f"{path}", "", expected, f"{got:.60}{'...' if got[60:] else ''}")) from None
+    notes += [note for note in file.notes if "assumed" in note]  # (others are on rebounds)
+    side = any("height" in name.lower() for name in columns)
+    names = ("x", "z") if side else ("x", "y", "z")
+    found: dict[str, list[Any]] = {name: [] for name in ("t", "x", "y", "z", "ball")}
+    for track in file.tracks:
+        where = dict(zip(names, track.position.T, strict=False))
+        found["t"].append(track.time)
+        found["ball"].append(np.full(len(track.time), track.name))
+        for name in ("x", "y", "z"):
+            found[name].append(where.get(name, np.zeros(len(track.time))))
+    flat = not side and all(track.position.shape[1] == 2 for track in file.tracks)
+    return {name: np.concatenate(values) for name, values in found.items() if not (flat and name == "z")}
 
 
 def _known_rows(faults: FaultList, numbers: dict[str, Array], notes: list[str]) -> NDArray[np.bool_]:

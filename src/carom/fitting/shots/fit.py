@@ -327,7 +327,8 @@ def _estimates(model: TableModel, values: Array, covariance: Array) -> dict[str,
 
 def _ranked(fits: list[ShotsFit], notes: list[str]) -> ShotsRanking:
     best, evidence = fits[0], weigh(fits)
-    closer, chance, support, reason = None, math.nan, evidence.odds, ""
+    closer, chance, support = None, math.nan, evidence.odds
+    reason = f"the median distance of its shots from the films is {1e3 * best.median():.3g} mm to rest"
     if evidence.rival is not None:
         near, far = (np.array([one.rms for one in fit.shots]) for fit in (best, evidence.rival))
         closer, chance = found = nearer_shots(near, far)

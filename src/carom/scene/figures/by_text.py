@@ -118,6 +118,10 @@ def value_of_text(text: str) -> Any:
 
 def _read(path: Path) -> dict[str, Any]:
     """Return the table of fields in a file."""
+    if path.suffix.lower() in {".csv", ".tsv", ".txt", ".parquet"}:
+        curve = 'shape = "curve" with points = [[x, y], ...]'
+        advice = f"corners are a list of [x, y] in JSON; points of a smooth curve are {curve} in TOML"
+        raise CaromError(Fault(f"{path}", "", "a figure in TOML or JSON", f"a table ({path.suffix})", advice))
     if path.suffix.lower() != ".json":
         return read_toml(path, "it holds a shape and its sizes, as a wall of a scene does", "a file of a figure")
     try:
