@@ -10,16 +10,17 @@ from __future__ import annotations
 
 import statistics
 import sys
-import time
 
 import numpy as np
-from rows import Row, report
+from rows import REPEATS as USUAL
+from rows import clock, repeated, report, run_script, usually
 
 import carom
 from carom.core.jit.threads import thread_count
 
-REPEATS = int(sys.argv[1]) if len(sys.argv) > 1 else 5
-BRUTE = 18_000
+REPEATS = int(sys.argv[1]) if len(sys.argv) > 1 else USUAL
+BRUTE = usually(18_000, 100)
+REACH = {"hit": ("yellow", "red"), "cushions": 3}
 PLACES = {"white": (-0.7, -0.3), "yellow": (0.3, 0.2), "red": (0.71, 0.0)}
 
 
@@ -37,9 +38,8 @@ def position() -> carom.Scene:
 def main() -> None:
     """Print the times."""
     scene = position()
-    reach = {"hit": ("yellow", "red"), "cushions": 3}
-    for starts in (512, 1 << 14):
-        best = carom.aim(scene, ["balls.0.velocity"], reach, starts=starts)
+    starts = usually(1 << 14, 512)
+    best = carom.aim(scene, ["balls.0.velocity"], REACH, starts=starts)
     random = np.random.default_rng(1)
     angle, speed = random.uniform(0, 2 * np.pi, BRUTE), random.uniform(0.5, 6, BRUTE)
     v, w = np.zeros((BRUTE, 3, 3)), np.zeros((BRUTE, 3, 3))
@@ -48,24 +48,14 @@ def main() -> None:
     carom.simulate_many(scene, v[:100], w[:100])
     solved, brute = [], []
     for _repeat in range(REPEATS):
-        begin = time.perf_counter()
-        best = carom.aim(scene, ["balls.0.velocity"], reach)
-        solved.append(time.perf_counter() - begin)
-        begin = time.perf_counter()
+        begin = clock()
+        best = carom.aim(scene, ["balls.0.velocity"], REACH, starts=starts)
+        solved.append(clock() - begin)
+        begin = clock()
         carom.simulate_many(scene, v, w)
-        brute.append(time.perf_counter() - begin)
+        brute.append(clock() - begin)
     print(best)
-    least = min(solved)
-    report(
-        Row(
-            "a three-cushion shot found by carom aim",
-            least * 1e9,
-            "position",
-            low=1.0,
-            high=max(solved) / least,
-            wanted=2e9,
-        )
-    )
+    report(repeated("a three-cushion shot found by carom aim", solved, unit="position", wanted=2e9))
     for name, times in (("aim", solved), (f"{BRUTE:,} runs", brute)):
         print(
             f"{name}: {statistics.median(times):.2f} s [{min(times):.2f}, {max(times):.2f}] on {thread_count()} cores"
@@ -73,4 +63,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

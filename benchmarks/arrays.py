@@ -10,13 +10,13 @@ pooltool is installed, its cushion laws a resolve against the array laws a ball.
 from __future__ import annotations
 
 import math
-import subprocess
+import os
 import sys
 from collections.abc import Callable
 
 import numba
 import numpy as np
-from rows import REPEATS, alone, compare, paired, report, seconds
+from rows import REPEATS, SMALL, alone, compare, paired, process, report, run_script, seconds, usually
 
 import carom
 from carom.laws.arrays import loop_for
@@ -35,12 +35,12 @@ TWO_STEP_BYTES = (6 + 12 + 1 + 6 + 3 + 12 + 1 + 6) * 8 // 2
 
 def best(function: Callable[[], object], times: int) -> float:
     """The shortest of several runs, s: the one that other work on the machine disturbed least."""
-    return min(seconds(function) for _ in range(times))
+    return min(seconds(function) for _ in range(usually(times, 1)))
 
 
-def process(*command: str) -> float:
+def python(*command: str) -> float:
     """The shortest of five runs of a process, s."""
-    return best(lambda: subprocess.run([sys.executable, *command], check=True, capture_output=True), 5)
+    return min(process([sys.executable, *command], os.environ)[0] for _ in range(REPEATS))
 
 
 def arrays(count: int) -> dict[str, float]:
@@ -62,7 +62,7 @@ def arrays(count: int) -> dict[str, float]:
         np.copyto(out.spin, w)
 
     few = max(count // 100, 1)
-    some, some_out = sliding[:few], carom.State(np.ones((few, 3)), np.ones((few, 3)))
+    some, some_out, some_why = sliding[:few], carom.State(np.ones((few, 3)), np.ones((few, 3))), why[:few]
     found = {}
     print(f"{count:,} balls, {numba.get_num_threads()} threads; the copy moves {4 * v.nbytes / 1e9:.2f} GB")
     jobs: list[tuple[str, Callable[[], object]]] = [
@@ -79,12 +79,12 @@ def arrays(count: int) -> dict[str, float]:
         ("one contact, full result", IMPACT_BYTES, 3, lambda: carom.impact(ball, state, surface=slide)),
         ("two-step, full result", TWO_STEP_BYTES, 6, lambda: carom.two_step(ball, state, slide, cloth)),
     ]
-    for name, size, wanted, job in full:
-        source = np.ones(count * size // 8)
+    for name, bytes_a_ball, wanted, job in full:
+        source = np.ones(count * bytes_a_ball // 8)
         report(compare(name, job, source.copy, f"np.copy, {NUMPY}", count=count, wanted=wanted))
     rolls = carom.State(v[:few], np.ascontiguousarray(w[:few]))
     for name, those in (("pressed", some), ("pressed, rolling", rolls)):
-        job = lambda: carom.two_step_into(some_out, why, ball, those, carom.Surface(0.85, 0.14), cloth, cushion)  # noqa: B023, E731
+        job = lambda: carom.two_step_into(some_out, some_why, ball, those, carom.Surface(0.85, 0.14), cloth, cushion)  # noqa: B023, E731
         job()
         found[name] = best(job, 30) / few * 1e9
         print(f"  {'cushion nose, wall and floor at once' + name[7:]:45s} {found[name]:8.0f} ns a ball ({few:,} balls)")
@@ -124,19 +124,19 @@ def scalars() -> None:
         ("two_step, 100 states", 2e6, 100, lambda: carom.two_step(ball, rows[:100])),
         ("two_step, 1000 states", 1e6, 100, lambda: carom.two_step(ball, rows)),
     ):  # fmt: skip
-        for _ in range(1000 if "pressed" in name else 1):
+        for _ in range(usually(1000, 1) if "pressed" in name else 1):
             job()  # (Python finds that it takes long)
         report(alone(name, job, calls=calls, wanted=wanted))
 
 
 def starts() -> None:
     """Print how long things take to start, less what Python itself takes."""
-    python = process("-c", "pass")
-    print(f"  import carom                 {process('-c', 'import carom') - python:6.3f} s")
+    bare = python("-c", "pass")
+    print(f"  import carom                 {python('-c', 'import carom') - bare:6.3f} s")
     everything = "import carom; carom.Ball, carom.State, carom.two_step, carom.LAWS"
-    print(f"  import and name everything   {process('-c', everything) - python:6.3f} s (NumPy's part of it")
-    print(f"    import numpy               {process('-c', 'import numpy') - python:6.3f} s)")
-    print(f"  carom compare                {process('-m', 'carom', 'compare'):6.3f} s")
+    print(f"  import and name everything   {python('-c', everything) - bare:6.3f} s (NumPy's part of it")
+    print(f"    import numpy               {python('-c', 'import numpy') - bare:6.3f} s)")
+    print(f"  carom compare                {python('-m', 'carom', 'compare'):6.3f} s")
 
 
 def pooltool(few: int = 100_000) -> None:
@@ -180,12 +180,17 @@ def physics_of_pooltool(few: int) -> dict[str, tuple[str, Callable[[], object]]]
     }
 
 
-if __name__ == "__main__":
-    balls = int(float(sys.argv[1])) if len(sys.argv) > 1 else 10_000_000
-    arrays(balls)
+def main() -> None:
+    """Print all figures."""
+    arrays(int(float(sys.argv[1])) if len(sys.argv) > 1 else usually(10_000_000, 2_000))
     print("one state, as Python")
     scalars()
-    print("starts")
-    starts()
+    if not SMALL:
+        print("starts")
+        starts()
     print("pooltool's cushion laws")
     pooltool()
+
+
+if __name__ == "__main__":
+    run_script(main)

@@ -12,9 +12,10 @@ import base64
 import json
 import os
 import shutil
-import sys
 from pathlib import Path
 from typing import Any
+
+from rows import run_script
 
 import carom
 from carom.explorer.module import engine_bytes, engine_layout
@@ -74,15 +75,12 @@ def scenes() -> dict[str, Any]:
     return {"paper": scene_dict(paper), "three balls": scene_dict(table)}
 
 
-def main() -> int:
+def main() -> None:
+    from playwright.sync_api import sync_playwright
+
     path = os.environ.get("CAROM_CHROMIUM") or shutil.which("chromium") or shutil.which("chromium-browser")
-    try:
-        from playwright.sync_api import sync_playwright
-    except ImportError:
-        path = None
     if path is None:
-        print("explorer: expected Chromium and Playwright, got none; not measured")
-        return 0
+        raise ImportError("expected Chromium, got none")
 
     def serve(route: Any) -> None:
         file = ROOT / route.request.url.removeprefix(SITE).lstrip("/")
@@ -109,8 +107,7 @@ def main() -> int:
         for what in ("runs", "compare", "curves"):
             median, late = found[what]
             print(f"  {what + ' of all laws':22} {median:6.2f} ms, 95th percentile {late:6.2f} ms")
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run_script(main)

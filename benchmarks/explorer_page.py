@@ -9,9 +9,10 @@ balls under four laws while time runs. Goals: ready within 300 ms after the file
 from __future__ import annotations
 
 import shutil
-import sys
 import tempfile
 from pathlib import Path
+
+from rows import run_script
 
 import carom
 
@@ -47,7 +48,7 @@ CHANGES = """async () => {
 }"""
 
 
-def main() -> int:
+def main() -> None:
     """Print the three."""
     from playwright.sync_api import sync_playwright
 
@@ -70,8 +71,7 @@ def main() -> int:
             shares = [times[int(share * (len(times) - 1))] for share in (0.05, 0.25, 0.5, 0.75, 0.95, 0.99)]
             print(f"{what}, ms, at 5, 25, 50, 75, 95, 99 %:", " ".join(f"{x:.1f}" for x in shares))
         browser.close()
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run_script(main)

@@ -6,10 +6,12 @@ python benchmarks/fits.py
 from __future__ import annotations
 
 import sys
-import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
+from rows import REPEATS, SMALL, alone, paired, report, run_script, seconds, usually
 
 from carom.data.rebounds import make_rebounds
 from carom.fitting import Setting, fit_law, make_problem, with_bootstrap
@@ -27,8 +29,9 @@ def tracks(shots: int) -> Measured:
     return measure(film(np.random.default_rng(1), shots), Settings(radius=0.0, view="above", noise=3e-4))
 
 
-def by_differences() -> None:
-    """Let fits of whole tracks take derivatives by one step forward, as they did before they were exact."""
+@contextmanager
+def by_differences() -> Iterator[None]:
+    """Within, let fits of whole tracks take derivatives by one step forward, as they did before they were exact."""
 
     def start_slope(table, frames, starts, q):
         gap = objective._many(table.setup, frames, q[:, None])
@@ -49,48 +52,41 @@ def by_differences() -> None:
             found.append((there - here) / h)
         return np.stack(found, axis=-1)
 
+    before = objective._start_slope, objective.shared_slope
     objective._start_slope = start_slope
     objective.shared_slope = errors.shared_slope = shared_slope
+    try:
+        yield
+    finally:
+        objective._start_slope, objective.shared_slope = before
+        errors.shared_slope = before[1]
 
 
-def whole(measured: Measured) -> float:
-    """Return the least time of five fits, s."""
-    times = []
-    for _ in range(6):
-        start = time.perf_counter()
-        fit_tracks(measured, Setting(radius=RADIUS, noise=3e-4), ["two-step"])
-        times.append(time.perf_counter() - start)
-    return min(times[1:])
+def whole(measured: Measured) -> list[float]:
+    """Return the times of five fits, s."""
+    times = [
+        seconds(lambda: fit_tracks(measured, Setting(radius=RADIUS, noise=3e-4), ["two-step"]))
+        for _ in range(REPEATS + 1)
+    ]
+    return times[1:]
 
 
 def main() -> None:
-    """Six lines."""
+    """Six rows."""
     contact = laws_named(["contact"], "planar", True)[0][0]
-    many, _ = make_problem(make_rebounds("planar", bounces(0, 10_000, 0.02, 2.0, False)), SETTING)
+    rows, draws = usually(10_000, 100), usually(1000, 2)
+    many, _ = make_problem(make_rebounds("planar", bounces(0, rows, 0.02, 2.0, False)), SETTING)
     some, _ = make_problem(make_rebounds("planar", bounces(0, 100, 0.02, 2.0, False)), SETTING)
-    fit_law(contact, many)
-    start, cpu = time.perf_counter(), time.process_time()
-    fit_law(contact, many)
-    print(
-        f"one law, 10,000 rebounds: {time.perf_counter() - start:.2f} s ({time.process_time() - cpu:.2f} s of processor)"
-    )
+    report(alone(f"one law fitted to {rows:,} rebounds", lambda: fit_law(contact, many), unit="fit"))
     fit = fit_law(contact, some)
-    with_bootstrap(fit, 10)
-    start, cpu = time.perf_counter(), time.process_time()
-    with_bootstrap(fit, 1000)
-    print(
-        f"1,000 bootstrap fits of 100: {time.perf_counter() - start:.2f} s ({time.process_time() - cpu:.2f} s of processor)"
-    )
-    films = {shots: tracks(shots) for shots in (3, 30)}
+    report(alone("a bootstrap fit of 100 rebounds", lambda: with_bootstrap(fit, draws), count=draws, unit="fit"))
+    films = {shots: tracks(shots) for shots in ([] if SMALL else [3, 30])}
     exact = {shots: whole(seen) for shots, seen in films.items()}
-    by_differences()
-    for shots, seen in films.items():
-        plain = whole(seen)
-        ratio = plain / exact[shots]
-        print(
-            f"{shots} whole tracks: {exact[shots]:.3f} s by exact derivatives, {plain:.3f} s by differences ({ratio:.2f})"
-        )
+    with by_differences():
+        for shots, seen in films.items():
+            pairs = list(zip(exact[shots], whole(seen), strict=True))
+            report(paired(f"{shots} whole tracks fitted", pairs, "derivatives by differences", count=1, unit="fit"))
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

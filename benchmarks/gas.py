@@ -13,13 +13,16 @@ import math
 import subprocess
 import time
 
-from rows import paired, report
+from rows import REPEATS, SMALL, paired, report, run_script, usually
 
 import carom
 from carom.gas import Gas, Species
 
 DENSITY = 0.5
-FEW, MANY = 1_000, 100_000  # of the rows: what a collision costs among many balls, over that among few
+FEW, MANY = (
+    usually(1_000, 100),
+    usually(100_000, 300),
+)  # of the rows: what a collision costs among many balls, over that among few
 GROWTH = 1.4  # wanted
 SURFACES = {"smooth": carom.Surface(1, 0, -1), "rough": carom.Surface(1, math.inf, 1)}
 
@@ -34,7 +37,7 @@ def beside(command: str, balls: int) -> float:
     return float(said.split()[-1])
 
 
-def growth(name: str, surface: carom.Surface, repeats: int = 5) -> None:
+def growth(name: str, surface: carom.Surface, repeats: int = REPEATS) -> None:
     """Report what a collision of MANY balls costs over one of FEW, measured in turn."""
     few, many = gas(FEW, surface), gas(MANY, surface)
     for one in (few, many):
@@ -46,9 +49,9 @@ def growth(name: str, surface: carom.Surface, repeats: int = 5) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--balls", default="1000,10000,100000,1000000")
+    parser.add_argument("--balls", default="100" if SMALL else "1000,10000,100000,1000000")
     parser.add_argument("--beside", default="")
-    parser.add_argument("--repeats", type=int, default=4)
+    parser.add_argument("--repeats", type=int, default=usually(4, 1))
     given = parser.parse_args()
     begin = time.process_time()
     gas(100, SURFACES["rough"]).run(10)
@@ -61,7 +64,7 @@ def main() -> None:
         made = {name: gas(balls, surface) for name, surface in SURFACES.items()}
         for one in made.values():
             one.run(min(20 * balls, 10_000_000))
-        collisions = max(300_000, balls)
+        collisions = max(usually(300_000, 300), balls)
         other = 0.0
         for _ in range(given.repeats):
             for name, one in made.items():
@@ -77,4 +80,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

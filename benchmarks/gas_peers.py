@@ -28,6 +28,7 @@ from xml.etree import ElementTree as ET
 
 from gas import DENSITY, SURFACES, beside
 from gas_dynamo import write_dynamo
+from rows import SMALL, paired, report, run_script, usually
 
 import carom
 from carom.gas import Gas, Species
@@ -55,7 +56,7 @@ class Programs:
         size = ((filled / DENSITY) ** (1 / 3),) * 3
         self.gas = Gas(species, size, periodic=name != "walls", contacts=SURFACES[kind])
         self.gas.run(WARM * balls)
-        self.collisions = max(300_000, balls)
+        self.collisions = max(usually(300_000, 300), balls)
         self.at, self.run = at, shutil.which("dynarun", path=folder)
         self.start = at / "start.xml"
         self.balls, self.state = balls, self.gas.state()
@@ -103,12 +104,12 @@ class Programs:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--balls", default="864,10976,108000")
+    parser.add_argument("--balls", default="108" if SMALL else "864,10976,108000")
     parser.add_argument("--gases", default="one,mixed,walls")
     parser.add_argument("--kinds", default="smooth,rough")
     parser.add_argument("--edmd", default="")
     parser.add_argument("--dynamo", default=None)
-    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--rounds", type=int, default=usually(3, 1))
     given = parser.parse_args()
     asked = [
         (4 * round((wanted / 4) ** (1 / 3)) ** 3, name, kind)
@@ -124,15 +125,19 @@ def main() -> None:
                 programs["EDMD"] = lambda n=balls: beside(given.edmd, n)
             if made.run is not None:
                 programs["DynamO"] = made.dynamo
-            best = dict.fromkeys(programs, 0.0)
+            found: dict[str, list[float]] = {program: [] for program in programs}
             for _ in range(given.rounds):
                 for program, rate in programs.items():
-                    best[program] = max(best[program], rate())
+                    found[program].append(rate())
+            best = {program: max(rates) for program, rates in found.items()}
             alike = f"  (alike: {made.alike()})" if made.run is not None else ""
         line = f"{balls:9,} balls  {name:5}  {kind:6}  carom {best['carom']:5.0f}"
         line += "".join(f"  {other} {rate:.0f}: {best['carom'] / rate:.2f}" for other, rate in list(best.items())[1:])
         print(line + alike, flush=True)
+        if "EDMD" in found:
+            pairs = [(1e-3 / here, 1e-3 / there) for here, there in zip(found["carom"], found["EDMD"], strict=True)]
+            report(paired(f"a gas of {balls:,} smooth spheres", pairs, "EDMD", count=1, unit="collision", wanted=1 / 3))
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

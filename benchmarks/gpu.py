@@ -16,6 +16,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from rows import run_script, usually
 from sweeps import KEEP, table
 
 import carom
@@ -23,8 +24,8 @@ from carom.core.jit import cuda as gpu
 from carom.core.jit.threads import thread_count
 from carom.laws.contact import contact_rows
 
-IMPACTS = 10_000_000
-SHOTS = int(sys.argv[1]) if len(sys.argv) > 1 else 1_000_000
+IMPACTS = usually(10_000_000, 1_000)
+SHOTS = int(sys.argv[1]) if len(sys.argv) > 1 else usually(1_000_000, 100)
 
 
 def seconds(cuda: Any, work: Callable[[], Any]) -> float:
@@ -54,8 +55,8 @@ def impacts(cuda: Any) -> None:
     there = [cuda.to_device(one) for one in given]
     found = [cuda.device_array(one.shape, one.dtype) for one in answers]
     took = seconds(cuda, lambda: loop.on(IMPACTS, *there, *found))
-    size = sum(one.nbytes for one in (v, w, *answers))
-    source, target = (cuda.device_array(size // 2, np.int8) for _ in range(2))
+    moved = sum(one.nbytes for one in (v, w, *answers))
+    source, target = (cuda.device_array(moved // 2, np.int8) for _ in range(2))
     copy = seconds(cuda, lambda: target.copy_to_device(source))
     from carom.laws.arrays import loop_for
 
@@ -98,4 +99,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

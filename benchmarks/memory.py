@@ -13,11 +13,12 @@ import time
 from typing import Any
 
 import numpy as np
+from rows import REPEATS, SMALL, run_script, usually
 
 from carom.core.jit.compile import njit
 
 LINE = 8  # numbers of a cache line
-READS = 2_000_000
+READS = usually(2_000_000, 5_000)
 
 
 def chased(lines: Any, start: int, reads: int) -> int:
@@ -39,8 +40,8 @@ def known(lines: Any, order: Any, reads: int) -> int:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--mebibytes", default="0.25,2,20,64")
-    parser.add_argument("--repeats", type=int, default=5)
+    parser.add_argument("--mebibytes", default="0.25" if SMALL else "0.25,2,20,64")
+    parser.add_argument("--repeats", type=int, default=REPEATS)
     given = parser.parse_args()
     one_by_one, ahead = njit(chased), njit(known)
     rng = np.random.default_rng(1)
@@ -60,4 +61,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

@@ -18,7 +18,7 @@ import time
 from pathlib import Path
 
 import numpy as np
-from rows import alone, paired, report
+from rows import CPU, REPEATS, alone, paired, report, run_script, usually
 
 import carom
 from carom import billiards
@@ -120,17 +120,19 @@ def measure(name: str, table: billiards.Table, library: ctypes.CDLL, peer: str, 
 
 def many(name: str, table: billiards.Table) -> None:
     """Report many orbits at once, on all cores."""
-    begin = billiards.starts(table, 20_000, 1)
+    orbits, bounces = usually(20_000, 100), usually(1000, 10)
+    begin = billiards.starts(table, orbits, 1)
     billiards.final(table, begin, 10)
-    count = 20_000 * 1000 / (os.cpu_count() or 1)
+    # (the processor's time is of all cores together)
+    count = orbits * bounces / (1 if CPU else os.cpu_count() or 1)
     work = f"many no-slip orbits, {name}"
-    report(alone(work, lambda: billiards.final(table, begin, 1000), count=count, unit="bounce and core", wanted=12))
+    report(alone(work, lambda: billiards.final(table, begin, bounces), count=count, unit="bounce and core", wanted=12))
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--bounces", type=int, default=1_000_000)
-    parser.add_argument("--repeats", type=int, default=5)
+    parser.add_argument("--bounces", type=int, default=usually(1_000_000, 1_000))
+    parser.add_argument("--repeats", type=int, default=REPEATS)
     parser.add_argument("--cc", default="cc")
     given = parser.parse_args()
     tables = {"circle": billiards.circle(), "triangle": billiards.regular(3), "square": billiards.regular(4)}
@@ -148,4 +150,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

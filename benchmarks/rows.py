@@ -2,10 +2,12 @@
 
     make benchmarks                                             # all scripts of this folder; build/benchmarks.json
     python benchmarks/rows.py arrays orbits --page docs/benchmarks.md
+    python benchmarks/rows.py --cpu first                       # on a machine that does other work: s of processor
 
 A script measures a row with :func:`compare` or :func:`alone` and hands it to :func:`report`, which prints it. Run by this file, the
 scripts' rows are also gathered: into one table, a JSON file, and with ``--page`` the page of the documentation. A script that
-reports no row is run as well, and prints what it measures. A peer that is not installed leaves its row out.
+reports no row is run as well, and prints what it measures. A peer that is not installed leaves its row out. ``--small`` runs each
+script as small as it goes, as the tests do.
 """
 
 from __future__ import annotations
@@ -19,13 +21,15 @@ import platform
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from importlib import metadata
 from pathlib import Path
 
 HERE = Path(__file__).parent
-REPEATS = 5
+SMALL = bool(os.environ.get("CAROM_BENCHMARK_SMALL"))  # everything once, and little of it
+CPU = bool(os.environ.get("CAROM_BENCHMARK_CPU"))  # times are of the processor (of all threads together)
+REPEATS = 1 if SMALL else 5
 ROWS_FILE = "CAROM_BENCHMARK_ROWS"  # where a script appends its rows, one JSON object a line
 CARRIED = ("numpy", "numba", "llvmlite", "pyarrow")
 
@@ -47,13 +51,45 @@ class Row:
     high: float = math.nan
     wanted: float = math.nan
     """The largest ratio, or time in ns if there is no peer, that this project wants."""
+    memory: bool = False
+    """Whether it is no time but bytes."""
+
+
+def usually(usual: int, small: int) -> int:
+    """Return how much of something is measured: ``small`` where it only has to run."""
+    return small if SMALL else usual
+
+
+def clock() -> float:
+    """Return the time in s, or the processor's."""
+    return time.process_time() if CPU else time.perf_counter()
 
 
 def seconds(work: Callable[[], object]) -> float:
     """Return the seconds that a call takes."""
-    begin = time.perf_counter()
+    begin = clock()
     work()
-    return time.perf_counter() - begin
+    return clock() - begin
+
+
+def process(words: Sequence[str], environment: Mapping[str, str]) -> tuple[float, float]:
+    """Return the seconds that a process takes, and the most memory that it has had, bytes; CalledProcessError if it fails."""
+    begin = time.perf_counter()
+    with subprocess.Popen(words, env=environment, stdout=subprocess.DEVNULL) as made:
+        _pid, status, used = os.wait4(made.pid, 0)
+        made.returncode = os.waitstatus_to_exitcode(status)
+    took = time.perf_counter() - begin
+    if made.returncode:
+        raise subprocess.CalledProcessError(made.returncode, words)
+    return used.ru_utime + used.ru_stime if CPU else took, used.ru_maxrss * (1 if sys.platform == "darwin" else 1024)
+
+
+def run_script(main: Callable[[], object]) -> None:
+    """Run a script's ``main``; where a library that it needs is not installed, say so in one line."""
+    try:
+        main()
+    except ImportError as missing:
+        print(f"not measured: {missing}")
 
 
 def compare(
@@ -66,11 +102,12 @@ def compare(
     unit: str = "ball",
     calls: int = 1,
     wanted: float = math.nan,
-    clock: Callable[[Callable[[], object]], float] = seconds,
+    timed: Callable[[Callable[[], object]], float] = seconds,
 ) -> Row:
     """Measure both in turn, five times, the shortest of ``calls`` calls each; ``count`` units a call."""
-    clock(ours), clock(theirs)
-    pairs = [(min(clock(ours) for _ in range(calls)), min(clock(theirs) for _ in range(calls))) for _ in range(REPEATS)]
+    timed(ours), timed(theirs)
+    calls = usually(calls, 1)
+    pairs = [(min(timed(ours) for _ in range(calls)), min(timed(theirs) for _ in range(calls))) for _ in range(REPEATS)]
     return paired(work, pairs, peer, count=count, unit=unit, wanted=wanted)
 
 
@@ -94,9 +131,14 @@ def alone(
 ) -> Row:
     """Measure a work that has no peer, five times, the shortest of ``calls`` calls each."""
     seconds(ours)
-    times = [min(seconds(ours) for _ in range(calls)) for _ in range(REPEATS)]
+    times = [min(seconds(ours) for _ in range(usually(calls, 1))) for _ in range(REPEATS)]
+    return repeated(work, [one / count for one in times], unit=unit, wanted=wanted)
+
+
+def repeated(work: str, times: Sequence[float], *, unit: str = "call", wanted: float = math.nan) -> Row:
+    """Return the row of repeated times of one unit, s; ``wanted`` in ns."""
     least = min(times)
-    return Row(work, least / count * 1e9, unit, low=1.0, high=max(times) / least, wanted=wanted)
+    return Row(work, least * 1e9, unit, low=1.0, high=max(times) / least, wanted=wanted)
 
 
 def report(row: Row) -> Row:
@@ -111,9 +153,10 @@ def report(row: Row) -> Row:
 
 def cells(row: Row) -> list[str]:
     """Return a row as text: work, time, peer, ratio with its spread, what is wanted."""
-    took = f"{_time(row.nanoseconds)} a {row.unit}"
+    amount = _memory if row.memory else _time
+    took = f"{amount(row.nanoseconds)} a {row.unit}"
     if not row.peer:
-        wanted = "" if math.isnan(row.wanted) else _time(row.wanted)
+        wanted = "" if math.isnan(row.wanted) else amount(row.wanted)
         return [row.work, took, "", f"repeats up to {row.high:.2f} times as long", wanted]
     wanted = "" if math.isnan(row.wanted) else _ratio(row.wanted)
     return [row.work, took, row.peer, f"{_ratio(row.ratio)} ({_ratio(row.low)} to {_ratio(row.high)})", wanted]
@@ -126,6 +169,10 @@ def _time(ns: float) -> str:
     return f"{ns:.3g} ns"
 
 
+def _memory(count: float) -> str:
+    return f"{count / 1e6:.0f} MB"
+
+
 def _ratio(x: float) -> str:
     return f"1/{1 / x:.0f}" if x < 1 / 9.5 else f"{x:.2f}"
 
@@ -133,8 +180,8 @@ def _ratio(x: float) -> str:
 # --- all scripts ---------------------------------------------------------------------------------------------------
 
 
-def gather(scripts: list[str]) -> tuple[list[Row], list[str]]:
-    """Run scripts; return their rows, and the names of those that failed."""
+def gather(scripts: list[str], more: Mapping[str, str]) -> tuple[list[Row], list[str]]:
+    """Run scripts with these variables; return their rows, and the names of the scripts that failed."""
     build = HERE.parent / "build"
     build.mkdir(exist_ok=True)
     collected = build / "benchmark_rows.jsonl"
@@ -143,7 +190,7 @@ def gather(scripts: list[str]) -> tuple[list[Row], list[str]]:
     for name in scripts:
         print(f"== {name}", flush=True)
         done = subprocess.run(
-            [sys.executable, HERE / f"{name}.py"], env={**os.environ, ROWS_FILE: str(collected)}, check=False
+            [sys.executable, HERE / f"{name}.py"], env={**os.environ, **more, ROWS_FILE: str(collected)}, check=False
         )
         failed += [name] if done.returncode else []
     lines = collected.read_text().splitlines() if collected.exists() else []
@@ -180,6 +227,9 @@ HOW = """\
 Both sides of a row are timed in turn, five times in one run; the ratio is that of the shortest times, and in brackets
 are the least and the largest ratio of a repeat: a wide spread means that other work shared the machine. Below 1 carom
 is faster; 1/70 is seventy times faster."""
+OF_PROCESSOR = (
+    "Times are of the processor, of all threads and processes of a work together: other work shared the machine."
+)
 PEERS = """\
 Peers: `np.copy` copies half as many bytes as a result reads and writes, into new memory; `np.copyto` those of a final
 state, into arrays that exist, on one thread where carom has two; C is a loop written by hand for one table
@@ -187,7 +237,7 @@ state, into arrays that exist, on one thread where carom has two; C is a loop wr
 gases](theory/gas.md); whole shots, and what each figure is made of, in [Tried and timed](dev/tried.md)."""
 
 
-def page(rows: list[Row], when: str) -> str:
+def page(rows: list[Row], when: str, cpu: bool) -> str:
     """Return the page of the documentation."""
     table = ["| " + " | ".join(row) + " |" for row in [HEAD, ["---"] * len(HEAD), *map(cells, rows)]]
     slower = sorted((row for row in rows if row.peer and row.ratio > 1 / 1.5), key=lambda row: -row.ratio)
@@ -197,6 +247,7 @@ def page(rows: list[Row], when: str) -> str:
         "<!-- made by: python benchmarks/rows.py SCRIPTS --page docs/benchmarks.md -->",
         f"{when}, {machine()}; {versions()}.",
         HOW,
+        *([OF_PROCESSOR] if cpu else []),
         "\n".join(table),
         "## Where carom loses, or wins little",
         "\n".join(f"- {row.work}: {_ratio(row.ratio)} against {row.peer}." for row in slower) or "Nowhere among these.",
@@ -210,15 +261,21 @@ def page(rows: list[Row], when: str) -> str:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    known = sorted(path.stem for path in HERE.glob("*.py") if path.stem not in ("rows", "peers"))
+    known = sorted(path.stem for path in HERE.glob("*.py") if path.stem not in ("rows", "peers", "gas_dynamo"))
     parser.add_argument("scripts", nargs="*", metavar="script", help=f"default: all of {', '.join(known)}")
     parser.add_argument("--json", type=Path, default=HERE.parent / "build" / "benchmarks.json")
     parser.add_argument("--page", type=Path, help="write the page of the documentation")
+    parser.add_argument(
+        "--cpu", action="store_true", help="times of the processor, where other work shares the machine"
+    )
+    parser.add_argument("--small", action="store_true", help="see that all scripts run")
     given = parser.parse_args()
+    more = {"CAROM_BENCHMARK_CPU": "1"} if given.cpu else {}
+    more |= {"CAROM_BENCHMARK_SMALL": "1"} if given.small else {}
     unknown = sorted(set(given.scripts) - set(known))
     if unknown:
         parser.error(f"expected scripts out of {', '.join(known)}, got {', '.join(unknown)}")
-    rows, failed = gather(given.scripts or known)
+    rows, failed = gather(given.scripts or known, more)
     when = datetime.datetime.now(datetime.UTC).date().isoformat()
     figures = {"date": when, "machine": machine(), "versions": versions(), "rows": [asdict(row) for row in rows]}
     given.json.write_text(json.dumps(figures, indent=1) + "\n")
@@ -227,7 +284,7 @@ def main() -> int:
     for row in table:
         print("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip())
     if given.page:
-        given.page.write_text(page(rows, when))
+        given.page.write_text(page(rows, when, given.cpu))
     if failed:
         print(f"failed: {', '.join(failed)}", file=sys.stderr)
     return 1 if failed else 0

@@ -7,12 +7,11 @@ every ratio is of figures of this run.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from rows import compare, report
+from rows import compare, report, run_script, seconds, usually
 
 import carom
 from carom.core.jit.threads import limit_threads, thread_count
@@ -25,17 +24,12 @@ WRT = {
     12: ["balls.*.position.x", "balls.0.velocity", "balls.0.position", "balls.1.position", "floor.friction", "walls.*.friction",
          "floor.restitution", "ball_contact.restitution", "ball_contact.friction"],
 }  # fmt: skip
-STARTS = 4000
+STARTS = usually(4000, 4)
 COSTS = 3.0  # plain runs: wanted of a run with six derivatives
 
 
 def best(work: Callable[[], object], repeats: int) -> float:
-    times = []
-    for _ in range(repeats):
-        start = time.perf_counter()
-        work()
-        times.append(time.perf_counter() - start)
-    return min(times)
+    return min(seconds(work) for _ in range(usually(repeats, 1)))
 
 
 def once(work: Callable[[], object]) -> float:
@@ -91,4 +85,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

@@ -12,17 +12,15 @@ import shutil
 import statistics
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 import numpy as np
-from rows import paired, report
+from rows import REPEATS, clock, paired, report, run_script, usually
 
 import carom
 from carom.core.jit.threads import thread_count
 
-SHOTS = int(sys.argv[1]) if len(sys.argv) > 1 else 1_000_000
-REPEATS = 5
+SHOTS = int(sys.argv[1]) if len(sys.argv) > 1 else usually(1_000_000, 100)
 KEEP = ["final.position", "final.phase", "events.wall.count"]
 
 
@@ -49,17 +47,17 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         store = Path(folder) / "s.zarr"
         for _repeat in range(REPEATS):
-            begin = time.perf_counter()
+            begin = clock()
             many = carom.simulate_many(scene, velocity=v, spin=w)
-            plain = time.perf_counter() - begin
+            plain = clock() - begin
             shutil.rmtree(store, ignore_errors=True)
-            begin = time.perf_counter()
+            begin = clock()
             found = carom.sweep(space, KEEP, store=store).run()
-            swept = time.perf_counter() - begin
+            swept = clock() - begin
             pairs.append((swept, plain))
             rates.append(space.size / swept)
         assert np.array_equal(found["final.position"].values.reshape(-1, 1, 3), many.final.position)
-        size = sum(path.stat().st_size for path in store.rglob("*") if path.is_file())
+        stored = sum(path.stat().st_size for path in store.rglob("*") if path.is_file())
     ratios = [swept / plain for swept, plain in pairs]
     report(
         paired(
@@ -75,11 +73,11 @@ def main() -> None:
         f"  sweep with storage, over simulate_many   {statistics.median(ratios):.2f}  [{min(ratios):.2f}, {max(ratios):.2f}]"
     )
     print(f"  points per second                        {statistics.median(rates):,.0f}")
-    print(f"  bytes per point in the store             {size / space.size:.1f}")
+    print(f"  bytes per point in the store             {stored / space.size:.1f}")
     print(
         f"  peak memory                              {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6:.2f} GB"
     )
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from rows import alone, report
+from rows import alone, report, run_script, usually
 
 import carom
 from carom.data import PredictSettings, predict_table
@@ -38,7 +38,7 @@ def write(path: Path, rows: int) -> None:
 
 
 def main() -> None:
-    rows = int(float(sys.argv[1])) if len(sys.argv) > 1 else 1_000_000
+    rows = int(float(sys.argv[1])) if len(sys.argv) > 1 else usually(1_000_000, 50)
     settings = PredictSettings(carom.LAWS["two-step"], given=GIVEN)
     with tempfile.TemporaryDirectory() as folder:
         for kind, wanted in WANTED.items():
@@ -59,4 +59,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)
