@@ -23,6 +23,8 @@ project_copyright = "the carom authors"
 version = release = carom.__version__
 
 sys.path.insert(0, str(Path(__file__).parent))
+import forked_kernels  # noqa: E402
+
 extensions = [
     "explorer_frame",
     "page_looks",
@@ -58,7 +60,7 @@ _shared = tempfile.TemporaryDirectory()
 os.environ["CAROM_DOCS_SHARED"] = _shared.name
 
 
-class _SocketsInFiles(jupyter_client.AsyncKernelManager):
+class _SocketsInFiles(forked_kernels.ForkingManager):
     """Pages are read side by side, and two kernels that begin at once may pick the same port of TCP: one of them dies.
 
     Each talks over sockets in a folder of its own instead.
@@ -71,7 +73,8 @@ class _SocketsInFiles(jupyter_client.AsyncKernelManager):
         return str(Path(tempfile.mkdtemp(dir=_shared.name)) / "kernel")
 
 
-jupyter_client.AsyncKernelManager = _SocketsInFiles  # (myst-nb has no setting for it)
+if os.name == "posix":
+    jupyter_client.AsyncKernelManager = _SocketsInFiles  # (myst-nb has no setting for it)
 # (a kernel sets FORCE_COLOR for its children; TTY_COMPATIBLE comes before it)
 os.environ.update(NO_COLOR="1", TTY_COMPATIBLE="0", COLUMNS="100", PYTHONWARNINGS="default")
 # figures go into the page, also where the caller draws without a screen (MPLBACKEND=Agg)
@@ -166,3 +169,5 @@ def _spread(app: Sphinx, _env: object, pages: list[str]) -> None:
 def setup(app: Sphinx) -> None:
     app.connect("autodoc-process-docstring", _fields, priority=100)
     app.connect("env-before-read-docs", _spread)
+    if os.name == "posix" and nb_execution_mode != "off":
+        forked_kernels.start(Path(_shared.name))
