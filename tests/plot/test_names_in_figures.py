@@ -170,3 +170,19 @@ def test_what_a_font_lacks_is_no_warning() -> None:
     assert [str(one.message) for one in caught] in ([], ["another"])
     assert literal("a $b$") == r"a \$b\$"
     assert np.char.count(literal("$" * 5), r"\$") == 5
+
+
+def test_the_legend_of_a_map_of_names_stays_in_the_figure() -> None:
+    """Six names of pockets in a row went beyond both edges."""
+    from carom.plot.style import new_figure, style
+    from carom.plot.sweeps import _legend
+
+    names = [f"{side} {place} pocket" for side in ("bottom", "top") for place in ("left", "middle", "right")]
+    with style():
+        figure = new_figure(6.3, 5.5)
+        _legend(figure, names, set(range(6)))
+        figure.canvas.draw()
+        (legend,) = figure.legends
+        box = legend.get_window_extent()
+    assert box.x0 >= 0
+    assert box.x1 <= figure.bbox.width

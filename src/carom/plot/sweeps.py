@@ -251,4 +251,9 @@ def _legend(figure: Any, names: list[str], there: set[int]) -> None:
     from matplotlib.patches import Patch
 
     parts = [Patch(color=NAMED[k % len(NAMED)], label=literal(names[k])) for k in sorted(there) if k < len(names)]
-    figure.legend(handles=parts, loc="outside lower center", ncols=min(len(parts), 6), frameon=False, fontsize=8)
+    # as many columns as the figure's width has room for: of letters of 8 points, and of the patch before them
+    longest = max((len(names[k]) for k in there if k < len(names)), default=0)
+    most = int(figure.get_figwidth() / (0.065 * longest + 0.5))
+    figure.legend(
+        handles=parts, loc="outside lower center", ncols=max(min(len(parts), most, 6), 1), frameon=False, fontsize=8
+    )
