@@ -239,6 +239,22 @@ WRONG = {
         MIXED.replace("[run]", '[[drives]]\nwall = "front"\namplitude = 1\n[run]'),
         "drives[0].frequency: expected a number > 0 for an oscillating wall, got 0.0",
     ),
+    "a floor by another name": (
+        MIXED.replace("[run]", '[[drives]]\nwall = "floor"\namplitude = 1\nfrequency = 1\n[run]'),
+        "drives[0].wall: expected the name of a wall, got 'floor'; known are bottom, top",
+    ),
+    "periodic everywhere": (
+        MIXED.replace('periodic = ["x"]', "periodic = true"),
+        "container.periodic: expected a list of the axes without walls, such as ['x'], got True",
+    ),
+    "a distribution without a name": (
+        MIXED.replace("[run]", '[[species]]\nname = "c"\ncount = 3\nradius = {median = 0.5}\n[run]'),
+        "species[2].radius.distribution: expected one of lognormal, normal, uniform, values, got nothing",
+    ),
+    "half a ball": (
+        MIXED.replace("[run]", '[[species]]\nname = "c"\ncount = 2.5\nradius = 0.5\n[run]'),
+        "species[2].count: expected a whole number >= 1, got 2.5",
+    ),
     "warms nothing": (
         MIXED.replace("[run]", '[[drives]]\nwall = "botom"\ntemperature = 1\n[run]'),
         "drives[0].wall: expected the name of a wall, got 'botom'; did you mean 'bottom'?",

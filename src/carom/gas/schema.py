@@ -65,6 +65,12 @@ _ENDINGS = (".csv", ".npz", ".gsd")
 # --- the container -------------------------------------------------------------------------------------------------
 
 
+def _axes(value: Any) -> Any:
+    if not isinstance(value, list | tuple):
+        raise refused("a list of the axes without walls, such as ['x']", shown(value))
+    return value
+
+
 class GasContainer(Model):
     """The container, with the parameters of :func:`carom.gas.container`: a class for each shape, chosen by ``shape``.
 
@@ -81,7 +87,7 @@ class GasContainer(Model):
     """
 
     tag: ClassVar[str] = "shape"
-    periodic: tuple[Literal["x", "y", "z"], ...] = ()
+    periodic: Annotated[tuple[Literal["x", "y", "z"], ...], BeforeValidator(_axes)] = ()
     obstacles: tuple[Annotated[tuple[Length, ...], BeforeValidator(_OBSTACLE)], ...] = ()
     plates: tuple[Annotated[tuple[Length, ...], BeforeValidator(_PLATE)], ...] = ()
     bounds: Literal["surface", "centre"] = "surface"

@@ -168,7 +168,9 @@ def _radius(value: Any) -> Any:
         return value
     if isinstance(value, dict):
         if (kind := value.get("distribution")) not in _KINDS:
-            raise refused(f"one of {', '.join(_KINDS)}", shown(kind), field="distribution")
+            raise refused(
+                f"one of {', '.join(_KINDS)}", "nothing" if kind is None else shown(kind), field="distribution"
+            )
         return value
     return ValueRadii(values=(_RADIUS(value),))
 

@@ -327,7 +327,9 @@ class Whole:
     least: int
 
     def __call__(self, value: Any) -> int:
-        """The number as an int."""
+        """The number as an int; TOML and Python write large ones as 2e4, too."""
+        if isinstance(value, float) and value.is_integer():
+            value = int(value)
         if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < self.least:
             raise refused(self.what, shown(value))
         if value >= 1 << 63:
