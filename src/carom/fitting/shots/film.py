@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
@@ -65,7 +66,7 @@ class FilmedShot:
     events: tuple[FilmedEvent, ...]
     """In the order of time."""
 
-    @property
+    @functools.cached_property
     def known(self) -> NDArray[np.bool_]:
         """(T, B): where the place of a ball is known."""
         return np.asarray(np.isfinite(self.position[:, :, 0]))

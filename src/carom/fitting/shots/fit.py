@@ -16,12 +16,14 @@ from carom.errors import CaromError, FaultList, did_you_mean
 from carom.files import require_library
 from carom.fitting.by_shots import nearer_shots
 from carom.fitting.evidence import DECIDED, Ranked, verdict_words, weigh
+from carom.fitting.identifiability import NOT_IDENTIFIABLE
 from carom.fitting.laws import FittedLaw, track_laws_named
 from carom.fitting.result import Estimate
 from carom.fitting.shots.film import Films, filmed_shots
 from carom.fitting.shots.forms import compare_forms
 from carom.fitting.shots.joint import (
     FEWEST,
+    WIDTH,
     JointFit,
     ScatterFit,
     covariance_of_shared,
@@ -29,11 +31,13 @@ from carom.fitting.shots.joint import (
     fit_scatter,
     fit_shared,
     frames_of_events,
+    mean_squares,
 )
 from carom.fitting.shots.result import FittedShot, ShotsFit, ShotsRanking
 from carom.fitting.shots.search import SearchSettings, ShotStart, refined, rms, search_start
 from carom.fitting.shots.start import FIRST_PLACE, SPIN, VELOCITY, distances, start_size
 from carom.fitting.shots.table import FREE, TableModel, TableNumbers, begun, scene_of_films, with_balls
+from carom.formatting import counted
 from carom.laws.registry import one_or_several
 from carom.public.progress import Progress
 from carom.scene.paths import path_match, replaced
@@ -48,7 +52,6 @@ DURATION = 60.0  # s: no shot takes longer
 JOINT = (3, 4, 6)  # events up to which the shared numbers are fitted, one after the other
 KEPT = 12  # starts of earlier searches that are tried again
 LAW = "two-step"
-WIDTH = 0.5  # of usual changes: the scatter between shots with which its search begins
 
 
 def fit_shots(
@@ -234,7 +237,7 @@ def _fit_law(
         ready = [one for one in starts if one is not None]
         frames = [frames_of_events(one.shot, events) for one in ready]
         fitted = fit_shared(
-            model, values, ready, frames,
+            model, values, ready, frames, films.noise,
             functools.partial(_said, tell, part, share),
         )  # fmt: skip
         values = fitted.values
@@ -242,7 +245,8 @@ def _fit_law(
     frames = [frames_of_events(one.shot, JOINT[-1]) for one in ready]
     if fitted is not None:
         covariance, by_shots = covariance_of_shared(model.at(values), fitted, ready, films.noise)
-        likelihood = deviance_of(model.at(values), ready, frames, films.noise)
+        squares = mean_squares(model.at(values), ready, frames)
+        likelihood = deviance_of(squares, ready, frames, films.noise)
         if len(ready) >= FEWEST:
             begin = WIDTH * np.array([one.scale for one in model.shared])
             scattered = fit_scatter(
@@ -256,7 +260,7 @@ def _fit_law(
     if fitted is None:
         ready, covariance, by_shots = final, np.zeros((0, 0)), False
         frames = [frames_of_events(one.shot, JOINT[-1]) for one in ready]
-        likelihood = deviance_of(table, ready, frames, films.noise)
+        likelihood = deviance_of(mean_squares(table, ready, frames), ready, frames, films.noise)
     return ShotsFit(
         law, table.scene, shots, _estimates(model, values, covariance), covariance, *likelihood, JOINT[-1], films.noise, by_shots,
         model=model, widths=widths, starts=tuple(ready),
@@ -320,8 +324,10 @@ def _estimates(model: TableModel, values: Array, covariance: Array) -> dict[str,
     found = {}
     errors = np.sqrt(np.maximum(np.diag(covariance), 0.0)).tolist()
     for one, value, error in zip(model.shared, values.tolist(), errors, strict=True):
-        bound = min(value - one.low, one.high - value) < 1e-9 * max(abs(one.high - one.low), 1e-9)
-        found[one.name] = Estimate(value, None if bound else error, "at its bound" if bound else "")
+        wide = one.high - one.low
+        note = "at its bound" if min(value - one.low, one.high - value) < 1e-9 * max(wide, 1e-9) else ""
+        note = note or (NOT_IDENTIFIABLE if not error < wide else "")
+        found[one.name] = Estimate(value, None if note else error, note)
     return found
 
 
@@ -334,6 +340,9 @@ def _ranked(fits: list[ShotsFit], notes: list[str]) -> ShotsRanking:
         closer, chance = found = nearer_shots(near, far)
         support = found.support
         reason = f"nearer than {evidence.rival.law.name} in {closer[0]} of {closer[1]} shots"
+    if best.count <= best.k + 1:
+        few = f"{counted(len(best.shots), 'shot')} with {best.count} independent numbers for {best.k} that are fitted"
+        notes = [*notes, f"{few}: AIC instead of AICc; fit fewer numbers, or film more shots"]
     words = verdict_words(best.law.called, evidence, "the shots", support, reason)
     lost = [one for one in best.shots if not one.followed]
     if lost:

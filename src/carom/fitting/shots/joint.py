@@ -24,14 +24,17 @@ from carom.fitting.tracks.errors import covariance_by_shot
 
 __all__ = [
     "FEWEST",
+    "WIDTH",
     "Information",
     "JointFit",
     "ScatterFit",
     "covariance_of_shared",
+    "deviance_of",
     "fit_scatter",
     "fit_shared",
     "frames_of_events",
     "information_of_shots",
+    "mean_squares",
     "weights_of_shots",
 ]
 
@@ -39,8 +42,10 @@ Array = NDArray[np.float64]
 FLOOR = 5e-4  # m, of a distance: less has no more weight
 EVALUATIONS, STEPS = 6, 20
 GAIN = 1e-3  # of the mean logarithm, below which the search ends
+HALVINGS = 5  # of a step to an impossible table
 LARGEST_STEP = 4.0  # usual changes of a number
-SCATTER_ROUNDS = 5
+SCATTER_ROUNDS, LOOSE_ROUNDS = 5, 3
+WIDTH = 0.5  # of usual changes: the scatter between shots with which its search begins
 SETTLED = 0.2  # error bars of the means, and shares of the widths, below which a round ends the search
 FOLLOWED = 1.3  # ratio of the median distance to the noise, up to which the frames' noise alone gives the errors
 FEWEST = 5  # shots for errors from their scatter
@@ -69,10 +74,10 @@ def frames_of_events(shot: FilmedShot, events: int) -> int:
 
 def _all_refined(
     table: TableNumbers, starts: Sequence[ShotStart], frames: Sequence[int], sigmas: Sequence[float | None],
-    firsts: Sequence[Array | None],
+    firsts: Sequence[Array | None], others: int = 2,
 ) -> list[Refined]:  # fmt: skip
     return [
-        refined(table, one, n, EVALUATIONS, 2, sigma, first)
+        refined(table, one, n, EVALUATIONS, others, sigma, first)
         for one, n, sigma, first in zip(starts, frames, sigmas, firsts, strict=True)
     ]
 
@@ -85,13 +90,15 @@ def _mean_square(start: ShotStart, frames: int, found: Refined) -> float:
     return found.cost * found.sigma**2 / int(start.shot.known[:frames].sum()) + FLOOR**2
 
 
-def deviance_of(
-    table: TableNumbers, starts: Sequence[ShotStart], frames: Sequence[int], noise: float
-) -> tuple[float, int]:
-    """Return the deviance of shots up to a horizon on one table, without scatter, and how many numbers it counts."""
-    each = list(zip(starts, frames, strict=True))
-    squares = np.array([rms(table, one.shot, refined(table, one, n, 9, 2).start, n) ** 2 for one, n in each])
-    counts = np.array([_independent(one.shot, n) for one, n in each])
+def mean_squares(table: TableNumbers, starts: Sequence[ShotStart], frames: Sequence[int]) -> Array:
+    """Return the mean square distances (N,) of shots up to a horizon on one table, m^2, with their best starts."""
+    each = zip(starts, frames, strict=True)
+    return np.array([rms(table, one.shot, refined(table, one, n, 9, 2).start, n) ** 2 for one, n in each])
+
+
+def deviance_of(squares: Array, starts: Sequence[ShotStart], frames: Sequence[int], noise: float) -> tuple[float, int]:
+    """Return the deviance of shots with such mean square distances (N,), and how many numbers it counts."""
+    counts = np.array([_independent(one.shot, n) for one, n in zip(starts, frames, strict=True)])
     return float((counts * np.log(squares + noise**2)).sum()), int(counts.sum())
 
 
@@ -228,7 +235,7 @@ def fit_scatter(
         step = np.zeros(len(scale))
         step[free] = np.linalg.solve((matrix / scale[:, None] / scale)[np.ix_(free, free)], score[free])
         step = np.clip(step, -LARGEST_STEP * scale, LARGEST_STEP * scale)
-        step = np.clip(values + step, low, high) - values
+        step = _possible(model, values, np.clip(values + step, low, high) - values)
         values = values + step
         inside = np.clip(deviations, -WINSOR * widths, WINSOR * widths)
         new = np.sqrt(np.mean(np.square(inside) + np.square(said.spreads), axis=0))
@@ -248,12 +255,43 @@ def fit_scatter(
     return ScatterFit(values, widths, covariance, starts, used, said)
 
 
+def _possible(model: TableModel, values: Array, step: Array) -> Array:
+    """Return a step (P,), or the part of it to a possible table: a friction must not rise with the slip, for example."""
+    for _ in range(HALVINGS):
+        try:
+            model.at(values + step)
+        except CaromError:
+            step = step / 2
+        else:
+            return step
+    return np.zeros_like(step)
+
+
+def _loosened(
+    model: TableModel, values: Array, starts: Sequence[ShotStart], frames: Sequence[int], noise: float,
+    tell: Callable[[float], None],
+) -> Array:  # fmt: skip
+    """Return the values (P,) to which shots lead that may each have a table of their own; their starts come into the pools.
+
+    On one table for all shots the objective has many minima: each shot can be followed by a wrong start that suits the wrong table,
+    and holds it there. Shots whose tables may differ each come near the true one, and so does their mean.
+    """
+    widths, own = WIDTH * np.array([one.scale for one in model.shared]), start_size(len(model.scene.balls))
+    found = fit_scatter(model, values, starts, frames, widths, noise, tell, LOOSE_ROUNDS)
+    for one, n, other in zip(starts, frames, found.starts, strict=True):
+        one.pool.append(other.best[n][:own])
+    return found.values
+
+
 def fit_shared(
-    model: TableModel, values: Array, starts: Sequence[ShotStart], frames: Sequence[int], tell: Callable[[float], None]
-) -> JointFit:
+    model: TableModel, values: Array, starts: Sequence[ShotStart], frames: Sequence[int], noise: float,
+    tell: Callable[[float], None],
+) -> JointFit:  # fmt: skip
     """Find the values of the shared numbers; the starts' best and pools are brought up to date."""
     shared = model.shared
     low, high, scale = (np.array([getattr(one, name) for one in shared]) for name in ("low", "high", "scale"))
+    if len(starts) > 1:
+        values = _loosened(model, values, starts, frames, noise, lambda done: tell(done / 2))
     table = model.at(values)
     none = [None] * len(starts)
     found = _all_refined(table, starts, frames, none, none)
@@ -264,7 +302,7 @@ def fit_shared(
     got = [found[i] for i in used]
     damping = 1e-2
     for step in range(STEPS):
-        tell(step / STEPS)
+        tell((1 + step / STEPS) / 2)
         here = _objective(mine, ends, got)
         said = information_of_shots(table, mine, ends, got)
         follows, (scores, matrices) = said.follows, said.weighted(weights_of_shots(mine, ends, got))
@@ -283,7 +321,7 @@ def fit_shared(
                 damping *= 10
                 continue
             moved = [one.start + along @ (tried - values) for one, along in zip(got, follows, strict=True)]
-            again = _all_refined(other, mine, ends, [one.sigma for one in got], moved)
+            again = _all_refined(other, mine, ends, [one.sigma for one in got], moved, 0)
             if _objective(mine, ends, again) < here:
                 better = again
                 break

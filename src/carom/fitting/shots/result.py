@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -32,8 +33,9 @@ FAILED = 0.1  # m: a shot whose distance (rms) is larger is not followed
 
 
 def criterion(deviance: float, k: int, n: int) -> float:
-    """Return Akaike's criterion for few data (Hurvich & Tsai 1989) of k numbers fitted to n."""
-    return deviance + 2 * k + 2 * k * (k + 1) / (n - k - 1) if n > k + 1 else float("inf")
+    """Return Akaike's criterion for few data (Hurvich & Tsai 1989) of k numbers fitted to n; without its correction where n is too
+    small for it."""
+    return deviance + 2 * k + (2 * k * (k + 1) / (n - k - 1) if n > k + 1 else 0.0)
 
 
 class EventMatch(NamedTuple):
@@ -284,11 +286,18 @@ class ComparedForm:
     """Its fitted values of the numbers that the fit does not have."""
     nearer: tuple[int, int]
     """Shots to which it is nearer than the fit, and shots in all."""
+    held_out: float = math.nan
+    """Deviance of each half of the shots on the table of the other half, above that of the fit's form; NaN of few shots."""
+    distances: tuple[float, float] = (math.nan, math.nan)
+    """m: median distance to shots of the other half, of this form and of the fit's."""
 
     def describe(self) -> str:
         """Return one line."""
         numbers = "".join(f", {name} {value:.3g}" for name, value in self.numbers.items())
-        return f"{self.part}: {self.name}: AICc {self.aicc:+.1f}, nearer in {self.nearer[0]} of {self.nearer[1]} shots{numbers}."
+        here, there = (1e3 * one for one in self.distances)
+        held = f", held out {self.held_out:+.1f} ({here:.1f} mm; {there:.1f} of the fit)" if here > 0 else ""
+        nearer = f"nearer in {self.nearer[0]} of {self.nearer[1]} shots"
+        return f"{self.part}: {self.name}: AICc {self.aicc:+.1f}{held}, {nearer}{numbers}."
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -304,4 +313,4 @@ class ShotsRanking(RankedByShots[ShotsFit]):
 
     def as_dict(self) -> dict[str, Any]:
         """Return the ranking for JSON."""
-        return super().as_dict() | {"forms": [vars(one) for one in self.forms]}
+        return super().as_dict() | {"forms": [json_value(vars(one)) for one in self.forms]}

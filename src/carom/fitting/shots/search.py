@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.fitting.optimizer import minimize
 from carom.fitting.shots.film import FilmedShot
 from carom.fitting.shots.start import FIRST_PLACE, SPIN, TIME, VELOCITY, StartPrior, distances, residuals, start_size
 from carom.fitting.shots.table import TableNumbers
@@ -40,6 +41,7 @@ SOFT = 3.0  # of these, beyond which a residual counts in proportion
 ALIKE = 1e-3  # m between the places of two starts, below which they are one
 RECENT = 12  # starts of a pool that are tried again, where each has a table of its own
 AGAIN = 4  # descents with a smaller error of a frame, after the distance has become smaller
+GAIN = 1e-4  # of the cost, below which a descent ends
 FAILED = 0.06  # m of distance (rms) at a horizon, from which on more starts are drawn
 
 
@@ -149,30 +151,23 @@ def descend(
     table: TableNumbers, shot: FilmedShot, start: Array, frames: int, prior: StartPrior, sigma: float, evaluations: int
 ) -> tuple[Array, float, Array]:
     """Return the nearest minimum of the soft-L1 cost from a start, its cost, and the information (K, K) on it there."""
-    from scipy.optimize import least_squares
-
     scale = _scales(start, prior, start_size(len(shot.balls)))
-    kept: dict[bytes, tuple[Array, Array]] = {}
+    far = np.full(len(start), np.inf)
 
-    def evaluated(u: Array) -> tuple[Array, Array]:
-        key = u.tobytes()
-        if key not in kept:
-            kept.clear()
-            at = start + scale * u
-            found = residuals(table, shot, at, frames)
-            gap, (jac,) = soft(found.gap, [found.by_start * scale], sigma)
-            kept[key] = (
-                np.concatenate([gap, prior.rows @ (at - prior.center)]),
-                np.concatenate([jac, prior.rows * scale]),
-            )
-        return kept[key]
+    def evaluated(_which: object, u: Array, derivatives: bool) -> tuple[Array, Array, Array]:
+        at = start + scale * u[0]
+        if not derivatives:
+            return _cost(table, shot, at[None], frames, prior, sigma), u, u
+        found = residuals(table, shot, at, frames)
+        gap, (jac,) = soft(found.gap, [found.by_start * scale], sigma)
+        off, rows = prior.rows @ (at - prior.center), prior.rows * scale
+        value = gap @ gap + off @ off
+        return np.array([value]), -(gap @ jac + off @ rows)[None], (jac.T @ jac + rows.T @ rows)[None]
 
-    found = least_squares(
-        lambda u: evaluated(u)[0], np.zeros(len(start)), lambda u: evaluated(u)[1], method="trf",
-        max_nfev=evaluations, x_scale="jac", ftol=1e-4, xtol=1e-6, gtol=1e-8,
-    )  # fmt: skip
-    jac = found.jac / scale
-    return start + scale * found.x, float(2 * found.cost), jac.T @ jac
+    dof = np.array([2.0 * shot.known[:frames].sum()])
+    tolerance = GAIN * float(dof[0])
+    found = minimize(evaluated, np.zeros((1, len(start))), -far, far, steps=evaluations, tolerance=tolerance, dof=dof)
+    return start + scale * found.p[0], float(found.value[0]), found.information[0] / scale[:, None] / scale
 
 
 def _scales(start: Array, prior: StartPrior, own: int) -> Array:
@@ -269,14 +264,17 @@ def refined(
     table: TableNumbers, start: ShotStart, frames: int, evaluations: int, others: int = 3, sigma: float | None = None,
     first: Array | None = None,
 ) -> Refined:  # fmt: skip
-    """Return the best start up to a horizon at other numbers of the table, from ``first``, the best so far, and others."""
+    """Return the best start up to a horizon at other numbers of the table, from ``first``, the best so far, and so many ``others``
+    of the pool."""
     shot = start.shot
     own = [one for one in (first, start.best.get(frames)) if one is not None]
     # (on a table of its own each start is a call of the engine)
     pool = start.pool[-RECENT:] if len(start.prior.center) > start_size(len(shot.balls)) else start.pool
-    tries = np.array([*own, *pool])
-    cost = _cost(table, shot, tries, frames, start.prior, sigma or 3 * LEAST_SIGMA)
-    order = list(dict.fromkeys([0, *np.argsort(cost, kind="stable")[:others].tolist()]))
+    tries = np.array([*own, *pool] if others else own)
+    nearest = np.argsort(
+        _cost(table, shot, tries, frames, start.prior, sigma or 3 * LEAST_SIGMA), kind="stable"
+    ).tolist()
+    order = list(dict.fromkeys([0, *nearest[:others]])) if others else nearest[:1]
     given = sigma is not None
     if sigma is None:
         sigma = error_of_a_frame(min(rms(table, shot, tries[i], frames) for i in order))

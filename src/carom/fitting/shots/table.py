@@ -49,7 +49,7 @@ LENGTHS = ("length", "width", "x", "y")
 KNOWN = {
     "restitution": (0.3, 1.0, 0.02), "coefficients.0": (0.3, 1.2, 0.02), "coefficients.1": (-0.3, 0.3, 0.01),
     "coefficients.2": (-0.1, 0.1, 0.003), "yield_time": (0.0, 0.02, 5e-4), "rolling_drag": (0.0, 0.02, 5e-4),
-    "spin_damping": (0.0, 2.0, 0.03), "spin_drag": (0.0, 20.0, 0.3),
+    "spin_damping": (0.0, 2.0, 0.03), "spin_drag": (0.0, 20.0, 0.3), "slope.x": (-0.01, 0.01, 1e-4), "slope.y": (-0.01, 0.01, 1e-4),
 }  # fmt: skip
 
 
@@ -83,21 +83,30 @@ class TableNumbers:
         return {} if self.parameters is None else self.parameters.packed
 
     @functools.cached_property
-    def _moved(self) -> list[tuple[str, str, Array]]:
-        """Arrays and fields that the numbers change, with their derivatives (P, rows, ...)."""
-        found = []
+    def _moved(self) -> tuple[list[tuple[str, str, slice, tuple[int, ...]]], Array]:
+        """Arrays and fields that the numbers change, each with its columns in the derivatives (P, M) of all, and its shape."""
+        fields: list[tuple[str, str, slice, tuple[int, ...]]] = []
+        parts, first = [], 0
         slopes = [] if self.parameters is None else self.parameters.slopes
         for array in ("world", "features") if slopes else ():
-            for field, first in slopes[0][array].items():
-                every = np.array([one[array].get(field, 0.0 * first) for one in slopes])
+            for field, some in slopes[0][array].items():
+                every = np.array([one[array].get(field, 0.0 * some) for one in slopes])
                 if every.any():
-                    found.append((array, field, every))
-        return found
+                    flat = every.reshape(len(slopes), -1)
+                    fields.append((array, field, slice(first, first + flat.shape[1]), every.shape[1:]))
+                    parts.append(flat)
+                    first += flat.shape[1]
+        return fields, np.concatenate(parts, axis=1) if parts else np.zeros((len(slopes), 0))
+
+    @functools.cached_property
+    def _ends(self) -> tuple[Array, Array]:
+        """Bounds (P,) of the numbers."""
+        low, high = (np.array([getattr(one, end) for one in self.model.shared]) for end in ("low", "high"))
+        return low, high
 
     def at_deviations(self, by: Array) -> Array:
         """Return the numbers (P,) of a shot for which they differ by so much, within their bounds."""
-        low, high = (np.array([getattr(one, end) for one in self.model.shared]) for end in ("low", "high"))
-        return np.asarray(np.clip(self.values + by, low, high))
+        return np.asarray(np.clip(self.values + by, *self._ends))
 
     def moved(self, by: Array) -> SceneArrays:
         """Return the arrays of a shot for which the numbers differ by so much (P,); none at all: the table of all shots."""
@@ -105,8 +114,10 @@ class TableNumbers:
             return self.arrays
         by = self.at_deviations(by) - self.values
         made = self.arrays._replace(world=self.arrays.world.copy(), features=self.arrays.features.copy())
-        for array, field, slopes in self._moved:
-            getattr(made, array)[field] += np.tensordot(by, slopes, 1)
+        fields, slopes = self._moved
+        change = by @ slopes
+        for array, field, columns, shape in fields:
+            getattr(made, array)[field] += change[columns].reshape(shape)
         return made
 
 
