@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import carom
+from carom.fitting.identifiability import NOT_IDENTIFIABLE
 from carom.fitting.shots import LawErrors, compare_forms, drawn_films, fit_of_some, predict_rest
 from carom.fitting.shots.film import filmed_shots
 from carom.fitting.shots.followed import belief_of_start, followed
@@ -219,3 +220,13 @@ def test_wrong_arguments_are_refused(films, given, said):
     tracks, scenes = films
     with pytest.raises(carom.CaromError, match=said):
         carom.fit_shots(tracks, scenes[0], **given)
+
+
+def test_numbers_that_a_shot_does_not_tell_are_said():
+    tracks, scenes = drawn_films(1, seed=3, until=0.6)
+    ranking = carom.fit_shots(tracks, scenes[0], seed=1)
+    assert np.isfinite(ranking.best.aicc)
+    assert [note for note in ranking.notes if "AIC instead of AICc" in note]
+    untold = [one for one in ranking.best.estimates.values() if one.note == NOT_IDENTIFIABLE]
+    assert untold
+    assert all(one.stderr is None for one in untold)
