@@ -2,9 +2,11 @@
 
     python campaigns/gas_averages.py [COLLISIONS, 1000000] [--only shaken]
 
-A gas of 20, 1,000 or 100,000 balls that cools, falls between walls or stands on a shaken floor is advanced by so many collisions,
-and looked at 2,000 times on the way, at random times within equal intervals. Printed are the relative differences between the exact
-means and those of the samples: of the energies of translation, spins and height, and of the density in layers (root mean square).
+A gas of 20, 1,000 or 100,000 balls that cools, falls between walls or stands on a shaken floor is advanced by so many collisions
+(the cooling one by 50 for each ball at most: its speeds fall for ever), and looked at 2,000 times on the way (a few balls up to
+50,000 times), at random times within intervals of equally many collisions, by whose lengths these samples are weighted. Printed
+are the relative differences between the exact means and those of the samples: of the energies of translation, spins and
+height, and of the density in layers (root mean square).
 What is left is the scatter of the samples, which falls with their number.
 """
 
@@ -19,6 +21,7 @@ import carom
 from carom.gas import Drive, Gas, Species
 
 SAMPLES = 2000
+COOLING = 50  # collisions of a gas that cools, for each ball
 ROUGH = carom.Surface(0.95, 0.3, 0.4)
 
 
@@ -42,23 +45,30 @@ def main(words: Sequence[str] | None = None) -> None:
             every = gases(balls)
             for name, gas in every.items():
                 if run.wants(name, every):
-                    run.say(f"{balls:7,} balls, {name:8}", compared(gas, run.count, 50 if run.small else SAMPLES, rng))
+                    most = min(run.count, COOLING * balls) if name == "cooling" else run.count
+                    run.say(f"{balls:7,} balls, {name:8}", compared(gas, most, 50 if run.small else SAMPLES, rng))
 
 
 def compared(gas: Gas, collisions: int, samples: int, rng: np.random.Generator) -> str:
-    """The differences of the means: the length of the run is that of a trial of the same gas."""
-    trial = Gas.restore(gas.state())
-    trial.advance(collisions)
-    begin, width = gas.time, (trial.time - gas.time) / samples
+    """The differences of the means: the times come from a trial of the same gas."""
+    samples = (
+        max(samples, min(50_000, 1_000_000 // len(gas.balls().species), collisions)) if samples == SAMPLES else samples
+    )
+    trial, ends = Gas.restore(gas.state()), []
+    for k in range(samples):
+        trial.advance((k + 1) * collisions // samples - k * collisions // samples)
+        ends.append(trial.time)
+    starts = np.array([gas.time, *ends[:-1]])
+    widths = np.array(ends) - starts
     mark, energies, heights = gas.mark(), np.zeros(3), []
     layers = gas.measured_since(mark).averages.layers
-    for k in range(samples):
-        gas.advance(until=begin + (k + rng.uniform()) * width)
-        energies += np.array(gas.energy()) / samples
+    for start, width in zip(starts, widths, strict=True):
+        gas.advance(until=start + rng.uniform() * width)
+        energies += np.array(gas.energy()) * (width / widths.sum())
         if layers is not None:
             height = gas.balls().position[:, "xyz".index(layers.axis)]
             heights.append(np.histogram(height, layers.edges)[0])
-    gas.advance(until=begin + samples * width)
+    gas.advance(until=ends[-1])
     found = gas.measured_since(mark).averages
     count, axes = len(gas.balls().species), len(found.stress)
     exact = np.array([
@@ -71,7 +81,7 @@ def compared(gas: Gas, collisions: int, samples: int, rng: np.random.Generator) 
         if two != 0
     ]
     if found.layers is not None:
-        mean = np.mean(heights, axis=0)
+        mean = np.average(heights, axis=0, weights=widths)
         parts.append(f"density {np.sqrt(np.mean((mean - found.layers.number[0]) ** 2)) / mean.mean():.1e}")
     return ", ".join(parts)
 

@@ -1,7 +1,8 @@
 """Gases against what is known of them: known beside found.
 
     python campaigns/gas_physics.py [--scale 1.0]
-        [--only pressure|free-time|diffusion|sharing|haff|rough|ratio|transport|shear|walls]
+        [--only pressure|free-time|diffusion|sharing|haff|rough|ratio|transport|
+        rough-transport|shear|walls]
 
 ``--scale`` multiplies the lengths of the runs: at 1 all parts take about ten minutes of CPU time. Units: diameter, mass, k_B T
 at the start.
@@ -16,7 +17,17 @@ import numpy as np
 from campaign import Campaign, campaign
 
 import carom
-from carom.gas import Drive, Gas, Species, scattered, sheared_viscosity, simulate_gas, transport_coefficients
+from carom.gas import (
+    Drive,
+    Gas,
+    Species,
+    diffusion_coefficients,
+    layer_profiles,
+    scattered,
+    sheared_viscosity,
+    simulate_gas,
+    transport_coefficients,
+)
 from carom.gas import enskog as enskog_theory
 
 SMOOTH, ROUGH = carom.Surface(1, 0, -1), carom.Surface(1, math.inf, 1)
@@ -246,6 +257,51 @@ def transport(run: Campaign, scale: float) -> None:
             )
 
 
+def rough_transport(run: Campaign, scale: float) -> None:
+    """Perfectly rough spheres, dilute, beside their kinetic theory; diffusion of balls and spins by Einstein and Green-Kubo.
+
+    Viscosity, conductivity and self-diffusion in the first approximation: F. B. Pidduck, Proc. R. Soc. Lond. A 101, 101 (1922); S.
+    Chapman & T. G. Cowling, The Mathematical Theory of Non-Uniform Gases (1970), 11.6. Spins: a collision takes the share
+    (1 + beta) / (1 + kappa) / 2 of a spin across the line of centres, on the mean two thirds of that of the whole, so the
+    correlation falls at the rate of collisions times (1 + beta) / (3 (1 + kappa)), and their diffusion is <w_x^2> over that.
+    """
+    balls, k = 200, BALL.kappa
+    root = math.sqrt(math.pi)
+    known = {
+        "viscosity": 15 / 8 / root * (1 + k) ** 2 / (6 + 13 * k),
+        "conductivity": 9
+        / 16
+        / root
+        * (1 + k) ** 2
+        * (37 + 151 * k + 50 * k**2)
+        / (12 + 75 * k + 101 * k**2 + 102 * k**3),
+    }
+    density = 0.01
+    side = ((balls / density) ** (1 / 3),) * 3
+    gas = Gas([Species(BALL, balls)], side, contacts=ROUGH, seed=1)
+    gas.advance(40 * balls)
+    found = transport_coefficients(gas, max(int(5000 * scale), 200))
+    for name, value in known.items():
+        one = getattr(found, name)
+        line(run, f"{name}, rough spheres, n = {density} (Pidduck)", value, one.value, f"+- {one.error:.2g}")
+    for kind, surface, density in (("smooth", SMOOTH, 0.1), ("rough", ROUGH, 0.01), ("rough", ROUGH, 0.2)):
+        side = ((balls / density) ** (1 / 3),) * 3
+        gas = Gas([Species(BALL, balls)], side, contacts=surface, seed=1)
+        gas.advance(40 * balls)
+        begin = gas.mark()
+        both = diffusion_coefficients(gas, max(int(40_000 * scale), 2000))
+        state, theory = gas.measured_since(begin), enskog_theory(density).self_diffusion
+        if surface is ROUGH:
+            theory *= (1 + k) / (1 + 2 * k) / 1.01896  # (the first approximation)
+        rate = 2 / (3 * (1 + k)) / state.mean_free_time
+        spins = state.temperature_rotational / (k * BALL.mass * BALL.radius**2) / rate
+        for name, one, value in (("diffusion", both.self_diffusion, theory), ("spins", both.spin_diffusion, spins)):
+            if math.isnan(one.value):
+                continue  # (no collision changes the spins of smooth balls)
+            line(run, f"{name}, {kind} spheres, n = {density}, Einstein", value, one.value, f"+- {one.error:.2g}")
+            line(run, "  by Green and Kubo", value, one.green_kubo, f"+- {one.green_kubo_error:.2g}")
+
+
 def shear(run: Campaign, scale: float) -> None:
     """Lees-Edwards boundaries, smooth spheres, kept at a temperature by a weak thermostat."""
     balls = 1000
@@ -274,9 +330,9 @@ def walls(run: Campaign, scale: float) -> None:
     species = Species(BALL, balls, "a", 1.0, 0.0)  # (smooth balls carry the energy of their spins unchanged)
     gas = Gas([species], side, periodic=(True, True, False), contacts=contacts, drives=drives, seed=1)
     gas.advance(200 * balls)
-    found = gas.run(max(int(2000 * balls * scale), 20 * balls))
-    layers, area = found.averages.layers, width * width
-    assert layers is not None
+    begin, area = gas.mark(), width * width
+    layers, errors = layer_profiles(gas, max(int(2000 * balls * scale), 20 * balls))
+    found = gas.measured_since(begin)
     flux = (found.energy_from_walls["top"] - found.energy_from_walls["bottom"]) / (2 * area * found.simulated_time)
     middle = (layers.edges[1:] + layers.edges[:-1]) / 2
     inner = (middle > 0.25 * side[2]) & (middle < 0.75 * side[2])
@@ -286,12 +342,16 @@ def walls(run: Campaign, scale: float) -> None:
         enskog_theory(n, temperature=t).conductivity
         for n, t in zip((layers.number[0] / volumes)[inner], layers.temperature[0, inner], strict=True)
     ])  # fmt: skip
+    middle_flux = float(np.nanmean(layers.heat_flux))
+    line(run, "  heat flux through the planes between layers (from the walls)", float(flux), middle_flux)
+    spread = float(np.nanstd(layers.heat_flux, ddof=1))
+    run.say(f"  its error in one plane {np.nanmean(errors.heat_flux):.2g}, scatter over the planes {spread:.2g}")
     line(run, f"conductivity between walls at 0.8 and 1.2, n = {density} (Enskog)", float(known), float(flux / slope))
 
 
 PARTS = {
     "free-time": free_time, "pressure": pressure, "diffusion": diffusion, "sharing": sharing, "haff": haff, "rough": rough,
-    "ratio": ratio, "transport": transport, "shear": shear, "walls": walls,
+    "ratio": ratio, "transport": transport, "rough-transport": rough_transport, "shear": shear, "walls": walls,
 }  # fmt: skip
 
 

@@ -2,10 +2,24 @@
 
 from __future__ import annotations
 
+import math
+
+import numpy as np
 import pytest
 
 from carom import Ball, CaromError, Surface
-from carom.gas import Gas, Species, container, enskog, sheared_viscosity, transport_coefficients, viscosity
+from carom.gas import (
+    Drive,
+    Gas,
+    Species,
+    container,
+    diffusion_coefficients,
+    enskog,
+    layer_profiles,
+    sheared_viscosity,
+    transport_coefficients,
+    viscosity,
+)
 
 
 def test_coefficients_of_hard_spheres_are_enskogs():
@@ -48,3 +62,56 @@ def test_what_has_no_viscosity_here():
         sheared_viscosity(Gas(ball, (6, 6, 6), contacts=Surface(1, 0, -1)), 100)
     with pytest.raises(CaromError, match=r"density: expected fewer than 1.91 spheres per volume"):
         enskog(2.0)
+
+
+@pytest.mark.parametrize("density", [0.02, 0.2])
+def test_diffusion_by_einstein_is_that_by_green_and_kubo_and_of_rough_spheres(density):
+    """Spins forget (1 + beta) / (3 (1 + kappa)) of themselves in a collision, whatever the density."""
+    count, kappa = 100, 0.4
+    side = (count / density) ** (1 / 3)
+    gas = Gas([Species(Ball(0.5, 1.0, kappa), count)], (side,) * 3, contacts=Surface(1, math.inf, 1), seed=2)
+    gas.advance(2000)
+    begin = gas.mark()
+    found = diffusion_coefficients(gas, 2000)
+    state = gas.measured_since(begin)
+    rate = 2 / (3 * (1 + kappa)) / state.mean_free_time
+    spins = state.temperature_rotational / (kappa * 0.25) / rate
+    balls = enskog(density, temperature=state.temperature_translational).self_diffusion * (1 + kappa) / (1 + 2 * kappa)
+    for one, known, share in ((found.spin_diffusion, spins, 0.06), (found.self_diffusion, balls, 0.08)):
+        assert one.error < share * one.value
+        assert one.green_kubo_error < share * one.value
+        assert one.value == pytest.approx(one.green_kubo, abs=3 * one.error)
+        # (a first approximation: fast balls collide more often)
+        assert one.value == pytest.approx(known, abs=3 * one.error + 0.05 * known)
+
+
+def test_spins_that_nothing_changes_do_not_diffuse():
+    gas = Gas([Species(Ball(0.5, 1.0), 20)], (6, 6, 6), contacts=Surface(1, 0, -1), seed=1)
+    found = diffusion_coefficients(gas, 2000)
+    assert math.isnan(found.spin_diffusion.value)
+    assert found.self_diffusion.value > 0
+    with pytest.raises(CaromError, match=r"looks: expected a whole number >= 2000, got 5"):
+        diffusion_coefficients(gas, 5)
+
+
+def test_heat_between_walls_is_the_same_through_every_plane_and_has_the_errors_that_its_scatter_shows():
+    side, surfaces = (5.0, 5.0, 20.0), {("a", "a"): Surface(1, 0, -1), ("a", "wall"): Surface(1, 0, -1)}
+    drives = {name: Drive(temperature=t, temperature_rotational=0.0) for name, t in (("bottom", 1.5), ("top", 0.75))}
+    species = Species(Ball(0.5, 1.0), 100, "a", 1.0, 0.0)
+    gas = Gas([species], side, periodic=(True, True, False), contacts=surfaces, drives=drives, seed=1)
+    gas.advance(20_000)
+    begin = gas.mark()
+    mean, error = layer_profiles(gas, 100_000)
+    given = gas.measured_since(begin)
+    flux = (given.energy_from_walls["bottom"] - given.energy_from_walls["top"]) / (2 * 25 * given.simulated_time)
+    inner = slice(1, -1)
+    np.testing.assert_allclose(mean.heat_flux[inner], flux, atol=0.1 * flux)  # (energy goes in and out by fluctuation)
+    assert np.all(mean.heat_flux[inner] > 5 * error.heat_flux[inner])
+    assert np.all(np.abs(mean.velocity[0, :, 2]) < 5 * error.velocity[0, :, 2] + 1e-3)
+    assert mean.temperature[0, 0] - mean.temperature[0, -1] > 5 * math.hypot(
+        error.temperature[0, 0], error.temperature[0, -1]
+    )
+    with pytest.raises(
+        CaromError, match="layer_profiles: gas: expected a gas with walls or a shear rate, got one without"
+    ):
+        layer_profiles(Gas([species], (6, 6, 6), contacts=Surface(1, 0, -1)), 100)

@@ -59,6 +59,12 @@ def test_means_are_those_of_every_flight(name):
         np.testing.assert_allclose(layers.number.sum(axis=0), flights.number, atol=1e-10)
         p = np.nansum(mass[:, None, None] * layers.number[:, :, None] * layers.velocity, axis=0)
         np.testing.assert_allclose(p, flights.momentum[:, :axes], atol=1e-10)
+        if not flights.around:
+            area = one["side"][:axes].prod() / one["side"][axis]
+            np.testing.assert_allclose(layers.energy_flux[1:-1], flights.energy_up[1:-1] / area, atol=1e-10)
+            u = flights.momentum / (mass @ layers.number)[:, None]
+            work = (np.nan_to_num(u[1:] + u[:-1]) / 2 * flights.momentum_up[1:-1]).sum(axis=1)
+            np.testing.assert_allclose(layers.heat_flux[1:-1], (flights.energy_up[1:-1] - work) / area, atol=1e-10)
         if len(mass) == 1:
             held = flights.number > 1e-9
             flow = mass[0] * (flights.momentum[held] / (mass[0] * flights.number[held, None])) ** 2

@@ -8,6 +8,9 @@ from .containers import SHAPES as SHAPES
 from .containers import WALLS as WALLS
 from .containers import Container as Container
 from .containers import container as container
+from .diffusion import DiffusionCoefficient as DiffusionCoefficient
+from .diffusion import DiffusionCoefficients as DiffusionCoefficients
+from .diffusion import diffusion_coefficients as diffusion_coefficients
 from .drives import Drive as Drive
 from .drives import Thermostat as Thermostat
 from .endings import EarlyEnd as EarlyEnd
@@ -21,6 +24,8 @@ from .initial import dense as dense
 from .initial import lattice as lattice
 from .initial import scattered as scattered
 from .initial import thermal as thermal
+from .layer_profiles import LayerProfiles as LayerProfiles
+from .layer_profiles import layer_profiles as layer_profiles
 from .measures import Measures as Measures
 from .report import channels as channels
 from .results import GasBalls as GasBalls

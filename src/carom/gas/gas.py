@@ -299,15 +299,20 @@ class Gas:
         return engine.averages_until(self.arrays, self._time)
 
     def measure_heat(self) -> None:
-        """Measure the heat current from now on, until the gas is restored from a state."""
+        """Measure the heat current, and by which angles balls turn, from now on, until the gas is restored from a state."""
         if len(self.arrays.heat) == 0:
             heat = np.zeros(1, HEAT)
             heat["spins"] = not self.arrays.materials.pairs["smooth"].all()
-            self.arrays, self._compiled = self.arrays._replace(heat=heat), False
+            turned = np.zeros((len(self.arrays.balls.motions), 3))
+            self.arrays, self._compiled = self.arrays._replace(heat=heat, turned=turned), False
 
     def heat_passed(self) -> Array:
         """Return the integral over time of the heat current (J m), (dimensions,), from :meth:`measure_heat` on."""
         return engine.heat_until(self.arrays, self._time)
+
+    def turned(self) -> Array:
+        """Return the integral over time of each ball's spin (rad), (N, 3), from :meth:`measure_heat` on."""
+        return engine.turned_until(self.arrays, self._time)
 
     def mark(self) -> Mark:
         """Begin a measurement: return what :meth:`measured_since` needs, in this process or in another one."""

@@ -169,7 +169,8 @@ def _layers(session: Session, found: LayerAverages) -> dict[str, Any]:
         part: {name: one.tolist() for name, one in zip(session.names, values, strict=True)}
         for part, values in columns.items()
     }
-    return {"axis": found.axis, "edges": found.edges.tolist(), **rows}
+    fluxes = {"energy_flux": found.energy_flux.tolist(), "heat_flux": found.heat_flux.tolist()}
+    return {"axis": found.axis, "edges": found.edges.tolist(), **rows, **fluxes}
 
 
 def _imbalance(found: dict[str, Any]) -> float:

@@ -36,6 +36,12 @@ class LayerAverages:
     """Of the motion relative to the mean velocity: mean of m v^2 along an axis (J), (S, L)."""
     temperature_rotational: Array
     """Mean of I w^2 about an axis of spin (J), (S, L)."""
+    energy_flux: Array
+    """Energy of all species that goes towards larger coordinates at each edge, over the time and the area of the enclosing box
+    (W/m^2; discs: W/m), (L + 1,): carried by balls that cross the edge, and passed on in collisions of balls on either side. Spins
+    count where contacts change them. Nan at the first and the last edge."""
+    heat_flux: Array
+    """The same less the work of the stress on the mean flow, (L + 1,), for a gas that does not flow across the layers."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -158,4 +164,34 @@ def _in_layers(
     empty = number == 0
     v[empty], moves[empty], spins[empty] = math.nan, math.nan, math.nan
     edges = float(one["cell_size"][axis]) * np.arange(number.shape[1] + 1)
-    return LayerAverages("xyz"[axis], edges, number, v + one["frame"][:axes], moves / axes, spins)
+    fluxes = _through_edges(arrays, before, after, time, axis, mass, of_class)
+    return LayerAverages("xyz"[axis], edges, number, v + one["frame"][:axes], moves / axes, spins, *fluxes)
+
+
+def _through_edges(
+    arrays: GasArrays, before: Any, after: Averages, time: float, axis: int, mass: Array, of_class: Array
+) -> tuple[Array, Array]:
+    """Return the fluxes of energy and of heat through the edges between layers, nan at the outer ones, (L + 1,) each."""
+    one, kinds, axes = arrays.system[0], len(mass), int(arrays.system[0]["dimensions"])
+    area = math.prod(float(one["side"][k]) for k in range(axes) if k != axis)
+    energy = np.full(of_class.shape[1] + 1, math.nan)
+    heat = energy.copy()
+    if time == 0:
+        return energy, heat
+
+    def through(name: str) -> Array:
+        passed: Array = (after.layers[name] - before[name]).reshape(-1, kinds).sum(axis=1)[:-1] / (area * time)
+        return passed
+
+    turns = 0 if arrays.materials.pairs["smooth"].all() else 1
+    energy[1:-1] = (through("up_e") + turns * through("up_w")) / 2
+    # the mean velocity on both sides of an edge
+    whole = (mass * of_class).sum(axis=0)
+    work = np.zeros(len(energy) - 2)
+    for name in "xyz"[:axes]:
+        p = (after.layers[f"time_p{name}"] - before[f"time_p{name}"]).reshape(-1, kinds).sum(axis=1) / time
+        with np.errstate(invalid="ignore", divide="ignore"):
+            u = np.where(whole > 0, p / whole, 0.0)
+        work += (u[1:] + u[:-1]) / 2 * through(f"up_{name}")
+    heat[1:-1] = energy[1:-1] - work
+    return energy, heat

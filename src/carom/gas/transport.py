@@ -15,7 +15,10 @@ from carom.gas.results import Mark
 from carom.gas.time_averages import averages_between
 from carom.public.progress import Progress
 
-__all__ = ["Coefficient", "TransportCoefficients", "sheared_viscosity", "transport_coefficients", "viscosity"]
+__all__ = [
+    "BLOCKS", "Coefficient", "TransportCoefficients", "require_equilibrium", "require_steady", "sheared_viscosity",
+    "transport_coefficients", "viscosity",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 WINDOW = 2.0  # mean free times of a window
@@ -176,6 +179,22 @@ def sheared_viscosity(
     return Coefficient(mean, float(np.std(found, ddof=1)) / math.sqrt(blocks), none, none)
 
 
+def require_equilibrium(faults: FaultList, gas: Gas) -> None:
+    """Add the faults of a gas that cannot be in equilibrium: walls, and a shear."""
+    if gas.walls:
+        faults.add("gas", "a gas without walls", f"walls {', '.join(gas.walls)}")
+    if gas.shear_rate != 0:
+        faults.add("gas", "a gas in equilibrium", f"a shear rate of {gas.shear_rate:g}", "use sheared_viscosity")
+
+
+def require_steady(faults: FaultList, gas: Gas, energy: float) -> None:
+    """Raise CaromError for a gas whose energy is no longer what it was."""
+    if abs(sum(gas.energy()) / energy - 1) > STEADY:
+        got = f"a gas whose energy changed from {energy:g} to {sum(gas.energy()):g} J"
+        faults.add("gas", "contacts that conserve energy", got)
+        faults.raise_if_any()
+
+
 class _Windows(NamedTuple):
     """Integrals over the windows of a run in equilibrium, (windows, components) each, and what they are divided by."""
 
@@ -190,10 +209,7 @@ class _Windows(NamedTuple):
     def of(cls, where: str, gas: Gas, windows: Any, heat: bool, progress: Progress | None) -> _Windows:
         """Run a gas over so many windows. Raises CaromError."""
         faults = FaultList(where)
-        if gas.walls:
-            faults.add("gas", "a gas without walls", f"walls {', '.join(gas.walls)}")
-        if gas.shear_rate != 0:
-            faults.add("gas", "a gas in equilibrium", f"a shear rate of {gas.shear_rate:g}", "use sheared_viscosity")
+        require_equilibrium(faults, gas)
         if isinstance(windows, bool) or not isinstance(windows, int | np.integer) or windows < 20 * BLOCKS:
             faults.add("windows", f"a whole number >= {20 * BLOCKS}", f"{windows!r}")
         faults.raise_if_any()
@@ -214,10 +230,7 @@ class _Windows(NamedTuple):
             before = after
             if progress is not None and k % 100 == 0:
                 progress(k, windows, "windows")
-        if abs(sum(gas.energy()) / energy - 1) > STEADY:
-            got = f"a gas whose energy changed from {energy:g} to {sum(gas.energy()):g} J"
-            faults.add("gas", "contacts that conserve energy", got)
-            faults.raise_if_any()
+        require_steady(faults, gas, energy)
         volume, rows = float(gas.arrays.system[0]["volume"]), np.array(stress)
         traces = np.trace(rows, axis1=1, axis2=2)[:, None] / rows.shape[1]
         currents = np.diff(np.array(passed), axis=0) / volume if heat else np.empty((0, 0))

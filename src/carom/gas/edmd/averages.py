@@ -14,7 +14,9 @@ summed over all balls: so rounding does not accumulate.
 In a gas that is sheared (:mod:`carom.gas.edmd.shear`) the flux is of velocities relative to the flow. Along a flight these are
 linear in time, so the flux is integrated flight by flight (:func:`note_flight`), and not from its jumps.
 
-Layers are the layers of cells along one axis: a ball leaves one in an event, when it crosses the border of its cell.
+Layers are the layers of cells along one axis: a ball leaves one in an event, when it crosses the border of its cell. So the
+fluxes of energy and momentum through the planes between layers are sums over events: over the balls that cross a plane, with
+what they carry, and over the collisions of balls on either side of it, with what these pass on.
 """
 
 from __future__ import annotations
@@ -33,6 +35,7 @@ __all__ = [
     "note_flight",
     "note_pair",
     "note_passed_heat",
+    "note_turning",
 ]
 
 
@@ -128,6 +131,12 @@ def note_pair(
     else:
         note_change(averages, grid, plan1, kind1, j, s1, spin1, t)
         note_change(averages, grid, plan2, kind2, (-j[0], -j[1], -j[2]), s2, spin2, t)
+        if averages.layers.shape[0] > 0:
+            above, below = layer_of(whole.axis, plan1), layer_of(whole.axis, plan2)
+            # (of what both lose each has its half)
+            e, sign = dot(j, s1) + dot(j, s2) + (spin1 - spin2) / 2.0, 1.0 if above > below else -1.0
+            if above - below == 1 or below - above == 1:
+                _note_upwards(averages, min(above, below), kind1, sign, e, 0.0, j)
 
 
 @hot_kernel
@@ -151,6 +160,17 @@ def _note_fall(layer: Any, sign: float, pull: float, t: float) -> None:
 
 
 @hot_kernel
+def _note_upwards(averages: Any, layer: int, kind: int, sign: float, e: float, w: float, p: Vec) -> None:
+    """Note what goes through the upper edge of a layer: twice an energy without and of spins, and a momentum."""
+    edge = averages.layers[U64(layer * averages.flows.shape[0] + kind)]
+    edge.up_e += sign * e
+    edge.up_w += sign * w
+    edge.up_x += sign * p[0]
+    edge.up_y += sign * p[1]
+    edge.up_z += sign * p[2]
+
+
+@hot_kernel
 def note_crossing(
     averages: Any, grid: Any, species: Any, ball: Any, body: Any, before: int, after: int, t: float
 ) -> None:
@@ -164,6 +184,10 @@ def note_crossing(
     ww = one.kappa * m * one.radius * one.radius * (body.wx * body.wx + body.wy * body.wy + body.wz * body.wz)
     _note_passage(left, -1.0, p, vv, ww, t)
     _note_passage(entered, 1.0, p, vv, ww, t)
+    if after == before + 1:  # (across a periodic border the layers are far from each other)
+        _note_upwards(averages, before, kind, 1.0, vv, ww, p)
+    elif after == before - 1:
+        _note_upwards(averages, after, kind, -1.0, vv, ww, p)
     if _falls(g):
         _note_fall(left, -1.0, dot(g, p), t)
         _note_fall(entered, 1.0, dot(g, p), t)
@@ -212,6 +236,17 @@ def note_carried_heat(heat: Any, species: Any, ball: Any, body: Any, now: float)
     sums.carried_x += way * v[0]
     sums.carried_y += way * v[1]
     sums.carried_z += way * v[2]
+
+
+@kernel
+def note_turning(turned: Any, number: int, ball: Any, body: Any, now: float) -> None:
+    """Add the spin of a ball times the time since its last event."""
+    if turned is None:
+        return
+    s, i = now - ball.time, U64(number)
+    turned[i, U64(0)] += body.wx * s
+    turned[i, U64(1)] += body.wy * s
+    turned[i, U64(2)] += body.wz * s
 
 
 @kernel

@@ -50,7 +50,7 @@ __all__ = [
     "STATE", "GasArrays", "SystemRecords", "advance", "arrays_at_start", "averages_until", "compiled_loops", "heat_until",
     "loop_is_cached",
     "put_in_place", "restore", "saved_blocks", "synchronized", "synchronized_blocks", "time_of_last_event",
-    "total_bytes",
+    "total_bytes", "turned_until",
 ]  # fmt: skip
 
 BINS_PER_BALL = 4  # of the calendar
@@ -114,6 +114,8 @@ class GasArrays(NamedTuple):
     shear: NDArray[np.void]
     heat: NDArray[np.void]
     """One HEAT while the heat current is measured, else none; no part of the state."""
+    turned: NDArray[np.float64]
+    """(N, 3) while the heat current is measured, else (0, 3)."""
 
 
 class _CompiledLoop(NamedTuple):
@@ -207,6 +209,7 @@ def _assemble(state: dict[str, Any], memory: dict[str, NDArray[Any]]) -> GasArra
         scratch=Scratch(*(np.zeros(1, kind) for kind in (MOTION, PLAN, BODY, np.uint32))),
         shear=state["shear"],
         heat=np.zeros(0, HEAT),
+        turned=np.zeros((0, 3)),
     )  # fmt: skip
 
 
@@ -306,7 +309,8 @@ def _features(arrays: GasArrays) -> Features | None:
     curved = (faces["form"] == CURVE).any()
     ellipse = 1 if curved or (faces["form"] == ELLIPSE).any() else None
     shear, heat = (part if len(part) else None for part in (arrays.shear, arrays.heat))
-    return Features(ellipse, arrays.walls.curves if curved else None, shear, heat)
+    turned = arrays.turned if len(arrays.turned) else None
+    return Features(ellipse, arrays.walls.curves if curved else None, shear, heat, turned)
 
 
 def advance(arrays: GasArrays, until: float, max_collisions: int, stop: Callable[[], bool] = lambda: False) -> None:
@@ -318,7 +322,7 @@ def advance(arrays: GasArrays, until: float, max_collisions: int, stop: Callable
     last, pace = _collisions(one) + max_collisions, Pace(FIRST_STEPS)
     while True:
         steps = pace.begin()
-        status = run(one, *arrays[1:-2], until, last - _collisions(one), steps, features)
+        status = run(one, *arrays[1:-3], until, last - _collisions(one), steps, features)
         if status != LIMIT or _collisions(one) >= last or stop():
             return
         pace.done(steps)
@@ -350,6 +354,15 @@ def heat_until(arrays: GasArrays, time: float) -> NDArray[np.float64]:
         np.array([sums["carried_" + axis] + sums["passed_" + axis] for axis in "xyz"]) + way @ v
     )
     return found[: int(one["dimensions"])]
+
+
+def turned_until(arrays: GasArrays, time: float) -> NDArray[np.float64]:
+    """Return the integrals over time of the spins of all balls, by their numbers, (N, 3), until not before the last event."""
+    one, motions, bodies, numbers = arrays.system[0], arrays.balls.motions, arrays.balls.bodies, arrays.balls.numbers
+    found, s = arrays.turned.copy(), ((time - one["base"]) - one["rest"]) - motions["time"]
+    for k, name in enumerate(("wx", "wy", "wz")):
+        found[numbers, k] += bodies[name] * s
+    return found
 
 
 def total_bytes(arrays: Any) -> int:

@@ -252,13 +252,15 @@ FLOW = np.dtype(
         )
     ]
 )  # fmt: skip
-# Of a species in a layer, at [layer * number of species + species]; vv is twice the translational energy.
+# Of a species in a layer, at [layer * number of species + species]; vv is twice the translational energy. What went up through the
+# layer's upper edge, by balls that cross it and by collisions of balls on either side: up_e is twice the energy without that of the
+# spins which balls carry, up_w the latter, up_x to up_z the momentum.
 LAYER = np.dtype(
     [
         (name, _FLOAT)
         for name in (
             "n1", "n2", "n3", "px", "py", "pz", "p2", "vv", "ww", "n", "pxt", "pyt", "pzt", "vvt", "wwt",
-            *(f"time_{name}" for name in ("n", "px", "py", "pz", "vv", "ww")),
+            *(f"time_{name}" for name in ("n", "px", "py", "pz", "vv", "ww")), "up_e", "up_w", "up_x", "up_y", "up_z",
         )
     ]
 )  # fmt: skip
@@ -377,3 +379,5 @@ class Features(NamedTuple):
     """The SHEAR of a gas that is sheared."""
     heat: NDArray[np.void] | None
     """The HEAT of a gas whose heat current is measured."""
+    turned: NDArray[np.float64] | None
+    """Of such a gas the integrals of the spins over time until each ball's last event, by its number, (N, 3)."""

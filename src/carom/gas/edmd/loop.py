@@ -12,7 +12,7 @@ import math
 from typing import Any
 
 from carom.core.jit.kernel import hot_kernel, kernel
-from carom.gas.edmd.averages import close_cycle, note_carried_heat, note_crossing, note_flight
+from carom.gas.edmd.averages import close_cycle, note_carried_heat, note_crossing, note_flight, note_turning
 from carom.gas.edmd.calendar import (
     I64,
     PAGE,
@@ -298,6 +298,7 @@ def run(  # noqa: PLR0915  (the loop)
             if features is not None:
                 note_flight(features.shear, grid, averages, species, ball, now)
                 note_carried_heat(features.heat, species, ball, bodies[U64(i)], now)
+                note_turning(features.turned, I64(balls.numbers[U64(i)]), ball, bodies[U64(i)], now)
             free_flight(grid, ball, now)
             if features is not None and kicked:
                 thermostat_kick(features, system, grid, averages, species, ball, bodies[U64(i)], plan, now)
@@ -308,6 +309,7 @@ def run(  # noqa: PLR0915  (the loop)
                     if features is not None:
                         note_flight(features.shear, grid, averages, species, motions[U64(j)], now)
                         note_carried_heat(features.heat, species, motions[U64(j)], bodies[U64(j)], now)
+                        note_turning(features.turned, I64(balls.numbers[U64(j)]), motions[U64(j)], bodies[U64(j)], now)
                     free_flight(grid, motions[U64(j)], now)
                     collide_balls(features, system, grid, balls, materials, averages, i, j, now)
                     system.pair_collisions += 1
