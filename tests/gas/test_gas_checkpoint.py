@@ -42,6 +42,12 @@ def stops(at: list[int]):
     return stop
 
 
+def after(session: Session, collisions: int):
+    """Says stop after so many collisions, however often it is asked."""
+    begin = session.gas.collisions
+    return lambda: session.gas.collisions >= begin + collisions
+
+
 def measured(session: Session):
     return {name: value for name, value in session.result.to_dict().items() if name != "cpu_seconds"}
 
@@ -65,8 +71,8 @@ def test_a_run_in_pieces_has_the_same_bits(tmp_path, text, every):
 
     whole = Session(scene)
     assert whole.run(every=every, snapshot=taking(shots))
-    session, pieces = Session(scene), 0
-    while not session.run(stop=stops([3]), every=every, snapshot=taking(parts)):
+    session, pieces, piece = Session(scene), 0, whole.gas.collisions // 10
+    while not session.run(stop=after(session, piece), every=every, snapshot=taking(parts)):
         pieces += 1
         save_checkpoint(session, tmp_path / "c.npz")
         session = load_checkpoint(tmp_path / "c.npz", scene)
@@ -128,7 +134,7 @@ def test_a_checkpoint_without_profiles_goes_on(tmp_path):
 @pytest.fixture
 def kept(tmp_path) -> Path:
     session = Session(scene_of(tmp_path, ROUGH))
-    session.run(stop=stops([2]))
+    session.run(stop=after(session, 1000))
     save_checkpoint(session, tmp_path / "c.npz")
     return tmp_path / "c.npz"
 
@@ -333,7 +339,7 @@ def no_file_larger_than(size: int):
 def test_a_full_disk_leaves_the_checkpoint_before(kept):
     before = kept.read_bytes()
     session = load_checkpoint(kept)
-    session.run(stop=stops([2]))
+    session.run(stop=after(session, 1))
     for size in (0, 1000, len(before) // 2, len(before) - 100):
         with no_file_larger_than(size), pytest.raises(CaromError) as found:
             save_checkpoint(session, kept)
