@@ -116,8 +116,13 @@ def compiled_lines(path: Path) -> set[int]:
 
 def lines_by_room(python: str, folder: Path) -> dict[str, Counter[str]]:
     """Return lines of Python and of kernels, and how many of each ran, by room: of what was counted in a folder."""
-    settings, report = f"--rcfile={folder / 'settings'}", folder / "report.json"
-    for words in (["combine", "--keep", settings, str(folder)], ["json", "-q", "-i", settings, "-o", str(report)]):
+    every, report = f"--data-file={folder / 'all'}", folder / "report.json"
+    counted = sorted(folder.glob("*/lines.*"))
+    settings = f"--rcfile={counted[0].with_name('settings')}"
+    for words in (
+        ["combine", "--keep", settings, every, *map(str, counted)],
+        ["json", "-q", "-i", settings, every, "-o", str(report)],
+    ):
         subprocess.run([python, "-m", "coverage", *words], cwd=ROOT, check=True, capture_output=True)
     rooms: dict[str, Counter[str]] = {}
     for name, file in json.loads(report.read_text(encoding="utf-8"))["files"].items():
@@ -148,7 +153,11 @@ def say_rooms(run: Campaign, rooms: dict[str, Counter[str]]) -> None:
 def main(words: Sequence[str] | None = None) -> int:
     """Print a line a Python, and a line a room; 1 if a test failed."""
     pythons = {"nargs": "+", "default": [sys.executable], "help": "interpreters (default: this one)"}
-    with campaign("pythons", __doc__, words, pythons=pythons) as run, tempfile.TemporaryDirectory() as temporary:
+    known = {"action": "store_true", "help": "run nothing: print what is in --rows"}
+    with (
+        campaign("pythons", __doc__, words, pythons=pythons, known=known) as run,
+        tempfile.TemporaryDirectory() as temporary,
+    ):
         return report(run, Path(temporary))
 
 
@@ -165,13 +174,13 @@ def report(run: Campaign, temporary: Path) -> int:
         for path, (name, counted) in zip(run.given.pythons, (a.stdout.split() for a in asked), strict=True)
     }
 
-    def folder(name: str) -> Path | None:
-        return kept / name if known[name][1] and not run.small else None
+    def folder(name: str, k: int) -> Path | None:
+        return kept / name / str(k) if known[name][1] and not run.small and files[k] != UNCOUNTED else None
 
     wanted = [(name, k) for name in known for k in range(len(files))]
-    rows = run.go_through(
-        wanted, lambda name, k: run_part(known[name][0], files[k], None if files[k] == UNCOUNTED else folder(name))
-    )
+    if run.given.known:
+        wanted = [key for key in wanted if key in run.rows.known]
+    rows = run.go_through(wanted, lambda name, k: run_part(known[name][0], files[k], folder(name, k)))
     run.say(f"{'Python':10} {'parts':>5} {'passed':>7} {'failed':>7} {'skipped':>7} {'minutes':>7}")
     for name in known:
         its = [row for row in rows if row["kind"] == name]
@@ -183,9 +192,9 @@ def report(run: Campaign, temporary: Path) -> int:
         for test in (test for row in its for test in row["names"]):
             run.say(f"  {test}")
     for name in known:
-        if (where := folder(name)) is not None and (where / "settings").exists():
+        if (kept / name).exists():
             run.say(f"\nlines that the suite ran, Python {name}")
-            say_rooms(run, lines_by_room(known[name][0], where))
+            say_rooms(run, lines_by_room(known[name][0], kept / name))
     return int(any(row["names"] for row in rows))
 
 
