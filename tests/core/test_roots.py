@@ -32,11 +32,12 @@ from reference.exact_roots import (
     sign_at,
     worst,
 )
+from reference.exploring import tried
 
 from carom.core.roots.first_root import hit4, hit8, next_hit4
 from carom.core.roots.polynomial import accurate_value, two_prod, two_sum, value_at_turn
 
-ROWS_JUDGED = 500  # of each kind; campaigns/first_roots.py judges 10,000
+ROWS_JUDGED = tried(200, 500)  # of each kind; campaigns/first_roots.py judges 10,000
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -107,7 +108,7 @@ def oracle(c, T):
 @pytest.mark.parametrize("degree", [2, 4, 8])
 def test_against_all_roots_from_mpmath(degree):
     rng = np.random.default_rng(11)
-    c = rng.normal(size=(240 if degree < 8 else 80, degree + 1))
+    c = rng.normal(size=(tried(120, 240) if degree < 8 else tried(60, 80), degree + 1))
     c[:, 1] *= 3
     T = rng.choice([0.7, 2.0, INF], len(c))
     got = answers(c, T)
