@@ -10,6 +10,7 @@ import sys
 import tempfile
 from importlib import metadata
 from pathlib import Path
+from typing import Any
 
 import jupyter_client
 from sphinx.application import Sphinx
@@ -166,8 +167,27 @@ def _spread(app: Sphinx, _env: object, pages: list[str]) -> None:
     pages[:] = [page for k in range(batches) for page in order[k::batches]]
 
 
+def _one_navigation(app: Sphinx, page: str, _template: str, context: dict[str, Any], _doctree: Any) -> None:
+    """Make the navigation of pages without a place in it, such as sources, once for each depth of folders: it is the same."""
+    made, depth = context.get("toctree"), page.count("/")
+    if made is None or page in app.env.found_docs:
+        return
+
+    def kept(**options: Any) -> str:
+        key = depth, *sorted(options.items())
+        if key not in _navigations:
+            _navigations[key] = made(**options)
+        return _navigations[key]
+
+    context["toctree"] = kept
+
+
+_navigations: dict[tuple[Any, ...], str] = {}
+
+
 def setup(app: Sphinx) -> None:
     app.connect("autodoc-process-docstring", _fields, priority=100)
     app.connect("env-before-read-docs", _spread)
+    app.connect("html-page-context", _one_navigation, priority=100)  # (before the theme asks for it)
     if os.name == "posix" and nb_execution_mode != "off":
         forked_kernels.start(Path(_shared.name))
