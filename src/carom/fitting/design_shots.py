@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import inspect
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 from carom.bodies import inertia_number
@@ -88,8 +90,7 @@ def design(
     >>> plan.laws, plan.count
     (('sliding', 'mirror'), 1)
     """
-    options = {name: value for name, value in locals().items() if name != "fine"}
-    filmed, of, setting, pair, shots = _checked(**options)
+    filmed, of, setting, pair, shots = _checked(SimpleNamespace(**locals()))
     return plan_shots(
         of or "planar", setting, pair, shots, dict(truth) if truth else None, odds=odds, filmed=filmed, spin=spin, fine=fine
     )  # fmt: skip
@@ -97,30 +98,16 @@ def design(
 
 def check_design(**options: Any) -> None:
     """Raise CaromError, one line per problem, for arguments of :func:`design` that it refuses before it begins."""
-    _checked(**options)
+    bound = inspect.signature(design).bind(**options)
+    bound.apply_defaults()
+    _checked(SimpleNamespace(**bound.arguments))
 
 
-def _checked(
-    file: Any = None,
-    laws: Any = DESIGNED_LAWS,
-    *,
-    radius: float = RADIUS,
-    inertia: str | float = "solid",
-    kind: Any = None,
-    stage: str = "after_wall",
-    truth: Mapping[str, float] | None = None,
-    contact_height: float | None = None,
-    floor_friction: float | None = None,
-    angles_deg: Any = ANGLES_DEG,
-    speeds: Any = SPEEDS,
-    spins: Any = SPINS,
-    spin: float | str | None = None,
-    sigma_v: float = SIGMA_V,
-    sigma_spin: float | None = None,
-    odds: float = ODDS,
-) -> tuple[Rebounds | None, Any, Setting, tuple[str, str], Shots]:
+def _checked(asked: SimpleNamespace) -> tuple[Rebounds | None, Any, Setting, tuple[str, str], Shots]:
+    """Return the rebounds filmed so far, the kind of rebound, the setting, the two laws and the shots to come."""
+    file, laws, kind, spin = asked.file, asked.laws, asked.kind, asked.spin
     faults = FaultList()
-    kappa = faults.attempt(inertia_number, inertia)
+    kappa = faults.attempt(inertia_number, asked.inertia)
     prior: dict[str, Any] = (faults.attempt(spin_of_rows, spin) or (None, {}))[1]
     if spin is not None and file is None:
         faults.add("`spin`", "a file of rebounds with it", "none", "`spins` describes the shots to come")
@@ -135,14 +122,16 @@ def _checked(
             faults.add("`kind`", f"{filmed.kind}, the kind of {filmed.source}", str(kind), "omit it")
         kind = filmed.kind
     if not clash and kind in (None, "planar") and (file is None or filmed is not None):
-        given = {"stage": stage in STAGES[1:], "contact_height": contact_height is not None,
-                 "floor_friction": floor_friction is not None}  # fmt: skip
+        given = {"stage": asked.stage in STAGES[1:], "contact_height": asked.contact_height is not None,
+                 "floor_friction": asked.floor_friction is not None}  # fmt: skip
         for name in (name for name, there in given.items() if there):
             faults.add(f"`{name}`", "a ball on a table", "one in flight", "choose `kind` table, or omit it")
-    shots = Shots(angles_deg, speeds, None if spins == "unknown" else spins, sigma_v, sigma_spin, stage)
+    spins = None if asked.spins == "unknown" else asked.spins
+    shots = Shots(asked.angles_deg, asked.speeds, spins, asked.sigma_v, asked.sigma_spin, asked.stage)
     setting = Setting(
-        radius=radius, kappa=0.4 if kappa is None else kappa, contact_height=contact_height, floor_friction=floor_friction, **prior
+        radius=asked.radius, kappa=0.4 if kappa is None else kappa, contact_height=asked.contact_height,
+        floor_friction=asked.floor_friction, **prior,
     )  # fmt: skip
-    faults.attempt(require_plan, setting, pair, shots, dict(truth or {}), odds)
+    faults.attempt(require_plan, setting, pair, shots, dict(asked.truth or {}), asked.odds)
     faults.raise_if_any()
     return filmed, kind, setting, (pair[0], pair[1]), shots

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -21,11 +22,11 @@ from carom.fitting.identifiability import identified_covariance, identify, param
 from carom.fitting.laws import FittedLaw
 from carom.fitting.likelihood import TabulatedLaw
 from carom.fitting.model import STEPS, TOLERANCE, FitModel, feels_spins, model_of, predict_law
-from carom.fitting.optimizer import EVERYWHERE, cross_kinks
+from carom.fitting.optimizer import EVERYWHERE, Minimum, cross_kinks
 from carom.fitting.parameters import FORMS, INDEX, NUMBERS
 from carom.fitting.result import Estimate, Fit, refit, working_model
 from carom.fitting.scatter import with_contact_scatter, with_estimated_scatter
-from carom.fitting.spin_chains import observed_information
+from carom.fitting.spin_chains import chain_information
 from carom.fitting.tabulated import LawTable, coarse_table, fine_table
 from carom.fitting.uncertainty import with_marginal_errors, with_profiled_friction
 
@@ -81,14 +82,26 @@ def _descend_exactly(model: FitModel, p: Array) -> Array:
         return best.p
     starts = [best.p]
     if "friction" in model.parameters:
-        i, held = INDEX["friction"], np.tile(best.p, (len(FRICTIONS), 1))
-        held[:, i] = np.clip(FRICTIONS, model.low[i], model.high[i])
-        found = model.holding("friction").minimize(held, FEW_STEPS)
-        sides = np.pad(found.value, 1, constant_values=np.inf)
-        valleys = np.flatnonzero((found.value <= sides[:-2]) & (found.value <= sides[2:]))
-        starts += [found.p[i] for i in valleys[np.argsort(found.value[valleys], kind="stable")[:FREED]]]
+        held = _held(model, best.p, FRICTIONS, FEW_STEPS)
+        sides = np.pad(held.value, 1, constant_values=np.inf)
+        valleys = np.flatnonzero((held.value <= sides[:-2]) & (held.value <= sides[2:]))
+        starts += [held.p[i] for i in valleys[np.argsort(held.value[valleys], kind="stable")[:FREED]]]
     ends = [_bottom_of_kink(model, start, 1) for start in starts]
     return _bottom_of_kink(model, min(ends, key=lambda end: end[1])[0], MOST_SIMPLICES)[0]
+
+
+def _held(model: FitModel, p: Array, frictions: Sequence[float] | Array, steps: int = HELD_STEPS) -> Minimum:
+    """Return the end points of descents from p (K,) with the friction held at some values, within its bounds."""
+    i, start = INDEX["friction"], np.tile(p, (len(frictions), 1))
+    start[:, i] = np.clip(frictions, model.low[i], model.high[i])
+    return model.holding("friction").minimize(start, steps)
+
+
+def _freed(model: FitModel, best: Place, frictions: Sequence[float] | Array) -> Place:
+    """Return the best place: with the friction held at some values and, from the best of these, freed."""
+    held = _held(model, best.p, frictions)
+    freed = _descend(model, held.p[np.argsort(held.value, kind="stable")[:FREED]])
+    return freed if freed.deviance < best.deviance else best
 
 
 def _bottom_of_kink(model: FitModel, p: Array, most: int) -> tuple[Array, float]:
@@ -241,7 +254,7 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
         p = np.concatenate([p, _annealed(own, p)])
     best = _descend(own, p)
     if problem.carried and feels_spins(law, problem):
-        best = best._replace(information=observed_information(own, best.p, best.information))
+        best = best._replace(information=chain_information(own, best.p, best.information))
     elif problem.spins is not None and "friction" in model.parameters:
         best = _across_kinks(own, best)
     if problem.shared:  # there may be a kink: searched from both sides
@@ -302,25 +315,18 @@ def own_information(h: Array, k: int) -> Array:
 
 def _across_kinks(model: FitModel, best: Place) -> Place:
     """Continue the search with the friction held at other values, and then freed."""
-    i, problem = INDEX["friction"], model.problem
+    problem = model.problem
     # in many rows the search is among some of them
     few = np.linspace(0, len(problem.x) - 1, min(len(problem.x), KINK_ROWS)).astype(int)
     some = model if len(few) == len(problem.x) else replace(model, problem=problem.select(few))
-    held = some.holding("friction")
-
-    def explore(best: Place, nearby: list[float], everywhere: list[float]) -> Place:
-        others = np.tile(best.p, (len(nearby) + len(everywhere), 1))
-        others[:, i] = np.clip(nearby + everywhere, model.low[i], model.high[i])
-        found = held.minimize(others, HELD_STEPS)
-        return _descend(some, found.p[np.argsort(found.value, kind="stable")[:FREED]])
-
-    if some is not model:
-        found = cross_kinks(
-            _descend(some, best.p[None]), lambda place: float(place.p[i]), lambda place: place.deviance, explore
-        )
-        freed = _descend(model, found.p[None])
-        return freed if freed.deviance < best.deviance else best
-    return cross_kinks(best, lambda place: float(place.p[i]), lambda place: place.deviance, explore)
+    found = cross_kinks(
+        best if some is model else _descend(some, best.p[None]), lambda place: float(place.p[INDEX["friction"]]),
+        lambda place: place.deviance, lambda place, nearby, everywhere: _freed(some, place, nearby + everywhere),
+    )  # fmt: skip
+    if some is model:
+        return found
+    freed = _descend(model, found.p[None])
+    return freed if freed.deviance < best.deviance else best
 
 
 def _annealed(model: FitModel, p: Array) -> Array:
@@ -353,12 +359,7 @@ def _refined(model: FitModel, best: Place, coarse: LawTable) -> tuple[Place, Law
     fine = model.using(table)
     best = _descend(fine, best.p[None])
     if "friction" in model.parameters:
-        held = np.tile(best.p, (len(AROUND), 1))
-        friction = best.p[INDEX["friction"]] + np.array(AROUND) * mu
-        held[:, INDEX["friction"]] = np.clip(friction, fine.low[INDEX["friction"]], fine.high[INDEX["friction"]])
-        found = fine.holding("friction").minimize(held, HELD_STEPS)
-        freed = _descend(fine, found.p[np.argsort(found.value, kind="stable")[:FREED]])
-        best = freed if freed.deviance < best.deviance else best
+        best = _freed(fine, best, best.p[INDEX["friction"]] + np.array(AROUND) * mu)
     return _descend(model.using(None), best.p[None]), table
 
 

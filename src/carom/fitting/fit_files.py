@@ -236,25 +236,12 @@ def _checked(asked: SimpleNamespace) -> _Request:
     if asked.population and asked.by is None and not asked.whole:
         faults.add("`population`", "`by` as well, a column that names the surface of each row", "none")
     names = [asked.laws] if isinstance(asked.laws, str) else list(asked.laws or [])
-    faults += _strange_words(
-        names if asked.laws is not None else None,
-        asked.whole,
-        asked.view,
-        asked.kind,
-        asked.stage,
-        asked.bootstrap,
-        asked.seed,
-    )
+    faults += _strange_words(asked, names)
     before = FaultList()
     ours = before.attempt(published_at, paths[0]) if paths else None
     if asked.radius is None and ours is None and not before:
         faults.add("`radius`", "the ball's radius in m", "none", "a table-tennis ball has `radius` 0.02")
-    given = {
-        "radius": asked.radius,
-        "kappa": kappa,
-        "contact_height": asked.contact_height,
-        "floor_friction": asked.floor_friction,
-    }
+    given = {"kappa": kappa} | {name: getattr(asked, name) for name in ("radius", "contact_height", "floor_friction")}
     ball = {"radius": 1.0} | (ours.setting if ours else {}) | {k: x for k, x in given.items() if x is not None}
     of_whole: dict[str, Any] = {"noise": asked.noise, "cushions": asked.cushions} if asked.whole else {}
     setting = Setting(
@@ -277,12 +264,11 @@ def _checked(asked: SimpleNamespace) -> _Request:
     if before or (faults and (ours or films or asked.whole or memory)):
         raise CaromError(*faults, *before)
     if faults:  # (with those of the table)
-        said = {
-            "kind": asked.kind if asked.kind in KINDS else None,
-            "stage": asked.stage if asked.stage in STAGES else None,
-        }
         if films is not None:
-            faults.attempt(rebounds_of_files, paths, **said)
+            kind, stage = (
+                given if given in known else None for given, known in ((asked.kind, KINDS), (asked.stage, STAGES))
+            )
+            faults.attempt(rebounds_of_files, paths, kind=kind, stage=stage)
         raise CaromError(*faults)
     return _Request(paths, asked.files if memory else None, ours, bool(films), names, setting)
 
@@ -312,32 +298,24 @@ def _strange_parameters(argument: str, given: Mapping[str, Any], whole: bool) ->
     return faults
 
 
-def _strange_words(
-    names: list[str] | None,
-    whole: bool,
-    view: str | None,
-    kind: str | None,
-    stage: str | None,
-    bootstrap: int | None,
-    seed: int | None,
-) -> FaultList:
-    """Return the faults of invalid arguments, as far as these do not depend on the data."""
+def _strange_words(asked: SimpleNamespace, names: list[str]) -> FaultList:
+    """Return the faults of invalid arguments, as far as these do not depend on the data; ``names``: of the laws."""
     faults = FaultList()
-    faults += [replace(fault, where="`laws`") for fault in unknown_laws(names or [])]
-    if names == []:
+    faults += [replace(fault, where="`laws`") for fault in unknown_laws(names)]
+    if asked.laws is not None and not names:
         faults.add("`laws`", "names of laws", "none", "omit it to fit all laws")
-    if seed is not None and seed < 0:
-        faults.add("`seed`", "a whole number >= 0", str(seed))
-    if view not in (None, "above", "side"):
-        faults.add("`view`", "above (a ball on a table) or side (a ball in flight)", repr(view))
-    if whole:  # (not used)
+    if asked.seed is not None and asked.seed < 0:
+        faults.add("`seed`", "a whole number >= 0", str(asked.seed))
+    if asked.view not in (None, "above", "side"):
+        faults.add("`view`", "above (a ball on a table) or side (a ball in flight)", repr(asked.view))
+    if asked.whole:  # (not used)
         return faults
-    if kind not in (None, *KINDS):
-        faults.add("`kind`", "planar or table", repr(kind))
-    if stage not in (None, *STAGES):
-        faults.add("`stage`", "after_wall or rolling", repr(stage))
-    if bootstrap is not None and (bootstrap < 0 or bootstrap == 1):
-        faults.add("`bootstrap`", "0 (none) or a number of draws, 2 or more", str(bootstrap))
+    if asked.kind not in (None, *KINDS):
+        faults.add("`kind`", "planar or table", repr(asked.kind))
+    if asked.stage not in (None, *STAGES):
+        faults.add("`stage`", "after_wall or rolling", repr(asked.stage))
+    if asked.bootstrap is not None and (asked.bootstrap < 0 or asked.bootstrap == 1):
+        faults.add("`bootstrap`", "0 (none) or a number of draws, 2 or more", str(asked.bootstrap))
     return faults
 
 
@@ -380,9 +358,7 @@ def _fit_whole(ready: _Request, film: Calibration, where: Where, progress: Progr
         ready.paths, film, about, where=where, progress=lambda done, total, text: tell(MEASURING * done / total, text)
     )
     with noting(measured.notes):
+        said = ready.laws or None
         return fit_tracks(
-            measured,
-            setting,
-            ready.laws or None,
-            progress=lambda done, _total, text: tell(MEASURING + (1 - MEASURING) * done, text),
+            measured, setting, said, progress=lambda done, _all, text: tell(MEASURING + (1 - MEASURING) * done, text)
         )

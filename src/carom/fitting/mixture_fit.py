@@ -23,6 +23,7 @@ from carom.fitting.evidence import DECIDED
 from carom.fitting.fit import Place, fit_at
 from carom.fitting.likelihood import evaluate
 from carom.fitting.model import FitModel, feels_spins, model_of
+from carom.fitting.optimizer import observed_information
 from carom.fitting.parameters import INDEX, NUMBERS
 from carom.fitting.result import Estimate, Fit
 from carom.fitting.scatter import with_contact_scatter
@@ -42,8 +43,6 @@ DESCENT = {"ftol": 1e-8, "maxiter": 150}
 LEAST_WIDTH, MOST_WIDTH, MOST_MEAN, MOST_LOGIT = 0.02, 3.0, 2.0, 7.0
 MOST_ROWS = 5000
 LEAST_ROWS_EACH = 8  # rows whose spins were not measured, for each component
-CURVATURE_STEP = 0.3  # error bars, in which kinks of single rows average out
-LEAST_INFORMATION = 0.05  # of that with known components
 RUNNING = 0.9  # v_t/a: mean of spins near that of a ball that rolls along the wall
 
 
@@ -148,17 +147,8 @@ class _Joint:
 
     def information(self, q: Array) -> Array:
         """Return the information on law and shared errors, with the mixture profiled out: from differences of the scores."""
-        complete = self(q[None])[2][0]
-        step = CURVATURE_STEP / np.sqrt(np.maximum(np.diag(complete), 1e-12))
-        step = np.minimum(step, np.maximum((self.high - self.low) / 20, 1e-6))
-        up, down = (np.clip(q + sign * np.diag(step), self.low, self.high) for sign in (1, -1))
-        scores = self(np.concatenate([up, down]))[1].reshape(2, len(q), -1)
-        moved = np.maximum((up - down).diagonal(), 1e-12)
-        h = (scores[1] - scores[0]) / moved[:, None]
-        # in units of the complete information; a weak direction keeps a small part of that
-        scale = np.sqrt(np.maximum(np.diag(complete), 1e-12))
-        strength, direction = np.linalg.eigh((h + h.T) / 2 / np.outer(scale, scale))
-        h = (direction * np.maximum(strength, LEAST_INFORMATION)) @ direction.T * np.outer(scale, scale)
+        most = np.maximum((self.high - self.low) / 20, 1e-6)
+        h = observed_information(lambda at: self(at)[1], q, self(q[None])[2][0], most, self.low, self.high)
         n = len(self.own)
         return np.asarray(h[:n, :n] - h[:n, n:] @ np.linalg.solve(h[n:, n:], h[n:, :n]))
 

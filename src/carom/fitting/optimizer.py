@@ -13,7 +13,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["EVERYWHERE", "Minimum", "cross_kinks", "damped_step", "minimize"]
+__all__ = ["EVERYWHERE", "Minimum", "cross_kinks", "damped_step", "minimize", "observed_information"]
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -23,6 +23,8 @@ MAX_FAILURES = 12  # successive steps without a decrease
 NEARBY = (0.7, 0.82, 0.9, 0.94, 0.96, 0.98, 1.02, 1.04, 1.06, 1.1, 1.2, 1.4)  # multiples of a friction, to be held
 EVERYWHERE = (0.07, 0.1, 0.14, 0.18, 0.23, 0.3, 0.4)  # frictions
 ROUNDS = 4
+WITHIN, LEAST_PART = 0.3, 0.05  # error bars of a difference of scores; the least part of the information that is kept
+TINY = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,6 +108,23 @@ def damped_step(h: Array, u: Array, active: NDArray[np.bool_], damping: Array) -
         damping[bad] = np.maximum(10 * damping[bad], 1e-3)
     along = np.einsum("bjm,bj->bm", direction, np.where(active, u, 0.0)) / np.where(strength > 0, strength, np.inf)
     return np.einsum("bjm,bm->bj", direction, along), damping
+
+
+def observed_information(
+    scores: Callable[[Array], Array], at: Array, complete: Array, most: Array, low: Array, high: Array
+) -> Array:
+    """Return the information (k, k) at a place (k,), from differences of the scores over a third of an error bar to both sides.
+
+    Kinks of single rows average out over that. ``scores``: (B, k) of places (B, k); ``complete``: the information (k, k) by which
+    error bars are judged, a part of which is kept in directions in which the differences have less; ``most``: the largest steps.
+    """
+    scale = np.sqrt(np.maximum(np.diag(complete), TINY))
+    step = np.diag(np.minimum(WITHIN / scale, most))
+    up, down = (np.clip(at + sign * step, low, high) for sign in (1, -1))
+    less, more = np.split(scores(np.concatenate([up, down])), 2)
+    h = (more - less) / np.maximum((up - down).diagonal(), TINY)[:, None]
+    strength, direction = np.linalg.eigh((h + h.T) / 2 / np.outer(scale, scale))
+    return np.asarray((direction * np.maximum(strength, LEAST_PART)) @ direction.T * np.outer(scale, scale))
 
 
 def cross_kinks(

@@ -27,19 +27,16 @@ from carom.data.rebounds import Rebounds
 from carom.data.table_cells import parse_numbers
 from carom.fitting.deviance import RELATIVE_STEP, SPIN_MEAN, SPIN_WIDTH
 from carom.fitting.likelihood import SHARED_STEP, Evaluation, predictions
+from carom.fitting.optimizer import observed_information
 from carom.fitting.parameters import NUMBERS
 
-__all__ = ["chains_of", "evaluate_chains", "observed_information"]
+__all__ = ["chain_information", "chains_of", "evaluate_chains"]
 
 Array = NDArray[np.float64]
 OF_BALL = ("film", "shot", "ball")
 COMPONENTS, REACH, NARROW = 101, 3.2, 0.064  # of the prior: number, ends of the centres and own width, in its widths
 LEAST = 1e-300  # weight of a component that has none left
 LEAST_SPIN, LEAST_VARIANCE = 1e-6, 1e-12  # of v/a, for a derivative at a known spin; of a spin, (rad/s)^2
-WITHIN, LEAST_PART = (
-    0.3,
-    0.05,
-)  # error bars between which the curvature is taken; the least part of the information that is kept
 STEP = 1e-4  # of a speed before the wall, for its derivative where it has a smaller error bar
 
 
@@ -217,17 +214,14 @@ def _after(model: Any, numbers: Array, rows: Any, x: Array, y: Array, spins: _Sp
     return _Spins(likely / likely.sum(axis=2, keepdims=True), here[..., 2] + (gain * r).sum(axis=-1), variance)
 
 
-def observed_information(model: Any, p: Array, information: Array) -> Array:
-    """Return the information (k, k) at p (K,) from differences of the scores over a third of an error bar; ``information``: of
-    :func:`evaluate_chains`, of which directions in which the differences have none keep a part."""
-    free, low, high = model.free, model.low[model.free], model.high[model.free]
-    scale = np.sqrt(np.maximum(np.diag(information), LEAST_VARIANCE))
-    size = np.minimum(WITHIN / scale, np.minimum(high - low, 1.0) / 20)
-    sides = np.repeat(p[None, None], 2, axis=0).repeat(len(free), axis=1)
-    own = np.arange(len(free))
-    sides[:, own, free] = np.clip(p[free] + np.stack([size, -size]), low, high)
-    scores = evaluate_chains(model, sides.reshape(-1, len(p)), None, True).scores.reshape(2, len(free), -1)
-    moved = sides[0, own, free] - sides[1, own, free]
-    h = (scores[1] - scores[0]) / np.maximum(moved, LEAST_VARIANCE)[:, None]
-    strength, direction = np.linalg.eigh((h + h.T) / 2 / np.outer(scale, scale))
-    return np.asarray((direction * np.maximum(strength, LEAST_PART)) @ direction.T * np.outer(scale, scale))
+def chain_information(model: Any, p: Array, complete: Array) -> Array:
+    """Return the information (k, k) at p (K,) from differences of the scores; ``complete``: of :func:`evaluate_chains`."""
+    free = model.free
+    low, high = model.low[free], model.high[free]
+
+    def scores(at: Array) -> Array:
+        every = np.tile(p, (len(at), 1))
+        every[:, free] = at
+        return evaluate_chains(model, every, None, True).scores
+
+    return observed_information(scores, p[free], complete, np.minimum(high - low, 1.0) / 20, low, high)
