@@ -12,6 +12,7 @@ from carom.fitting.shots import LawErrors, compare_forms, drawn_films, fit_of_so
 from carom.fitting.shots.film import filmed_shots
 from carom.fitting.shots.followed import belief_of_start, followed
 from carom.fitting.shots.forms import FORMS
+from carom.fitting.shots.joint import likely_widths
 from carom.fitting.shots.start import residuals
 from carom.fitting.shots.table import FREE, TERMS, TableModel, begun, scene_of_films
 from carom.tracks import Track
@@ -230,3 +231,17 @@ def test_numbers_that_a_shot_does_not_tell_are_said():
     untold = [one for one in ranking.best.estimates.values() if one.note == NOT_IDENTIFIABLE]
     assert untold
     assert all(one.stderr is None for one in untold)
+
+
+def test_a_scatter_is_as_wide_as_it_was_drawn():
+    rng = np.random.default_rng(0)
+    for true, low, high in ((0.0, 0.0, 0.3), (1.0, 0.85, 1.15)):
+        found = []
+        for _ in range(100):
+            error, width = rng.uniform(0.5, 1.5, (12, 1)), np.array([2.0])
+            seen = true * rng.normal(size=(12, 1)) + error * rng.normal(size=(12, 1))
+            # each shot's deviation is drawn towards the mean by the width that is taken
+            share = width**2 / (width**2 + error**2)
+            mean = (share * seen).sum() / share.sum()
+            found.append(likely_widths(share * (seen - mean), np.sqrt(share) * error, width, 300)[0])
+        assert low < np.median(found) < high

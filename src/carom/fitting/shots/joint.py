@@ -34,6 +34,7 @@ __all__ = [
     "fit_shared",
     "frames_of_events",
     "information_of_shots",
+    "likely_widths",
     "mean_squares",
     "weights_of_shots",
 ]
@@ -44,7 +45,7 @@ EVALUATIONS, STEPS = 6, 20
 GAIN = 1e-3  # of the mean logarithm, below which the search ends
 HALVINGS = 5  # of a step to an impossible table
 LARGEST_STEP = 4.0  # usual changes of a number
-SCATTER_ROUNDS, LOOSE_ROUNDS = 5, 3
+SCATTER_ROUNDS, LOOSE_ROUNDS, WIDTH_ROUNDS = 5, 3, 300
 WIDTH = 0.5  # of usual changes: the scatter between shots with which its search begins
 SETTLED = 0.2  # error bars of the means, and shares of the widths, below which a round ends the search
 FOLLOWED = 1.3  # ratio of the median distance to the noise, up to which the frames' noise alone gives the errors
@@ -197,7 +198,7 @@ class ScatterFit:
 
 def fit_scatter(
     model: TableModel, values: Array, starts: Sequence[ShotStart], frames: Sequence[int], widths: Array,
-    noise: float, tell: Callable[[float], None], rounds: int = SCATTER_ROUNDS,
+    noise: float, tell: Callable[[float], None], rounds: int = SCATTER_ROUNDS, width_rounds: int = WIDTH_ROUNDS,
 ) -> ScatterFit:  # fmt: skip
     """Fit means and widths of the table's numbers, and the deviations of each shot.
 
@@ -238,7 +239,7 @@ def fit_scatter(
         step = _possible(model, values, np.clip(values + step, low, high) - values)
         values = values + step
         inside = np.clip(deviations, -WINSOR * widths, WINSOR * widths)
-        new = np.sqrt(np.mean(np.square(inside) + np.square(said.spreads), axis=0))
+        new = likely_widths(inside, said.spreads, widths, width_rounds)
         before, widths = widths, np.clip(new, LEAST_WIDTH * scale, MOST_WIDTH * scale)
         settled = bool((np.abs(step) < SETTLED * np.sqrt(np.diag(covariance))).all()) and bool(
             (np.abs(widths - before) < SETTLED * before).all()
@@ -253,6 +254,21 @@ def fit_scatter(
             again.append(other)
         starts = again
     return ScatterFit(values, widths, covariance, starts, used, said)
+
+
+def likely_widths(deviations: Array, spreads: Array, widths: Array, rounds: int) -> Array:
+    """Return widths (P,) of a scatter, from deviations (N, P) and their errors, which shots have at other ``widths``.
+
+    Expectation and maximisation, for each number by itself, on what each shot would say without these widths: one round for all
+    shots each time that they are fitted would take hundreds where there is hardly any scatter.
+    """
+    square, count = np.square(widths), len(deviations)
+    known = np.maximum(1 / np.square(spreads) - 1 / square, 1e-9 / square)
+    own = np.square(deviations * (1 + 1 / (known * square))) * (count / max(count - 1, 1))
+    for _ in range(rounds):
+        told = square * known
+        square = np.mean(np.square(told / (1 + told)) * own + square / (1 + told), axis=0)
+    return np.asarray(np.sqrt(square))
 
 
 def _possible(model: TableModel, values: Array, step: Array) -> Array:
@@ -277,7 +293,7 @@ def _loosened(
     and holds it there. Shots whose tables may differ each come near the true one, and so does their mean.
     """
     widths, own = WIDTH * np.array([one.scale for one in model.shared]), start_size(len(model.scene.balls))
-    found = fit_scatter(model, values, starts, frames, widths, noise, tell, LOOSE_ROUNDS)
+    found = fit_scatter(model, values, starts, frames, widths, noise, tell, LOOSE_ROUNDS, 1)
     for one, n, other in zip(starts, frames, found.starts, strict=True):
         one.pool.append(other.best[n][:own])
     return found.values
