@@ -54,7 +54,7 @@ def test_the_starts_come_back_and_the_film_is_followed(ranking, films):
         match = one.events()
         assert (match.model_only, match.film_only) == ([], [])
     assert ranking.best.median("ball") < 2.5e-3
-    assert "Two-step is the only law that was compared: the median distance of its shots" in ranking.verdict
+    assert "is the only law that was compared: the median distance of its shots" in ranking.verdict
     assert any("to rest" in line for line in ranking.describe())
 
 
