@@ -342,7 +342,7 @@ def walls(run: Campaign, scale: float) -> None:
         enskog_theory(n, temperature=t).conductivity
         for n, t in zip((layers.number[0] / volumes)[inner], layers.temperature[0, inner], strict=True)
     ])  # fmt: skip
-    middle_flux = float(np.nanmean(layers.heat_flux))
+    middle_flux = -float(np.nanmean(layers.heat_flux))  # (from the top, which is warmer)
     line(run, "  heat flux through the planes between layers (from the walls)", float(flux), middle_flux)
     spread = float(np.nanstd(layers.heat_flux, ddof=1))
     run.say(f"  its error in one plane {np.nanmean(errors.heat_flux):.2g}, scatter over the planes {spread:.2g}")
