@@ -75,10 +75,11 @@ def _guard(function: Callable[..., Any], where: str) -> Callable[..., Any]:
     places = [
         i for i, name in enumerate(function.__code__.co_varnames[: function.__code__.co_argcount]) if name in LAWS
     ]
+    first = min(places, default=sys.maxsize)
 
     @functools.wraps(function)
     def call(*args: Any, **options: Any) -> Any:
-        if (places or not LAWS.isdisjoint(options)) and called_from_outside():
+        if (len(args) > first or not LAWS.isdisjoint(options)) and called_from_outside():
             args = tuple(with_own_laws(one) if i in places else one for i, one in enumerate(args))
             options = {name: with_own_laws(one) if name in LAWS else one for name, one in options.items()}
         try:

@@ -7,7 +7,7 @@ import json
 import operator
 import struct
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -32,15 +32,13 @@ class MismatchError(Exception):
     """An argument is not of the kind that a loop was built for."""
 
 
-class ArgumentWriter:
-    """How one argument is handed over: ``kinds`` of C, and what adds the values to a list."""
+class ArgumentWriter(NamedTuple):
+    """How one argument is handed over."""
 
-    def __init__(self, kinds: list[Any], write: Callable[[Any, list[Any]], None]) -> None:
-        self.kinds, self.write = kinds, write
-
-    def __call__(self, value: Any, given: list[Any]) -> None:
-        """Add what stands for a value; MismatchError where it is of another kind."""
-        self.write(value, given)
+    kinds: list[Any]
+    """Of C."""
+    write: Callable[[Any, list[Any]], None]
+    """Add what stands for a value to a list; MismatchError where it is of another kind."""
 
 
 def argument_writers(kinds: Sequence[Any], dtypes: Sequence[Any], fixed: bool) -> list[ArgumentWriter]:
@@ -127,10 +125,13 @@ class ValueReader:
     def __init__(self, kind: Any) -> None:
         self._kind = kind
         self._struct = struct.Struct("@" + "".join(_codes(kind)))
+        self._flat = isinstance(kind, list) and not any(isinstance(one, list) for one in kind)
         self.size = self._struct.size + 8  # (a tuple in a tuple may end later)
 
     def read(self, buffer: Any) -> Any:
         """Return the value."""
+        if self._flat:
+            return self._struct.unpack_from(buffer)
         return _value(self._kind, iter(self._struct.unpack_from(buffer)))
 
 

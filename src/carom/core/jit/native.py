@@ -81,6 +81,8 @@ class NativeCode:
         self.numbas = f"numba_{described['name']}"
         self.writers: list[ArgumentWriter] = argument_writers(described["arguments"], dtypes, described["fixed"])
         self.reader: ValueReader | None = value_reader(described["returns"])
+        self._writes = [writer.write for writer in self.writers]
+        self._room: Any = None if self.reader is None else ctypes.c_char * self.reader.size
         self._lock = threading.Lock()
         self._row_seconds = math.inf  # of the last call
         self._call: Callable[..., int] | None = None
@@ -98,37 +100,45 @@ class NativeCode:
 
     def given(self, arguments: tuple[Any, ...]) -> list[Any]:
         """Return the arguments as C takes them; MismatchError where they are not of the kinds that this code is for."""
-        if len(arguments) != len(self.writers):
+        if len(arguments) != len(self._writes):
             raise MismatchError
         given: list[Any] = []
-        for write, argument in zip(self.writers, arguments, strict=True):
+        for write, argument in zip(self._writes, arguments, strict=True):
             write(argument, given)
         return given
 
     def call(self, arguments: tuple[Any, ...], given: list[Any]) -> Any:
         """Call the loop, parallel ones on all threads."""
         call = self._call or self._load()
-        out = NOTHING if self.reader is None else ctypes.create_string_buffer(self.reader.size)
-        parts, rows = 1, 1
+        out = NOTHING if self.reader is None else self._room()
         if self.described["parallel"]:
-            rows = max((len(x) for x in arguments if hasattr(x, "__len__")), default=0) or 1
-            parts = 1 if self._row_seconds * rows < SERIAL_SECONDS else min(thread_count(), rows)
+            self._share(call, out, arguments, given)
+        else:
+            self._require_ok(call(out, WHOLE, *given))
+        return None if self.reader is None else self.reader.read(out)
+
+    def _share(self, call: Callable[..., int], out: Any, arguments: tuple[Any, ...], given: list[Any]) -> None:
+        """Call a parallel loop, by one thread where the work is less than handing it over."""
+        rows = max((len(x) for x in arguments if hasattr(x, "__len__")), default=0) or 1
+        parts = 1 if self._row_seconds * rows < SERIAL_SECONDS else min(thread_count(), rows)
         spent = []
 
         def work(part: int) -> int:
             begin = time.perf_counter()
-            status = call(out, (ctypes.c_int64 * 3)(0, part, parts), *given)
+            status = call(out, PART(0, part, parts), *given)
             spent.append(time.perf_counter() - begin)
             return status
 
         for status in [work(0)] if parts <= 1 else call_in_parts(work, parts):
-            if status not in OK:
-                raise RuntimeError(
-                    f"{self.described['name']}: expected no error within a compiled loop, got status {status}"
-                )
+            self._require_ok(status)
         # (of the work alone: handing a part over takes longer than the work of few rows, which would go on being shared)
         self._row_seconds = sum(spent) / rows
-        return None if self.reader is None else self.reader.read(out)
+
+    def _require_ok(self, status: int) -> None:
+        if status not in OK:
+            raise RuntimeError(
+                f"{self.described['name']}: expected no error within a compiled loop, got status {status}"
+            )
 
     def _load(self) -> Callable[..., int]:
         with self._lock:
@@ -142,6 +152,8 @@ class NativeCode:
 
 
 SERIAL_SECONDS = 1e-4  # of work in all, below which handing a part to another thread takes longer than doing it
+PART = ctypes.c_int64 * 3  # which part of how many a call does
+WHOLE = PART(0, 0, 1)
 NOTHING = ctypes.create_string_buffer(8)  # to which a function without a value writes that
 OK = (0, -2)  # Numba's status of a function that returned a value, or None
 
