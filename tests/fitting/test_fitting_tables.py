@@ -216,7 +216,7 @@ def test_a_table_says_what_the_law_says():
     exact, speed = said(model.likelihood(), x, there), np.hypot(x[:, 0], x[:, 1])[:, None]
     for table, rms, most in ((coarse, 2e-3, 6e-3), (fine, 6e-5, 5e-4)):
         known = model.using(table).likelihood()
-        known = replace(known, rows=known.rows._replace(known=table.at(p, model.moves)))
+        known = replace(known, rows=known.rows._replace(known=table.at(p, model.moves, model.free)))
         off = (said(known, x, there) - exact) * (1, 1, A) / speed
         assert np.sqrt(np.square(off).mean(axis=0)).max() < rms
         assert np.abs(off).max() < most

@@ -160,12 +160,12 @@ def _search_grid(model: FitModel) -> Array:
             return starts
         # where the similar law saturates (no restitution above 1) its best point is one that this law cannot leave
         p = _grid(model)
-        found = some.minimize(p[np.argsort(some.minimize(p, 1).value)[:OWN_STARTS]], FEW_STEPS)
+        found = some.minimize(p[np.argsort(some.deviances(p))[:OWN_STARTS]], FEW_STEPS)
         return np.vstack([starts, found.p[np.argmin(found.value)]])
     p = _grid(model)
     if not parameters:
         return p
-    cost = some.minimize(p, 1).value
+    cost = some.deviances(p)
     # the best of the grid; only one of points that the rows do not distinguish
     _cost, first = np.unique(np.round(cost, 6), return_index=True)
     if marginal and "friction" in parameters:

@@ -119,10 +119,10 @@ def _by_group(fit: Fit, groups: Array) -> tuple[Array, Array]:
 
 def _scatter(values: Array, variances: Array) -> tuple[float, float, float]:
     """Return the probability of such differences by chance, the variance between groups, and the error bar of the common value."""
-    from scipy.stats import chi2
+    from scipy.special import chdtrc
 
     weight = 1 / variances
     mean = (weight * values).sum() / weight.sum()
     q, n = float((weight * np.square(values - mean)).sum()), len(values)
     tau2 = max(q - (n - 1), 0.0) / float(weight.sum() - np.square(weight).sum() / weight.sum())
-    return float(chi2.sf(q, n - 1)), tau2, float((1 / (variances + tau2)).sum() ** -0.5)
+    return float(chdtrc(n - 1, q)), tau2, float((1 / (variances + tau2)).sum() ** -0.5)

@@ -44,8 +44,8 @@ SERIAL_WORK = 4000  # law evaluations up to which one core is faster
 class TabulatedLaw(Protocol):
     """A table in place of a law (:mod:`carom.fitting.tabulated`)."""
 
-    def at(self, p: Array, moves: Array) -> Array:
-        """Return the table at a trial point, as compiled code reads it."""
+    def at(self, p: Array, moves: Array, free: NDArray[np.int64]) -> Array:
+        """Return the table at a trial point, with derivatives in the free numbers, as compiled code reads it."""
 
     def covers(self, problem: Any) -> bool:
         """Return whether all rows lie within it."""
@@ -264,7 +264,7 @@ def evaluate(model: LikelihoodModel, p: Array, weights: Array | None = None) -> 
         ]
         return Evaluation(*map(np.concatenate, zip(*(vars(seen).values() for seen in parts_of), strict=True)))
     # many sets: a part has some sets and all rows; few sets: a part has some rows; of a tabulated law each set has a table
-    tables = None if model.tabulated is None else [model.tabulated.at(one, model.moves) for one in p]
+    tables = None if model.tabulated is None else [model.tabulated.at(one, model.moves, model.free) for one in p]
     quick = n * max(points, 1) * (count if tables is None else 1) < SERIAL_WORK
     sets, parts = (1, 1) if quick else (PARTS, 1) if count >= PARTS else (1, PARTS)
     sets, parts = (sets, parts) if tables is None else (count, 1 if quick else PARTS)

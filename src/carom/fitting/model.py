@@ -183,6 +183,11 @@ class FitModel:
         """Return the model with the scatter of the residuals at p (K,), held."""
         return replace(self, problem=replace(self.problem, vy=self._residuals(p)[1]), profiled=False)
 
+    def deviances(self, p: Array) -> Array:
+        """Return the deviance (B,) at each of p (B, K), that of shared errors included."""
+        rows = self.evaluate(p, derivatives=False).deviance
+        return np.asarray(rows.sum(axis=1) + np.square(p[:, NUMBERS:]).sum(axis=1))
+
     def row_deviances(self, p: Array) -> tuple[Array, Array]:
         """Return deviance and chi^2 (N,) of each row at p."""
         seen = self.evaluate(p[None], derivatives=False)

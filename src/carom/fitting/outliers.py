@@ -58,7 +58,7 @@ def outliers_of(fit: Fit) -> OutlierSearch:
     chi^2 is computed with the parameters of a robust fit (Student's t): an ordinary fit is biased by the outliers, and finds none
     if a single row determines a parameter. If the robust fit has other parameters, a note lists them.
     """
-    from scipy.stats import chi2 as distribution
+    from scipy.special import chdtrc, chdtri
 
     problem = fit.problem
     d = np.isfinite(problem.y).sum(axis=1)
@@ -71,8 +71,8 @@ def outliers_of(fit: Fit) -> OutlierSearch:
         steady = fit_law(fit.law, replace(few, setting=replace(problem.setting, robust=True, scatter="")))
     chi2 = rows_of_fit(fit, problem, steady.numbers)[1]
     # if no law fits, a row is an outlier relative to the others, since the error bars are too small for all rows
-    scale = max(float(np.median(chi2[d > 0] / distribution.median(d[d > 0]))), 1.0)
-    limit = distribution.isf(FALSE_ALARM / len(d), np.maximum(d, 1))
+    scale = max(float(np.median(chi2[d > 0] / chdtri(d[d > 0], 0.5))), 1.0)
+    limit = chdtri(np.maximum(d, 1), FALSE_ALARM / len(d))
     found = [int(i) for i in np.flatnonzero((d > 0) & (chi2 > limit * scale))]
     found.sort(key=lambda i: -chi2[i])
     gap = problem.y - predict_law(fit.law, problem, steady.numbers)
@@ -92,7 +92,7 @@ def outliers_of(fit: Fit) -> OutlierSearch:
     if not found:
         return OutlierSearch()
     rest = float(np.delete(chi2, found).sum()), int(np.delete(d, found).sum()) - len(fit.names)
-    fits = len(found) <= max(1, MOST_OUTLIERS * len(d)) and rest[1] > 0 and distribution.sf(*rest) > UNLIKELY
+    fits = len(found) <= max(1, MOST_OUTLIERS * len(d)) and rest[1] > 0 and chdtrc(rest[1], rest[0]) > UNLIKELY
     return OutlierSearch(tuple(rows), tuple(_moved(fit, steady, rows)), bool(fits))
 
 

@@ -152,7 +152,7 @@ def _levels(fit: Fit, name: str) -> tuple[tuple[float, float], float]:
     freedom, p_j the parameters that the output determines (its leverage); of several outputs by Satterthwaite's sum, each with its
     part of the parameter's variance (Biometrics Bull. 2, 110 (1946)).
     """
-    from scipy.stats import t as student
+    from scipy.special import stdtrit
 
     problem = fit.problem
     inside = [i for i in range(len(fit.names)) if np.isfinite(fit.covariance[i, i]) and fit.covariance[i, i] > 0]
@@ -174,7 +174,7 @@ def _levels(fit: Fit, name: str) -> tuple[tuple[float, float], float]:
     free = np.maximum(count - np.einsum("ab,jba->j", inverse, information), 1.0)
     share = np.where(problem.estimated, part * count / free, part)
     degrees = share.sum() ** 2 / max(float((np.square(share) / free)[problem.estimated].sum()), 1e-12)
-    one, two = (float(share.sum() * student.ppf((1 + p) / 2, degrees) ** 2) for p in (0.6827, 0.95))
+    one, two = (float(share.sum() * stdtrit(degrees, (1 + p) / 2) ** 2) for p in (0.6827, 0.95))
     return (one, two), math.sqrt(share.sum())
 
 

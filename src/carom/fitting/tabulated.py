@@ -17,6 +17,7 @@ error bar to 5 % (a test says so).
 from __future__ import annotations
 
 import functools
+import itertools
 import math
 from dataclasses import dataclass
 
@@ -103,10 +104,12 @@ class LawTable:
     grid: _Grid
     spacing: tuple[float, float]
 
-    def at(self, p: Array, moves: Array) -> Array:
-        """Return the table at a trial point p (NUMBERS + S,), as compiled code reads it."""
+    def at(self, p: Array, moves: Array, free: NDArray[np.int64]) -> Array:
+        """Return the table at a trial point p (NUMBERS + S,), with derivatives in the free numbers, as compiled code reads it."""
         floor = float(p[FLOOR] + p[NUMBERS:] @ moves[:, FLOOR])
-        return _combined(self.grid, self.spacing, float(p[E]), float(p[MU]), floor)
+        asked = (True, E in free, MU in free, bool((free >= NUMBERS).any()))
+        planes = tuple(plane for plane in range(PLANES) if asked[plane])
+        return _combined(self.grid, self.spacing, float(p[E]), float(p[MU]), floor, planes)
 
     def covers(self, problem: Problem) -> bool:
         """Return whether all rows lie within the grid."""
@@ -114,7 +117,19 @@ class LawTable:
 
 
 @functools.lru_cache(maxsize=24)
-def _combined(grid: _Grid, spacing: tuple[float, float], e: float, mu: float, floor: float) -> Array:
+def _combined(
+    grid: _Grid, spacing: tuple[float, float], e: float, mu: float, floor: float, planes: tuple[int, ...]
+) -> Array:
+    """Return the predictions between nodes, plane 0, and those of their derivatives that are asked for; zeros for the others."""
+    body = np.zeros((len(grid.stages) * math.prod(grid.shape), PLANES, 3))
+    for plane in planes:
+        body[:, plane] = _plane(grid, spacing, e, mu, floor, plane).reshape(-1, 3)
+    return np.concatenate([[e, mu, floor], grid.head(), body.ravel()])
+
+
+@functools.lru_cache(maxsize=96)
+def _plane(grid: _Grid, spacing: tuple[float, float], e: float, mu: float, floor: float, plane: int) -> Array:
+    """Return the predictions between nodes, or their derivative in restitution, friction or the floor's friction (1 to 3)."""
     one, w, dw = _stencil(e / spacing[0], 0, round(1 / spacing[0]))
     least = math.ceil(math.log(OFFSET) / spacing[1])
     two, u, du = _stencil(math.log(mu + OFFSET) / spacing[1], least, least + 1_000_000)
@@ -123,19 +138,18 @@ def _combined(grid: _Grid, spacing: tuple[float, float], e: float, mu: float, fl
         t = (floor - grid.others[FLOOR]) / grid.floor_step
         three, f = [-1, 0, 1], np.array([t * (t - 1) / 2, 1 - t * t, t * (t + 1) / 2])
         df = np.array([t - 0.5, -2 * t, t + 0.5]) / grid.floor_step
-    shares = [np.einsum("i,j,k->ijk", *each).ravel() for each in
-              ((w, u, f), (dw / spacing[0], u, f), (w, du / spacing[1] / (mu + OFFSET), f), (w, u, df))]  # fmt: skip
-    nodes = [
-        _node(grid, i * spacing[0], max(math.exp(j * spacing[1]) - OFFSET, 0.0), grid.others[FLOOR] + k * grid.floor_step)
-        for i in one for j in two for k in three
-    ]  # fmt: skip
-    planes = np.zeros((PLANES, len(nodes[0])))
-    for share, node in zip(np.array(shares).T, nodes, strict=True):
-        for plane in range(PLANES):
-            if share[plane] != 0:
-                planes[plane] += share[plane] * node
-    body = planes.reshape(PLANES, -1, 3).transpose(1, 0, 2).ravel()
-    return np.concatenate([[e, mu, floor], grid.head(), body])
+    each = ((w, u, f), (dw / spacing[0], u, f), (w, du / spacing[1] / (mu + OFFSET), f), (w, u, df))[plane]
+    found = np.zeros(len(grid.stages) * math.prod(grid.shape) * 3)
+    for (i, j, k), share in zip(
+        itertools.product(one, two, three), np.einsum("i,j,k->ijk", *each).ravel(), strict=True
+    ):
+        if share != 0:  # (a floor as it is given, of which no derivative is asked, needs a third of the nodes)
+            friction, floor_friction = (
+                max(math.exp(j * spacing[1]) - OFFSET, 0.0),
+                grid.others[FLOOR] + k * grid.floor_step,
+            )
+            found += share * _node(grid, i * spacing[0], friction, floor_friction)
+    return found
 
 
 def _stencil(x: float, low: int, high: int) -> tuple[list[int], Array, Array]:
