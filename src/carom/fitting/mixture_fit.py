@@ -39,7 +39,7 @@ HOPELESS = (
     60.0  # of AICc above the best, beyond twice the largest gain so far: a law that far behind keeps its normal prior
 )
 FEW_STEPS = 40
-DESCENT = {"ftol": 1e-8, "maxiter": 150}
+COMPARED, DESCENT = {"ftol": 1e-5, "maxiter": 150}, {"ftol": 1e-8, "maxiter": 150}  # of shapes; of the best of them
 LEAST_WIDTH, MOST_WIDTH, MOST_MEAN, MOST_LOGIT = 0.02, 3.0, 2.0, 7.0
 MOST_ROWS = 5000
 LEAST_ROWS_EACH = 8  # rows whose spins were not measured, for each component
@@ -127,23 +127,25 @@ class _Joint:
     def descend(self, starts: Sequence[Array]) -> tuple[Array, float]:
         """Return the best end point of descents, and its deviance.
 
-        By SciPy's L-BFGS-B (Byrd, Lu, Nocedal & Zhu 1995): steps from the information with known components are too short.
+        By SciPy's L-BFGS-B (Byrd, Lu, Nocedal & Zhu 1995): steps from the information with known components are too short. Of
+        several, only the best is followed to its bottom.
         """
+        ends = [self._descend(start, COMPARED) for start in starts] if len(starts) > 1 else [(starts[0], 0.0)]
+        return self._descend(min(ends, key=lambda end: end[1])[0], DESCENT)
+
+    def _descend(self, start: Array, options: dict[str, float]) -> tuple[Array, float]:
+        """Return the end point of one descent, and its deviance."""
         from scipy.optimize import minimize
 
-        ends = []
-        for start in starts:
-            scale = np.sqrt(np.maximum(np.diag(self(start[None])[2][0]), 1e-9))
+        scale = np.sqrt(np.maximum(np.diag(self(start[None])[2][0]), 1e-9))
 
-            def scaled(z: Array, scale: Array = scale) -> tuple[float, Array]:
-                value, score, _information = self((z / scale)[None])
-                return float(value[0]), -2 * score[0] / scale
+        def scaled(z: Array) -> tuple[float, Array]:
+            value, score, _information = self((z / scale)[None])
+            return float(value[0]), -2 * score[0] / scale
 
-            bounds = np.stack([self.low, self.high], axis=-1) * scale[:, None]
-            ends.append(minimize(scaled, start * scale, jac=True, method="L-BFGS-B", bounds=bounds, options=DESCENT))
-            ends[-1].x /= scale
-        best = min(ends, key=lambda end: float(end.fun))
-        return np.clip(best.x, self.low, self.high), float(best.fun)
+        bounds = np.stack([self.low, self.high], axis=-1) * scale[:, None]
+        end = minimize(scaled, start * scale, jac=True, method="L-BFGS-B", bounds=bounds, options=options)
+        return np.clip(end.x / scale, self.low, self.high), float(end.fun)
 
     def information(self, q: Array) -> Array:
         """Return the information on law and shared errors, with the mixture profiled out: from differences of the scores."""
@@ -226,12 +228,14 @@ def with_mixtures(
 def _search(fit: Fit, problem: Problem, p: Array, rows: Problem, mixtures: Sequence[SpinMixture]) -> _Mixed:
     """Return the best end of descents from numbers p and some shapes; ``rows``: with the scatter between contacts so far."""
 
-    def descend(rows: Problem, p: Array, mixtures: Sequence[SpinMixture]) -> tuple[_Joint, Array, float]:
+    def descend(
+        rows: Problem, p: Array, mixtures: Sequence[SpinMixture], last: bool = True
+    ) -> tuple[_Joint, Array, float]:
         model = model_of(fit.law, replace(rows, mixture=None))
         coarse = coarse_table(model)
         joint = _Joint(model.using(coarse), p, len(mixtures[0].share))
         q, deviance = joint.descend([joint.packed(p, one) for one in mixtures])
-        if coarse is not None:
+        if coarse is not None and last:
             e, mu = (
                 fit.estimates[name].stderr or 0.0 if name in fit.estimates else 0.0
                 for name in ("restitution", "friction")
@@ -245,7 +249,7 @@ def _search(fit: Fit, problem: Problem, p: Array, rows: Problem, mixtures: Seque
         return joint, q, deviance
 
     scatter = (fit.scatter, fit.determinants, fit.contact_scatter)
-    joint, q, deviance = descend(rows, p, mixtures)
+    joint, q, deviance = descend(rows, p, mixtures, last=not problem.setting.scatter)
     if problem.setting.scatter:
         p, mixture = joint.unpacked(q)
         held = model_of(fit.law, replace(problem, mixture=mixture)).using(joint.model.tabulated)
