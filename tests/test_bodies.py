@@ -100,7 +100,7 @@ def test_names():
     for name in carom.__all__:
         if name not in ("plot", "datasets", "derive"):  # rooms with libraries of their own
             assert getattr(carom, name) is not None
-    with pytest.raises(AttributeError, match="No carom attribute imapct"):
+    with pytest.raises(AttributeError, match="carom has no imapct; did you mean impact"):
         carom.imapct  # noqa: B018
 
 

@@ -357,7 +357,9 @@ def rolling(ball: Ball, velocity: ArrayLike = (-1.0, 1.0), spin_z: ArrayLike = 0
         length = 0
     v = vectors(faults, "velocity", velocity, "m/s", 3 if length == 3 else 2)
     if length == 3 and np.any(v[..., 2] != 0):
-        faults.add("velocity", "no vertical component: the ball is on the floor", f"v_z = {v[..., 2].flat[0]!r}")
+        faults.add(
+            "velocity", "no vertical component: the ball is on the floor", f"v_z = {float(v[..., 2].flat[0])!r} m/s"
+        )
     wz = vectors(faults, "spin_z", np.asarray(spin_z)[..., None], "rad/s", 1)[..., 0]
     if ball.planar:
         faults.add("ball", "a ball: a disc in the plane has no floor to roll on", "a disc")

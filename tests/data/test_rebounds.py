@@ -132,6 +132,34 @@ def test_units_in_cells_and_rows_too_wide(tmp_path: Path) -> None:
     assert "'1 m/s' at line 2; write units in the header" in fault
     (fault,) = faults(tmp_path, f"{PLANAR}\n1,0,0,1,0,0,9\n")
     assert "expected 6 fields" in fault
+    assert fault.endswith("a comma within a number: write a decimal point there, and no comma before thousands")
+
+
+def test_a_mistyped_number_is_one_fault(tmp_path: Path) -> None:
+    (fault,) = faults(
+        tmp_path, "speed_in,incidence_deg,speed_out,reflection_deg,spin_out\n2O,30,9,31,4\n20,3l,9,31,n.a.\n"
+    )[:1]
+    assert fault.endswith("speed_in: expected a number, got '2O' at line 2; it has a letter in place of a digit: '20'?")
+    found = faults(
+        tmp_path, "speed_in,incidence_deg,speed_out,reflection_deg,spin_out\n2O,30,9,31,4\n20,3l,9,31,n.a.\n"
+    )
+    assert [fault.split(": ")[1] for fault in found] == ["speed_in", "incidence_deg"]
+
+
+def test_columns_before_and_after(tmp_path: Path) -> None:
+    table = "speed {0},angle {0} [deg],spin {0},speed {1},angle {1} [deg],spin {1}\n"
+    one, two = (
+        read_rebounds(put(tmp_path, table.format(*names).replace("spin", "spin_y") + "2,30,0,1.5,20,9\n"))
+        for names in (("before", "after"), ("in", "out"))
+    )
+    assert {name: column.tolist() for name, column in one.columns.items()} == {
+        name: column.tolist() for name, column in two.columns.items()
+    }
+
+
+def test_a_spin_in_an_unknown_unit_is_one_fault(tmp_path: Path) -> None:
+    (fault,) = faults(tmp_path, "v_n_in,v_t_in,spin_out [U/min],v_n_out\n1,1,1,1\n")
+    assert "expected a unit, one of rad/s, deg/s, rpm, rev/s, got 'U/min'" in fault
 
 
 def test_mixed_units_are_remarked(tmp_path: Path) -> None:

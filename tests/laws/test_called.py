@@ -62,8 +62,24 @@ def test_calls_that_cannot_be(call: object, said: str) -> None:
 def test_a_law_that_is_asked_for_as_a_function_is_named() -> None:
     with pytest.raises(AttributeError, match=r"carom\.LAWS\['stronge-cushion'\]\(ball, state, wall\)"):
         carom.stronge_cushion  # noqa: B018
-    with pytest.raises(AttributeError, match="No carom attribute billard"):
+    with pytest.raises(AttributeError, match=r"carom has no billard; did you mean billiards\?"):
         carom.billard  # noqa: B018
+    with pytest.raises(AttributeError, match=r"carom has no twostep; did you mean two_step\?"):
+        carom.twostep  # noqa: B018
+    with pytest.raises(AttributeError, match=r"no function curve; the table is carom.billiards.table\('curve', ...\)"):
+        carom.billiards.curve  # noqa: B018
+    for name, said in (("two_step", "did you mean 'two-step'"), ("abc", "known are mirror, ")):
+        with pytest.raises(KeyError, match=f"no law '{name}'; {said}"):
+            carom.LAWS[name]
+
+
+def test_a_law_that_is_called_shows_itself_and_has_the_names_of_two_step() -> None:
+    ball = carom.Ball()
+    found = carom.LAWS["mathavan2010"](ball, carom.rolling(ball, (-1.0, 1.0)), normal=(1.0, 0.0, -0.3))
+    assert found.rolling is found.final
+    assert repr(found).startswith("<Answer: after the wall 0.")
+    many = carom.LAWS["mirror"](ball, carom.rolling(ball, [(-1.0, 1.0), (-2.0, 1.0)]))
+    assert repr(many) == "<Answer of shape (2,)>"
 
 
 def test_an_event_has_the_state_after_it() -> None:

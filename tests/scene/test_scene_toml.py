@@ -28,6 +28,11 @@ def test_a_table_that_is_not_there_is_named_and_a_file_with_the_command_that_wri
         carom.load_scene("pool9ft.toml")
     with pytest.raises(carom.CaromError, match=r"No such file or directory; did you mean 'pool-9ft'\?$"):
         carom.load_scene("pool9ft")
+    with pytest.raises(carom.CaromError, match=r"a file's name ends with \.toml; tables have the names carom, "):
+        carom.load_scene("table")
+    assert carom.new_scene("pool-9ft", break_speed="8 m/s") == carom.new_scene("pool-9ft", break_speed=8)
+    with pytest.raises(carom.CaromError, match="break_speed: expected a speed in m/s, > 0 and at most 100, got '8 mm'"):
+        carom.new_scene("pool-9ft", break_speed="8 mm")
     with pytest.raises(carom.CaromError, match="scene: line 2: expected TOML"):
         carom.load_scene("gravity = 1\nb")
 

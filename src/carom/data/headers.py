@@ -125,7 +125,13 @@ class ColumnNames:
 
     def __init__(self, names: Mapping[str, tuple[str, tuple[str, ...]]]) -> None:
         self.names = names
-        self.known = {alias: name for name, (_dimension, others) in names.items() for alias in (name, *others)}
+        self.known = {
+            later: name
+            for name, (_dimension, others) in names.items()
+            for alias in (name, *others)
+            for later in (alias, alias.replace("_in", "_before"), alias.replace("_out", "_after"))
+            if later == alias or alias.endswith(("_in", "_out"))
+        }
         self.by_length = sorted(self.known, key=len, reverse=True)
 
     def parse(self, header: str) -> Heading | None:
@@ -199,7 +205,8 @@ def missing_unit(where: str, header: str, meaning: Heading) -> Fault:
     """Return the fault of a column whose unit is missing or unknown."""
     example = header_with_unit(meaning.alias, next(iter(UNITS[meaning.dimension].values())), "suffix")
     advice = f"add it to the header, as in {example!r}"
-    return Fault(where, f"column {header!r}", f"a unit, one of {meaning.units}", advice=advice)
+    got = found[2].strip() if (found := BRACKETS.match(header.strip())) else ""
+    return Fault(where, f"column {header!r}", f"a unit, one of {meaning.units}", got and repr(got), advice=advice)
 
 
 def without_unit(header: str) -> str:

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from carom.data.csv import CsvTable
 from carom.data.headers import BRACKETS, DIRECTION_COLUMN, DIRECTION_UNIT, Heading, missing_unit, with_units_below
 from carom.data.rebounds import CELL_BYTES, NAMED, Kind, Rebounds, make_rebounds, rows_of_stage, stages_of_column
-from carom.data.remarks import which_rows
+from carom.data.remarks import EMPTY_CELL, which_rows
 from carom.data.table_cells import (
     SPREADSHEET,
     decimal_commas,
@@ -147,7 +147,9 @@ def rebounds_of_columns(
                 filled = np.where(known, sigma, np.median(sigma[known]) if known.any() else np.nan)
                 measured[f"sigma_{meaning.quantity}"] = np.where(np.isnan(value), np.nan, filled)
     # (the components that a quantity without a unit would have given are missing as well)
-    if any(meaning.unit is None and meaning.quantity in TARGETS for meaning in meanings.values()):
+    if any(
+        one.unit is None and (one.quantity in TARGETS or one.quantity.startswith("spin")) for one in meanings.values()
+    ):
         faults.raise_if_any()
     for name, share in relative.items():
         if (of := measured.get(name.removeprefix("sigma_"))) is not None:
@@ -171,12 +173,22 @@ def rebounds_of_columns(
         more = FaultList()
         more.attempt(make_rebounds, kind, measured, stage=stages, extra=extra, rows=rows, source=source)
         headed = {meaning.quantity: f"column {headers[i]!r}" for i, meaning in meanings.items()}
-        faults += [one for one in more if not (faults.has(one.field) or faults.has(headed.get(one.field, one.field)))]
+        faults += [
+            one
+            for one in more
+            if not (faults.has(one.field) or faults.has(headed.get(one.field, one.field)))
+            and not (one.got.startswith(EMPTY_CELL) and _unread_cells(headers, meanings, faults))
+        ]
         faults.raise_if_any()
     if kind == "planar" and stage is None:
         stages = None
     made = make_rebounds(kind, measured, stage=stages, extra=extra, rows=rows, source=source)
     return rows_of_stage(replace(made, notes=(*found.notes, *_unread(extra), *made.notes)), stage)
+
+
+def _unread_cells(headers: Sequence[str], meanings: Mapping[int, Heading], faults: FaultList) -> bool:
+    """Return whether a cell that gives components is no number, so that these are empty."""
+    return any(one.quantity in TARGETS and faults.has(headers[i].strip()) for i, one in meanings.items())
 
 
 def _unread(extra: Mapping[str, NDArray[Any]]) -> list[str]:
@@ -281,7 +293,12 @@ def _read_csv(path: Path, faults: FaultList) -> Reader:
     spare = [fields[width:] for _n, _t, fields in records]
     if wrong.any() and any(any(cell.strip() for cell in cells) for cells in spare):
         got = len(records[np.flatnonzero(wrong)[0]][2])
-        faults.add("rows", f"{width} fields, as the header has", f"{got} {which_rows(wrong, lines)}")
+        comma = (
+            ""
+            if semicolons or got < width
+            else "a comma within a number: write a decimal point there, and no comma before thousands"
+        )
+        faults.add("rows", f"{width} fields, as the header has", f"{got} {which_rows(wrong, lines)}", comma)
 
     commas = semicolons or decimal_commas([cell for row in rows for cell in row])
 

@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.data.headers import ColumnNames
-from carom.data.remarks import speed_remarks, which_rows
+from carom.data.remarks import EMPTY_CELL, speed_remarks, which_rows
 from carom.data.table_cells import parse_numbers
 from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, shortened_list, suggestion
 from carom.files import as_path, atomic_file, import_optional
@@ -242,7 +242,7 @@ def _check_cells(given: Mapping[str, Array], rows: Sequence[str], faults: FaultL
     def check(name: str, bad: NDArray[np.bool_], expected: str, remedy: str) -> None:
         if bad.any():
             got = float(given[name][np.flatnonzero(bad)[0]])
-            got_text = "an empty cell" if np.isnan(got) else repr(got)
+            got_text = EMPTY_CELL if np.isnan(got) else repr(got)
             faults.add(name, expected, f"{got_text} {which_rows(bad, rows)}", remedy)
 
     for name, column in given.items():

@@ -7,12 +7,13 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["BEYOND", "WITHOUT_ERROR_BARS", "speed_remarks", "which_rows"]
+__all__ = ["BEYOND", "EMPTY_CELL", "WITHOUT_ERROR_BARS", "speed_remarks", "which_rows"]
 
 Array = NDArray[np.float64]
 # A larger ratio of the speeds before and after a contact suggests mixed units.
 MAX_SPEED_RATIO = 20.0
 BEYOND = 3.0  # error bars by which a number has to exceed what is possible
+EMPTY_CELL = "an empty cell"  # as messages name a number that is not there
 WITHOUT_ERROR_BARS = 0.02  # relative excess that is reported where error bars are unknown
 
 

@@ -16,7 +16,7 @@ __all__ = [
 
 EMPTY = frozenset({""})
 # As programs and people write that there is no number; in lower case.
-MISSING = frozenset({"", "nan", "na", "n/a", "#n/a", "null", "nil", "-", "--", "none", "<na>", ".", "?"})
+MISSING = frozenset({"", "nan", "na", "n/a", "n.a.", "#n/a", "null", "nil", "-", "--", "none", "<na>", ".", "?"})
 
 # Java, spreadsheets and word processors write the minus sign of a language instead of ASCII's.
 MINUS = "\u2212\u2010\u2011\u2012\u2013\u2014\u2796\ufe58\ufe63\uff0d"
@@ -29,6 +29,7 @@ SIGNS = {
     0x066B: ".", 0x066C: "'", 0x2019: "'", 0x00A0: " ", 0x202F: " ", 0x2009: " ", 0x2007: " ",
 }  # fmt: skip
 # Exponents in the languages that do not write E: Swedish and others x10^, Arabic the word for exponent
+DIGITS_MISTYPED = str.maketrans("OoIl", "0011")
 EXPONENT = re.compile(r"\s*(?:[\u00d7\u00b7*]\s*10\s*\^|\u0623\u0633|\u0627\u0633|[eE])\s*(?=[-+]?\d+$)")
 SPREADSHEET = re.compile(r"sep=(.)\s*\n", re.IGNORECASE)  # the first line with which spreadsheets name the delimiter
 GROUPED = re.compile(r"[-+]?\d{1,3}(?:([ ',.])\d{3})(?:\1\d{3})*(?!\d)")
@@ -184,7 +185,13 @@ def number_advice(cell: str) -> str:
     """Return the remedy, for a message, where a cell is no number."""
     if COMMA.fullmatch(plain_number(cell)):
         return "its comma may be a decimal sign or separate thousands: write numbers with a decimal point"
-    return "write units in the header"
+    try:
+        float(plain_number(digits := cell.strip().translate(DIGITS_MISTYPED)))
+    except ValueError:
+        return "write units in the header"
+    return (
+        f"it has a letter in place of a digit: {digits!r}?" if digits != cell.strip() else "write units in the header"
+    )
 
 
 def _pointed(cell: str) -> bool:

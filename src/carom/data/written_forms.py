@@ -274,8 +274,13 @@ class _Conversion:
         """Take the other ratios of speeds after and before: e_t of the centre, e_x (Cross) and beta (Walton) of the slip."""
         along = self.take("e_t")
         if along is not None and "v_t_in" not in self.have:
-            wanted = "v_t_in, or an angle of incidence, beside it (incidence_deg)"
-            self.faults.add("column 'e_t'", wanted, "none")
+            wanted = "v_t_in, or an angle of incidence, beside it"
+            self.faults.add(
+                "column 'e_t'",
+                wanted,
+                "none",
+                "an angle from the normal is called incidence_deg, one from the surface incidence_from_surface_deg",
+            )
         elif along is not None:
             # (v_t_out is 0 where v_t_in is)
             v_t = self.have["v_t_in"]

@@ -107,7 +107,7 @@ class Meeting:
     """(...): tangential over normal stiffness of the wall contact; read by laws with tangential compliance."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Answer:
     """The prediction of a law. Shapes (...) as in the state."""
 
@@ -121,6 +121,18 @@ class Answer:
     """(...): why there is no final state; empty strings where there is one."""
     steps: Settled | None = None
     """Flight, landing and final rolling, for laws that describe them."""
+
+    @property
+    def rolling(self) -> State:
+        """The final state, by the name that it has in :func:`carom.two_step`."""
+        return self.final
+
+    def __repr__(self) -> str:
+        """Return one line: the velocities after the wall and at the end; of many only their shape."""
+        if self.final.shape:
+            return f"<Answer of shape {self.final.shape}>"
+        after, end = (", ".join(f"{v:.4g}" for v in one.velocity) for one in (self.after_wall, self.final))
+        return f"<Answer: after the wall {after} m/s, at the end {end} m/s>"
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ import pkgutil
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from carom.errors import CaromError, Fault, did_you_mean, require_type
+from carom.errors import CaromError, Fault, did_you_mean, require_type, suggestion
 from carom.laws.law import Card, Law
 
 __all__ = ["card_named", "cards", "law_for_pairs", "law_named", "law_styles", "laws", "laws_of_pairs", "one_or_several"]
@@ -25,11 +25,18 @@ def _modules() -> tuple[Any, ...]:
     return tuple(importlib.import_module(f"{__package__}.{name}") for name in names)
 
 
+class _ByName(dict[str, Any]):
+    """Laws by name, with an error that says which there are."""
+
+    def __missing__(self, name: object) -> Any:
+        raise KeyError(f"no law {name!r:.60}; {suggestion(name, list(self))}")
+
+
 @functools.cache
 def laws() -> dict[str, Law]:
     """Return all laws by name, sorted by ``order``: the value of ``carom.LAWS``."""
     found = [module.LAW for module in _modules() if isinstance(getattr(module, "LAW", None), Law)]
-    return {law.name: law for law in sorted(found, key=lambda law: (law.order, law.name))}
+    return _ByName({law.name: law for law in sorted(found, key=lambda law: (law.order, law.name))})
 
 
 @functools.cache

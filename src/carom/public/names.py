@@ -8,6 +8,8 @@ from typing import Any
 
 import lazy_loader
 
+from carom.errors import near_name
+
 __all__ = ["attach_public"]
 
 
@@ -26,6 +28,13 @@ def attach_public(package: str, file: str) -> tuple[Callable[[str], Any], Callab
             if package == "carom" and (law := next((one for one in load("LAWS") if one.replace("-", "_") == name), "")):
                 called = f"carom.LAWS[{law!r}](ball, state, wall)"
                 raise AttributeError(f"carom has no function {name}; the law itself is called: {called}") from error
+            if package == "carom.billiards" and name in sys.modules["carom"].scene.FIGURES:
+                called = f"carom.billiards.table({name!r}, ...)"
+                raise AttributeError(f"{package} has no function {name}; the table is {called}") from error
+            if not name.startswith("_") and (
+                near := near_name(name, [one for one in names if one.islower() or not name.islower()])
+            ):
+                raise AttributeError(f"{package} has no {name}; did you mean {near}?") from error
             raise
         if getattr(found, "__module__", "").startswith("carom."):  # (not a module, nor a table of numbers)
             from carom.public.guard import guarded

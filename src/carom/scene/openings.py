@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from carom.core.units import in_si
 from carom.errors import CaromError, Fault, did_you_mean, shown
 from carom.scene.plausible import FAST
 from carom.scene.presets import Preset, Sourced, preset_fault, presets
@@ -48,20 +49,21 @@ class Opening:
     rows: tuple[int, ...] = ()
 
 
-def table_scene(name: str, rack: str | None = None, break_speed: float | None = None) -> str:
+def table_scene(name: str, rack: str | None = None, break_speed: float | str | None = None) -> str:
     """Return the text of a scene file for a real table: cushions and pockets, balls, cloth, each number with its source.
 
     Raises CaromError for a name that no table has, and for another rack or speed of the break than the table's game has.
     """
     found = [replace(fault, field="table") for fault in preset_fault(name)]
     game = "" if found else name.split("-", maxsplit=1)[0]
-    found += rack_fault(game, rack) + _speed_fault(game, break_speed)
+    speed = in_si(break_speed, "m/s")
+    found += rack_fault(game, rack) + _speed_fault(game, speed)
     if found:
         raise CaromError(*found)
     preset = presets()[name]
     length, radius = preset.cushions["length"].value, preset.parts["ball"]["radius"].value
     if game == "pool":
-        opening = _pool(length, radius, rack or "15 balls", break_speed or BREAK_SPEED)
+        opening = _pool(length, radius, rack or "15 balls", speed or BREAK_SPEED)
     else:
         opening = {"carom": _carom, "snooker": _snooker}[game](length, radius)
     lines = [
@@ -158,13 +160,21 @@ def rack_fault(game: str, rack: str | None) -> list[Fault]:
     return [Fault("", "rack", f"one of {', '.join(RACKS)}", shown(rack), did_you_mean(rack, RACKS))]
 
 
-def _speed_fault(game: str, speed: float | None) -> list[Fault]:
+def _speed_fault(game: str, speed: Any) -> list[Fault]:
     """Return the problem with the speed of a break on the table of a game (empty: unknown)."""
-    if speed is None or (0 < speed <= FAST and game in ("pool", "")):
+    given = speed if isinstance(speed, int | float) else math.nan
+    if speed is None or (0 < given <= FAST and game in ("pool", "")):
         return []
     if game not in ("pool", ""):
         return [Fault("", "break_speed", "a pool table, for a break", f"a {game} table", "omit the speed")]
-    return [Fault("", "break_speed", f"a speed in m/s, > 0 and at most {FAST:g}", f"{speed:g}")]
+    return [
+        Fault(
+            "",
+            "break_speed",
+            f"a speed in m/s, > 0 and at most {FAST:g}",
+            shown(speed) if isinstance(speed, str) else f"{speed:g}",
+        )
+    ]
 
 
 def _rows(x: float, radius: float, rows: Sequence[int]) -> list[tuple[float, float]]:

@@ -78,7 +78,11 @@ def _remedy(path: Path) -> str:
     near = near_name(path, presets())
     if near and not path.suffix:
         return f"did you mean {near!r}?"
-    return f"carom scene new `table` {near} FILE.toml writes one" if near else f"carom scene new {path} writes one"
+    if near:
+        return f"carom scene new `table` {near} FILE.toml writes one"
+    if not path.suffix and path.name == str(path):
+        return f"a file's name ends with .toml; tables have the names {', '.join(presets())}"
+    return f"carom scene new {path} writes one"
 
 
 def save_scene(scene: Scene, path: str | Path) -> Path:
@@ -153,7 +157,7 @@ def _beside(table: dict[str, Any], folder: Path) -> None:
             part["law"] = str(folder / law)
 
 
-def new_scene(table: str | None = None, *, rack: str | None = None, break_speed: float | None = None) -> Scene:
+def new_scene(table: str | None = None, *, rack: str | None = None, break_speed: float | str | None = None) -> Scene:
     """Return a scene that can be run as it is: one ball on a carom table, or a real table with its balls.
 
     Parameters
@@ -163,8 +167,8 @@ def new_scene(table: str | None = None, *, rack: str | None = None, break_speed:
         cloth.
     rack : str, optional
         The rack of a pool table: "8-ball", "9-ball" or "10-ball". Default: fifteen balls in the order of their numbers.
-    break_speed : float, optional
-        Speed of the cue ball in the break on a pool table, m/s. Default: 9.5.
+    break_speed : float or str, optional
+        Speed of the cue ball in the break on a pool table, m/s, or with its unit, "20 mph". Default: 9.5.
 
     Returns
     -------
@@ -186,7 +190,9 @@ def new_scene(table: str | None = None, *, rack: str | None = None, break_speed:
     return from_file("scene", Scene, parse_toml("scene", scene_text(table, rack=rack, break_speed=break_speed)))
 
 
-def scene_text(scene: Scene | str | None = None, *, rack: str | None = None, break_speed: float | None = None) -> str:
+def scene_text(
+    scene: Scene | str | None = None, *, rack: str | None = None, break_speed: float | str | None = None
+) -> str:
     """Return the text of a scene file.
 
     Parameters
