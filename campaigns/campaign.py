@@ -130,7 +130,7 @@ def film_campaign(
 
 
 def write_result(path: Path, name: str, doc: str, lines: Sequence[str], seconds: float) -> None:
-    """Put the result of a campaign into the page, in place of its last one."""
+    """Put the result of a campaign into the page, in place of its last one; other sections stay, of whatever titles."""
     commit = subprocess.run(
         ["git", "-C", str(ROOT), "describe", "--always", "--dirty"], capture_output=True, text=True, check=False
     ).stdout.strip()
@@ -138,8 +138,11 @@ def write_result(path: Path, name: str, doc: str, lines: Sequence[str], seconds:
     about = f"{datetime.now(UTC):%Y-%m-%d}, commit {commit or 'unknown'}, {seconds / 60:.0f} min: `python campaigns/{name}.py`"
     section = "\n".join((f"## {name}", "", title, "", about, "", "```text", *lines, "```", ""))
     head, *old = path.read_text(encoding="utf-8").split("\n## ")
-    sections = {one.split("\n", maxsplit=1)[0]: f"## {one.rstrip()}\n" for one in old} | {name: section}
-    path.write_text(head.rstrip() + "\n" + "".join(f"\n{sections[one]}" for one in sorted(sections)), encoding="utf-8")
+    sections = [(one.split("\n", maxsplit=1)[0], f"## {one.rstrip()}\n") for one in old]
+    last = next((k for k, (title, _text) in enumerate(sections) if title == name), len(sections))
+    sections[last : last + 1] = [(name, section)]
+    sections.sort(key=lambda one: one[0])
+    path.write_text(head.rstrip() + "\n" + "".join(f"\n{text}" for _title, text in sections), encoding="utf-8")
 
 
 class Rows:
@@ -232,8 +235,9 @@ def deviations(truth: dict[str, float], values: dict[str, Any], errors: dict[str
 def say_shares(run: Any, kind: str, rows: Sequence[Row], names: Iterable[str]) -> None:
     """Print a line a number: how often its error bars hold the truth, and their median."""
     for name in names:
-        bar = np.median([row[f"{name} bar"] or 0.0 for row in rows])
-        run.say(f"{kind:7} {name:24} {shares([row[name] for row in rows])}; error bar {bar:.2g}")
+        bars = [row[f"{name} bar"] for row in rows if row[f"{name} bar"]]
+        bar = f"; error bar {np.median(bars):.2g}" if bars else ""
+        run.say(f"{kind:7} {name:24} {shares([row[name] for row in rows])}{bar}")
 
 
 def shares(pulls: Sequence[float | Sequence[bool] | None]) -> str:

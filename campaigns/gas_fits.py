@@ -35,7 +35,7 @@ KINDS: dict[str, dict[str, float]] = {
 
 
 def one_gas(kind: str, seed: int) -> dict[str, Any]:
-    """Deviations of the numbers in error bars."""
+    """Deviations of the numbers in error bars; of curves, whether the intervals of 68 and 95 % hold them."""
     truth, smooth = KINDS[kind], kind in {"smooth", "viscoelastic curve"}
     e: Any = {"form": "viscoelastic", "c": 0.2} if kind.startswith("visc") else 0.85
     first: Any = {"form": "viscoelastic", "c": 0.4} if kind.startswith("visc") else 0.5
@@ -52,7 +52,10 @@ def one_gas(kind: str, seed: int) -> dict[str, Any]:
             warm = curve.pop("temperature")
             curve["ratio"] = curve.pop("temperature_rotational") / warm
         fit = carom.fit_gas(curve, scene(first, rubs, 0.0), names=list(truth), simulations=60, seed=seed)
-    return {"rows": fit.rows} | deviations(truth, fit.values, fit.errors)
+    found = deviations(truth, fit.values, fit.errors)
+    for name, (low, high) in fit.intervals_95.items():
+        found[name] = [abs(found[name]) <= 1, low <= truth[name] <= high]
+    return {"rows": fit.rows} | found
 
 
 def main(words: Sequence[str] | None = None) -> None:

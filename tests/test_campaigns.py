@@ -78,6 +78,21 @@ def test_a_complete_run_is_written(tmp_path: Path, capsys: pytest.CaptureFixture
     assert len(capsys.readouterr().out.splitlines()) == 5
 
 
+def test_no_section_of_the_page_is_lost_where_two_have_one_title(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text("# Campaigns\n\n## b\n\nThe last.\n\n## a\n\nOne.\n\n## a\n\nTwo.\n\n## b\n\nAn older part.\n")
+    write_result(page, "b", "Title.", ["line"], 60.0)
+    text = page.read_text()
+    assert re.findall("^## (.*)", text, re.MULTILINE) == ["a", "a", "b", "b"]
+    assert all(one in text for one in ("One.", "Two.", "line", "An older part."))
+    assert "The last." not in text
+
+
+def test_the_page_has_a_section_once() -> None:
+    titles = re.findall("^## (.*)", RESULTS.read_text(encoding="utf-8"), re.MULTILINE)
+    assert titles == sorted(set(titles))
+
+
 def _survives() -> str:
     for one in (signal.SIGINT, signal.SIGTERM):
         os.kill(os.getpid(), one)

@@ -48,10 +48,10 @@ def fit_gas(
     from carom.cli.progress import working
     from carom.cli.streams import say, say_json, say_notes
     from carom.files import require_library
-    from carom.formatting import format_uncertain
 
     require_library("scipy", "fit")
     from carom.fitting.gas_fit import fit_gas as infer
+    from carom.fitting.result import with_error_bar
 
     wanted = None if names is None else comma_separated(names)
     with working("fit gas", err()) as update:
@@ -60,5 +60,5 @@ def fit_gas(
         say_json(found.to_dict())
         return
     say_notes(found.notes)
-    for name, value in found.values.items():
-        say(f"{name.replace('_', ' ')}  {format_uncertain(value, found.errors[name])}")
+    for name, one in found.estimates().items():
+        say(f"{name.replace('_', ' ')}  {with_error_bar(one, interval=True)}")

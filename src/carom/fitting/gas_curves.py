@@ -1,10 +1,10 @@
 """Restitution, friction and tangential restitution from a gas's cooling curve or temperature ratio, by simulated gases.
 
-No formula stands between the numbers and the curve: gases like the measured one are simulated with numbers drawn from a box, and
-a linear regression turns their curves into an estimate of each number (Fearnhead & Prangle, J. R. Stat. Soc. B 74, 419 (2012),
-doi:10.1111/j.1467-9868.2011.01010.x). That estimate is calibrated by simulations that it was not made from: its mean as a function
-of the true numbers, and its covariance, which includes the fluctuations of so few balls and the measurement's own noise. Then the
-box shrinks about the answer, and the simulations begin anew.
+No formula stands between the numbers and the curve: gases like the measured one are simulated, with the noise of the measurement,
+and the likelihood of the numbers is that of the measured curve's shape among theirs (:mod:`carom.fitting.simulated_likelihood`). It
+includes the fluctuations of so few balls, with their correlation along the curve. Each round simulates gases with numbers that are
+plausible under the rounds before (history matching: Vernon, Goldstein & Bower, Bayesian Anal. 5, 619 (2010),
+doi:10.1214/10-BA524). Intervals are those of the profile likelihood, within the range that is searched.
 """
 
 from __future__ import annotations
@@ -17,6 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
+from carom.fitting.evidence import UNLIKELY
+from carom.fitting.profile_likelihood import LEVELS
+from carom.fitting.simulated_likelihood import Deviance, Simulated, interval, likelihood_of, plausible
 from carom.gas.build import build
 from carom.gas.endings import EndedEarlyError
 from carom.gas.scene import GasScene
@@ -31,10 +34,7 @@ __all__ = ["CURVES", "GasCurve", "curve_numbers", "fit_curve", "of_balls", "rest
 Array = NDArray[np.float64]
 CURVES = ("temperature", "temperature_rotational", "ratio")
 ROUNDS = 4
-WIDTHS = 3.0  # error bars, on both sides, to which the box shrinks
 SHAPES = 4  # of a curve: polynomials of the logarithm of time
-RIDGE = 1e-3
-STEPS, STEP, FARTHEST = 8, 1e-4, 1.5  # of Newton's method on a quadratic surface; of half a box from its middle
 BOX = {"restitution": (0.3, 1.0), "friction": (0.0, 1.0), "tangential_restitution": (-1.0, 1.0)}
 FORM_BOX = {"at_rest": (0.3, 1.0), "at_speed": (0.3, 1.0), "exponent": (1e-3, 0.5)}
 SOFTEST = 0.8  # c v^(1/5) of a viscoelastic contact at the thermal speed of the start: a restitution of 0.43
@@ -47,16 +47,17 @@ class GasCurve(NamedTuple):
     values: dict[str, Array]
     errors: dict[str, Array]
 
-    def starts(self) -> dict[str, float]:
-        """Return the temperatures at the first time, with which the simulations begin."""
-        first = {"temperature": 1.0} | {name: float(values[0]) for name, values in self.values.items()}
+    def starts(self, scene: GasScene) -> dict[str, float]:
+        """Return the temperatures at the first time, with which the simulations begin; the scene's where none was measured."""
+        first = {"temperature": scene.species[0].temperature or 1.0}
+        first |= {name: float(values[0]) for name, values in self.values.items()}
         warm = first["temperature"]
         spins = first.get("temperature_rotational", warm * first.get("ratio", 1.0))
         return {"temperature": warm, "temperature_rotational": spins}
 
     def thermal_speed(self, scene: GasScene) -> float:
         """Return the speed of a ball of the first species along an axis at the first time, m/s."""
-        return math.sqrt(self.starts()["temperature"] / scene.species[0].nominal_mass(scene.container.dimensions))
+        return math.sqrt(self.starts(scene)["temperature"] / scene.species[0].nominal_mass(scene.container.dimensions))
 
 
 def of_balls(scene: GasScene, contact: GasContact) -> bool:
@@ -92,20 +93,19 @@ def fit_curve(
     simulations: int,
     seed: int,
     progress: Progress | None = None,
-) -> tuple[dict[str, float], dict[str, float], list[str]]:
-    """Return those of the numbers with ``names`` that the curve tells, their standard errors, and notes."""
+) -> tuple[dict[str, Array], list[str]]:
+    """Return the intervals of 68 and 95 % (2, 2) of those of the numbers with ``names`` that the curve tells, and notes."""
     rng = np.random.default_rng([seed, 0x6A5])
     known = curve_numbers(scene, curve.thermal_speed(scene))
     fields = [known[name][0] for name in names]
-    low, high = (np.array([known[name][k] for name in names]) for k in (1, 2))
-    begin, end = low.copy(), high.copy()
+    begin, end = (np.array([known[name][k] for name in names]) for k in (1, 2))
     target = _features(curve, curve.values)
-    total, count, notes = ROUNDS * simulations, 0, list[str]()
-    where, covariance = (low + high) / 2, np.diag((high - low) ** 2 / 12)
+    total, count = ROUNDS * simulations, 0
+    inputs, outputs, rounds = [], [], list[Simulated]()
+    deviance: Deviance = lambda numbers: np.zeros(len(numbers))  # noqa: E731
+    near = begin + (end - begin) * rng.random((simulations, len(names)))
     for _ in range(ROUNDS):
-        inputs, outputs = [], []
-        for _ in range(simulations):
-            given = low + (high - low) * rng.random(len(names))
+        for given in near[rng.permutation(len(near))[:simulations]]:
             found = _simulated(curve, scene, dict(zip(fields, given.tolist(), strict=True)), rng)
             count += 1
             if progress is not None:
@@ -113,72 +113,32 @@ def fit_curve(
             if found is not None:
                 inputs.append(given)
                 outputs.append(found)
-        if len(inputs) < 4 * (len(target) + len(names)) // 2:
+        x, y = np.array(inputs), np.array(outputs)
+        alike = np.isfinite(deviance(x))
+        simulated = likelihood_of(x[alike], y[alike], target)
+        if simulated is None:
             raise CaromError(
                 "fit_gas: simulations: expected gases that reach the last time, got too few: give the scene a contact_time, or more"
                 " simulations"
             )
-        where, covariance = _calibrated(np.array(inputs), np.array(outputs), target)
-        where = np.clip(where, begin, end)
-        width = WIDTHS * np.sqrt(np.diag(covariance))
-        low, high = np.maximum(where - width, begin), np.minimum(where + width, end)
-    flat = [name for k, name in enumerate(names) if math.sqrt(covariance[k, k]) > (end - begin)[k] / math.sqrt(12)]
-    notes += [f"{name} is not told by these data" for name in flat]
-    notes += [
-        f"{name}: {where[k]:g} is the end of the range that was searched; check the other numbers of the scene, which were held"
-        for k, name in enumerate(names)
-        if name not in flat and where[k] in (begin[k], end[k])
-    ]
-    told = [k for k, name in enumerate(names) if name not in flat]
-    values = {names[k]: float(where[k]) for k in told}
-    return values, {names[k]: math.sqrt(covariance[k, k]) for k in told}, notes
-
-
-def _calibrated(inputs: Array, outputs: Array, target: Array) -> tuple[Array, Array]:
-    """Return numbers and covariance: a regression from one half of the simulations, calibrated by the other, and the reverse."""
-    halves = (slice(0, None, 2), slice(1, None, 2))
-    found = []
-    for made, tested in (halves, halves[::-1]):
-        middle, scale = outputs[made].mean(axis=0), outputs[made].std(axis=0) + 1e-300
-        y = np.column_stack([np.ones(len(inputs[made])), (outputs[made] - middle) / scale])
-        penalty = RIDGE * len(y) * np.diag([0.0] + [1.0] * (y.shape[1] - 1))
-        weights = np.linalg.solve(y.T @ y + penalty, y.T @ inputs[made])
-
-        def estimate(rows: Array, middle: Array = middle, scale: Array = scale, weights: Array = weights) -> Array:
-            made_of: Array = np.column_stack([np.ones(len(rows)), (rows - middle) / scale]) @ weights
-            return made_of
-
-        # the mean estimate as a function of the true numbers, and its scatter
-        centre = (inputs.max(axis=0) + inputs.min(axis=0)) / 2
-        reach = (inputs.max(axis=0) - inputs.min(axis=0)) / 2 + 1e-300
-        x = _powers((inputs[tested] - centre) / reach)
-        surface = np.asarray(np.linalg.lstsq(x, estimate(outputs[tested]), rcond=None)[0], np.float64)
-        left = estimate(outputs[tested]) - x @ surface
-        scatter = left.T @ left / max(len(left) - x.shape[1], 1)
-        u, inverse = _solved(surface, estimate(target[None])[0])
-        found.append((centre + reach * u, reach[:, None] * (inverse @ scatter @ inverse.T) * reach))
-    (one, first), (two, second) = found
-    return (one + two) / 2, (first + second) / 2
-
-
-def _powers(u: Array) -> Array:
-    """Return 1, the numbers (N, P), and their products of two, by columns."""
-    pairs = [u[:, i] * u[:, j] for i in range(u.shape[1]) for j in range(i, u.shape[1])]
-    return np.column_stack([np.ones(len(u)), u, *pairs])
-
-
-def _solved(surface: Array, wanted: Array) -> tuple[Array, Array]:
-    """Return where a quadratic surface, of the columns of :func:`_powers`, has the wanted values, and its inverse slope there."""
-    size = len(wanted)
-    u: Array = np.zeros(size)
-    inverse = np.asarray(np.linalg.pinv(surface[1 : size + 1].T), np.float64)
-    for _ in range(STEPS):
-        u = np.clip(u + inverse @ (wanted - (_powers(u[None]) @ surface)[0]), -FARTHEST, FARTHEST)
-        slope = np.stack(
-            [(_powers((u + h)[None]) - _powers((u - h)[None]))[0] @ surface / (2 * STEP) for h in STEP * np.eye(size)]
+        rounds.append(simulated)
+        near, deviance = plausible([one.deviance for one in rounds], begin, end, rng)
+    one, two = (interval(deviance, near, begin, end, rise, rng) for rise in LEVELS)
+    told, notes = dict[str, Array](), list[str]()
+    for k, name in enumerate(names):
+        if (one[0, k], one[1, k]) == (begin[k], end[k]):  # (nothing that was searched is less likely)
+            notes.append(f"{name} is not told by these data")
+            continue
+        told[name] = np.stack([one[:, k], two[:, k]])
+        ends = [f"{edge:g}" for edge, its in ((begin[k], one[0, k]), (end[k], one[1, k])) if edge == its]
+        notes += [f"{name}: its interval ends at {edge}, at the end of the range that was searched" for edge in ends]
+    chi2, free, probability = rounds[-1].probability(near)
+    if probability < UNLIKELY:
+        notes.append(
+            f"no simulated gas has such a curve (chi^2 {chi2:.3g} where {free} is expected): check the other numbers of the scene,"
+            " which were held"
         )
-        inverse = np.asarray(np.linalg.pinv(slope.T), np.float64)
-    return u, inverse
+    return told, notes
 
 
 def _features(curve: GasCurve, values: dict[str, Array]) -> Array:
@@ -200,7 +160,7 @@ def _simulated(curve: GasCurve, scene: GasScene, numbers: dict[str, float], rng:
     """Return the features of a simulated gas, with the noise of the measurement; None where it collapses."""
     contacts = [k for k, one in enumerate(scene.contacts) if of_balls(scene, one)]
     changes: dict[str, Any] = {f"contacts.{k}.{field}": value for field, value in numbers.items() for k in contacts}
-    changes |= {f"species.*.{name}": value for name, value in curve.starts().items()}
+    changes |= {f"species.*.{name}": value for name, value in curve.starts(scene).items()}
     changes["run.seed"] = int(rng.integers(2**31))
     gas = build(replaced(scene, changes))
     values: dict[str, list[float]] = {name: [] for name in curve.values}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +17,7 @@ from carom.fitting.fit_files import fit
 from carom.fitting.gas_collisions import collisions_of_tracks
 from carom.fitting.gas_curves import CURVES, GasCurve, curve_numbers, fit_curve, of_balls, restitution_form
 from carom.fitting.ranking import Ranking
+from carom.fitting.result import Estimate, estimate_dict
 from carom.gas.build import load_gas
 from carom.gas.scene import GasScene
 from carom.public.progress import Progress
@@ -37,10 +38,20 @@ class GasFit:
     rows: int
     """Collisions found in tracks, or times of a curve."""
     notes: tuple[str, ...] = ()
+    intervals_95: dict[str, tuple[float, float]] = field(default_factory=dict)
+    """By profile likelihood, of numbers from a curve (of which value ± error is the interval of 68 %); none of tracks."""
+
+    def estimates(self) -> dict[str, Estimate]:
+        """Return value, error bar and interval of each number."""
+        found = {}
+        for name, x in self.values.items():
+            error, wide = self.errors[name], self.intervals_95.get(name)
+            found[name] = Estimate(x, error, "", (x - error, x + error) if wide else None, wide)
+        return found
 
     def to_dict(self) -> dict[str, Any]:
         """Return the results as plain numbers."""
-        parameters = {name: {"value": x, "stderr": self.errors[name]} for name, x in self.values.items()}
+        parameters = {name: estimate_dict(one) for name, one in self.estimates().items()}
         return {"parameters": parameters, "data": self.data, "rows": self.rows, "notes": list(self.notes)}
 
 
@@ -77,7 +88,8 @@ def fit_gas(
     Returns
     -------
     GasFit
-        Raises CaromError, one line per problem.
+        Of a curve, value ± error is the interval of 68 % by profile likelihood, and ``intervals_95`` has those of 95 %, which may
+        be longer on one side. Raises CaromError, one line per problem.
 
     Examples
     --------
@@ -134,8 +146,10 @@ def _of_tracks(columns: Any, scene: GasScene) -> GasFit:
     estimates = ranking.ranked[0].fit.estimates
     values, errors = {}, {}
     for name, one in estimates.items():
-        if one.value is None or one.stderr is None:
+        if one.value is None:
             notes.append(f"{name} is not told by these data")
+        elif one.stderr is None or not one.stderr > 0:
+            notes.append(f"{name}: {one.value:.4g}, at the end of its range, has no error bar")
         else:
             values[name], errors[name] = float(one.value), float(one.stderr)
     return GasFit(values, errors, "tracks", len(table["v_n_in"]), tuple(notes))
@@ -162,5 +176,9 @@ def _of_curves(
         names = [name for name in curve_numbers(scene, 1.0) if name.startswith("restitution")]
         names += [] if list(curves) == ["temperature"] else ["tangential_restitution"]
     curve = GasCurve(t, values, errors)
-    found, sigma, notes = fit_curve(curve, scene, names, simulations, seed, progress)
-    return GasFit(found, sigma, "curve", len(t), tuple(notes))
+    found, notes = fit_curve(curve, scene, names, simulations, seed, progress)
+    return GasFit(
+        {name: float(ends[0].mean()) for name, ends in found.items()},
+        {name: float(np.ptp(ends[0])) / 2 for name, ends in found.items()},
+        "curve", len(t), tuple(notes), {name: (float(ends[1, 0]), float(ends[1, 1])) for name, ends in found.items()},
+    )  # fmt: skip
