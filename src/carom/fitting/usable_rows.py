@@ -19,6 +19,7 @@ __all__ = ["assumed_height", "require_error_bars", "second_rows", "spin_of_rows"
 
 Rows = NDArray[np.bool_]
 CONTACT = ("film", "shot", "ball", "contact")  # columns by which rows of one contact are known
+LEAST_SIGNED, CLEARER = 5, 5.0  # rows, and ratio of what is not conserved, from which signs are doubted
 MOST_CARRIED = 1000  # rows up to which spins are carried from one contact to the next
 
 
@@ -83,6 +84,7 @@ def usable_rows(
         rows = _without_later_contacts(rows)
     rows = _with_one_stage(rows)
     rows = _with_defaults(rows, sigma_v, sigma_spin, known_spin)
+    rows = replace(rows, notes=(*rows.notes, *_sign_note(rows, setting)))
     return rows, replace(setting, **prior, chained=not every_contact).with_height()
 
 
@@ -102,6 +104,28 @@ def assumed_height(kind: Kind, setting: Setting) -> list[str]:
     return [
         "`contact_height` is not given: assumed to be 1, a wall that touches the ball level with its centre; the nose of a cushion"
         " touches it higher (nose height / radius: mostly 1.2 to 1.4)"
+    ]
+
+
+def _sign_note(rows: Rebounds, setting: Setting) -> list[str]:
+    """Return a note where v_t + kappa a spin, which every impact at one point conserves, is conserved with another sign only."""
+    if rows.kind != "planar":
+        return []
+    before, after = rows["v_t_in"], rows["v_t_out"]
+    spins = setting.kappa * setting.radius * np.stack([rows["spin_in"], rows["spin_out"]])
+    known = np.isfinite(before + after + spins.sum(axis=0))
+    if known.sum() < LEAST_SIGNED:
+        return []
+    given, turned_spin, turned_v = (
+        float(np.median(np.abs((v + spin[1] - before - spin[0])[known])))
+        for v, spin in ((after, spins), (after, -spins), (-after, spins))
+    )
+    least, meant = min((turned_spin, "the spins"), (turned_v, "v_t_out"))
+    if not least * CLEARER < given:
+        return []
+    return [
+        f"signs: an impact at one point conserves v_t + kappa a spin; here it changes by {given:.2g} m/s (median), with the"
+        f" other sign of {meant} by {least:.2g} m/s: check the signs (slip is v_t - a spin)"
     ]
 
 
