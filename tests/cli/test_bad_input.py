@@ -326,7 +326,7 @@ def test_settings_of_fits_that_are_no_numbers(value):
         ),
         (
             ("simulate", "a.toml", "--max-events", "1.5"),
-            "carom: --max-events: expected a valid integer, got '1.5' (carom simulate --help)",
+            "carom: --max-events: expected a whole number, such as 20000 or 2e4, got '1.5' (carom simulate --help)",
         ),
     ],
 )
