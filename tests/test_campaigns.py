@@ -9,6 +9,7 @@ import signal
 import time
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import closing
+from multiprocessing import get_context
 from pathlib import Path
 
 import pytest
@@ -101,7 +102,8 @@ def _survives() -> str:
 
 def test_a_worker_leaves_signals_to_its_parent() -> None:
     """``timeout`` sends SIGTERM to all: the workers ended first, and the campaign with a traceback of their pool."""
-    with ProcessPoolExecutor(1, initializer=left_to_the_parent) as pool:
+    # (not forked: another test of this process may have loaded JAX, whose threads a fork does not bear)
+    with ProcessPoolExecutor(1, get_context("spawn"), left_to_the_parent) as pool:
         assert pool.submit(_survives).result() == "it goes on"
 
 

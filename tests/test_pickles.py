@@ -20,6 +20,7 @@ from carom import billiards, data, derive, fitting, gas, scene, sweeps, tracks
 from carom.fitting import GasFit, shots
 from carom.fitting.shots import drawn_films
 from carom.fitting.tracks import fit_tracks
+from carom.gas.time_averages import LayerAverages
 from carom.interop import pooltool
 from carom.plot import path_after_wall
 
@@ -172,6 +173,8 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
         shots.ComparedForm("cushion", "not yielding", 3.0, {"e": 0.8}, (1, 2)),
         gas.TransportCoefficients(*3 * [gas.Coefficient(0.2, 0.01, np.ones(3), np.ones(3))]),
         gas.enskog(0.1),
+        gas.LayerProfiles(*2 * [LayerAverages("z", *7 * [np.ones(3)])]),
+        gas.DiffusionCoefficients(*2 * [gas.DiffusionCoefficient(1.0, 0.1, 1.0, 0.1, *3 * [np.ones(3)])]),
         gas.ShearRun(1.0, 0.2, 0.1, 5.0),
         gas.GasSurface(restitution=0.9, friction=0.1),
     ],

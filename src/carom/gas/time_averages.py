@@ -164,15 +164,17 @@ def _in_layers(
     empty = number == 0
     v[empty], moves[empty], spins[empty] = math.nan, math.nan, math.nan
     edges = float(one["cell_size"][axis]) * np.arange(number.shape[1] + 1)
-    fluxes = _through_edges(arrays, before, after, time, axis, mass, of_class)
+    fluxes = _through_edges(arrays, before, after, time, axis, of_class)
     return LayerAverages("xyz"[axis], edges, number, v + one["frame"][:axes], moves / axes, spins, *fluxes)
 
 
 def _through_edges(
-    arrays: GasArrays, before: Any, after: Averages, time: float, axis: int, mass: Array, of_class: Array
+    arrays: GasArrays, before: Any, after: Averages, time: float, axis: int, of_class: Array
 ) -> tuple[Array, Array]:
     """Return the fluxes of energy and of heat through the edges between layers, nan at the outer ones, (L + 1,) each."""
-    one, kinds, axes = arrays.system[0], len(mass), int(arrays.system[0]["dimensions"])
+    # (of each kind of balls: a species whose radii are drawn has many)
+    one, mass = arrays.system[0], arrays.materials.species["mass"][:, None]
+    kinds, axes = len(mass), int(one["dimensions"])
     area = math.prod(float(one["side"][k]) for k in range(axes) if k != axis)
     energy = np.full(of_class.shape[1] + 1, math.nan)
     heat = energy.copy()
