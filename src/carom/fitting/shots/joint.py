@@ -45,11 +45,8 @@ EVALUATIONS, STEPS = 6, 20
 GAIN = 1e-3  # of the mean logarithm, below which the search ends
 HALVINGS = 5  # of a step to an impossible table
 LARGEST_STEP = 4.0  # usual changes of a number
-SCATTER_ROUNDS, LOOSE_ROUNDS, WIDTH_ROUNDS = (
-    5,
-    3,
-    4,
-)  # (brought to their end, 300, widths become 0 that later frames contradict)
+SCATTER_ROUNDS, LOOSE_ROUNDS = 5, 3
+WIDTH_ROUNDS = 4  # of 300, after which widths stand still, some are 0 that later frames contradict (docs, whole shots)
 WIDTH = 0.5  # of usual changes: the scatter between shots with which its search begins
 SETTLED = 0.2  # error bars of the means, and shares of the widths, below which a round ends the search
 FOLLOWED = 1.3  # ratio of the median distance to the noise, up to which the frames' noise alone gives the errors
@@ -264,7 +261,7 @@ def likely_widths(deviations: Array, spreads: Array, widths: Array, rounds: int)
     """Return widths (P,) of a scatter, from deviations (N, P) and their errors, which shots have at other ``widths``.
 
     Expectation and maximisation, for each number by itself, on what each shot would say without these widths: one round for all
-    shots each time that they are fitted would take hundreds where there is hardly any scatter. (All rounds are no better: docs, whole shots.)
+    shots each time that they are fitted would take hundreds where there is hardly any scatter.
     """
     square, count = np.square(widths), len(deviations)
     known = np.maximum(1 / np.square(spreads) - 1 / square, 1e-9 / square)
