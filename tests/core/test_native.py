@@ -236,12 +236,17 @@ def test_code_for_a_later_llvm_or_with_unknown_calls_is_left_to_numba(built: dic
         assert NativeLoop(source, [code]).numba_address is None
 
 
+def _bitcode(built: dict[str, Any], folder: Path) -> machine_code.Bitcode:
+    """Return the bitcode of a loop that was built, whose machine code is kept in a folder."""
+    good = built["rows"].codes[0]
+    kept_in = {name: good.described[name] for name in ("name", "vectorise", "calls", "llvm")}
+    return machine_code.Bitcode(**kept_in, read=good.read, names=folder / "index.json")
+
+
 def test_machine_code_is_kept_and_what_is_not_whole_is_made_again(
     built: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    good, made = built["rows"].codes[0], []
-    kept_in = {name: good.described[name] for name in ("name", "vectorise", "calls", "llvm")}
-    code = machine_code.Bitcode(**kept_in, read=good.read, names=tmp_path / "index.json")
+    code, made = _bitcode(built, tmp_path), list[Any]()
     finish = machine_code.finished_code
     monkeypatch.setattr(machine_code, "_objects", lambda _index: tmp_path)
     monkeypatch.setattr(machine_code, "finished_code", lambda code: made.append(code) or finish(code))
@@ -259,9 +264,7 @@ def test_machine_code_is_kept_and_what_is_not_whole_is_made_again(
 def test_of_two_first_runs_at_once_one_makes_the_machine_code(
     built: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    good, made = built["rows"].codes[0], []
-    kept_in = {name: good.described[name] for name in ("name", "vectorise", "calls", "llvm")}
-    code = machine_code.Bitcode(**kept_in, read=good.read, names=tmp_path / "index.json")
+    code, made = _bitcode(built, tmp_path), list[Any]()
 
     def finish(code: Any) -> bytes:
         made.append(code)

@@ -116,13 +116,18 @@ def animate(
         )
     program = ffmpeg() if kind == ".mp4" else ""
     times = np.minimum(span[0] + np.arange(count) * speed / fps, span[1])
-    with style(), atomic_path(path) as part:
-        film = Film(run, times, span, WIDE[kind])
-        if kind == ".mp4":
+    with style():
+        write_film(Film(run, times, span, WIDE[kind]), path, program, fps, tell)
+    return path
+
+
+def write_film(film: Any, path: Path, program: str, fps: float, tell: Callable[[int, int], None]) -> None:
+    """Write frames to a film, .mp4 (by ``program``, :func:`ffmpeg`) or .gif, whole or not at all."""
+    with atomic_path(path) as part:
+        if path.suffix.lower() == ".mp4":
             write_mp4(film, part, program, fps, tell)
         else:
             write_gif(film, part, fps, tell)
-    return path
 
 
 def _checked(run: Trajectory, kind: str, fps: Any, speed: Any, start: Any, end: Any) -> tuple[float, float]:

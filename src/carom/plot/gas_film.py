@@ -14,13 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError, FaultList
-from carom.files import atomic_path, require_library, require_writable, write_text
+from carom.files import require_library, require_writable, write_text
 from carom.gas.containers import Container
 from carom.gas.endings import EndedEarlyError
 from carom.gas.faces import Floats
 from carom.gas.gas import Gas
 from carom.gas.session import Session
-from carom.plot.animation import FASTEST_GIF, MOST_FRAMES, WIDE, ffmpeg, write_gif, write_mp4
+from carom.plot.animation import FASTEST_GIF, MOST_FRAMES, WIDE, ffmpeg, write_film
 from carom.plot.gas import COLOURS, LEAST_SHOWN, draw_outline
 from carom.plot.style import INK, new_figure, style
 from carom.plot.video import DISC
@@ -101,12 +101,7 @@ def animate_gas(
         if kind == ".svg":
             write_text(path, _svg(reel, fps))
             return path
-        film = _GasFilm(reel, WIDE[kind])
-        with atomic_path(path) as part:
-            if kind == ".mp4":
-                write_mp4(film, part, program, fps, tell)
-            else:
-                write_gif(film, part, fps, tell)
+        write_film(_GasFilm(reel, WIDE[kind]), path, program, fps, tell)
     return path
 
 
