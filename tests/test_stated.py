@@ -41,20 +41,7 @@ def test_a_sentence_that_is_gone_and_a_stale_one_are_faults() -> None:
     assert one.source in stale.wrong()
 
 
-SOURCED = "compliance errata index landing rolling two_step where whole_tracks"
-
-
-@pytest.mark.parametrize(
-    "page",
-    [
-        "README.md",
-        "docs/index.md",
-        "paper.md",
-        "docs/comparison.md",
-        "docs/faq.md",
-        *(f"docs/theory/{name}.md" for name in SOURCED.split()),
-    ],
-)
+@pytest.mark.parametrize("page", stated.PAGES)
 def test_no_number_is_without_a_source(page: str) -> None:
     found = stated.stated(page)
     assert found

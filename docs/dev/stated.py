@@ -34,6 +34,8 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 import carom
 from carom.data import read_rebounds
 from carom.fitting import evidence, identifiability, spin_quadrature, tabulated
@@ -76,8 +78,8 @@ NAME = re.compile(
     re.MULTILINE | re.DOTALL,
 )
 SOURCE = re.compile(
-    r"(?:tests|campaigns|benchmarks|docs)/[\w/]+\.(?:py|md)|`carom [a-z][^`]*`"
-    r"|\]\([^)\s]*\)|\ba test\b|\bthe tests\b|the cells? (?:above|below)"
+    r"(?:tests|campaigns|benchmarks|docs|src)/[\w/]+\.(?:py|md)|`carom [a-z][^`]*`"
+    r"|\]\([^)\s]*\)|\ba test\b|\bthe tests\b|[Tt]he cells? (?:above|below)"
 )
 WORDS = (
     *("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"),
@@ -254,6 +256,51 @@ def cue() -> list[float]:
     return [one.mass / 28.349523e-3, 1e3 * one.end_mass, one.restitution, one.friction]
 
 
+def snooker() -> list[float]:
+    """Speed after a snooker cushion over that before, %: least, largest and median measured; Han's law at e = 1, at most."""
+    cushions = beside("cushions")
+    columns = cushions.datasets.load("mathavan2009").columns
+    ratio = 100 * columns["v_n_out_m_s"] / columns["v_n_in_m_s"]
+    one = np.ones(1)
+    most = max(cushions.snooker("han2005", one, one, friction)[0] for friction in (0.5, 1.0, 3.0))
+    return [ratio.min(), ratio.max(), np.median(ratio), 100 * most]
+
+
+def above_in(table: Sequence[str], law: str, column: int) -> float:
+    """The least number in a column of the law's rows of a table on docs/theory/cushions.md, whose header begins as given."""
+    found, inside, named = [], False, ""
+    for cells in rows("docs/theory/cushions.md"):
+        if cells[:1] == ["law"]:
+            inside = cells[: len(table)] == list(table)
+        elif inside:
+            named = cells[0].strip("`") or named
+            if named == law:
+                found.append(float(cells[column].replace("−", "-")))
+    return min(found)
+
+
+def han_behind() -> list[float]:
+    """How far Han's cushion is behind in AICc: of the snooker balls, and of the filmed shots."""
+    square_on, filmed = ("law", "numbers", "RMS, m/s"), ("law", "numbers", "scatter, % of the speed")
+    return [above_in(square_on, "han2005", 3) - above_in(square_on, "mathavan2010", 3), above_in(filmed, "han2005", 3)]
+
+
+def few_spins() -> list[float]:
+    """Coverage, %, of one and of 1.96 error bars of mean and width of n normal numbers: n = 20, n = 60, 20 without the factor."""
+    from scipy import stats
+
+    found: list[float] = []
+    for n, factor in ((20, 1 + 0.75 / 20), (60, 1 + 0.75 / 60), (20, 1.0)):
+        share = 1 / math.sqrt(2 * n)  # the width's error bar over the width
+        of_mean = stats.t(n - 1, scale=1 / (factor * math.sqrt((n - 1) / n)))
+        found += [100 * (2 * of_mean.cdf(k) - 1) for k in (1, 1.96)]
+        of_square = stats.chi2(n - 1, scale=factor**2 / n)
+        found += [
+            100 * (of_square.cdf((1 - k * share) ** -2) - of_square.cdf((1 + k * share) ** -2)) for k in (1, 1.96)
+        ]
+    return found
+
+
 COUNTS = "len(carom.LAWS), len(carom.compare().verdicts)"
 TABLE, FILMS = "docs/benchmarks.md", "docs/validation/which_law.md"
 STATEMENTS = (
@@ -281,6 +328,31 @@ STATEMENTS = (
         r"a collision takes ([\d.]+) to ([\d.]+) µs among ([\d,]+) spheres",
         lambda: [*(1e6 * benchmark(f"a gas of 100,000 {kind} spheres")[0] for kind in ("smooth", "rough")), 100_000],
         TABLE,
+    ),
+    Statement(
+        "docs/theory/cushions.md",
+        r"come back with (\d+) to (\d+) % of their speed, half of them with more than (\d+) %\. .*? returns (\d+) % at most",
+        snooker,
+        "docs/dev/cushions.py",
+    ),
+    Statement(
+        "docs/theory/cushions.md",
+        r"by (\d+) in AICc .*? loses by (\d+) on another",
+        han_behind,
+        "the tables of the page",
+    ),
+    Statement(
+        "docs/theory/cushions.md",
+        r"normal, (\d+) % of the ball's",
+        lambda: [100 * math.sqrt(0.84)],
+        "the height of the nose",
+    ),
+    Statement(
+        "docs/theory/fitting.md",
+        r"the mean in ([\d.]+) and ([\d.]+) % and the width in ([\d.]+) and ([\d.]+) % .*? for 60 spins in ([\d.]+) and ([\d.]+),"
+        r" ([\d.]+) and ([\d.]+) %\. .*? for 20 is ([\d.]+) and ([\d.]+), ([\d.]+) and ([\d.]+) %",
+        few_spins,
+        "SciPy's distributions",
     ),
     Statement(
         "docs/theory/pressed.md", r"1 for a vertical wall and ([\d.]+) for a cushion at 7/5", corner, "its formula"
