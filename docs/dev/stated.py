@@ -309,7 +309,7 @@ STATEMENTS = (
         for page, pattern, value, source in (
             ("gas", r"takes some (\d+) samples", session.SAMPLES, "carom.gas.session"),
             ("gas", r"reset every (\d+) collisions per ball", initial.STAGE, "carom.gas.initial"),
-            ("gas", r"a ball with (\d+) contacts", collisions.PATIENCE, "carom.gas.edmd.collisions"),
+            ("gas", r"a ball that has (\d+) contacts in a row", collisions.PATIENCE, "carom.gas.edmd.collisions"),
             ("pairs", r"and Kennedy\), (\d+) a contact", cluster_steps.STEPS, "carom.simulation.cluster_steps"),
             ("fitting", r"has risen by ([\d.]+) \(99", identifiability.FLAT_RISE, "carom.fitting.identifiability"),
             ("fitting", r"stays below ([\d.]+) \(99", identifiability.FLAT_RISE, "carom.fitting.identifiability"),
