@@ -161,7 +161,11 @@ def test_a_shot_that_is_followed_is_known_within_its_errors(ranking, films):
 
 
 def test_forms_are_compared_on_the_same_shots(ranking):
-    (one,) = compare_forms(ranking.best, FORMS[-1:])
+    cushion, one = compare_forms(ranking.best, [FORMS[1], FORMS[-1]])
+    # both contain the fit's form: its optimum is one of their tables
+    assert max(cushion.deviance, one.deviance) <= 1e-9
+    assert cushion.aicc > 0
+    assert set(cushion.numbers) == {f"walls.0.restitution.coefficients.{k}" for k in range(2)}
     assert (one.part, set(one.numbers)) == (
         "balls",
         {"ball_contact.friction.at_rest", "ball_contact.friction.at_speed"},
@@ -245,3 +249,21 @@ def test_a_scatter_is_as_wide_as_it_was_drawn():
             mean = (share * seen).sum() / share.sum()
             found.append(likely_widths(share * (seen - mean), np.sqrt(share) * error, width, 300)[0])
         assert low < np.median(found) < high
+
+
+def test_a_contact_of_which_no_frame_shows_the_balls_together_is_an_event():
+    tracks, scenes = drawn_films(1, seed=5, until=1.0)
+    first = next(event for event in carom.simulate(scenes[0]).events if event.kind == "ball")
+    whole = filmed_shots(tracks, RADIUS).shots[0]
+    (seen,) = (one for one in whole.events if one.kind == "ball" and one.low < first.t + 0.05)
+    hidden = [
+        Track(one.name, one.time[keep], one.position[keep], group=one.group)
+        for one in tracks
+        for keep in (np.abs(one.time - first.t - 0.04) > 0.065,)
+    ]
+    shot = filmed_shots(hidden, RADIUS).shots[0]
+    (found,) = (one for one in shot.events if one.kind == "ball" and one.low < first.t + 0.05)
+    assert (found.ball, found.other) == (seen.ball, seen.other)
+    assert found.low < first.t + 0.02
+    assert found.high > first.t
+    assert found.high - found.low < 0.05

@@ -11,7 +11,16 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.tracks.track import Track
 
-__all__ = ["TrackEvent", "WallLine", "find_events", "find_walls", "turning_points", "wall_of_text", "wall_through"]
+__all__ = [
+    "TrackEvent",
+    "WallLine",
+    "find_events",
+    "find_walls",
+    "position_at",
+    "turning_points",
+    "wall_of_text",
+    "wall_through",
+]
 
 Array = NDArray[np.float64]
 TURN_TIME_S = 0.06  # within which a ball has to turn visibly
@@ -219,7 +228,7 @@ def _at_wall(time: Array, d: Array, wall: WallLine, noise: float) -> list[TrackE
     return found
 
 
-def _position_at(track: Track, t: Array) -> Array:
+def position_at(track: Track, t: Array) -> Array:
     """Interpolate positions of a ball linearly between rows; it rests during a gap in which it did not move."""
     time, x = track.time, track.position
     found = np.stack([np.interp(t, time, x[:, k]) for k in (0, 1)], axis=-1)
@@ -238,7 +247,7 @@ def _ball_meetings(track: Track, other: Track, radii: float, interval: float) ->
     if len(other.time) < 2:
         return []
     t = np.union1d(track.time, other.time)
-    gap = _position_at(track, t) - _position_at(other, t)
+    gap = position_at(track, t) - position_at(other, t)
     step = np.diff(gap, axis=0)
     share = np.clip(-(gap[:-1] * step).sum(axis=1) / np.maximum((step * step).sum(axis=1), 1e-12), 0, 1)
     closest = np.hypot(*(gap[:-1] + share[:, None] * step).T)

@@ -19,6 +19,7 @@ from carom.tracks.events import (
     find_events,
     find_walls,
     frames_per_side,
+    position_at,
     turning_points,
 )
 from carom.tracks.preprocess import initial_noise, on_camera_clock, rounding_step, without_outliers
@@ -243,7 +244,33 @@ def _events(
                 found.append(FilmedEvent(event.low, event.high, "ball", k, event.what))
             elif event.kind == "wall":
                 found.append(FilmedEvent(event.low, event.high, "wall", k, event.what))
-    return sorted(found)
+    return sorted([*found, *_struck_between_frames(balls, found, noise, interval)])
+
+
+def _struck_between_frames(
+    balls: Sequence[Track], found: Sequence[FilmedEvent], noise: float, interval: float
+) -> list[FilmedEvent]:
+    """Return contacts of which the film shows only that a ball at rest sets off: the nearest ball that moves has met it then."""
+    more, since = [], [_onset(one, noise) for one in balls]
+    for k, (one, row) in enumerate(zip(balls, since, strict=True)):
+        if k == 0 or not row or row + 1 == len(one):
+            continue
+        way, step = (
+            np.hypot(*(one.position[row] - one.position[0])),
+            np.hypot(*(one.position[row + 1] - one.position[row])),
+        )
+        # (with the speed that it has afterwards)
+        t = float(one.time[row] - way / max(step, 1e-9) * (one.time[row + 1] - one.time[row]))
+        low, high = max(t - interval, float(one.time[row - 1])), min(t + interval, float(one.time[row]))
+        moves = [i for i, at in enumerate(since) if i != k and at is not None and balls[i].time[at] < high]
+        met = [event for event in found if event.kind == "ball" and one.name in (balls[event.ball].name, event.other)]
+        if low < high and moves and not any(event.low <= float(one.time[row]) for event in met):
+            near = min(
+                moves, key=lambda i: float(np.hypot(*(position_at(balls[i], np.array([t]))[0] - one.position[0])))
+            )
+            first, second = sorted((k, near))
+            more.append(FilmedEvent(low, high, "ball", first, balls[second].name))
+    return more
 
 
 def _velocity_changes(event: TrackEvent, one: Track, other: Track, noise: float) -> bool:

@@ -147,13 +147,20 @@ def fit_shots(
 
         def tell(done: float, text: str, number: int = number, law: FittedLaw = law) -> None:
             if progress is not None:
-                progress(number + done, len(chosen), f"{law.name}: {text}" if len(chosen) > 1 else text)
+                progress(number + done, len(chosen) + forms, f"{law.name}: {text}" if len(chosen) > 1 else text)
 
         model = _model(scene, law, paths, bound or {})
         fits.append(_fit_law(model, law, films, seed, tell))
     fits.sort(key=lambda one: one.aicc)
     ranking = _ranked(fits, [*reading, *films.notes, *notes])
-    return replace(ranking, forms=compare_forms(ranking.best)) if forms else ranking
+    if not forms:
+        return ranking
+
+    def tell_form(done: float, text: str) -> None:
+        if progress is not None:
+            progress(len(chosen) + done, len(chosen) + 1, text)
+
+    return replace(ranking, forms=compare_forms(ranking.best, tell=tell_form))
 
 
 def _check_paths(scene: Scene, free: Sequence[str]) -> None:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from carom.fitting.shots.joint import FEWEST, deviance_of, fit_shared, frames_of_events, mean_squares
 from carom.fitting.shots.result import ComparedForm, ShotsFit, criterion
 from carom.fitting.shots.search import ShotStart
-from carom.fitting.shots.table import TERMS, TableModel
+from carom.fitting.shots.table import TableModel
 from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
 
@@ -20,25 +20,27 @@ __all__ = ["FORMS", "compare_forms"]
 
 Array = NDArray[np.float64]
 FALL = 0.9  # m/s over which the friction of balls falls with their slip (Alciatore, TP A.14)
-SLOPE = 1e-4  # where the search for a tilt begins
-ROUNDS = 2  # in which forms are searched again from each other's optimum
+ROUNDS = 2  # in which forms are searched from each other's optimum; in the first also with tables of the shots' own
+BOTH = (False, True)  # ways to descend: from the optimum that is given, and with tables of the shots' own before
 ENOUGH = 1.0  # of the deviance: less than this in a round ends the search
-NEARLY = 0.1  # of a usual value: a term that another form does not have
 
 
 class ChangedForm(NamedTuple):
-    """Another form of a part of the table: changes of the scene, paths that are no longer fitted, and others that are."""
+    """Another form of a part of the table."""
 
     part: str
     name: str
     change: Callable[[Scene], dict[str, Any]]
+    """Of a scene: of one of a form that this form contains, to the same table."""
     without: tuple[str, ...] = ()
+    """Paths that are no longer fitted."""
     more: tuple[str, ...] = ()
+    """Others that are."""
 
 
 def _falling(scene: Scene) -> dict[str, Any]:
     mu = float(path_match(scene, "ball_contact.friction").values[0])
-    return {"ball_contact.friction": {"at_rest": 1.2 * mu, "at_speed": 0.8 * mu, "speed": FALL}}
+    return {"ball_contact.friction": {"at_rest": mu, "at_speed": mu, "speed": FALL}}
 
 
 def _by_speed(scene: Scene) -> dict[str, Any]:
@@ -46,11 +48,11 @@ def _by_speed(scene: Scene) -> dict[str, Any]:
     return {"walls.0.restitution": {"form": "polynomial", "coefficients": [float(e), 0.0, 0.0]}}
 
 
-def _tilted(_scene: Scene) -> dict[str, Any]:
-    # (a path on a slope has a closed form only where the rates are constant)
-    return {"floor.rolling_drag": 0.0, "floor.spin_drag": 0.0, "floor.slope": (SLOPE, SLOPE)}
+def _constant(_scene: Scene) -> dict[str, Any]:
+    return dict.fromkeys(RATES, 0.0)
 
 
+RATES = ("floor.rolling_drag", "floor.spin_drag")
 COEFFICIENTS = tuple(f"walls.0.restitution.coefficients.{k}" for k in range(2))
 FORMS = (
     ChangedForm("cushion", "does not yield", lambda _s: {"walls.0.yield_time": 0.0}, ("walls.0.yield_time",)),
@@ -61,7 +63,9 @@ FORMS = (
         "cloth", "loss of spin that grows with the spin", lambda _s: {"floor.spin_drag": 0.0, "floor.spin_damping": 0.1},
         ("floor.spin_drag",), ("floor.spin_damping",),
     ),
-    ChangedForm("cloth", "tilted, constant rates", _tilted, ("floor.rolling_drag", "floor.spin_drag"), ("floor.slope",)),
+    ChangedForm("cloth", "constant rates", _constant, RATES),
+    # (a path on a slope has a closed form only where the rates are constant)
+    ChangedForm("cloth", "constant rates, tilted", _constant, RATES, ("floor.slope",)),
     ChangedForm(
         "balls", "friction that falls with the slip", _falling, ("ball_contact.friction",),
         ("ball_contact.friction.at_rest", "ball_contact.friction.at_speed"),
@@ -70,10 +74,11 @@ FORMS = (
 """Forms that are compared with those of :data:`carom.fitting.shots.table.FREE`."""
 
 
-@dataclass(eq=False)
+@dataclass(frozen=True, eq=False)
 class _Tried:
     """A form, and the best that has been found for it."""
 
+    change: Callable[[Scene], dict[str, Any]]
     model: TableModel
     values: Array
     starts: list[ShotStart]
@@ -86,85 +91,137 @@ class _Tried:
     def numbers(self) -> dict[str, float]:
         return dict(zip((one.name for one in self.model.shared), self.values.tolist(), strict=True))
 
-
-def compare_forms(fit: ShotsFit, forms: Sequence[ChangedForm] = FORMS) -> tuple[ComparedForm, ...]:
-    """Fit other forms of the cushion, the cloth and the balls to the same shots, and compare them with a fit.
-
-    Each is fitted up to the joint horizon, on one table for all shots. The form of the fit and each other one are searched again
-    from the optimum of the other, with the starts of both, until neither comes nearer: else the search would decide between forms
-    that contain each other. Forms whose paths the fit does not have are left out. With ten shots or more each half of the shots is
-    also compared with the table that the other half gives.
-    """
-    scene, frames = fit.table.scene, [frames_of_events(one.shot, fit.events) for one in fit.starts]
-    chosen, models = [], []
-    for form in forms:
-        if set(form.without) <= set(fit.model.paths):
-            paths = (*(path for path in fit.model.paths if path not in form.without), *form.more)
-            chosen.append(form)
-            models.append(replace(fit.model, scene=replaced(scene, form.change(scene)), paths=paths))
-    if not chosen:
-        return ()
-    own, *others = (_first(fit, model, frames) for model in (replace(fit.model, scene=scene), *models))
-    for _ in range(ROUNDS):
-        before = np.array([one.deviance for one in (own, *others)])
-        for other in others:
-            _search_from(other, own, frames, fit.noise)
-            _search_from(own, other, frames, fit.noise)
-        if (before - np.array([one.deviance for one in (own, *others)]) < ENOUGH).all():
-            break
-    first, mine = _aicc(own), _held_out(own, frames, fit.noise)
-    found = []
-    for form, other in zip(chosen, others, strict=True):
-        more = {name: x for name, x in other.numbers.items() if name not in own.numbers}
-        nearer = (int((other.squares < own.squares).sum()), len(frames))
-        held = _held_out(other, frames, fit.noise)
-        found.append(
-            ComparedForm(
-                form.part, form.name, _aicc(other) - first, more, nearer, held[0] - mine[0], (held[1], mine[1])
-            )
-        )
-    return tuple(found)
+    @property
+    def aicc(self) -> float:
+        return criterion(self.deviance, len(self.values) + len(self.starts), self.count)
 
 
-def _first(fit: ShotsFit, model: TableModel, frames: Sequence[int]) -> _Tried:
-    """Return a model at its own numbers, with the starts of a fit."""
-    starts = [_copied(one) for one in fit.starts]
-    values = np.array([one.value for one in model.shared])
-    squares = mean_squares(model.at(values), starts, frames)
-    return _Tried(model, values, starts, squares, *deviance_of(squares, starts, frames, fit.noise))
+class _Search(NamedTuple):
+    """The shots to which forms are fitted."""
+
+    frames: Sequence[int]
+    noise: float
+
+    def at(self, one: _Tried, values: Array, starts: Sequence[ShotStart]) -> _Tried:
+        """Return a form at values (P,), with copies of starts."""
+        mine = [_copied(start) for start in starts]
+        squares = mean_squares(one.model.at(values), mine, self.frames)
+        found = deviance_of(squares, mine, self.frames, self.noise)
+        return _Tried(one.change, one.model, values, mine, squares, *found)
+
+    def descended(self, one: _Tried, values: Array, starts: Sequence[ShotStart], ways: Sequence[bool]) -> _Tried:
+        """Return the better of a form's optima below values (P,): from there, and with tables of the shots' own before."""
+        found = []
+        for loosened in ways:
+            mine = [_copied(start) for start in starts]
+            fit = fit_shared(one.model, values, mine, self.frames, self.noise, lambda _done: None, loosened)
+            found.append(self.at(one, fit.values, mine))
+        return min(found, key=lambda tried: tried.deviance)
+
+    def within(self, one: _Tried, other: _Tried) -> _Tried:
+        """Return a form at the optimum of another, if that is better: a form that contains another is never farther."""
+        if one.deviance <= other.deviance:
+            return one
+        here = self.at(one, _values_of(one, other)[0], other.starts)
+        return here if here.deviance < one.deviance else one
+
+    def searched(self, one: _Tried, other: _Tried, ways: Sequence[bool]) -> _Tried:
+        """Return a form searched again from the optimum of another, with the starts of both, if that is better."""
+        one, (_same, begin) = self.within(one, other), _values_of(one, other)
+        starts = [_copied(mine) for mine in one.starts]
+        for mine, more, n in zip(starts, other.starts, self.frames, strict=True):
+            mine.pool.append(more.best[n])
+        return min(one, self.descended(one, begin, starts, ways), key=lambda tried: tried.deviance)
+
+    def held_out(self, one: _Tried) -> tuple[float, float]:
+        """Return the deviance of each half of the shots on the other half's table, and their median distance, m; NaN of few."""
+        if len(self.frames) < 2 * FEWEST:
+            return float("nan"), float("nan")
+        squares = np.zeros(len(self.frames))
+        for k in range(2):
+            half, rest = (_Search(self.frames[first::2], self.noise) for first in (k, 1 - k))
+            found = half.descended(one, one.values, one.starts[k::2], BOTH)
+            squares[1 - k :: 2] = rest.at(one, found.values, one.starts[1 - k :: 2]).squares
+        return deviance_of(squares, one.starts, self.frames, self.noise)[0], float(np.sqrt(np.median(squares)))
 
 
 def _copied(one: ShotStart) -> ShotStart:
     return ShotStart(one.shot, one.prior, dict(one.best), list(one.pool))
 
 
-def _search_from(one: _Tried, other: _Tried, frames: Sequence[int], noise: float) -> None:
-    """Search for a form from the optimum of another, with the starts of both; keep what is better."""
-    theirs, begin = other.numbers, []
-    for number, value in zip(one.model.shared, one.values.tolist(), strict=True):
-        absent = NEARLY * TERMS[number.name] if number.name in TERMS else value
-        begin.append(theirs.get(number.name, absent))
-    starts = [_copied(mine) for mine in one.starts]
-    for mine, more, n in zip(starts, other.starts, frames, strict=True):
-        mine.pool.append(more.best[n])
-    found = fit_shared(one.model, np.array(begin), starts, frames, noise, lambda _done: None)
-    squares = mean_squares(one.model.at(found.values), starts, frames)
-    deviance, one.count = deviance_of(squares, starts, frames, noise)
-    if deviance < one.deviance:
-        one.values, one.starts, one.squares, one.deviance = found.values, starts, squares, deviance
+def _values_of(one: _Tried, other: _Tried) -> tuple[Array, Array]:
+    """Return the numbers (P,) of a form at the optimum of another, and those from which its search begins: terms that the other
+    does not have are a usual change away from nothing, where some have no derivative."""
+    scene = other.model.scene_at(other.values)
+    there = one.model.values_in(scene)
+    changed = one.model.values_in(replaced(scene, one.change(scene)))
+    values = np.where(np.isnan(there), np.where(np.isnan(changed), one.values, changed), there)
+    begin = values.copy()
+    for k, number in enumerate(one.model.shared):
+        if number.name not in other.numbers:
+            away = -number.scale if number.name.endswith("at_speed") else number.scale
+            begin[k] = np.clip(values[k] + away, number.low, number.high)
+    return values, begin
 
 
-def _aicc(one: _Tried) -> float:
-    return criterion(one.deviance, len(one.values) + len(one.starts), one.count)
+def compare_forms(
+    fit: ShotsFit, forms: Sequence[ChangedForm] = FORMS, tell: Callable[[float, str], None] = lambda _done, _text: None
+) -> tuple[ComparedForm, ...]:
+    """Fit other forms of the cushion, the cloth and the balls to the same shots, and compare them with a fit.
+
+    Each is fitted up to the joint horizon, on one table for all shots. The form of the fit and each other one are searched again
+    from the optimum of the other, with the starts of both: from there, and with tables of the shots' own before. A form that
+    contains another is never farther from the shots. Forms whose paths the fit does not have are left out. With ten shots or more
+    each half of the shots is also compared with the table that the other half gives.
+
+    ``tell(share, text)`` is called as it goes on.
+    """
+    scene, frames = fit.table.scene, [frames_of_events(one.shot, fit.events) for one in fit.starts]
+    search, chosen, tried = _Search(frames, fit.noise), list[ChangedForm](), list[_Tried]()
+
+    def first(change: Callable[[Scene], dict[str, Any]], paths: tuple[str, ...]) -> _Tried:
+        model = replace(fit.model, scene=replaced(scene, change(scene)), paths=paths)
+        values = np.array([one.value for one in model.shared])
+        return search.at(_Tried(change, model, values, [], values, np.inf, 0), values, fit.starts)
+
+    for form in forms:
+        if set(form.without) <= set(fit.model.paths):
+            paths = tuple(path for path in fit.model.paths if path not in form.without)
+            chosen.append(form)
+            tried.append(first(form.change, (*paths, *form.more)))
+    if not chosen:
+        return ()
+    tried.append(first(lambda _scene: {}, fit.model.paths))
+    _search_all(search, tried, lambda done, k: tell(0.7 * done, f"form: {chosen[k].name}"))
+    own, found = tried.pop(), []
+    mine = search.held_out(own)
+    for k, (form, other) in enumerate(zip(chosen, tried, strict=True)):
+        tell(0.7 + 0.3 * k / len(chosen), f"form: {form.name}, held out")
+        more = {name: x for name, x in other.numbers.items() if name not in own.numbers}
+        nearer = (int((other.squares < own.squares).sum()), len(frames))
+        held, above = search.held_out(other), other.deviance - own.deviance
+        found.append(
+            ComparedForm(
+                form.part, form.name, other.aicc - own.aicc, above, more, nearer, held[0] - mine[0], (held[1], mine[1])
+            )
+        )
+    return tuple(found)
 
 
-def _held_out(one: _Tried, frames: Sequence[int], noise: float) -> tuple[float, float]:
-    """Return the deviance of each half of the shots on the table of the other half, and their median distance, m; NaN of few."""
-    if len(frames) < 2 * FEWEST:
-        return float("nan"), float("nan")
-    squares = np.zeros(len(frames))
-    for k in range(2):
-        here, there = [[_copied(start) for start in one.starts[first::2]] for first in (k, 1 - k)]
-        found = fit_shared(one.model, one.values, here, frames[k::2], noise, lambda _done: None)
-        squares[1 - k :: 2] = mean_squares(one.model.at(found.values), there, frames[1 - k :: 2])
-    return deviance_of(squares, one.starts, frames, noise)[0], float(np.sqrt(np.median(squares)))
+def _search_all(search: _Search, tried: list[_Tried], tell: Callable[[float, int], None]) -> None:
+    """Search for each form, and the fit's own, the last, from each other's optimum; and from those of forms with fewer numbers."""
+    own = len(tried) - 1
+    smaller = [(k, j) for k in range(own) for j in range(own) if set(tried[j].model.paths) < set(tried[k].model.paths)]
+    pairs = [pair for k in range(own) for pair in ((k, own), (own, k))] + smaller
+    for turn in range(ROUNDS):
+        before = [one.deviance for one in tried]
+        for i, (k, j) in enumerate(pairs):
+            tell((turn + i / len(pairs)) / ROUNDS, min(k, j))
+            tried[k] = search.searched(tried[k], tried[j], BOTH if turn == 0 else BOTH[:1])
+        if all(old - one.deviance < ENOUGH for old, one in zip(before, tried, strict=True)):
+            break
+    old: list[_Tried] = []
+    while old != tried:
+        old = list(tried)
+        for k, j in pairs:
+            tried[k] = search.within(tried[k], tried[j])

@@ -302,12 +302,15 @@ def _loosened(
 
 def fit_shared(
     model: TableModel, values: Array, starts: Sequence[ShotStart], frames: Sequence[int], noise: float,
-    tell: Callable[[float], None],
+    tell: Callable[[float], None], loosened: bool = True,
 ) -> JointFit:  # fmt: skip
-    """Find the values of the shared numbers; the starts' best and pools are brought up to date."""
+    """Find the values of the shared numbers; the starts' best and pools are brought up to date.
+
+    ``loosened``: whether the shots may first have tables of their own; else the search descends from ``values``.
+    """
     shared = model.shared
     low, high, scale = (np.array([getattr(one, name) for one in shared]) for name in ("low", "high", "scale"))
-    if len(starts) > 1:
+    if loosened and len(starts) > 1:
         values = _loosened(model, values, starts, frames, noise, lambda done: tell(done / 2))
     table = model.at(values)
     none = [None] * len(starts)

@@ -282,6 +282,8 @@ class ComparedForm:
     name: str
     aicc: float
     """Its AICc above that of the fit at the joint horizon: negative where it is better."""
+    deviance: float
+    """Its deviance above that of the fit: not positive, of a form that contains it."""
     numbers: dict[str, float]
     """Its fitted values of the numbers that the fit does not have."""
     nearer: tuple[int, int]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -170,6 +171,17 @@ class TableModel:
                         wanted[column.name] if k == column.component else x for k, x in enumerate(old)
                     )
         return replaced(scene, changes) if changes else scene
+
+    def values_in(self, scene: Scene) -> Array:
+        """Return the values (P,) that the shared numbers have in another scene; NaN where it has no such number."""
+        found = np.full(len(self.shared), np.nan)
+        for k, column in enumerate(self._parameters.columns if self.paths else ()):
+            with contextlib.suppress(CaromError):
+                value = path_match(scene, column.path).values[0]
+                value = value if column.component is None else value[column.component]
+                value = getattr(value, "value", value)
+                found[k] = value if isinstance(value, int | float) else np.nan
+        return found
 
     def at(self, values: Array) -> TableNumbers:
         """Return the scene and its arrays, with derivatives, at values (P,) of the shared numbers."""
