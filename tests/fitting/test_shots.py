@@ -198,10 +198,28 @@ def test_films_that_show_no_shot_are_refused_in_one_line(tracks, said):
 
 
 def test_films_of_different_tables_are_refused(films):
-    tracks, _scenes = films
+    tracks, scenes = films
     far = [Track(one.name, one.time, 1.5 * one.position, group="other table") for one in tracks[:3]]
     with pytest.raises(carom.CaromError, match="other table: expected balls on the table of the other films"):
         carom.fit_shots([*tracks, *far], radius=RADIUS)
+    # one turn is enough: no ball goes on there
+    aside = [Track(one.name, one.time, one.position - [0.9, 0.0], group="aside") for one in tracks[3:]]
+    with pytest.raises(carom.CaromError, match=r"aside: .* beyond its left cushion"):
+        carom.fit_shots([*tracks[:3], *aside], radius=RADIUS)
+    with pytest.raises(
+        carom.CaromError, match=r"aside: expected balls on the table that is given, .* its left cushion"
+    ):
+        carom.fit_shots(aside, scenes[0])
+
+
+def test_shots_with_different_numbers_of_balls_are_fitted(films):
+    tracks, scenes = films
+    lies = Track("4", tracks[0].time, np.tile([2.5, 1.2], (len(tracks[0]), 1)), group="shot 1")
+    both = [*tracks, lies]
+    until = [Track(one.name, one.time[:40], one.position[:40], group=one.group) for one in both]
+    best = carom.fit_shots(until, scenes[0], free=["walls.0.restitution"]).best
+    assert [len(one.scene.balls) for one in best.shots] == [4, 3]
+    assert best.median() < 3e-3
 
 
 def test_a_ball_that_never_moves_is_noted(films):

@@ -11,7 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import Fault, FaultList
+from carom.fitting.cushions import reach_of
 from carom.formatting import counted
+from carom.scene.shapes import Table
 from carom.tracks.events import (
     TOUCH_DISTANCE_M,
     TrackEvent,
@@ -25,7 +27,7 @@ from carom.tracks.events import (
 from carom.tracks.preprocess import initial_noise, on_camera_clock, rounding_step, without_outliers
 from carom.tracks.track import Track
 
-__all__ = ["FilmedEvent", "FilmedShot", "Films", "filmed_shots"]
+__all__ = ["FilmedEvent", "FilmedShot", "Films", "filmed_shots", "require_on_table"]
 
 Array = NDArray[np.float64]
 LEAST_WAY = 0.003  # m from its first place, from which on a ball counts as moving
@@ -33,6 +35,7 @@ REST_FRAMES = 2.5  # frames without a row, in which a ball that has not moved wa
 REST_WAY = 0.002  # m
 OFF_TABLE = 0.05  # m beyond the line of a cushion: no ball of this table
 GRAVITY = 9.80665
+SIDES = (("left", 0, -1), ("right", 0, 1), ("bottom", 1, -1), ("top", 1, 1))
 
 
 class FilmedEvent(NamedTuple):
@@ -113,7 +116,7 @@ def filmed_shots(tracks: Sequence[Track], radius: float) -> Films:
     for track in seen:
         groups.setdefault(track.group, []).append(track)
     faults = FaultList()
-    _require_one_table(groups, noise, faults)
+    _require_one_table(groups, noise, 2 * radius, faults)
     walls = tuple(find_walls(seen, noise))
     shots = []
     for name, members in groups.items():
@@ -124,28 +127,57 @@ def filmed_shots(tracks: Sequence[Track], radius: float) -> Films:
     return Films(shots, walls, noise, notes)
 
 
-def _require_one_table(groups: dict[str, list[Track]], noise: float, faults: FaultList) -> None:
+def _require_one_table(groups: dict[str, list[Track]], noise: float, radii: float, faults: FaultList) -> None:
     """Report films that go on where the balls of all other films turn back: they are of another table, or scale.
 
-    The other films have a cushion where their balls turn at least twice at the farthest places that they reach.
+    The other films have a cushion where a ball turns, away from other balls, at the farthest place that any reaches.
     """
     for name, members in groups.items():
         others = [one for group, some in groups.items() if group != name for one in some]
-        for side, axis, sign in (("left", 0, -1), ("right", 0, 1), ("bottom", 1, -1), ("top", 1, 1)):
+        for side, axis, sign in SIDES:
             if not others:
                 continue
             edge = max(float((sign * one.position[:, axis]).max()) for one in others)
             far = max(float((sign * one.position[:, axis]).max()) for one in members) - edge
-            if far > OFF_TABLE and sum(_turns_at(one, axis, sign, edge, noise) for one in others) > 1:
-                places = f"places {far:.2f} m beyond its {side} cushion: is it another table, or another scale?"
-                faults.append(Fault(name or "film", "", "balls on the table of the other films", places))
+            if far > OFF_TABLE and any(_turns_at(one, others, axis, sign, edge, noise, radii) for one in others):
+                faults.append(Fault(name or "film", "", "balls on the table of the other films", _beyond(far, side)))
                 break
 
 
-def _turns_at(track: Track, axis: int, sign: int, edge: float, noise: float) -> int:
-    """Return how often a ball turns back within a ball's width of a line."""
+def _beyond(far: float, side: str) -> str:
+    return f"places {far:.2f} m beyond its {side} cushion: is it another table, or another scale?"
+
+
+def require_on_table(shots: Sequence[FilmedShot], wall: Table, radius: float) -> None:
+    """Raise CaromError, one line per shot, for films that reach beyond the cushions of the table that is given."""
+    faults, reach = FaultList(), reach_of(radius, wall.nose_height)
+    half, middle = np.array([wall.length, wall.width]) / 2 - reach, np.array(wall.center)
+    for shot in shots:
+        away = (shot.position - middle)[shot.known]
+        for side, axis, sign in SIDES:
+            far = float((sign * away[:, axis]).max() - half[axis])
+            if far > OFF_TABLE:
+                faults.append(Fault(shot.name or "film", "", "balls on the table that is given", _beyond(far, side)))
+                break
+    faults.raise_if_any()
+
+
+def _turns_at(
+    track: Track, others: Sequence[Track], axis: int, sign: int, edge: float, noise: float, radii: float
+) -> bool:
+    """Return whether a ball turns back within a ball's width of a line, away from the other balls of its film."""
     d = edge - sign * track.position[:, axis]
-    return int((d[turning_points(d, noise, frames_per_side(track.time))] < OFF_TABLE).sum())
+    for i in turning_points(d, noise, frames_per_side(track.time)).tolist():
+        if d[i] < OFF_TABLE:
+            step = float(np.hypot(*np.diff(track.position[i - 1 : i + 1], axis=0)[0]))
+            near = [
+                np.hypot(*(position_at(one, track.time[i : i + 1])[0] - track.position[i]))
+                for one in others
+                if one is not track and one.group == track.group
+            ]
+            if min(near, default=np.inf) > radii + TOUCH_DISTANCE_M + step:
+                return True
+    return False
 
 
 def _shot(

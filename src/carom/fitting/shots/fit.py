@@ -19,7 +19,7 @@ from carom.fitting.evidence import DECIDED, Ranked, verdict_words, weigh
 from carom.fitting.identifiability import NOT_IDENTIFIABLE
 from carom.fitting.laws import FittedLaw, track_laws_named
 from carom.fitting.result import Estimate
-from carom.fitting.shots.film import Films, filmed_shots
+from carom.fitting.shots.film import Films, filmed_shots, require_on_table
 from carom.fitting.shots.forms import compare_forms
 from carom.fitting.shots.joint import (
     FEWEST,
@@ -36,7 +36,7 @@ from carom.fitting.shots.joint import (
 from carom.fitting.shots.result import FittedShot, ShotsFit, ShotsRanking
 from carom.fitting.shots.search import SearchSettings, ShotStart, refined, rms, search_start
 from carom.fitting.shots.start import FIRST_PLACE, SPIN, VELOCITY, distances, start_size
-from carom.fitting.shots.table import FREE, TableModel, TableNumbers, begun, scene_of_films, with_balls
+from carom.fitting.shots.table import FREE, TableModel, TableNumbers, begun, scene_of_films, table_of, with_balls
 from carom.formatting import counted
 from carom.laws.registry import one_or_several
 from carom.public.progress import Progress
@@ -138,6 +138,7 @@ def fit_shots(
     balls = max(len(one.balls) for one in films.shots)
     scene = scene_of_films(table, films.walls, radius, balls, DURATION, "fit_shots")
     scene = replaced(scene, dict(fix)) if fix else scene
+    require_on_table(films.shots, table_of(scene), ball)
     wanted = [free] if isinstance(free, str) else list(FREE if free is None else free)
     _check_paths(scene, wanted)
     scene, paths = begun(scene, [path for path in wanted if path not in (fix or {})])

@@ -92,7 +92,7 @@ def _numbers(states: Array, radius: float) -> Array:
 
 def _balls(table: TableNumbers, numbers: Array) -> NDArray[np.void]:
     """Return the balls (N, B) of numbers (N, B, OWN)."""
-    balls = np.tile(table.arrays.balls, (len(numbers), 1))
+    balls = np.tile(table.arrays.balls[: numbers.shape[1]], (len(numbers), 1))
     a = float(balls["radius"][0, 0])
     balls["x"][..., :2], balls["x"][..., 2] = numbers[..., PLACE], a
     balls["v"][..., :2], balls["v"][..., 2] = numbers[..., MOTION], 0.0
@@ -100,9 +100,9 @@ def _balls(table: TableNumbers, numbers: Array) -> NDArray[np.void]:
     return balls
 
 
-def _moved(table: TableNumbers, mean: Array, time: Array) -> tuple[Array, Array]:
-    """Return the numbers (T, B, OWN) at times since now, and their derivatives (T, B, OWN, S)."""
-    b, a = len(table.arrays.balls), float(table.arrays.balls["radius"][0])
+def _moved(table: TableNumbers, mean: Array, time: Array, b: int) -> tuple[Array, Array]:
+    """Return the numbers (T, B, OWN) of B balls at times since now, and their derivatives (T, B, OWN, S)."""
+    a = float(table.arrays.balls["radius"][0])
     columns = [
         (k, name, j, size)
         for k in range(b)
@@ -142,7 +142,7 @@ def belief_of_start(table: TableNumbers, start: ShotStart, best: Array, frames: 
     _gap, (jac,) = soft(at.gap, [at.by_start], error_of_frames(table, start, best, frames, errors.frame))
     rows = start.prior.rows
     covariance = np.linalg.inv(jac.T @ jac + rows.T @ rows)
-    first = starting_balls(table, best[None])[0]
+    first = starting_balls(table, best[None], b)[0]
     begin = np.concatenate([first["x"][:, :2], first["v"][:, :2], a * first["w"]], axis=1)
     mean = np.concatenate([begin.ravel(), best[own:]])
     by_start = np.zeros((len(mean), len(best)))
@@ -151,7 +151,7 @@ def belief_of_start(table: TableNumbers, start: ShotStart, best: Array, frames: 
         by_start[range(OWN * k, OWN * k + 2), range(FIRST_PLACE + 2 * k, FIRST_PLACE + 2 * k + 2)] = 1.0
     by_start[range(OWN * b, len(mean)), range(own, len(best))] = 1.0
     seconds = max(float(shot.time[frames - 1] - best[TIME]), 2 * DIFFERENCE)
-    states, slopes = _moved(table, mean, np.array([seconds - DIFFERENCE, seconds]))
+    states, slopes = _moved(table, mean, np.array([seconds - DIFFERENCE, seconds]), b)
     slope = _carried(states[1], slopes[1]) @ by_start
     slope[: OWN * b, TIME] = -(states[1] - states[0]).ravel() / DIFFERENCE
     wide = np.zeros(len(mean))
@@ -184,7 +184,7 @@ def _step(
     time = np.append(shot.time[rows], end) - belief.time
     mean, covariance, before = belief.mean, belief.covariance, belief.covariance
     for turn in range(ROUNDS if known.any() else 0):
-        at, slopes = _moved(table, mean, time)
+        at, slopes = _moved(table, mean, time, b)
         if not np.isfinite(at).all():
             return None
         gap, by = (film - at[:-1, :, PLACE])[known].ravel(), slopes[:-1, :, PLACE][known].reshape(-1, len(mean))
@@ -199,7 +199,7 @@ def _step(
         solved = np.linalg.solve(spread, np.column_stack([surprise, gain.T]))
         mean = belief.mean + gain @ solved[:, 0]
         covariance = before - gain @ solved[:, 1:]
-    at, slopes = _moved(table, mean, time)
+    at, slopes = _moved(table, mean, time, b)
     if not np.isfinite(at).all():
         return None
     carry = _carried(at[-1], slopes[-1])
@@ -211,11 +211,11 @@ def _step(
 
 
 def drawn_rests(
-    table: TableNumbers, belief: Belief, time: Array, errors: LawErrors, draws: int, rng: np.random.Generator
+    table: TableNumbers, belief: Belief, b: int, time: Array, errors: LawErrors, draws: int, rng: np.random.Generator
 ) -> Array:
-    """Return places (N, T, B, 2) of draws of what is known and of the laws' errors, at times of the film after it; NaN where the
-    model has no state."""
-    b, a, size = len(table.arrays.balls), float(table.arrays.balls["radius"][0]), len(belief.mean)
+    """Return places (N, T, B, 2) of B balls at times of the film after a belief, by draws of it and of the laws' errors; NaN where
+    the model has no state."""
+    a, size = float(table.arrays.balls["radius"][0]), len(belief.mean)
     root = _root(belief.covariance)
     own, every = OWN * b, []
     for some in _groups(draws):

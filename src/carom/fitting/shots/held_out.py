@@ -189,7 +189,7 @@ def _predicted(
         belief, distance = until.belief, until.distance
     rest = slice(n, None)
     x = shot.position[rest]
-    places = drawn_rests(table, belief, shot.time[rest], errors, draws, rng)
+    places = drawn_rests(table, belief, len(shot.balls), shot.time[rest], errors, draws, rng)
     wall = table_of(fit.scene)
     inside = np.abs(places - np.array(wall.center)) < np.array([wall.length, wall.width]) / 2
     on_table = inside.all(axis=(1, 2, 3))  # (a ball that is drawn behind a cushion leaves it; NaN: no state)

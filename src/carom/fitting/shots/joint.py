@@ -140,10 +140,9 @@ def information_of_shots(
     table: TableNumbers, starts: Sequence[ShotStart], frames: Sequence[int], found: Sequence[Refined]
 ) -> Information:
     """Return what each shot says of the shared numbers."""
-    count, size = len(table.values), len(starts[0].prior.center) if starts else 0
-    own = start_size(len(table.arrays.balls))
+    count = len(table.values)
     scores, matrices, follows = np.zeros((len(starts), count)), np.zeros((len(starts), count, count)), []
-    spreads = np.zeros((len(starts), size - own))
+    spreads = []
     for i, (one, n, got) in enumerate(zip(starts, frames, found, strict=True)):
         at = residuals(table, one.shot, got.start, n, shared=True)
         gap, (by_start, by_shared) = soft(at.gap, [at.by_start, at.by_shared], got.sigma)
@@ -154,10 +153,10 @@ def information_of_shots(
         q, triangle = np.linalg.qr(rows * unit)
         follows.append(-unit[:, None] * np.linalg.lstsq(triangle, q.T @ d, rcond=1e-12)[0])
         inverse = unit[:, None] * np.linalg.pinv(triangle, rcond=1e-12)
-        spreads[i] = np.sqrt(np.square(inverse[own:]).sum(axis=1))
+        spreads.append(np.sqrt(np.square(inverse[start_size(len(one.shot.balls)) :]).sum(axis=1)))
         d = d - q @ (q.T @ d)
         scores[i], matrices[i] = -d.T @ r, d.T @ d
-    return Information(scores, matrices, follows, spreads)
+    return Information(scores, matrices, follows, np.array(spreads))
 
 
 def covariance_of_shared(
@@ -210,7 +209,7 @@ def fit_scatter(
     shared = model.shared
     low, high, scale = (np.array([getattr(one, name) for one in shared]) for name in ("low", "high", "scale"))
     starts = [one.with_scatter(widths) for one in starts]
-    own, settled = start_size(len(model.scene.balls)), False
+    settled = False
     errors: list[float | None] = [None] * len(starts)
     for turn in range(rounds):
         tell(turn / rounds)
@@ -229,7 +228,7 @@ def fit_scatter(
         said = information_of_shots(table, some, ends, got)
         matrix = said.matrices.sum(axis=0) * scale[:, None] * scale + 1e-9 * np.eye(len(scale))
         covariance = np.linalg.inv(matrix) * scale[:, None] * scale
-        deviations = np.array([one.start[own:] for one in got])
+        deviations = np.array([one.start[-len(widths) :] for one in got])
         if settled or turn == rounds - 1:
             break
         score = said.scores.sum(axis=0)
@@ -293,10 +292,10 @@ def _loosened(
     On one table for all shots the objective has many minima: each shot can be followed by a wrong start that suits the wrong table,
     and holds it there. Shots whose tables may differ each come near the true one, and so does their mean.
     """
-    widths, own = WIDTH * np.array([one.scale for one in model.shared]), start_size(len(model.scene.balls))
+    widths = WIDTH * np.array([one.scale for one in model.shared])
     found = fit_scatter(model, values, starts, frames, widths, noise, tell, LOOSE_ROUNDS, 1)
     for one, n, other in zip(starts, frames, found.starts, strict=True):
-        one.pool.append(other.best[n][:own])
+        one.pool.append(other.best[n][: start_size(len(one.shot.balls))])
     return found.values
 
 

@@ -42,6 +42,7 @@ ALIKE = 1e-3  # m between the places of two starts, below which they are one
 RECENT = 12  # starts of a pool that are tried again, where each has a table of its own
 AGAIN = 4  # descents with a smaller error of a frame, after the distance has become smaller
 GAIN = 1e-4  # of the cost, below which a descent ends
+WIDER = 3  # times, of a search for a shot that was not followed
 FAILED = 0.06  # m of distance (rms) at a horizon, from which on more starts are drawn
 
 
@@ -216,8 +217,32 @@ def search_start(
 ) -> ShotStart:  # fmt: skip
     """Search for the starts of a shot, from horizon to horizon, up to the ``last`` number of frames.
 
-    ``before``: starts found at other numbers of the table; ``widths`` (P,): by how much these scatter from shot to shot.
+    ``before``: starts found at other numbers of the table; ``widths`` (P,): by how much these scatter from shot to shot. A shot
+    that is not followed is searched once more, wider: it may have gone astray some contacts earlier.
     """
+    found = _searched(table, shot, noise, rng, settings, before, last, widths)
+    far = _farthest(table, found)
+    if far < FAILED:
+        return found
+    wide = SearchSettings(
+        WIDER * settings.beam, WIDER * settings.draws, WIDER * settings.descents, settings.evaluations
+    )
+    other = _searched(table, shot, noise, rng, wide, [*before, *found.pool], last, widths)
+    return min((found, far), (other, _farthest(table, other)), key=lambda one: one[1])[0]
+
+
+def _farthest(table: TableNumbers, found: ShotStart) -> float:
+    """Return the distance (rms) at the last horizon, m."""
+    frames = max(found.best)
+    return rms(table, found.shot, found.best[frames], frames)
+
+
+def _searched(
+    table: TableNumbers, shot: FilmedShot, noise: float, rng: np.random.Generator, settings: SearchSettings,
+    before: Sequence[Array],
+    last: int | None, widths: Array | None,
+) -> ShotStart:  # fmt: skip
+    """Search once."""
     velocity, own = _guess(shot), start_size(len(shot.balls))
     prior = StartPrior.of(shot, velocity, noise)
     prior = prior if widths is None else prior.with_scatter(len(shot.balls), widths)

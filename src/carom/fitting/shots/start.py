@@ -85,11 +85,11 @@ class Residuals(NamedTuple):
     """(M, P) derivatives by the shared numbers."""
 
 
-def starting_balls(table: TableNumbers, starts: Array) -> NDArray[np.void]:
-    """Return the balls (N, B) of starts (N, K)."""
-    n, b = len(starts), len(table.arrays.balls)
+def starting_balls(table: TableNumbers, starts: Array, b: int) -> NDArray[np.void]:
+    """Return the B balls (N, B) of starts (N, K): a shot may have fewer than others."""
+    n = len(starts)
     starts = starts[:, : start_size(b)]
-    balls = np.tile(table.arrays.balls, (n, 1))
+    balls = np.tile(table.arrays.balls[:b], (n, 1))
     a = float(balls["radius"][0, 0])
     balls["x"][:, :, 2] = a
     balls["x"][:, :, :2] = starts[:, FIRST_PLACE:].reshape(n, b, 2)
@@ -110,7 +110,7 @@ def _places_of(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int
     """Return the places (N, T, B, 2) at the times of frames for starts (N, K); NaN where the model has no state."""
     many = len(shot.time) if frames is None else frames
     time = np.maximum(shot.time[None, :many] - starts[:, :1], 0.0)
-    balls = starting_balls(table, starts)
+    balls = starting_balls(table, starts, len(shot.balls))
     places = np.empty((len(starts), many, len(shot.balls), 2))
     deviations, group = np.unique(starts[:, start_size(len(shot.balls)) :], axis=0, return_inverse=True)
     for k, one in enumerate(deviations):
@@ -177,7 +177,7 @@ def residuals(table: TableNumbers, shot: FilmedShot, start: Array, frames: int, 
     columns += [(ball, "x", j, 1.0) for ball in range(b) for j in range(2)]
     time = np.maximum(shot.time[:frames] - start[TIME], 0.0)
     at = states_by(
-        table, starting_balls(table, start[None])[0], deviations, time, columns, 2, shared or bool(len(deviations))
+        table, starting_balls(table, start[None], b)[0], deviations, time, columns, 2, shared or bool(len(deviations))
     )
     gap, known = _gap(shot, at.states, frames)
     moving = np.where(time > 0, 1.0, 0.0)[:, None, None]
