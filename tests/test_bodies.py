@@ -109,3 +109,15 @@ def test_a_mass_whose_square_is_no_float_is_refused():
         carom.CaromError, match=r"mass: expected a mass in kg, > 0, at least 1e-100 in size, got 1e-320"
     ):
         carom.Ball(0.03, 1e-320)
+
+
+def test_numbers_that_are_hardly_in_si_units_are_noted() -> None:
+    with pytest.warns(
+        UserWarning, match='Ball: 163 kg with a radius of 28.575 m: lighter than air; .* write "28.575 mm"'
+    ) as said:
+        carom.Ball(28.575, 163)
+    assert said[0].filename == __file__
+    with pytest.warns(UserWarning, match="denser than any metal; is the mass in g"):
+        carom.Ball("28 mm", 163)
+    for ball in (carom.Ball(1.0, 1.0), carom.Ball(0.01, 1.0), carom.Ball(0.11, 7.26), carom.Ball(100.0, 1e10)):
+        assert ball.planar is False  # no warning: a ball in other units, one of bowling, a rock

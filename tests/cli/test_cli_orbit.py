@@ -97,6 +97,17 @@ def test_sizes_as_options_are_read_with_a_note(text: str) -> None:
     ]
 
 
+def test_a_size_that_the_table_lacks_is_named_as_the_option(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    expected, way = (
+        "expected a size of the stadium: straight, radius, got",
+        "--velocity x,y sets the direction in which the ball",
+    )
+    found = fails(monkeypatch, capsys, "stadium", "--angle", "30", "--sides", "3")
+    assert found == [f"carom: --sides: {expected} '3'", f"carom: --angle: {expected} '30'; {way} starts"]
+
+
 def test_a_table_from_a_file(tmp_path: Path) -> None:
     file = tmp_path / "room.json"
     file.write_text("[[0, 0], [2, 0], [0, 1]]")
@@ -197,7 +208,7 @@ def test_exponents_of_several_orbits_have_the_error_of_their_mean() -> None:
 
 def test_the_laws_that_a_billiard_takes_are_listed_with_their_other_names() -> None:
     with pytest.raises(
-        carom.CaromError, match=r"law: expected one of mirror, conventional, rolling, no-slip, .*'rolling'\?$"
+        carom.CaromError, match=r"law: expected one of mirror, specular, conventional, rolling, no-slip, .*'rolling'\?$"
     ):
         billiards.orbit(billiards.circle(), ((0, 0), (1, 0), 0), 5, law="roling")
 

@@ -15,7 +15,7 @@ from carom.cli.options import BALL, OUTPUT, parse_whole, quantity, shared
 from carom.cli.orbit_output import every_bounce, orbit_facts, print_orbit
 from carom.cli.progress import working
 from carom.cli.streams import note, say_json
-from carom.errors import CaromError, FaultList
+from carom.errors import CaromError, Fault, FaultList
 from carom.public.defaults import BOUNCES, PERIODIC_STARTS
 from carom.public.own_laws import with_own_laws
 
@@ -246,12 +246,16 @@ def _table(table: str | None, file: Path | None, old: dict[str, str]) -> Any:
                 *(f"--{name}: has no effect with --table, whose file has the sizes; omit it" for name in old)
             )
         return file
-    from carom.scene.figures import figure
+    from carom.scene.figures import FIGURES, figure
     from carom.scene.figures.by_text import value_of_text
 
     name, sizes, renamed = new_sizes(table, {one: value_of_text(text) for one, text in old.items()})
     if not old and not renamed:
         return table
+    if (kind := FIGURES.get(name)) and (strange := [one for one in old if one in sizes.keys() - kind.model_fields]):
+        known = f"a size of the {name}: {', '.join(one for one in kind.model_fields if one != 'shape')}"
+        way = {"angle": "--velocity x,y sets the direction in which the ball starts"}
+        raise CaromError(*(Fault("", f"--{one}", known, repr(old[one]), way.get(one, "")) for one in strange))
     made = figure(name, **sizes)
     text = f"{made.kind()}:{','.join(f'{one}={_shown(value)}' for one, value in made.sizes.items())}"
     note(f"note: sizes stand in the table's text now: carom orbit {text}; options for them go with the next release")

@@ -126,6 +126,7 @@ LAW = Law(
     reads=("restitution",),
     response=MIRROR_WALL,
     pinned={"friction": 0.0, "tangential_restitution": -1.0},
+    aliases=("specular",),
     fits=(
         FitSpec("planar", "no friction (mirror)", nested_in=("sliding", "contact", "maw", "stronge")),
         FitSpec("table", "no friction (mirror)", upright=True),

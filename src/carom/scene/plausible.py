@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from carom.bodies import unlikely_density
+
 if TYPE_CHECKING:
     from carom.scene.scene import Scene
 
 __all__ = ["FAST", "ball_notes", "unit_notes"]
 
 EARTH = (9.7, 9.9)  # m/s^2: with another gravity, or none, the numbers need not be in SI units
-AIR, OSMIUM = 1.2, 22_600.0  # kg/m^3: density of nearly every ball lies between
 FAST = 100.0  # m/s: faster than any struck ball but one of golf, squash or badminton
 
 
@@ -19,12 +20,7 @@ def ball_notes(at: str, radius: float, mass: float, speed: float, gravity: float
     """Return one line for each number of a ball that is hardly one in m, kg and m/s; ``at``: what the lines begin with."""
     if not EARTH[0] <= gravity <= EARTH[1]:
         return []
-    found, density = [], mass / (4 / 3 * math.pi * radius**3)
-    is_ball = f"{at}: {mass:g} kg with a radius of {radius:g} m"
-    if density < AIR:
-        found.append(f'{is_ball}: lighter than air; is the radius in mm? write "{radius:g} mm"')
-    elif density > OSMIUM:
-        found.append(f'{is_ball}: denser than any metal; is the mass in g? write "{mass:g} g"')
+    found = [f"{at}: {said}"] if (said := unlikely_density(radius, mass)) else []
     if speed > FAST:
         found.append(f"{at}: a speed of {speed:g} m/s; are the velocities in mm/s or cm/s?")
     return found
