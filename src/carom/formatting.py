@@ -13,6 +13,7 @@ from typing import Any, SupportsFloat
 import numpy as np
 
 __all__ = [
+    "called_ball",
     "counted",
     "escape_controls",
     "format_bytes",
@@ -69,6 +70,15 @@ def counted(number: int, noun: str) -> str:
     ('1 frame', '4,200 frames')
     """
     return f"{number:,} {noun}{'' if number == 1 else 's'}"
+
+
+def called_ball(name: str) -> str:
+    """Return how a sentence calls a ball.
+
+    >>> called_ball("2"), called_ball("ball 2")
+    ('ball 2', 'ball 2')
+    """
+    return name if name.startswith("ball") else f"ball {name}"
 
 
 def format_number(x: SupportsFloat | None, digits: int = 3) -> str:

@@ -16,6 +16,8 @@ from carom import cli
 from carom.cli.ranking_output import _in_lines
 from carom.data import published_rebounds
 from carom.data.datasets import load
+from carom.fitting.shots import drawn_films
+from carom.scene.toml import save_scene
 
 
 def run(monkeypatch, capsys, *arguments: str) -> tuple[int, str, str]:
@@ -464,3 +466,25 @@ def test_a_number_stays_whole_and_beside_its_name_in_a_narrow_table() -> None:
         "restitution 0.74987 ± 0.00074,", "friction", "5 (at its upper bound, 5),", "stiffness_ratio", "0.8798 ± 0.0050",
     ]  # fmt: skip
     assert _in_lines(numbers, 100) == numbers
+
+
+def test_a_whole_shot_is_fitted_drawn_and_told(here, monkeypatch, capsys):
+    tracks, scenes = drawn_films(1, seed=3, until=0.6)
+    column = {name: np.concatenate([getattr(one, name) for one in tracks]) for name in ("time", "position")}
+    names = np.repeat([int(one.name) for one in tracks], [len(one) for one in tracks])
+    film = {"ball": names, "t": column["time"], "x": column["position"][:, 0], "y": column["position"][:, 1]}
+    write(here / "film.csv", film)
+    save_scene(scenes[0], here / "table.toml")
+    rates = (
+        "floor.spin_drag=0",
+        "floor.rolling_drag=0",
+        "walls.0.yield_time=0",
+        "walls.0.length=2.84",
+        "walls.0.width=1.42",
+    )
+    held = [word for one in rates for word in ("--fix", one)]
+    asked = ("fit", "film.csv", "--shot", "--table", "table.toml", *held, "--plot", "film.png", "--json")
+    code, out, err = run(monkeypatch, capsys, *asked)
+    assert code == 0, err
+    assert json.loads(out)["ranking"][0]["shots"][0]["rms"] < 3e-3
+    assert (here / "film.png").stat().st_size > 10_000

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, cast
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -232,7 +232,9 @@ def fit(
         Path | None,
         typer.Option(metavar="FILE.html", help="Write a report with figures to this file.", rich_help_panel=OUTPUT),
     ] = None,
-    plot: Annotated[Path | None, shared("plot", help="Draw which rows slide or grip, and which decide.")] = None,
+    plot: Annotated[
+        Path | None, shared("plot", help="Draw which rows slide or grip, and which decide; with --shot film and model.")
+    ] = None,
     no_report: Annotated[bool, typer.Option("--no-report", help="The default.", hidden=True)] = False,
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
@@ -283,11 +285,9 @@ def fit(
                 lambda: _page(with_options(ranking), files, report), lambda text, done: progress(done, 1.0, text)
             )
         if plot is not None:
-            from carom.fitting import Ranking
-            from carom.plot.friction import plot_friction
             from carom.plot.style import save
 
-            save(plot_friction(cast(Ranking, ranking)), plot)
+            save(_picture(ranking), plot)
     shows: list[tuple[bool, Any]] = [(shot, show_shots), (whole, show_whole), (by is not None, show_each)]
     tell(ranking, next((one for wanted, one in shows if wanted), show), as_json, console, written)
 
@@ -318,6 +318,17 @@ def _bar(console: Console) -> Iterator[Any]:
     """Show a progress bar on standard error, where that is a terminal."""
     with working("fit", console) as update:
         yield update or (lambda _done, _total, _text: None)
+
+
+def _picture(ranking: Any) -> Any:
+    """Return the figure of a fit: of whole shots film and model on each other, else which rows slide or grip."""
+    from carom.fitting.shots import ShotsRanking
+    from carom.plot.friction import plot_friction
+    from carom.plot.shots import plot_shot, plot_shots
+
+    if not isinstance(ranking, ShotsRanking):
+        return plot_friction(ranking)
+    return plot_shots(ranking.best) if len(ranking.best.shots) > 1 else plot_shot(ranking.best.shots[0])
 
 
 def _page(ranking: Any, files: list[Path], path: Path) -> Path:

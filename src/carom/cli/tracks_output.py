@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from rich.console import Console
 from rich.text import Text
 
-from carom.formatting import counted, format_length, format_number, json_value
+from carom.formatting import called_ball, counted, format_length, format_number, json_value
 from carom.public.renamed import with_old_keys
 
 if TYPE_CHECKING:
@@ -146,7 +146,7 @@ def tell_contacts(console: Console, films: Sequence[tuple[str, Measured]], stage
         total += len(measured.contacts)
         names = [
             *(f"the wall {wall.name}" for wall in measured.walls),
-            *(f"ball {track.name}" for track in measured.tracks),
+            *(called_ball(track.name) for track in measured.tracks),
         ]
         for one in measured.contacts:
             stages, why = usable_stages(one, stage, sliding)  # type: ignore[arg-type]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from carom.fitting.result import with_error_bar
+from carom.formatting import called_ball
 from carom.plot.fit import PAGE, listed, svg, table_of_laws
 from carom.plot.fit_tracks import BALLS
 from carom.plot.style import GREY, INK, literal, new_figure, style
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 __all__ = ["plot_shot", "plot_shots", "write_shots_report"]
 
 COLUMNS = 5  # of small multiples
+LEAST_MM = 0.1  # of a distance that is drawn
 DOTS = 120  # of a ball's path
 
 
@@ -32,11 +34,12 @@ def plot_shot(shot: FittedShot) -> Figure:
         left, right = figure.subplots(1, 2, width_ratios=[1.5, 1])
         _from_above(left, shot, marks=True)
         _over_time(right, shot)
-        handles = [left.plot([], [], color=BALLS[k % len(BALLS)], label=f"ball {literal(name)}")[0]
+        handles = [left.plot([], [], color=BALLS[k % len(BALLS)], label=literal(called_ball(name)))[0]
                    for k, name in enumerate(shot.film.balls)]  # fmt: skip
         figure.legend(handles=handles, loc="lower center", ncols=len(handles), fontsize=8, frameon=False)
         figure.suptitle(
-            f"{literal(shot.name)}: film (dots) and model (lines), {1e3 * shot.rms:.3g} mm; contacts: circles model, crosses film",
+            f"{literal(shot.film.name + ': ' if shot.film.name else '')}film (dots) and model (lines), {1e3 * shot.rms:.3g} mm;"
+            " contacts: circles model, crosses film",
             fontsize=9,
         )
         figure.subplots_adjust(left=0.02, right=0.97, top=0.88, bottom=0.2, wspace=0.16)
@@ -72,17 +75,19 @@ def plot_distances(fit: ShotsFit) -> Figure:
         for shot in fit.shots:
             seen = shot.film.measured.any(axis=1)
             far = 1e3 * np.sqrt(np.nanmean(np.square(shot.distance[seen]), axis=1))
-            left.plot(shot.film.time[seen], np.maximum(far, 0.1), lw=0.5, color=INK, alpha=0.4)
+            left.plot(shot.film.time[seen], np.maximum(far, LEAST_MM), lw=0.5, color=INK, alpha=0.4)
         left.axhline(1e3 * fit.noise * np.sqrt(2), color=GREY, lw=0.8, ls=":")
-        left.set(yscale="log", xlabel="time, s (dotted: noise)", ylabel="distance, mm")
+        _in_mm(left)
+        left.set(xlabel="time, s (dotted: noise)", ylabel="distance, mm")
         left.set_title("Distance from film to model, all shots", fontsize=9)
         places = [name for name in HORIZONS if len(fit.horizon(name))]
         for k, name in enumerate(places):
-            far = 1e3 * fit.horizon(name)
+            far = np.maximum(1e3 * fit.horizon(name), LEAST_MM)
             spread = np.linspace(-0.2, 0.2, len(far)) if len(far) > 1 else np.zeros(1)
             right.plot(k + spread, np.sort(far), "o", ms=2.5, color=BALLS[0], alpha=0.7)
             right.plot([k - 0.3, k + 0.3], [np.median(far)] * 2, color=BALLS[1], lw=1.5)
-        right.set(yscale="log", xticks=range(len(places)), xticklabels=places, ylabel="distance (rms), mm")
+        _in_mm(right)
+        right.set(xticks=range(len(places)), xticklabels=places, ylabel="distance (rms), mm")
         right.set_title("By horizon (line: median)", fontsize=9)
         figure.subplots_adjust(left=0.08, right=0.98, top=0.9, bottom=0.16, wspace=0.22)
     return figure
@@ -133,15 +138,27 @@ def _over_time(axes: Any, shot: FittedShot) -> None:
         if rows.sum() > 2:
             axes.plot(
                 shot.film.time[rows],
-                1e3 * np.maximum(shot.distance[rows, k], 1e-4),
+                np.maximum(1e3 * shot.distance[rows, k], LEAST_MM),
                 lw=0.8,
                 color=BALLS[k % len(BALLS)],
             )
     for one in shot.film.events:
         axes.axvline((one.low + one.high) / 2, color=GREY, lw=0.5, ls="-" if one.kind == "ball" else ":")
-    axes.set(
-        yscale="log", xlabel="time, s (lines: events of the film, balls solid, cushions dotted)", ylabel="distance, mm"
-    )
+    _in_mm(axes)
+    axes.set(xlabel="time, s (lines: events of the film, balls solid, cushions dotted)", ylabel="distance, mm")
+
+
+def _in_mm(axes: Any) -> None:
+    """Let the vertical axis be logarithmic, with plain numbers at its ticks."""
+    from matplotlib.ticker import LogFormatter
+
+    class Plain(LogFormatter):
+        def __call__(self, x: float, pos: Any = None) -> str:
+            return f"{x:g}" if super().__call__(x, pos) else ""
+
+    axes.set(yscale="log")
+    axes.yaxis.set_major_formatter(Plain(labelOnlyBase=False))
+    axes.yaxis.set_minor_formatter(Plain(labelOnlyBase=False, minor_thresholds=(1, 0.4)))
 
 
 def _laws(ranking: ShotsRanking) -> str:

@@ -145,7 +145,7 @@ def _require_one_table(groups: dict[str, list[Track]], noise: float, radii: floa
 
 
 def _beyond(far: float, side: str) -> str:
-    return f"places {far:.2f} m beyond its {side} cushion: is it another table, or another scale?"
+    return f"places {far:.2f} m beyond its {side} cushion: is it another table, scale or origin?"
 
 
 def require_on_table(shots: Sequence[FilmedShot], wall: Table, radius: float) -> None:

@@ -17,7 +17,7 @@ from carom.fitting.shots.film import FilmedEvent, FilmedShot
 from carom.fitting.shots.search import ShotStart
 from carom.fitting.shots.start import FIRST_PLACE, SPIN, TIME, VELOCITY
 from carom.fitting.shots.table import TableModel, TableNumbers, table_of
-from carom.formatting import counted, json_value
+from carom.formatting import called_ball, counted, json_value
 from carom.scene.scene import Scene
 from carom.simulation.simulate import simulate
 from carom.simulation.trajectory import Trajectory
@@ -115,8 +115,8 @@ class FittedShot:
 
     @staticmethod
     def _words(time: float, kind: str, ball: str, other: str) -> str:
-        met = f"ball {other}" if kind == "ball" else f"the {other} cushion"
-        return f"ball {ball} meets {met} at {time:.2f} s"
+        met = called_ball(other) if kind == "ball" else f"the {other} cushion"
+        return f"{called_ball(ball)} meets {met} at {time:.2f} s"
 
     def _same(self, one: FilmedEvent, time: float, kind: str, ball: str, other: str) -> bool:
         names = self.film.balls
