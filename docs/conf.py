@@ -51,6 +51,7 @@ nb_execution_raise_on_error = True
 nb_execution_timeout = 300
 nb_execution_in_temp = True
 nb_execution_show_tb = True
+nb_merge_streams = True  # what a cell prints is one block, however it arrived
 nb_render_markdown_format = "myst"  # tables and roles in what cells display
 # cells call the command `carom` of the interpreter that builds, and print without colours, on one width
 os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])

@@ -42,16 +42,17 @@ SIGNS = {
     r"\bdelta_theta\b": "δθ",
     r"\b(d?)varphi\b": "\\1φ", r"\b(d?)psi\b": "\\1ψ", r"\b(d?)theta\b": "\\1θ", r"\bomega_([xyz]\d?)": "ω_\\1", r"\bomega\b": "ω",
     r"\bkappa\b": "κ", r"\bbeta\b": "β", r"\bmu\b": "μ", r"\bpi\b": "π", r"\bDelta\b": "Δ",
+    r"\b(d?)thetadot": "\\1θ̇", r"\b(d?)varphidot": "\\1φ̇", r"\b(d?)psidot": "\\1ψ̇",
     r"\bxdot": "ẋ", r"\bydot": "ẏ", r"\bzdot": "ż", r"\*\*2": "²", r"\*\*3": "³", r"\^2": "²", r"(?<=[\w)])\*(?=[\w(])": " ",
     r"->": "→", r"\bsqrt\(": "√(",
 }  # fmt: skip
 
 
 def in_signs(words: str) -> str:
-    """Return a sentence with Greek letters, dots, powers and roots as signs, for HTML."""
+    """Return a sentence with Greek letters, dots, powers, roots and indices as signs, for HTML."""
     for pattern, sign in SIGNS.items():
         words = re.sub(pattern, sign, words)
-    return escape(words)
+    return re.sub(r"(?<=[\wω])_([A-Za-z0-9]+)", r"<sub>\1</sub>", escape(words))
 
 
 def side_by_side(entry: dict[str, Any]) -> str:

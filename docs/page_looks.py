@@ -1,6 +1,7 @@
 """How pages look, by rule and not at each place: columns of numbers, units once, numbers of equations and pictures, theorems.
 
-- A column of a table whose cells are numbers is set to the right; a unit that all of them have stands in its head instead.
+- A table of many columns is set small. A column of numbers is set to the right; a unit that all of them have stands in its head
+  instead.
 - An equation has a number with an anchor: its own (``\\tag{28}``: ``#eq-28``), otherwise E1, E2, ... on its page (``#eq-E1``).
 - A picture has a numbered caption: its text for those who do not see it; or, of a picture that a cell draws, the sentence that
   leads to it.
@@ -20,6 +21,7 @@ UNITS = "mm|cm|m|km|ns|[µu]s|ms|s|min|h|%|°|deg|m/s|mm/s|rad/s|kg|g|N|J|kB|MB|
 NUMBER = re.compile(
     rf"[<>≤≥~≈]?\s*[-−+±]?[\d.,]*\d[\d.,]*(?:e[-−+]?\d+)?(?:\s*±\s*[\d.,]+)?(?:\(\d+\))?(?:(?P<space>\s*)(?P<unit>{UNITS}))?"
 )
+MANY = 7  # columns: such a table is set small
 NONE = {"", "-", "–", "—", "inf", "∞", "none", "nan"}
 TAG = re.compile(r"[ \t]*\\tag\{([^}]+)\}")
 
@@ -47,6 +49,8 @@ def align(table: nodes.table) -> None:
     head = [list(row.children) for part in table.findall(nodes.thead) for row in part.children]
     if not body or len(lengths := {len(row) for row in (*head, *body)}) != 1:
         return
+    if max(lengths) >= MANY:
+        table["classes"].append("many")
     for k in range(*lengths):
         cells = [row[k] for row in body]
         said = [NUMBER.fullmatch(cell.astext().strip()) for cell in cells]
@@ -119,21 +123,32 @@ def number_pictures(document: nodes.document) -> None:
         figure = nodes.figure(ids=[f"figure-{count}"], classes=["picture"])
         image.parent.replace(image, figure)
         caption = nodes.caption("", "", nodes.inline("", f"Figure {count}", classes=["caption-number"]))
-        if words := text or _leading(figure):
-            caption += nodes.Text(f". {words}")
+        if words := [nodes.Text(text)] if text else _leading(figure):
+            caption += [nodes.Text(". "), *words]
         figure += [image, caption]
 
 
-def _leading(figure: nodes.figure) -> str:
-    """Return the sentence that ends with a colon before the cell that draws a picture."""
+def _leading(figure: nodes.figure) -> list[nodes.Node]:
+    """Return the sentence that ends with a colon before the cell that draws a picture, with its formulas."""
     cell: nodes.Node = figure
     while cell.parent is not None and "cell" not in getattr(cell, "attributes", {}).get("classes", ()):
         cell = cell.parent
     if cell.parent is None:
-        return ""
+        return []
     before = cell.parent[: cell.parent.index(cell)]
-    sentence = before[-1].astext().split(". ")[-1].strip() if before and isinstance(before[-1], nodes.paragraph) else ""
-    return f"{sentence[0].upper()}{sentence[1:-1]}." if sentence.endswith(":") else ""
+    if not before or not isinstance(before[-1], nodes.paragraph) or not before[-1].astext().endswith(":"):
+        return []
+    sentence: list[nodes.Node] = []
+    for child in reversed(before[-1].children):
+        text = child.astext() if isinstance(child, nodes.Text) else ""
+        _, end, last = text.rpartition(". ")
+        sentence.insert(0, nodes.Text(last) if end else child.deepcopy())
+        if end:
+            break
+    for k, change in ((0, lambda text: text[:1].upper() + text[1:]), (-1, lambda text: text.rstrip(":") + ".")):
+        if isinstance(sentence[k], nodes.Text):
+            sentence[k] = nodes.Text(change(sentence[k].astext().strip("\n")))
+    return sentence
 
 
 # --- theorems -------------------------------------------------------------------------------------------------------

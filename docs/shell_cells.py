@@ -23,7 +23,8 @@ def sh(line: str, cell: str) -> None:
         ["bash", "-euc", cell], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False
     )
     for text in done.stdout.splitlines():
-        print("\n".join(textwrap.wrap(text, 106)) if len(text) > 106 else text)
+        sentence = len(text) > 106 and "   " not in text.strip() and "──" not in text  # (no row of a table)
+        print("\n".join(textwrap.wrap(text, 106)) if sentence else text)
     expected = 2 if line.strip() == "refused" else 0
     if done.returncode != expected:
         raise RuntimeError(f"exit code {done.returncode}, expected {expected}: {cell}")

@@ -411,6 +411,7 @@ STATEMENTS = (
         "docs/theory/gas.md",
     ),
     Statement("paper.md", r"outcome under (\w+) laws", lambda: [len(carom.LAWS)], COUNTS),
+    Statement("docs/index.md", r"predicts it under (\w+) laws", lambda: [len(carom.LAWS)], COUNTS),
     Statement("docs/index.md", r"compares (\w+) laws", lambda: [len(carom.compare().verdicts)], COUNTS),
     *(
         Statement(

@@ -33,7 +33,9 @@ def test_a_line_without_a_partner_has_an_empty_cell(equation: dict[str, object])
 
 
 def test_sentences_have_signs_in_place_of_code() -> None:
-    assert derived_paper.in_signs("-sqrt(3)*I/a**2 < pi, dvarphi -> omega_z1") == "-√(3) I/a² &lt; π, dφ → ω_z1"
+    assert (
+        derived_paper.in_signs("-sqrt(3)*I/a**2 < pi, dvarphi -> omega_z1") == "-√(3) I/a² &lt; π, dφ → ω<sub>z1</sub>"
+    )
 
 
 def test_quantities_with_names_of_words_are_set_as_signs() -> None:
@@ -43,3 +45,18 @@ def test_quantities_with_names_of_words_are_set_as_signs() -> None:
     assert r"d\varphi/d\theta" in shown
     assert r"\tau_r/1^\circ" in shown
     assert not re.search(r"tan_|deg|dvarphi", shown)
+
+
+def test_results_of_derivations_are_lines_of_equations() -> None:
+    import sympy as sp
+    from examples import bodies
+    from typeset_results import equations
+
+    jump = bodies.ball_on_wall(nonhol_coneqs=bodies.rolling(), restitution=0).solve()
+    lines = equations(jump.impulses)
+    assert lines is not None
+    assert lines.count(r"\\") == len(jump.impulses) - 1
+    assert r"\text{wall.t2} &= \Lambda_{\text{wall.t2}}" in lines
+    assert equations([sp.Eq(bodies.m, 1)]) == "\\begin{aligned}\nm &= 1\n\\end{aligned}"
+    assert r"\text{wall approaches}:\quad & \dot{x}_{0} < 0" in str(equations(bodies.ball_on_wall().solve().conditions))
+    assert equations({"a": {"b": 1}}) is None
