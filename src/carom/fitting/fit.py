@@ -30,7 +30,7 @@ from carom.fitting.spin_chains import chain_information
 from carom.fitting.tabulated import LawTable, coarse_table, fine_table
 from carom.fitting.uncertainty import with_marginal_errors, with_profiled_friction
 
-__all__ = ["Place", "fit_at", "fit_law", "kinked_rows_warning", "own_information"]
+__all__ = ["Place", "fit_at", "fit_law", "kinked_rows_warning", "own_information", "place_near"]
 
 Array = NDArray[np.float64]
 FEW_STEPS, HELD_STEPS = 40, 12
@@ -237,7 +237,7 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     """
     model = model_of(law, problem)
     coarse = None if problem.carried else coarse_table(model)
-    model = model.using(coarse)
+    model = plain = model.using(coarse)
     scatter: dict[str, float] = {}
     extra, contacts = 0.0, None
     if problem.estimated.any() or problem.setting.scatter:
@@ -253,19 +253,34 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     if coarse is not None:
         p = np.concatenate([p, _annealed(own, p)])
     best = _descend(own, p)
-    if problem.carried and feels_spins(law, problem):
-        best = best._replace(information=chain_information(own, best.p, best.information))
-    elif problem.spins is not None and "friction" in model.parameters:
-        best = _across_kinks(own, best)
+    best = _across_kinks(own, best)
     if problem.shared:  # there may be a kink: searched from both sides
         z = np.eye(len(problem.shared))
         p = np.tile(best.p, (1 + 2 * len(z), 1))
         p[1:, NUMBERS:] = np.concatenate([z, -z])
         best = _descend(model, p)
+    if contacts is not None and contacts.value:  # (beyond kinks the scatter may be another)
+        again = with_contact_scatter(
+            plain, lambda _model: best.p[None], lambda at, p: _descend(at, p).p, contacts.value
+        )
+        model, extra, scatter, contacts = again.model, again.extra, again.scatter, again.estimate
+        problem, own = model.problem, model.without_shared()
+        best = _descend(model, again.p)
+    if problem.carried and feels_spins(law, problem) and not problem.shared:
+        best = best._replace(information=chain_information(own, best.p, best.information))
     table = None
     if coarse is not None:
         best, table = _refined(model if problem.shared else own, best, coarse)
     return fit_at(model, best, scatter, extra, contacts, table)
+
+
+def place_near(law: FittedLaw, problem: Problem, p: Array) -> Array:
+    """Return numbers (K,) where descents from p (K,), and from those of a search, end; of a tabulated law by its coarse table."""
+    model = model_of(law, problem)
+    model = model.using(None if problem.carried else coarse_table(model))
+    own, starts = model.without_shared(), np.vstack([_search(model.without_shared()), p])
+    starts[:, NUMBERS:] = p[NUMBERS:]
+    return _descend(model, _across_kinks(own, _descend(own, starts)).p[None]).p
 
 
 def fit_at(
@@ -314,8 +329,14 @@ def own_information(h: Array, k: int) -> Array:
 
 
 def _across_kinks(model: FitModel, best: Place) -> Place:
-    """Continue the search with the friction held at other values, and then freed."""
+    """Continue the search with the friction held at other values, and then freed; where spins are integrated over."""
     problem = model.problem
+    if (
+        problem.spins is None
+        or "friction" not in model.parameters
+        or (problem.carried and feels_spins(model.law, problem))
+    ):
+        return best
     # in many rows the search is among some of them
     few = np.linspace(0, len(problem.x) - 1, min(len(problem.x), KINK_ROWS)).astype(int)
     some = model if len(few) == len(problem.x) else replace(model, problem=problem.select(few))

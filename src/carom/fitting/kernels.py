@@ -137,7 +137,8 @@ def table_rebound(code: int, form: int, stage: int, x: Vec, a: float, p: Any) ->
 
 
 # A table of a law at some restitution, wall friction and floor friction: its head, these three first, then for each stage,
-# direction and spin the velocities, and a times the spin, of a ball that came with speed 1, and their derivatives in the three.
+# direction and spin the velocities, and a times the spin, of a ball that came with speed 1; then the same of their derivatives in
+# the three, one after the other.
 TABLE_HEAD = 10
 _DIRECTION, _DIRECTIONS, _SPIN, _SPINS, _STAGES = 3, 5, 6, 8, 9
 PLANES = 4
@@ -171,6 +172,7 @@ def look_up(stage: int, x: Vec, a: float, p: Any, known: Any) -> Vec:
     w0, w1, w2, w3 = _lagrange_weights(one - i)
     u0, u1, u2, u3 = _lagrange_weights(two - j)
     first = (int(min(stage, known[_STAGES] - 1)) * directions + i) * spins + j
+    size = int(known[_STAGES]) * directions * spins * 3
     off0, off1, off2 = p.restitution - known[0], p.friction - known[1], p.floor_friction - known[2]
     moved = off0 != 0 or off1 != 0 or off2 != 0
     f0 = f1 = f2 = 0 * speed
@@ -178,12 +180,13 @@ def look_up(stage: int, x: Vec, a: float, p: Any, known: Any) -> Vec:
         w = w0 if m == 0 else w1 if m == 1 else w2 if m == 2 else w3
         for n in range(4):
             u = w * (u0 if n == 0 else u1 if n == 1 else u2 if n == 2 else u3)
-            at = TABLE_HEAD + (first + m * spins + n) * 3 * PLANES
+            at = TABLE_HEAD + (first + m * spins + n) * 3
             f0, f1, f2 = f0 + u * known[at], f1 + u * known[at + 1], f2 + u * known[at + 2]
             if moved:
-                f0 += u * (off0 * known[at + 3] + off1 * known[at + 6] + off2 * known[at + 9])
-                f1 += u * (off0 * known[at + 4] + off1 * known[at + 7] + off2 * known[at + 10])
-                f2 += u * (off0 * known[at + 5] + off1 * known[at + 8] + off2 * known[at + 11])
+                by_e, by_mu, by_floor = at + size, at + 2 * size, at + 3 * size
+                f0 += u * (off0 * known[by_e] + off1 * known[by_mu] + off2 * known[by_floor])
+                f1 += u * (off0 * known[by_e + 1] + off1 * known[by_mu + 1] + off2 * known[by_floor + 1])
+                f2 += u * (off0 * known[by_e + 2] + off1 * known[by_mu + 2] + off2 * known[by_floor + 2])
     return speed * f0, side * speed * f1, side * speed * f2 / a
 
 

@@ -79,9 +79,9 @@ class Evaluation:
     chi2: Array
     """(B, N) c, at the most likely spin if that was not measured."""
     scores: Array
-    """(B, k), weighted."""
+    """(B, k), weighted; (B, N, k) where asked for by row."""
     information: Array
-    """(B, k, k), weighted."""
+    """(B, k, k), or (B, N, k, k), weighted."""
 
 
 @kernel
@@ -104,12 +104,13 @@ def _evaluate_rows(
 ) -> None:  # fmt: skip
     """Evaluate rows part[0] to part[1] at each of p (B, K). ``spins``: rows.spins (an argument: Numba drops the branch where
     it is None); ``measured``: x and y without shared errors; ``bounds``: low and high; ``out``: deviance and chi2 (B, N), scores
-    (B, k) and information (B, k, k) of these rows."""
+    (B, R, k) and information (B, R, k, k) of these rows, summed if R is 1, and else of each."""
     plain_x, plain_y = measured
     low, high = bounds
     first, last = part
     deviance, chi2, u, h = out
     k, one, shared = trial.free.shape[0], min(weights.shape[0] - 1, 1), moves.shape[0]
+    each = min(u.shape[1] - 1, 1)
     ui, hi = work.u, work.h
     for b in range(p.shape[0]):
         for j in range(p.shape[1]):
@@ -137,9 +138,9 @@ def _evaluate_rows(
             else:
                 deviance[b, i], chi2[b, i] = row_deviance(law, rows, trial, i, ui, hi, work)
             for j in range(k):
-                u[b, j] += weight * ui[j]
+                u[b, i * each, j] += weight * ui[j]
                 for m in range(k):
-                    h[b, j, m] += weight * hi[j, m]
+                    h[b, i * each, j, m] += weight * hi[j, m]
 
 
 def _predict_rows(law: Any, rows: Any, x: Any, numbers: Any, out: Any) -> None:
@@ -184,8 +185,8 @@ def _law(kind: Kind) -> int:
 @functools.cache
 def _types() -> Any:
     """Return the types of the compiled loops' arguments."""
-    one, two, three, indices, numbers = (
-        array_of(*x) for x in ((float, 1), (float, 2), (float, 3), (int, 1), (LAW_NUMBERS, 1))
+    one, two, three, four, indices, numbers = (
+        array_of(*x) for x in ((float, 1), (float, 2), (float, 3), (float, 4), (int, 1), (LAW_NUMBERS, 1))
     )
     vector = (float, float, float)
     law = (vector, int, int, int, vector, float, LAW_NUMBERS, one)
@@ -198,7 +199,7 @@ def _types() -> Any:
     work = named_tuple_type(
         Workspace, one, two, two, two, two, two, two, one, two, one, two, array_of(INTERVAL), two, two, two, two, one, two, two,
     )  # fmt: skip
-    bounds, part, out = (one, one), (int, int), (two, two, two, three)
+    bounds, part, out = (one, one), (int, int), (two, two, three, four)
     looks = {
         averaged: signature(None, int, rows(kind), kind, (two, two), two, two, trial, bounds, two, part, out, work)
         for averaged, kind in ((False, None), (True, grid))
@@ -249,7 +250,9 @@ def make_workspace(k: int, points: int) -> Workspace:
     )  # fmt: skip
 
 
-def evaluate(model: LikelihoodModel, p: Array, weights: Array | None = None) -> Evaluation:
+def evaluate(
+    model: LikelihoodModel, p: Array, weights: Array | None = None, *, by_row: bool = False
+) -> Evaluation:  # fmt: skip
     """Evaluate the likelihood at B sets of numbers p (B, K), with weights (B or 1, N) of the rows."""
     p, rows = np.ascontiguousarray(p, float), model.rows
     (n, count), k = (len(rows.x), len(p)), len(model.free)
@@ -259,7 +262,7 @@ def evaluate(model: LikelihoodModel, p: Array, weights: Array | None = None) -> 
     deviance, chi2 = np.empty((count, n)), np.empty((count, n))
     if model.tabulated is not None and count > MOST_TABLES:
         parts_of = [
-            evaluate(model, p[some], weights if len(weights) == 1 else weights[some])
+            evaluate(model, p[some], weights if len(weights) == 1 else weights[some], by_row=by_row)
             for some in block_slices(count, MOST_TABLES)
         ]
         return Evaluation(*map(np.concatenate, zip(*(vars(seen).values() for seen in parts_of), strict=True)))
@@ -270,7 +273,8 @@ def evaluate(model: LikelihoodModel, p: Array, weights: Array | None = None) -> 
     sets, parts = (sets, parts) if tables is None else (count, 1 if quick else PARTS)
     edges = np.linspace(0, n, parts + 1).astype(int).tolist()
     blocks = np.linspace(0, count, sets + 1).astype(int).tolist()
-    u, h = np.zeros((parts, count, k)), np.zeros((parts, count, k, k))
+    sums, each = (1, n) if by_row else (parts, 1)
+    u, h = np.zeros((sums, count, each, k)), np.zeros((sums, count, each, k, k))
 
     def part(some: slice, m: int) -> None:
         own = rows._replace(x=rows.x.copy(), y=rows.y.copy()) if len(model.moved) else rows
@@ -278,12 +282,13 @@ def evaluate(model: LikelihoodModel, p: Array, weights: Array | None = None) -> 
         loop(
             law, own, rows.spins, (rows.x, rows.y), weights if len(weights) == 1 else weights[some], p[some],
             make_trial(model.free, model.moved), (model.low, model.high), model.moves, (edges[m], edges[m + 1]),
-            (deviance[some], chi2[some], u[m, some], h[m, some]), make_workspace(k, points),
+            (deviance[some], chi2[some], u[m % sums, some], h[m % sums, some]), make_workspace(k, points),
         )  # fmt: skip
 
     tasks = [(slice(blocks[i], blocks[i + 1]), m) for i in range(sets) for m in range(parts)]
     call_in_threads(lambda task: part(*task), tasks)
-    return Evaluation(deviance, chi2, u.sum(axis=0), h.sum(axis=0))
+    u, h = u.sum(axis=0), h.sum(axis=0)
+    return Evaluation(deviance, chi2, u, h) if by_row else Evaluation(deviance, chi2, u[:, 0], h[:, 0])
 
 
 def predictions(kind: Kind, rows: RowData, x: Array, p: Array) -> Array:

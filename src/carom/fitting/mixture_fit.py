@@ -3,12 +3,11 @@
 Spins before a wall are seldom normal: of shots at a cushion many roll with running side, and the others are broad. A normal prior
 in their place lets a wrong law win, by odds that grow with the rows, whose restitution or compliance takes over the part of the
 missing tail. So each law is fitted again with a mixture, whose shares, means and widths are adjusted with the law's parameters, by
-descents from a few shapes; for the two best laws a third component is tried.
+descents from a few shapes; for the two best laws a third component is tried, where two are worth their parameters.
 """
 
 from __future__ import annotations
 
-import functools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -21,14 +20,13 @@ from carom.fitting.data import Problem
 from carom.fitting.deviance import SPIN_MEAN, SPIN_WIDTH
 from carom.fitting.evidence import DECIDED
 from carom.fitting.fit import Place, fit_at
-from carom.fitting.likelihood import evaluate
 from carom.fitting.model import FitModel, feels_spins, model_of
 from carom.fitting.optimizer import observed_information
 from carom.fitting.parameters import INDEX, NUMBERS
 from carom.fitting.result import Estimate, Fit
 from carom.fitting.scatter import with_contact_scatter
 from carom.fitting.setting import Setting
-from carom.fitting.spin_mixture import SpinMixture, component_deviances, mixture_deviances
+from carom.fitting.spin_mixture import SpinMixture, evaluate_components, mixture_deviances
 from carom.fitting.tabulated import coarse_table, fine_table
 
 __all__ = ["may_mix", "with_flexible_prior", "with_mixtures"]
@@ -40,6 +38,7 @@ HOPELESS = (
 )
 FEW_STEPS = 40
 COMPARED, DESCENT = {"ftol": 1e-5, "maxiter": 150}, {"ftol": 1e-8, "maxiter": 150}  # of shapes; of the best of them
+STILL = 4.0  # of the deviance: what all that follows the comparison of shapes may still gain
 LEAST_WIDTH, MOST_WIDTH, MOST_MEAN, MOST_LOGIT = 0.02, 3.0, 2.0, 7.0
 MOST_ROWS = 5000
 LEAST_ROWS_EACH = 8  # rows whose spins were not measured, for each component
@@ -71,8 +70,6 @@ class _Joint:
             np.concatenate([bound[self.own], *(np.full(m, end[i]) for end, m in zip(ends, (c, c, c - 1), strict=True))])
             for i, bound in enumerate((model.low, model.high))
         )
-        # (the same loop may be asked for its values alone)
-        self.likelihood = functools.cache(model.likelihood)
 
     def packed(self, p: Array, mixture: SpinMixture) -> Array:
         """Return numbers and a mixture as one array."""
@@ -101,15 +98,12 @@ class _Joint:
         every[:, self.own] = np.repeat(q[:, :n], c, axis=0)
         every[:, SPIN_MEAN], every[:, SPIN_WIDTH] = q[:, self.means].ravel(), q[:, self.widths].ravel()
         log_share = self._log_shares(q)
-        rows, belongs = mixture_deviances(component_deviances(self.likelihood, every, c)[0], log_share)
+        seen = evaluate_components(self.model.likelihood(), every, c)
+        rows, belongs = mixture_deviances(seen.deviance, log_share)
         shared = self.own >= NUMBERS
         value = rows.sum(axis=1) + np.square(q[:, :n][:, shared]).sum(axis=1)
         score, information = np.zeros((count, k)), np.zeros((count, k, k))
-        seen = evaluate(self.likelihood(True), every, belongs.reshape(len(every), -1))
-        scores, blocks = (
-            seen.scores.reshape(count, c, -1),
-            seen.information.reshape(count, c, *seen.information.shape[1:]),
-        )
+        scores, blocks = (np.einsum("bcn,bcn...->bc...", belongs, x) for x in (seen.scores, seen.information))
         of = [*self.of, *self.prior]
         for j in range(c):
             at = [*range(n), n + j, n + c + j]
@@ -124,14 +118,15 @@ class _Joint:
         information[:, diagonal, diagonal] += 1
         return value, score, information
 
-    def descend(self, starts: Sequence[Array]) -> tuple[Array, float]:
-        """Return the best end point of descents, and its deviance.
+    def descend(self, starts: Sequence[Array], most: float = math.inf) -> tuple[Array, float]:
+        """Return the best end point of descents, and its deviance; where all shapes end above ``most``, of the comparison alone.
 
         By SciPy's L-BFGS-B (Byrd, Lu, Nocedal & Zhu 1995): steps from the information with known components are too short. Of
         several, only the best is followed to its bottom.
         """
-        ends = [self._descend(start, COMPARED) for start in starts] if len(starts) > 1 else [(starts[0], 0.0)]
-        return self._descend(min(ends, key=lambda end: end[1])[0], DESCENT)
+        ends = [self._descend(start, COMPARED) for start in starts] if len(starts) > 1 else [(starts[0], -math.inf)]
+        best = min(ends, key=lambda end: end[1])
+        return best if best[1] > most else self._descend(best[0], DESCENT)
 
     def _descend(self, start: Array, options: dict[str, float]) -> tuple[Array, float]:
         """Return the end point of one descent, and its deviance."""
@@ -212,13 +207,13 @@ def with_mixtures(
         mixed = _search(fit, problem, fit.numbers, fit.problem, _shapes(mean, width))
         gain = max(gain, fit.aicc - mixed.aicc)
         found[fit.law.name] = mixed
-    order = sorted(found, key=lambda name: found[name].aicc)
     by_name = {fit.law.name: fit for fit in fits}
     if int(problem.unknown.sum()) >= MOST_COMPONENTS * LEAST_ROWS_EACH:
-        for name in order[:2]:
-            was = found[name]
-            more = _search(by_name[name], problem, was.p, was.problem, _split(was.joint.unpacked(was.q)[1]))
-            found[name] = min(was, more, key=lambda one: one.aicc)
+        for name in sorted(found, key=lambda name: found[name].aicc)[:2]:
+            was, fit = found[name], by_name[name]
+            if was.aicc < fit.aicc:
+                more = _search(fit, problem, was.p, was.problem, _split(was.joint.unpacked(was.q)[1]))
+                found[name] = min(was, more, key=lambda one: one.aicc)
     return [
         _settled(fit, found[fit.law.name]) if fit.law.name in found and found[fit.law.name].aicc < fit.aicc else fit
         for fit in fits
@@ -226,7 +221,8 @@ def with_mixtures(
 
 
 def _search(fit: Fit, problem: Problem, p: Array, rows: Problem, mixtures: Sequence[SpinMixture]) -> _Mixed:
-    """Return the best end of descents from numbers p and some shapes; ``rows``: with the scatter between contacts so far."""
+    """Return the best end of descents from numbers p and some shapes; its criterion is infinite where it is by far not worth its
+    parameters against a normal prior. ``rows``: with the scatter between contacts so far."""
 
     def descend(
         rows: Problem, p: Array, mixtures: Sequence[SpinMixture], last: bool = True
@@ -234,7 +230,11 @@ def _search(fit: Fit, problem: Problem, p: Array, rows: Problem, mixtures: Seque
         model = model_of(fit.law, replace(rows, mixture=None))
         coarse = coarse_table(model)
         joint = _Joint(model.using(coarse), p, len(mixtures[0].share))
-        q, deviance = joint.descend([joint.packed(p, one) for one in mixtures])
+        normal = float(joint.model.minimize(fit.numbers[None], FEW_STEPS).value[0])
+        most = normal - 2 * (mixtures[0].parameters - 2) + STILL
+        q, deviance = joint.descend([joint.packed(p, one) for one in mixtures], most)
+        if deviance > most:
+            return joint, q, math.inf
         if coarse is not None and last:
             e, mu = (
                 fit.estimates[name].stderr or 0.0 if name in fit.estimates else 0.0
@@ -250,10 +250,12 @@ def _search(fit: Fit, problem: Problem, p: Array, rows: Problem, mixtures: Seque
 
     scatter = (fit.scatter, fit.determinants, fit.contact_scatter)
     joint, q, deviance = descend(rows, p, mixtures, last=not problem.setting.scatter)
-    if problem.setting.scatter:
+    if problem.setting.scatter and deviance < math.inf:
         p, mixture = joint.unpacked(q)
         held = model_of(fit.law, replace(problem, mixture=mixture)).using(joint.model.tabulated)
-        again = with_contact_scatter(held, lambda _model: p[None], lambda at, p: at.minimize(p, FEW_STEPS).p[0])
+        again = with_contact_scatter(
+            held, lambda _model: p[None], lambda at, p: at.minimize(p, FEW_STEPS).p[0], *fit.scatter.values()
+        )
         scatter, rows = (again.scatter, again.extra, again.estimate), again.model.problem
         joint, q, deviance = descend(rows, again.p[0], [mixture])
     p, mixture = joint.unpacked(q)

@@ -6,19 +6,24 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from carom.fitting.data import Problem
 from carom.fitting.evidence import DECIDED, UNLIKELY
-from carom.fitting.fit import fit_law
+from carom.fitting.fit import fit_law, place_near
 from carom.fitting.model import predict_law
 from carom.fitting.result import Fit, rows_of_fit
 
 __all__ = ["Outlier", "OutlierSearch", "heavy_tails", "outliers_of"]
 
+Array = NDArray[np.float64]
 FALSE_ALARM = 0.05  # probability of an outlier by chance among all rows
 STEADY_ROWS = 150  # of many, to which the robust fit is made
 LEAST_ROWS = 8  # for the search of outliers
 MOST_OUTLIERS = 0.1  # of the rows: with more, errors are not those of a law that fits but for a few rows
+NEARLY = (
+    0.85  # of the limit of chi^2: a row above it is judged by the fit itself, and not by the place of a shorter search
+)
 MOVED_SIGMA = 3.0  # shift of a parameter, in error bars, that is reported
 
 
@@ -64,17 +69,24 @@ def outliers_of(fit: Fit) -> OutlierSearch:
     d = np.isfinite(problem.y).sum(axis=1)
     if len(d) < LEAST_ROWS or not d.any():
         return OutlierSearch()
+
+    def judged(p: Array, share: float = 1.0) -> tuple[Array, list[int]]:
+        """Return chi^2 of the rows with numbers p, and the rows where it is above a share of the limit, worst first."""
+        chi2 = rows_of_fit(fit, problem, p)[1]
+        # if no law fits, a row is an outlier relative to the others, since the error bars are too small for all rows
+        scale = max(float(np.median(chi2[d > 0] / chdtri(d[d > 0], 0.5))), 1.0)
+        limit = share * scale * chdtri(np.maximum(d, 1), FALSE_ALARM / len(d))
+        return chi2, sorted(np.flatnonzero((d > 0) & (chi2 > limit)).tolist(), key=lambda i: -chi2[i])
+
     steady = fit
     if not problem.estimated.any() and not problem.nu and fit.names:
         # (the scatter between contacts, if it was fitted, is in the error bars; of many rows some tell the parameters well enough)
         few = problem.select(np.linspace(0, len(d) - 1, min(len(d), STEADY_ROWS)).astype(int))
-        steady = fit_law(fit.law, replace(few, setting=replace(problem.setting, robust=True, scatter="")))
-    chi2 = rows_of_fit(fit, problem, steady.numbers)[1]
-    # if no law fits, a row is an outlier relative to the others, since the error bars are too small for all rows
-    scale = max(float(np.median(chi2[d > 0] / chdtri(d[d > 0], 0.5))), 1.0)
-    limit = chdtri(np.maximum(d, 1), FALSE_ALARM / len(d))
-    found = [int(i) for i in np.flatnonzero((d > 0) & (chi2 > limit * scale))]
-    found.sort(key=lambda i: -chi2[i])
+        robust = replace(few, setting=replace(problem.setting, robust=True, scatter=""))
+        if problem.spins is not None and not judged(place_near(fit.law, robust, fit.numbers), NEARLY)[1]:
+            return OutlierSearch()
+        steady = fit_law(fit.law, robust)
+    chi2, found = judged(steady.numbers)
     gap = problem.y - predict_law(fit.law, problem, steady.numbers)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):  # (an error bar's square may be 0)
         size = np.abs(gap) / np.sqrt(problem.vy)

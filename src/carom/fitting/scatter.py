@@ -28,11 +28,11 @@ Search = Callable[[FitModel], Array]
 Descend = Callable[[FitModel, Array], Array]
 ROUNDS, CONTACT_ROUNDS = 40, 12
 FIRST_SHARE = 0.05  # of the speed: the scatter with which the search begins
-SETTLED = 2e-3  # of the scatter: a smaller change ends the search
+SETTLED, ROUGHLY = 2e-3, 0.1  # of the scatter: a smaller change ends the search
 LEAST_SHARE, MOST_SHARE = 1e-5, 1.0
+REACH = 0.5  # of log s, within which it is sought near where it was
 CURVATURE_STEP = 0.1  # of log s
 JACOBIAN_STEP = 0.1  # of an error bar before the wall
-GOLDEN = (math.sqrt(5) - 1) / 2
 CONTACT_SCATTER = "contacts"
 
 
@@ -67,8 +67,11 @@ def with_estimated_scatter(model: FitModel, search: Search, descend: Descend) ->
     return Scattered(p[None], at, float((n[estimated] * np.log(variance[estimated])).sum()), scatter, None)
 
 
-def with_contact_scatter(model: FitModel, search: Search, descend: Descend) -> Scattered:
-    """Fit parameters and the scatter between contacts in turn until neither changes."""
+def with_contact_scatter(model: FitModel, search: Search, descend: Descend, near: float | None = None) -> Scattered:
+    """Fit parameters and the scatter between contacts in turn until neither changes; ``near``: a scatter to begin with, else it is
+    settled roughly."""
+    from scipy.optimize import minimize_scalar
+
     plain, unit = model.problem, _unit(model.problem)
     size = float(np.median(np.hypot(plain.x[:, 0], plain.x[:, 1]))) if plain.setting.scatter == "absolute" else 1.0
     low, high = math.log(LEAST_SHARE * size), math.log(MOST_SHARE * size)
@@ -88,16 +91,17 @@ def with_contact_scatter(model: FitModel, search: Search, descend: Descend) -> S
 
         return of_scatter
 
-    log_s = math.log(FIRST_SHARE * size)
+    log_s = math.log(near or FIRST_SHARE * size)
     p = search(having(math.exp(log_s)).without_shared())
     for turn in range(CONTACT_ROUNDS):
         at = having(math.exp(log_s))
-        p = descend(at if turn else at.without_shared(), p)[None]
+        p = descend(at if turn or near else at.without_shared(), p)[None]
         was = log_s
         # later the scatter is near where it was
-        reach = (low, high) if turn == 0 else (max(low, was - 0.5), min(high, was + 0.5))
-        log_s = _least(deviance(p[0]), *reach, SETTLED / 4 if turn else 0.05)
-        if abs(log_s - was) < SETTLED or log_s < low + 0.1:
+        reach, close = (REACH, SETTLED / 4) if turn or near else (math.inf, 0.05)
+        ends = (max(low, was - reach), min(high, was + reach))
+        log_s = float(minimize_scalar(deviance(p[0]), bounds=ends, method="bounded", options={"xatol": close}).x)
+        if abs(log_s - was) < (SETTLED if near else ROUGHLY) or log_s < low + 0.1:
             break
     if log_s < low + 0.1:
         return Scattered(p, model, 0.0, {CONTACT_SCATTER: 0.0}, Estimate(0.0, None, "none beyond the error bars"))
@@ -115,22 +119,6 @@ def _unit(problem: Problem) -> Array:
     speed = np.hypot(problem.x[:, 0], problem.x[:, 1])
     velocity = np.ones(len(speed)) if problem.setting.scatter == "absolute" else speed
     return np.stack([velocity, velocity, velocity / problem.setting.radius], axis=-1)
-
-
-def _least(value: Callable[[float], float], low: float, high: float, close: float) -> float:
-    """Return the position of the minimum of a function, by golden-section search."""
-    one, two = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    at_one, at_two = value(one), value(two)
-    while high - low > close:
-        if at_one < at_two:
-            high, two, at_two = two, one, at_one
-            one = high - GOLDEN * (high - low)
-            at_one = value(one)
-        else:
-            low, one, at_one = one, two, at_two
-            two = low + GOLDEN * (high - low)
-            at_two = value(two)
-    return (low + high) / 2
 
 
 def _moved_by_errors(model: FitModel, p: Array) -> dict[int, Array]:

@@ -290,20 +290,24 @@ def _accumulate(free: Any, width: float, work: Any, z0: float, z1: float, moment
     """Add an interval's part to the scores u and, in lower triangles, to their products and to the curvature."""
     q, score, prior, start, slope = work.q, work.score, work.prior, work.start, work.slope
     curvature, outer, shift = work.curvature, work.outer, work.mean_shift
-    for j in range(free.shape[0]):
+    # of one parameter, with the moments: its part in the products with prior and score, and with start and slope
+    by_prior, by_score, by_start, by_slope = work.r[0], work.r[1], work.qr[0], work.qr[1]
+    t = 1 / (width * width)
+    for m in range(free.shape[0]):
         for n in range(3):
-            u[j] += prior[j, n] * moments[0, n] + score[j, n] * moments[1, n]
-        for m in range(j + 1):
+            by_prior[n] = by_score[n] = 0
+            for o in range(3):
+                by_prior[n] += prior[m, o] * moments[0, n + o] + score[m, o] * moments[1, n + o]
+                by_score[n] += prior[m, o] * moments[1, n + o] + score[m, o] * moments[2, n + o]
+            one = q[n, 0] * start[m, 0] + q[n, 1] * start[m, 1] + q[n, 2] * start[m, 2]
+            two = q[n, 0] * slope[m, 0] + q[n, 1] * slope[m, 1] + q[n, 2] * slope[m, 2]
+            by_start[n] = one * moments[1, 0] + two * moments[1, 1]
+            by_slope[n] = one * moments[1, 1] + two * moments[1, 2]
+        u[m] += by_prior[0]
+        for j in range(m, free.shape[0]):
             for n in range(3):
-                for o in range(3):
-                    outer[j, m] += (
-                        prior[j, n] * prior[m, o] * moments[0, n + o] + score[j, n] * score[m, o] * moments[2, n + o]
-                    )
-                    outer[j, m] += (prior[j, n] * score[m, o] + score[j, n] * prior[m, o]) * moments[1, n + o]
-            curvature[j, m] += _product(q, start[j], start[m]) * moments[1, 0]
-            curvature[j, m] += (_product(q, start[j], slope[m]) + _product(q, slope[j], start[m])) * moments[1, 1]
-            curvature[j, m] += _product(q, slope[j], slope[m]) * moments[1, 2]
-            t = 1 / (width * width)
+                outer[j, m] += prior[j, n] * by_prior[n] + score[j, n] * by_score[n]
+                curvature[j, m] += start[j, n] * by_start[n] + slope[j, n] * by_slope[n]
             if free[j] == SPIN_WIDTH and free[m] == SPIN_WIDTH:
                 spread = (3 * z0 * z0 - 1) * moments[0, 0] + 6 * z0 * z1 * moments[0, 1] + 3 * z1 * z1 * moments[0, 2]
                 curvature[j, m] += t * spread

@@ -9,7 +9,6 @@ the information, which is that of the rows with known component, an upper bound 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -18,7 +17,7 @@ from numpy.typing import NDArray
 from carom.fitting.deviance import SPIN_MEAN, SPIN_WIDTH
 from carom.fitting.likelihood import Evaluation, LikelihoodModel, evaluate
 
-__all__ = ["SpinMixture", "component_deviances", "evaluate_mixture", "mixture_deviances"]
+__all__ = ["SpinMixture", "evaluate_components", "evaluate_mixture", "mixture_deviances"]
 
 Array = NDArray[np.float64]
 Likelihood = Callable[[bool], LikelihoodModel]
@@ -49,11 +48,10 @@ class SpinMixture(NamedTuple):
         return every
 
 
-def component_deviances(likelihood: Likelihood, every: Array, components: int) -> tuple[Array, Array]:
-    """Return deviances and chi^2 (B, C, N) of the rows under each component, for numbers (B C, K)."""
-    seen = evaluate(likelihood(False), every)
-    shape = (len(every) // components, components, -1)
-    return seen.deviance.reshape(shape), seen.chi2.reshape(shape)
+def evaluate_components(likelihood: LikelihoodModel, every: Array, components: int) -> Evaluation:
+    """Evaluate the rows under each component, for numbers (B C, K): all results have (B, C, N) in place of (B, N)."""
+    seen = vars(evaluate(likelihood, every, by_row=True))
+    return Evaluation(**{name: x.reshape(len(x) // components, components, *x.shape[1:]) for name, x in seen.items()})
 
 
 def mixture_deviances(deviance: Array, log_share: Array) -> tuple[Array, Array]:
@@ -68,19 +66,9 @@ def evaluate_mixture(
     likelihood: Likelihood, mixture: SpinMixture, p: Array, weights: Array | None, derivatives: bool
 ) -> Evaluation:
     """Evaluate the likelihood under a mixture at B sets of numbers p (B, K), with weights (B or 1, N) of the rows."""
-    count, every = len(mixture.share), mixture.given(p)
-    deviances, chi2 = component_deviances(likelihood, every, count)
-    deviance, belongs = mixture_deviances(deviances, np.log(mixture.share)[None])
-    likely = np.argmax(belongs, axis=1)[:, None]
-    k = len(likelihood(True).free) if derivatives else 0
-    seen = Evaluation(
-        deviance, np.take_along_axis(chi2, likely, axis=1)[:, 0], np.zeros((len(p), k)), np.zeros((len(p), k, k))
-    )
-    if not derivatives:
-        return seen
+    seen = evaluate_components(likelihood(derivatives), mixture.given(p), len(mixture.share))
+    deviance, belongs = mixture_deviances(seen.deviance, np.log(mixture.share)[None])
+    chi2 = np.take_along_axis(seen.chi2, np.argmax(belongs, axis=1)[:, None], axis=1)[:, 0]
     weighted = belongs if weights is None else belongs * weights[:, None]
-    each = evaluate(likelihood(True), every, weighted.reshape(len(every), -1))
-    return replace(
-        seen, scores=each.scores.reshape(len(p), count, k).sum(axis=1),
-        information=each.information.reshape(len(p), count, k, k).sum(axis=1),
-    )  # fmt: skip
+    scores, information = (np.einsum("bcn,bcn...->b...", weighted, x) for x in (seen.scores, seen.information))
+    return Evaluation(deviance, chi2, scores, information)

@@ -297,6 +297,12 @@ def _squared_deviation(rows: Any, i: int, predicted: Any, one: int, two: int, t:
 
 
 @kernel
+def _has_part_near(sigma: Any, first: int, last: int, count: int, mean: float, reach: float) -> bool:
+    """Return whether a part of the grid from one point to another lies within reach of a mean; its ends are infinitely far."""
+    return (first <= 0 or sigma[first] < mean + reach) and (last >= count - 1 or sigma[last] > mean - reach)
+
+
+@kernel
 def _initial_intervals(law: Any, rows: Any, trial: Any, i: int, work: Any) -> tuple[int, int]:
     """Set up the intervals between grid points, divided at their kink where they matter. Return how many points and intervals."""
     sigma, predicted, intervals, asked = work.sigma, work.predicted, work.intervals, work.asked
@@ -304,17 +310,29 @@ def _initial_intervals(law: Any, rows: Any, trial: Any, i: int, work: Any) -> tu
     speed, _along, mean, width = spin_prior(rows, trial, i)
     for n in range(count):
         sigma[n] = rows.spins.sigma[n]
-        _evaluate(law, rows, trial, i, speed, sigma[n], asked)
-        for m in range(3):
-            predicted[n, m] = asked[0, m]
-    # Intervals matter whose lower bound is not far above the least upper bound
-    certain = math.inf
-    for n in range(count - 1):
         interval = intervals[n]
         interval.first, interval.second = n, n + 1
         interval.state = NEW
-        _bound_exponent(rows, i, mean, width, work, interval)
-        certain = min(certain, interval.bound)
+        interval.bound = interval.least = math.inf
+    # Intervals matter whose lower bound is not far above the least upper bound: the law is evaluated where the prior alone does not
+    # exclude them, first for a bound of 0, then for the least one, and at a point more on both sides
+    certain, reach = 0 * width, -math.inf
+    for _turn in range(2):
+        near, reach = reach, width if rows.spins.uniform else width * math.sqrt(NEGLIGIBLE + certain)
+        for n in range(count):
+            if _has_part_near(sigma, n - 2, n + 2, count, mean, near) or not _has_part_near(
+                sigma, n - 2, n + 2, count, mean, reach
+            ):
+                continue
+            _evaluate(law, rows, trial, i, speed, sigma[n], asked)
+            for m in range(3):
+                predicted[n, m] = asked[0, m]
+        certain = math.inf
+        for n in range(count - 1):
+            interval = intervals[n]
+            if _has_part_near(sigma, n, n + 1, count, mean, reach) and interval.bound == math.inf:
+                _bound_exponent(rows, i, mean, width, work, interval)
+            certain = min(certain, interval.bound)
     used, made = count, count - 1
     for n in range(count - 1):
         interval = intervals[n]

@@ -120,16 +120,8 @@ class LawTable:
 def _combined(
     grid: _Grid, spacing: tuple[float, float], e: float, mu: float, floor: float, planes: tuple[int, ...]
 ) -> Array:
-    """Return the predictions between nodes, plane 0, and those of their derivatives that are asked for; zeros for the others."""
-    body = np.zeros((len(grid.stages) * math.prod(grid.shape), PLANES, 3))
-    for plane in planes:
-        body[:, plane] = _plane(grid, spacing, e, mu, floor, plane).reshape(-1, 3)
-    return np.concatenate([[e, mu, floor], grid.head(), body.ravel()])
-
-
-@functools.lru_cache(maxsize=96)
-def _plane(grid: _Grid, spacing: tuple[float, float], e: float, mu: float, floor: float, plane: int) -> Array:
-    """Return the predictions between nodes, or their derivative in restitution, friction or the floor's friction (1 to 3)."""
+    """Return the predictions between nodes, plane 0, and those of their derivatives in restitution, friction or the floor's
+    friction (1 to 3) that are asked for; zeros for the others."""
     one, w, dw = _stencil(e / spacing[0], 0, round(1 / spacing[0]))
     least = math.ceil(math.log(OFFSET) / spacing[1])
     two, u, du = _stencil(math.log(mu + OFFSET) / spacing[1], least, least + 1_000_000)
@@ -138,18 +130,30 @@ def _plane(grid: _Grid, spacing: tuple[float, float], e: float, mu: float, floor
         t = (floor - grid.others[FLOOR]) / grid.floor_step
         three, f = [-1, 0, 1], np.array([t * (t - 1) / 2, 1 - t * t, t * (t + 1) / 2])
         df = np.array([t - 0.5, -2 * t, t + 0.5]) / grid.floor_step
-    each = ((w, u, f), (dw / spacing[0], u, f), (w, du / spacing[1] / (mu + OFFSET), f), (w, u, df))[plane]
-    found = np.zeros(len(grid.stages) * math.prod(grid.shape) * 3)
-    for (i, j, k), share in zip(
-        itertools.product(one, two, three), np.einsum("i,j,k->ijk", *each).ravel(), strict=True
-    ):
-        if share != 0:  # (a floor as it is given, of which no derivative is asked, needs a third of the nodes)
-            friction, floor_friction = (
+    each = ((w, u, f), (dw / spacing[0], u, f), (w, du / spacing[1] / (mu + OFFSET), f), (w, u, df))
+    shares = np.stack([np.einsum("i,j,k->ijk", *each[plane]).ravel() for plane in planes])
+    places = np.array(list(itertools.product(one, two, three)))
+    used = shares.any(axis=0)  # (a floor as it is given, of which no derivative is asked, needs a third of the nodes)
+    nodes = _nodes(grid, spacing, tuple(map(tuple, places[used].tolist())))
+    body = np.zeros((PLANES, nodes.shape[1]))
+    body[list(planes)] = shares[:, used] @ nodes
+    return np.concatenate([[e, mu, floor], grid.head(), body.ravel()])
+
+
+@functools.lru_cache(maxsize=6)
+def _nodes(grid: _Grid, spacing: tuple[float, float], places: tuple[tuple[int, int, int], ...]) -> Array:
+    """Return the predictions at some nodes of the lattice, one a row."""
+    return np.stack(
+        [
+            _node(
+                grid,
+                i * spacing[0],
                 max(math.exp(j * spacing[1]) - OFFSET, 0.0),
                 grid.others[FLOOR] + k * grid.floor_step,
             )
-            found += share * _node(grid, i * spacing[0], friction, floor_friction)
-    return found
+            for i, j, k in places
+        ]
+    )
 
 
 def _stencil(x: float, low: int, high: int) -> tuple[list[int], Array, Array]:
