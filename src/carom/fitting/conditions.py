@@ -5,18 +5,21 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+import numpy as np
+
 from carom.fitting.data import Problem
 from carom.fitting.fit import fit_law
-from carom.fitting.model import model_of
+from carom.fitting.model import model_of, predict_law
 from carom.fitting.result import Fit
 
-__all__ = ["assumptions_in_words", "odds_note", "restitution_gain", "unsettled"]
+__all__ = ["assumptions_in_words", "kinked_rows_warning", "odds_note", "restitution_gain", "unsettled"]
 
 GAIN = 6.0  # of AICc: odds of 20 to 1
 MOST_WORK, MOST_ESTIMATED = (
     2e4,
     400,
 )  # law evaluations (carom.fitting.data.Problem.work) and rows up to which e(v) is tried
+KINKED_SIGMA, KINKED_SHARE = 0.3, 0.06  # of an error bar by which the prediction deviates from linear; of the rows
 # Of simulated tables whose true law is among those fitted (campaigns/verdict_coverage.py): rows, decisions at 20 to 1, wrong ones
 COUNTED = ((8, 249, 6), (30, 541, 7), (200, 251, 0))
 
@@ -91,3 +94,31 @@ def odds_note(rows: int, odds: float) -> list[str]:
         f"odds are a ratio of evidence, not an error rate: of {decided} decisions at 20 to 1 or more on simulated tables of {count}"
         f" rows, whose true law was among those fitted, {share}"
     ]
+
+
+def kinked_rows_warning(fit: Fit) -> str:
+    """Return a warning if the law is not linear within the error bars before the wall in many rows; else an empty text.
+
+    The information of a row is computed from the law's derivatives at the measured state. If the contact sticks one error bar to
+    one side and slides to the other, these do not represent how well the row determines a parameter. The same holds for profiles
+    and the bootstrap.
+    """
+    problem, p = fit.problem, fit.numbers
+    if problem.estimated.any() or not problem.vx.any():
+        return ""
+    here = fit.predicted()
+    wide, turn = problem.vy.copy(), np.zeros(problem.y.shape)
+    for o in range(3):
+        step = np.sqrt(problem.vx[:, o])[:, None] * np.eye(3)[o]
+        up, down = (predict_law(fit.law, replace(problem, x=problem.x + sign * step), p) for sign in (1, -1))
+        wide += np.square((up - down) / 2)
+        turn = np.maximum(turn, np.abs(up + down - 2 * here))
+    seen = np.isfinite(problem.y)
+    share = np.where(seen, turn / np.sqrt(np.where(seen, wide, 1.0)), 0.0).max(axis=1, initial=0.0)
+    many = int((share > KINKED_SIGMA).sum())
+    if many < KINKED_SHARE * len(share):
+        return ""
+    return (
+        f"error bars before the wall: in {many} of {len(share)} rows they reach from sticking to sliding under {fit.law.name};"
+        " nominal 95 % intervals then cover some 80 to 85 %, as do bootstrap and profiles; measure more precisely before the wall"
+    )

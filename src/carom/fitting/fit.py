@@ -21,7 +21,7 @@ from carom.fitting.form_starts import form_starts
 from carom.fitting.identifiability import identified_covariance, identify, parameter_ranges
 from carom.fitting.laws import FittedLaw
 from carom.fitting.likelihood import TabulatedLaw
-from carom.fitting.model import STEPS, TOLERANCE, FitModel, feels_spins, model_of, predict_law
+from carom.fitting.model import STEPS, TOLERANCE, FitModel, feels_spins, model_of
 from carom.fitting.optimizer import EVERYWHERE, Minimum, cross_kinks
 from carom.fitting.parameters import FORMS, INDEX, NUMBERS
 from carom.fitting.result import Estimate, Fit, refit, working_model
@@ -30,7 +30,7 @@ from carom.fitting.spin_chains import chain_information
 from carom.fitting.tabulated import LawTable, coarse_table, fine_table
 from carom.fitting.uncertainty import with_marginal_errors, with_profiled_friction
 
-__all__ = ["Place", "fit_at", "fit_law", "kinked_rows_warning", "own_information", "place_near"]
+__all__ = ["Place", "fit_at", "fit_law", "own_information", "place_near"]
 
 Array = NDArray[np.float64]
 FEW_STEPS, HELD_STEPS = 40, 12
@@ -47,7 +47,6 @@ MAX_EXCESS = 30.0  # of the deviance above the best: a start that ends higher is
 HEATS = (16.0, 8.0, 4.0, 2.0)  # by which error bars are multiplied, in turn, in the search with a table
 AROUND = (-4.0, -2.0, -1.0, 1.0, 2.0, 4.0)  # error bars of the friction, at which it is held with the fine table
 DISTINCT = 0.02  # least distance between two points regarded as different
-KINKED_SIGMA, KINKED_SHARE = 0.3, 0.06  # of an error bar by which the prediction deviates from linear; of the rows
 STUDENT_NU = 4
 
 
@@ -420,31 +419,3 @@ class _Subject:
 def _identified(fit: Fit, information: Array) -> Fit:
     """Return the fit with covariance, estimates, and sentences on parameters that are not identifiable."""
     return replace(fit, **vars(identify(_Subject(fit, information))))
-
-
-def kinked_rows_warning(fit: Fit) -> str:
-    """Return a warning if the law is not linear within the error bars before the wall in many rows; else an empty text.
-
-    The information of a row is computed from the law's derivatives at the measured state. If the contact sticks one error bar to
-    one side and slides to the other, these do not represent how well the row determines a parameter. The same holds for profiles
-    and the bootstrap.
-    """
-    problem, p = fit.problem, fit.numbers
-    if problem.estimated.any() or not problem.vx.any():
-        return ""
-    here = fit.predicted()
-    wide, turn = problem.vy.copy(), np.zeros(problem.y.shape)
-    for o in range(3):
-        step = np.sqrt(problem.vx[:, o])[:, None] * np.eye(3)[o]
-        up, down = (predict_law(fit.law, replace(problem, x=problem.x + sign * step), p) for sign in (1, -1))
-        wide += np.square((up - down) / 2)
-        turn = np.maximum(turn, np.abs(up + down - 2 * here))
-    seen = np.isfinite(problem.y)
-    share = np.where(seen, turn / np.sqrt(np.where(seen, wide, 1.0)), 0.0).max(axis=1, initial=0.0)
-    many = int((share > KINKED_SIGMA).sum())
-    if many < KINKED_SHARE * len(share):
-        return ""
-    return (
-        f"error bars before the wall: in {many} of {len(share)} rows they reach from sticking to sliding under {fit.law.name};"
-        " nominal 95 % intervals then cover some 80 to 85 %, as do bootstrap and profiles; measure more precisely before the wall"
-    )

@@ -13,7 +13,7 @@ from carom.data.where import Where
 from carom.errors import CaromError, noting, require_type
 from carom.files import require_library
 from carom.fitting.adequacy import Adequacy, Coverage, adequacy, coverage, nothing_along_the_wall
-from carom.fitting.conditions import assumptions_in_words, odds_note, restitution_gain, unsettled
+from carom.fitting.conditions import assumptions_in_words, kinked_rows_warning, odds_note, restitution_gain, unsettled
 from carom.fitting.cross_validation import cross_validated_score, score_warnings
 from carom.fitting.data import Problem, make_problem
 from carom.fitting.evidence import (
@@ -27,7 +27,7 @@ from carom.fitting.evidence import (
     weigh,
     widened,
 )
-from carom.fitting.fit import fit_law, kinked_rows_warning
+from carom.fitting.fit import fit_law
 from carom.fitting.form_choice import FormChoice, choose_forms
 from carom.fitting.groups import with_group_scatter
 from carom.fitting.laws import FittedLaw, laws_named
