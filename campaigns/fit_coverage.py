@@ -50,8 +50,10 @@ KINDS = {
     "40 bounces, ten times the noise, by profiles": Kind("contact", 40, 0.2, 20.0, profiles=True),
 }
 KINDS |= {
-    "8 bounces without error bars, by profiles": Kind("contact", 8, 0.02, 2.0, profiles=True, bars=False),
-    "12 bounces without error bars, by profiles": Kind("contact", 12, 0.02, 2.0, profiles=True, bars=False),
+    f"{rows} bounces without error bars, by profiles": Kind("contact", rows, 0.02, 2.0, profiles=True, bars=False)
+    for rows in (8, 12, 20)
+}
+KINDS |= {
     "40 bounces, 5 % outliers": Kind("contact", 40, 0.02, 2.0, outliers=0.05),
 }
 KINDS |= {

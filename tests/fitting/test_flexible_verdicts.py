@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from reference.synthetic_bounces import SETTING, A, measured_bounces
 from reference.written_tables import KAPPA, RADIUS, bounces, contact
+from scipy.optimize import brentq, minimize_scalar
 from scipy.stats import t as student
 
 from carom.data import make_rebounds
@@ -128,6 +129,36 @@ def test_an_interval_of_few_rows_without_error_bars_is_student_s():
     e = (v @ out) / (v @ v)
     error = np.sqrt(np.square(out - e * v).sum() / 7 / (v @ v))
     assert one.interval_95 == pytest.approx(e + error * student.ppf(0.975, 7) * np.array([-1, 1]), rel=2e-3)
+
+
+def test_outputs_weighted_by_their_own_scatter_widen_an_interval():
+    """Friction of eight sliding rows: log S of three outputs, profiled by SciPy; Student's t, Satterthwaite and Meier by hand."""
+    rng, n = np.random.default_rng(3), 8
+    v_n, v_t, noise = rng.uniform(1, 4, n), rng.uniform(3, 5, n), 0.02 * rng.normal(size=(3, n))
+    seen = {"v_n_out": 0.8 * v_n + noise[0], "v_t_out": v_t - 0.36 * v_n + noise[1]}
+    seen["spin_out"] = (-0.36 * v_n + noise[2]) / (A * 2 / 3) * -1
+    rows = make_rebounds("planar", {"v_n_in": v_n, "v_t_in": v_t, "spin_in": 0 * v_n, **seen})
+    fit = with_profiles(fit_law(law("sliding"), make_problem(rows, SETTING)[0]), ["friction"])
+    sign = np.sign(fit.predicted()[0, 2])
+    y = np.stack([seen["v_n_out"], v_t - seen["v_t_out"], sign * A * 2 / 3 * seen["spin_out"]]) / v_n
+
+    def sums(mu, e):
+        return (np.square(y - np.array([e, mu * (1 + e), mu * (1 + e)])[:, None]) * v_n**2).sum(axis=1)
+
+    def profile(mu):
+        return minimize_scalar(lambda e: n * np.log(sums(mu, e)).sum(), bounds=(0.5, 1), method="bounded").fun
+
+    mu, e = fit.estimates["friction"].value, fit.estimates["restitution"].value
+    slopes = np.array([[0, 1 + e, 1 + e], [1, mu, mu]])  # of mu and e
+    each = np.einsum("aj,bj,j->jab", slopes, slopes, n * (v_n @ v_n) / sums(mu, e))
+    inverse = np.linalg.inv(each.sum(axis=0))
+    part = np.einsum("a,jab,b->j", inverse[0], each, inverse[0]) / inverse[0, 0]
+    free = n - np.einsum("ab,jba->j", inverse, each)
+    share, meier = part * n / free, 1 + 4 * (part * (1 - part) / free).sum()
+    t = student.ppf(0.975, share.sum() ** 2 / (share**2 / free).sum())
+    goal = n * np.log1p(part * share.sum() * meier * t**2 / n).sum() + profile(mu)
+    ends = [brentq(lambda at: profile(at) - goal, mu, mu + side) for side in (-0.05, 0.05)]
+    assert fit.estimates["friction"].interval_95 == pytest.approx(ends, abs=2e-3 * (ends[1] - ends[0]))
 
 
 def test_one_bad_row_in_twenty_is_not_the_end():
