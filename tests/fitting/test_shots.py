@@ -43,6 +43,8 @@ def test_the_numbers_of_the_table_come_back(ranking, films):
         found = ranking.best.estimates[name]
         assert abs(found.value - true) < 4 * found.stderr, name
         assert found.stderr < 0.05 * true + 0.002, name
+    # numbers of few shots are those of all their events
+    assert ranking.best.events == max(len(one.film.events) for one in ranking.best.shots)
 
 
 def test_the_starts_come_back_and_the_film_is_followed(ranking, films):

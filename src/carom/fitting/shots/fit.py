@@ -34,7 +34,7 @@ from carom.fitting.shots.joint import (
     mean_squares,
 )
 from carom.fitting.shots.result import FittedShot, ShotsFit, ShotsRanking
-from carom.fitting.shots.search import SearchSettings, ShotStart, refined, rms, search_start
+from carom.fitting.shots.search import FAILED, SearchSettings, ShotStart, refined, rms, search_start
 from carom.fitting.shots.start import FIRST_PLACE, SPIN, VELOCITY, distances, start_size
 from carom.fitting.shots.table import FREE, TableModel, TableNumbers, begun, scene_of_films, table_of, with_balls
 from carom.formatting import counted
@@ -50,6 +50,8 @@ __all__ = ["fit_of_some", "fit_shots"]
 Array = NDArray[np.float64]
 DURATION = 60.0  # s: no shot takes longer
 JOINT = (3, 4, 6)  # events up to which the shared numbers are fitted, one after the other
+AGAIN = 2  # times that this is done once more, while a shot of few is not followed
+LATER = (*JOINT, 10)  # of few shots, none of which has a table of its own: then up to the last event
 KEPT = 12  # starts of earlier searches that are tried again
 LAW = "two-step"
 
@@ -219,7 +221,9 @@ def _fit_law(
     values = np.array([one.value for one in model.shared])
     settings = SearchSettings()
     starts: list[ShotStart | None] = [None] * len(films.shots)
-    rounds = JOINT if len(values) else ()
+    most = max(len(shot.events) for shot in films.shots)
+    few = len(films.shots) < FEWEST
+    rounds = [*(events for events in LATER if events < most), *[most] * (1 + AGAIN)] if few else [*JOINT]
     fitted: JointFit | None = None
     scattered: ScatterFit | None = None
     widths: Array | None = None
@@ -238,19 +242,21 @@ def _fit_law(
             )  # fmt: skip
         return found
 
-    for turn, events in enumerate(rounds):
+    for turn, events in enumerate(rounds if len(values) else ()):
+        if rounds[turn - 1] == events and fitted is not None and not _lost(model.at(values), fitted, films):
+            break
         part, share = 0.6 * turn / len(rounds), 0.6 / len(rounds)
         if turn == 0 or events > 4:
             starts = [*searched(part, share / 2, max(events, 4))]
         ready = [one for one in starts if one is not None]
-        frames = [frames_of_events(one.shot, events) for one in ready]
+        frames = [frames_of_events(one, events) for one in films.shots]
         fitted = fit_shared(
             model, values, ready, frames, films.noise,
             functools.partial(_said, tell, part, share),
         )  # fmt: skip
         values = fitted.values
     ready = [one for one in starts if one is not None]
-    frames = [frames_of_events(one.shot, JOINT[-1]) for one in ready]
+    frames = [frames_of_events(one, rounds[-1]) for one in films.shots]
     if fitted is not None:
         covariance, by_shots = covariance_of_shared(model.at(values), fitted, ready, films.noise)
         squares = mean_squares(model.at(values), ready, frames)
@@ -267,12 +273,17 @@ def _fit_law(
     shots = tuple(_fitted(table, model, one) for one in final)
     if fitted is None:
         ready, covariance, by_shots = final, np.zeros((0, 0)), False
-        frames = [frames_of_events(one.shot, JOINT[-1]) for one in ready]
         likelihood = deviance_of(mean_squares(table, ready, frames), ready, frames, films.noise)
     return ShotsFit(
-        law, table.scene, shots, _estimates(model, values, covariance), covariance, *likelihood, JOINT[-1], films.noise, by_shots,
+        law, table.scene, shots, _estimates(model, values, covariance), covariance, *likelihood, rounds[-1], films.noise, by_shots,
         model=model, widths=widths, starts=tuple(ready),
     )  # fmt: skip
+
+
+def _lost(table: TableNumbers, fitted: JointFit, films: Films) -> bool:
+    """Return whether a shot is not followed as far as the shared numbers were fitted."""
+    each = zip(films.shots, fitted.found, fitted.frames, strict=True)
+    return any(not n or rms(table, shot, found.start, n) >= FAILED for shot, found, n in each)
 
 
 def fit_of_some(fit: ShotsFit, which: Sequence[int]) -> ShotsFit:
