@@ -18,6 +18,7 @@ from carom.formatting import format_number, html_table
 from carom.public.progress import Progress, loop_callback
 from carom.scene.scene import Scene
 from carom.simulation.contacts.kinds import partner_names
+from carom.simulation.sensitivity.compiled import finished_meanwhile
 from carom.simulation.simulate import simulate
 from carom.sweeps.aim_problem import AimProblem, CoarseSweep, Signature, signature
 from carom.sweeps.targets import EVENTS, TargetEvent, find, targets_of
@@ -203,12 +204,13 @@ def aim(
     say = loop_callback(progress, lambda tell: lambda text: tell(math.nan, math.nan, text)) or (lambda _text: None)
     say(f"{starts:,} starts")
     refined: list[tuple[Array, Array, Any]] = []
-    sweep = _coarse(problem, starts)
-    for x0, sequence in _candidates(problem, sweep):
-        say(f"refining, {len(refined)} so far")
-        found = _refined(problem, x0, sequence)
-        if found is not None:
-            refined.append(found)
+    with finished_meanwhile():  # (the starts are run without derivatives, and then refined with them)
+        sweep = _coarse(problem, starts)
+        for x0, sequence in _candidates(problem, sweep):
+            say(f"refining, {len(refined)} so far")
+            found = _refined(problem, x0, sequence)
+            if found is not None:
+                refined.append(found)
     draws = np.random.default_rng(seed).normal(size=(DRAWS, len(unknowns)))
     say("the player's errors")
     made = _judged(problem, refined, draws)

@@ -1,4 +1,4 @@
-"""Compile a part of a loop in another process while this one compiles the rest: with two cores, half the waiting.
+"""Compile in another process while this one compiles or computes something else: with two cores, half the waiting.
 
 The other process leaves its work in the cache of compiled code, from where this one loads it. Nothing depends on it: where it
 cannot be started, fails, or takes too long, the part is compiled here. It ends with the process that started it.

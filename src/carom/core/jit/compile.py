@@ -28,7 +28,7 @@ import numpy as np
 from carom.core.jit.cache import cache_folder, source_hash
 from carom.core.jit.kernel import DERIVED, HOT, KERNELS, PLAIN
 from carom.core.jit.marshal import kinds_text
-from carom.core.jit.native import LoopSource, is_shipped, shipped_loop
+from carom.core.jit.native import LoopSource, has_machine_code, is_shipped, shipped_loop
 from carom.core.jit.progress import listen
 from carom.core.jit.shared_cache import LOCATOR, compile_in_one_process
 from carom.core.jit.threads import thread_count
@@ -36,7 +36,7 @@ from carom.errors import CaromError
 
 __all__ = [
     "ArrayOf", "Signature", "array_of", "cache_folder", "call_compiled", "cfunc", "compiler_is_off", "compiling_failed",
-    "is_cached", "named_tuple_type", "njit", "numba_signature", "numba_type", "plain_numbers", "signature",
+    "is_cached", "is_finished", "named_tuple_type", "njit", "numba_signature", "numba_type", "plain_numbers", "signature",
     "source_hash",
 ]  # fmt: skip
 
@@ -225,6 +225,11 @@ def is_cached(function: Callable[..., Any]) -> bool:
         return any(cache_folder().glob(f"*/{name}-*.nbi"))
     except OSError:  # another process removes folders of old versions at this moment
         return False
+
+
+def is_finished(function: Callable[..., Any]) -> bool:
+    """Return whether the machine code of a loop lies in the cache, for some signature."""
+    return has_machine_code(function) if is_shipped(function) else is_cached(function)
 
 
 def compiling_failed() -> type[Exception]:

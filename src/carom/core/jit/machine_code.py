@@ -16,7 +16,7 @@ from carom.core.jit.cache import cache_base
 from carom.core.jit.file_locks import locked
 from carom.core.jit.generations import use_generation
 
-__all__ = ["Bitcode", "UnusableError", "finished_code", "function_address", "library_version"]
+__all__ = ["Bitcode", "UnusableError", "finished_code", "function_address", "is_kept", "library_version"]
 
 # What machine code may call although its bitcode does not.
 ALWAYS_CALLED = {"memcpy", "memmove", "memset"}
@@ -127,6 +127,11 @@ def _object(code: Bitcode) -> bytes:
                 part.write_bytes(zlib.crc32(found).to_bytes(4, "little") + found)
                 part.replace(path)
     return found
+
+
+def is_kept(name: str, names: Path) -> bool:
+    """Return whether the cache has a loop's machine code."""
+    return (_objects(names) / f"{name}.o").exists()
 
 
 def _checked(path: Path) -> bytes | None:

@@ -28,7 +28,7 @@ from typing import Any, NamedTuple
 from carom.core.jit.cache import PLAIN_ROOMS, cache_base
 from carom.core.jit.kernel import DERIVED
 from carom.core.jit.kernel_hash import kernel_hash, module_hash, name_with_values
-from carom.core.jit.machine_code import Bitcode, UnusableError, function_address
+from carom.core.jit.machine_code import Bitcode, UnusableError, function_address, is_kept
 from carom.core.jit.marshal import (
     ArgumentWriter,
     MismatchError,
@@ -42,7 +42,7 @@ from carom.core.jit.threads import call_in_parts, thread_count
 
 __all__ = [
     "FOLDER", "INDEX", "LoopSource", "NativeCode", "NativeLoop", "arguments_text", "current_codes", "describe_loops",
-    "hash_of_code", "hash_of_files", "is_shipped", "native_is_off", "shipped_loop", "why_not_shipped",
+    "has_machine_code", "hash_of_code", "hash_of_files", "is_shipped", "native_is_off", "shipped_loop", "why_not_shipped",
 ]  # fmt: skip
 
 FOLDER = Path(__file__).with_name("native")
@@ -363,6 +363,11 @@ def _bitcode(name: str) -> bytes:
         return lzma.decompress((FOLDER / f"{name}.bc.xz").read_bytes())
     except lzma.LZMAError:
         raise UnusableError from None
+
+
+def has_machine_code(function: Callable[..., Any]) -> bool:
+    """Return whether the cache has the machine code of a loop of which the package has code."""
+    return all(is_kept(code.described["name"], INDEX) for code in _codes(function))
 
 
 def is_shipped(function: Callable[..., Any]) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 from collections.abc import Callable, Iterable
 from typing import Any
@@ -10,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.geometry.features import FEATURES
-from carom.core.jit.compile import array_of, njit, signature
+from carom.core.jit.background import compile_in_background
+from carom.core.jit.compile import array_of, is_finished, njit, signature
 from carom.core.jit.dual.calls import dual_address, read_duals, register_calls_of_duals, write_duals
 from carom.core.jit.dual.dual_records import dual_records, float_count, float_places, register_records
 from carom.core.jit.dual.functions import overload_for_duals, register_functions
@@ -29,8 +31,8 @@ from carom.simulation.sensitivity.passages import Motion, Passages, rows_at
 from carom.simulation.wall_and_floor import joint_impact
 
 __all__ = [
-    "FOLLOW", "SLOPES", "STATES", "compiled_follow", "compiled_states", "dual_users", "follow_compiled", "pass_loop",
-    "register_pass",
+    "FOLLOW", "SLOPES", "STATES", "compiled_follow", "compiled_states", "dual_users", "finished_meanwhile", "follow_compiled",
+    "pass_loop", "register_pass",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -127,6 +129,17 @@ STATES = (
 def compiled_follow() -> Callable[..., int]:
     """Return the compiled pass; from the second time on it is loaded from the cache."""
     return njit(pass_loop, signature(*FOLLOW), (register_pass,), _nrt=False)
+
+
+def finish_follow() -> None:
+    """Have the machine code of the pass in the cache: a job of another process (:func:`finished_meanwhile`)."""
+    getattr(compiled_follow(), "address", None)
+
+
+def finished_meanwhile() -> contextlib.AbstractContextManager[None]:
+    """While inside, another process makes the machine code of the pass, where the cache has none; whoever needs it waits."""
+    ready = is_finished(pass_loop)
+    return contextlib.nullcontext() if ready else compile_in_background(f"{__name__}:{finish_follow.__name__}")
 
 
 @functools.cache
