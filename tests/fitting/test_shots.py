@@ -2,6 +2,7 @@
 
 import json
 import pickle
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from carom.fitting.identifiability import NOT_IDENTIFIABLE
 from carom.fitting.shots import LawErrors, compare_forms, drawn_films, fit_of_some, predict_rest
 from carom.fitting.shots.film import filmed_shots
 from carom.fitting.shots.followed import belief_of_start, followed
-from carom.fitting.shots.forms import FORMS
+from carom.fitting.shots.forms import FORMS, searched_together
 from carom.fitting.shots.joint import likely_widths
 from carom.fitting.shots.start import residuals
 from carom.fitting.shots.table import FREE, TERMS, TableModel, begun, scene_of_films
@@ -175,6 +176,17 @@ def test_forms_are_compared_on_the_same_shots(ranking):
     assert one.nearer[1] == 2
     assert one.describe().startswith("balls: friction that falls with the slip: AICc ")
     assert compare_forms(ranking.best, FORMS[:1]) == ()  # (its cushions do not yield anyway)
+
+
+def test_laws_are_searched_from_each_others_optimum(ranking):
+    best, said = ranking.best, []
+    # another law, whose own search has lost its way
+    other = replace(best, model=best.model.with_law("two-step-after"), deviance=best.deviance + 1e3)
+    found = searched_together([best, other], lambda done, text: said.append((done, text)))
+    assert found[1].deviance <= best.deviance
+    assert found[0].deviance < best.deviance + 500
+    assert max(done for done, _text in said) < 1
+    assert "two-step: from the other's optimum" in {text for _done, text in said}
 
 
 def still(name, place, count=40):

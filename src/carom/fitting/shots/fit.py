@@ -20,7 +20,7 @@ from carom.fitting.identifiability import NOT_IDENTIFIABLE
 from carom.fitting.laws import FittedLaw, track_laws_named
 from carom.fitting.result import Estimate
 from carom.fitting.shots.film import Films, filmed_shots, require_on_table
-from carom.fitting.shots.forms import compare_forms
+from carom.fitting.shots.forms import compare_forms, searched_together
 from carom.fitting.shots.joint import (
     FEWEST,
     WIDTH,
@@ -145,25 +145,28 @@ def fit_shots(
     _check_paths(scene, wanted)
     scene, paths = begun(scene, [path for path in wanted if path not in (fix or {})])
     paths = _paths(scene, paths)
-    fits = []
-    for number, law in enumerate(chosen):
+    fits: list[ShotsFit] = []
+    together = len(chosen) > 1 and len(films.shots) >= FEWEST
+    steps = len(chosen) + together + forms
 
-        def tell(done: float, text: str, number: int = number, law: FittedLaw = law) -> None:
-            if progress is not None:
-                progress(number + done, len(chosen) + forms, f"{law.name}: {text}" if len(chosen) > 1 else text)
+    def tell(done: float, text: str) -> None:
+        if progress is not None:
+            progress(len(fits) + done, steps, text)
 
+    for law in chosen:
         model = _model(scene, law, paths, bound or {})
-        fits.append(_fit_law(model, law, films, seed, tell))
+
+        def of_law(done: float, text: str, law: FittedLaw = law) -> None:
+            tell(done, f"{law.name}: {text}" if len(chosen) > 1 else text)
+
+        fits.append(_fit_law(model, law, films, seed, of_law))
+    if together and paths:
+        fits = searched_together(fits, tell)
     fits.sort(key=lambda one: one.aicc)
     ranking = _ranked(fits, [*reading, *films.notes, *notes])
     if not forms:
         return ranking
-
-    def tell_form(done: float, text: str) -> None:
-        if progress is not None:
-            progress(len(chosen) + done, len(chosen) + 1, text)
-
-    return replace(ranking, forms=compare_forms(ranking.best, tell=tell_form))
+    return replace(ranking, forms=compare_forms(ranking.best, tell=lambda done, text: tell(together + done, text)))
 
 
 def _check_paths(scene: Scene, free: Sequence[str]) -> None:

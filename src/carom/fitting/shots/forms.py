@@ -16,7 +16,7 @@ from carom.fitting.shots.table import TableModel
 from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
 
-__all__ = ["FORMS", "compare_forms"]
+__all__ = ["FORMS", "compare_forms", "searched_together"]
 
 Array = NDArray[np.float64]
 FALL = 0.9  # m/s over which the friction of balls falls with their slip (Alciatore, TP A.14)
@@ -206,6 +206,22 @@ def compare_forms(
             )
         )
     return tuple(found)
+
+
+def searched_together(fits: Sequence[ShotsFit], tell: Callable[[float, str], None]) -> list[ShotsFit]:
+    """Return fits of several laws to the same shots, each searched again from the optimum of the best, and the best from theirs.
+
+    Where each was searched for by itself, the place at which a search ends would decide between laws.
+    """
+    order = sorted(fits, key=lambda one: -one.aicc)
+    search = _Search([frames_of_events(one.shot, order[-1].events) for one in order[-1].starts], order[-1].noise)
+    tried = []
+    for one in order:
+        model = replace(one.model, scene=one.table.scene)
+        values = np.array([number.value for number in model.shared])
+        tried.append(search.at(_Tried(lambda _scene: {}, model, values, [], values, np.inf, 0), values, one.starts))
+    _search_all(search, tried, lambda done, k: tell(done, f"{order[k].law.name}: from the other's optimum"))
+    return [replace(one, deviance=min(one.deviance, found.deviance)) for one, found in zip(order, tried, strict=True)]
 
 
 def _search_all(search: _Search, tried: list[_Tried], tell: Callable[[float, int], None]) -> None:
