@@ -11,6 +11,7 @@ from carom.data.rebound_files import read_rebounds
 from carom.data.rebounds import COLUMNS, Rebounds, make_rebounds
 from carom.errors import CaromError
 from carom.fitting import Setting, fit_laws
+from carom.tracks.film_files import is_track
 
 PLANAR = "v_n_in,v_t_in,spin_in,v_n_out,v_t_out,spin_out"
 TABLE = "v_n_in,v_t_in,spin_z_in,v_n_out,v_t_out,spin_z_out,stage"
@@ -249,3 +250,18 @@ def test_a_comma_that_may_separate_thousands_is_refused(tmp_path: Path) -> None:
         CaromError, match="may be a decimal sign or separate thousands: write numbers with a decimal point"
     ):
         read_rebounds(path)
+
+
+def test_angles_under_another_name_are_no_speeds_along_the_normal(tmp_path: Path) -> None:
+    said = faults(tmp_path, "v_in,v_out,alpha (deg)\n5,4,20\n6,5,30\n", kind="planar")
+    assert "column 'alpha (deg)': expected a name of an angle that is read" in said[0]
+    found = read_rebounds(put(tmp_path, "v1,v2,theta1 [deg],theta2 [deg]\n5,4,20,21\n6,5,30,31\n"), kind="planar")
+    assert found["v_t_in"] == pytest.approx(np.array([5, 6]) * np.sin(np.radians([20, 30])))
+
+
+def test_a_title_above_the_header_is_named(tmp_path: Path) -> None:
+    file = put(tmp_path, "Table 2. Tennis balls\nincidence_deg,e_n\n30,0.8\n")
+    with pytest.raises(
+        CaromError, match=r"got 'Table 2. Tennis balls' above the header in line 2; delete what stands above it"
+    ):
+        is_track(file)

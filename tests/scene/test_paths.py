@@ -7,6 +7,7 @@ import math
 import pytest
 
 import carom
+from carom.errors import CaromError
 from carom.scene.paths import overlapping_paths, path_match, replaced
 
 
@@ -49,6 +50,22 @@ def test_a_replaced_scene_is_the_scene_made_anew() -> None:
     assert found.run.law == "mirror"
     assert replaced(found, {"run.law": "two-step"}).walls == found.walls
     assert replaced(scene(), {}) == scene()
+
+
+def test_a_strike_replaces_a_motion_and_a_motion_a_strike() -> None:
+    rolling = replaced(scene(), {"balls.white.rolling": True, "balls.white.spin_z": 3.0})
+    struck = replaced(rolling, {"balls.white.strike": {"speed": 2.0}})
+    ball = struck.balls[0]
+    assert (ball.velocity, ball.rolling, ball.spin, ball.spin_z) == ((0.0, 0.0, 0.0), False, None, None)
+    assert (
+        replaced(struck, {"balls.white.strike.speed": 3.0}).balls[0].strike
+        == replaced(ball, {"strike.speed": 3.0}).strike
+    )
+    assert replaced(struck, {"balls.white.velocity": (1, 0)}).balls[0].strike is None
+    with pytest.raises(CaromError, match="no velocity and no spin with strike"):
+        replaced(scene(), {"balls.white.strike": {"speed": 2.0}, "balls.white.velocity": (1, 0)})
+    with pytest.raises(CaromError, match=r"give it whole: balls\.white\.strike"):
+        replaced(scene(), {"balls.white.strike.speed": 2.0})
 
 
 def test_presets_and_forms_survive() -> None:

@@ -56,7 +56,10 @@ STATE_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
 WRITTEN_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
     "speed_in": ("speed", ("speed", "v_in", "v1", "impact_speed", "velocity_in")),
     "speed_out": ("speed", ("v_out", "v2", "rebound_speed", "velocity_out")),
-    "incidence": ("angle", (*STATE_COLUMNS["incidence"][1], "angle_in_from_normal", "angle_of_incidence")),
+    "incidence": (
+        "angle",
+        (*STATE_COLUMNS["incidence"][1], "angle_in_from_normal", "angle_of_incidence", "theta1", "angle1"),
+    ),
     "reflection": (
         "angle",
         (
@@ -66,6 +69,8 @@ WRITTEN_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
             "angle_out",
             "angle_out_from_normal",
             "rebound_angle",
+            "theta2",
+            "angle2",
         ),
     ),
     "incidence_from_surface": ("angle", ("angle_in_from_surface", "grazing_angle_in", "impact_angle_from_surface")),

@@ -9,6 +9,7 @@ v_t - a spin.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -24,6 +25,7 @@ __all__ = ["TARGETS", "WRITTEN", "WrittenComponents", "components"]
 Array = NDArray[np.float64]
 Measured = Mapping[str, Array]
 GRAVITY = 9.80665  # m/s^2
+ANGLE_WORDS = re.compile(r"theta|angle|[\[(](?:deg(?:rees)?|rad|°)[\])]", re.IGNORECASE)
 WRITTEN = ColumnNames(
     WRITTEN_COLUMNS | {f"sigma_{name}": (kind, tuple(f"{prefix}_{other}" for other in (name, *others) for prefix in ("sigma", "u")
                                                  if (prefix, other) != ("sigma", name)))
@@ -89,7 +91,7 @@ def components(
         found.plane,
         found.heights,
         lambda: found.times(extra),
-        found.polar,
+        lambda: found.polar(extra),
         found.ratios,
         found.spins,
     ):
@@ -200,8 +202,8 @@ class _Conversion:
         if note not in self.result.notes:
             self.result.notes.append(note)
 
-    def polar(self) -> None:
-        """Take speeds and angles from the normal."""
+    def polar(self, extra: Mapping[str, Any]) -> None:
+        """Take speeds and angles from the normal; ``extra``: headers of columns that are not read."""
         angles = {side: self.take(name) for side, name in (("in", "incidence"), ("out", "reflection"))}
         for side, angle in angles.items():
             name = "incidence" if side == "in" else "reflection"
@@ -210,7 +212,7 @@ class _Conversion:
             speed = self.take(f"speed_{side}")
             if angle is None:
                 if speed is not None:
-                    self._speed_alone(side, speed)
+                    self._speed_alone(side, speed, extra)
                 continue
             self._check_angles(name, angle[0])
             cosine, sine = np.cos(angle[0]), np.sin(angle[0])
@@ -244,7 +246,12 @@ class _Conversion:
             " there, the sine of the angle"
         )
 
-    def _speed_alone(self, side: str, speed: tuple[Array, Array]) -> None:
+    def _speed_alone(self, side: str, speed: tuple[Array, Array], extra: Mapping[str, Any]) -> None:
+        if (angle := next(filter(ANGLE_WORDS.search, extra), None)) is not None and side == "in":
+            self.faults.add(
+                f"column {angle!r}", "a name of an angle that is read (incidence_deg, reflection_deg, or incidence_from_surface_deg)",
+                "another name", "rename it; without an angle the speed would be that along the wall's normal",
+            )  # fmt: skip
         if side == "in" or "v_n_in" in self.have:
             self.put(f"v_n_{side}", *speed)
             if side == "in":

@@ -119,7 +119,8 @@ def _nowhere(where: str, path: str, before: list[str], name: str, known: list[st
     here = ".".join(before)
     if not known:
         got = f"{name!r} after {here or 'nothing'}, which has no fields here"
-        return Fault(where, path, "a path to a number", got)
+        advice = f"give it whole: {here} = {{{name} = ...}}" if before[-1:] == ["strike"] else ""
+        return Fault(where, path, "a path to a number", got, advice)
     near = near_name(name, known)
     advice = f"did you mean {'.'.join([*before, near])!r}?" if near else "take one of these"
     return Fault(where, path, f"{shortened_list(known, 12)}{f' in {here}' if here else ''}", repr(name), advice)
@@ -146,7 +147,8 @@ def replaced(model: AnyModel, changes: Mapping[str, Any]) -> AnyModel:
     ----------
     model : Scene or GasScene, or a part of one
     changes : mapping of paths to values
-        Such as "balls.white.velocity". A path with a ``*`` gives all of its places the same value.
+        Such as "balls.white.velocity". A path with a ``*`` gives all of its places the same value. A ball's strike replaces its
+        velocity and spin, and either of these its strike.
 
     Raises CaromError, one line per problem: for a path that leads nowhere, and for what the scene refuses.
 
@@ -185,6 +187,10 @@ def replaced(model: AnyModel, changes: Mapping[str, Any]) -> AnyModel:
     return made
 
 
+# A strike takes the place of a ball's motion, and a motion that of a strike.
+AT_REST: dict[str, Any] = {"velocity": (0.0, 0.0, 0.0), "rolling": False, "spin": None, "spin_z": None}
+
+
 class _Leaf(NamedTuple):
     value: Any
 
@@ -199,6 +205,10 @@ def _fields(model: Model, changes: dict[str | int, Any]) -> dict[str, Any]:
         and model.center[2] == model.radius
     ):
         made["position"] = model.position[:2]  # (a ball that lies on the floor still does)
+    if isinstance(model, SceneBall) and "strike" in changes and model.strike is None:
+        made |= {name: rest for name, rest in AT_REST.items() if name not in changes}
+    elif isinstance(model, SceneBall) and "strike" not in changes and not changes.keys().isdisjoint(AT_REST):
+        made["strike"] = None
     return made
 
 
