@@ -249,8 +249,9 @@ class _Conversion:
     def _speed_alone(self, side: str, speed: tuple[Array, Array], extra: Mapping[str, Any]) -> None:
         if (angle := next(filter(ANGLE_WORDS.search, extra), None)) is not None and side == "in":
             self.faults.add(
-                f"column {angle!r}", "a name of an angle that is read (incidence_deg, reflection_deg, or incidence_from_surface_deg)",
-                "another name", "rename it; without an angle the speed would be that along the wall's normal",
+                f"column {angle!r}",
+                "a name of an angle that is read (incidence_deg, reflection_deg, or incidence_from_surface_deg)", "another name",
+                "rename it; without an angle the speed would be that along the wall's normal",
             )  # fmt: skip
         if side == "in" or "v_n_in" in self.have:
             self.put(f"v_n_{side}", *speed)
