@@ -203,6 +203,23 @@ def test_both_stages_of_a_contact_are_not_independent_rows():
     assert rows["v_n_out"].tolist() == [0.6, 1.2, 1.8]
 
 
+def test_rows_of_one_stage_or_film_are_selected_from_both_stages():
+    v = np.repeat(np.linspace(1, 3, 12), 2)
+    columns = {
+        "v_n_in": v,
+        "v_t_in": 0.1 * v,
+        "spin_z_in": 0 * v,
+        "v_n_out": np.tile([0.8, 0.6], 12) * v,
+        "v_t_out": 0.1 * v,
+    }
+    columns |= {"sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02}
+    films = {"film": np.repeat(["a", "b"], 12)}
+    rows = make_rebounds("table", columns, stage=["after_wall", "rolling"] * 12, extra=films)
+    for where, used in (("stage=after_wall", 12), ("stage=rolling", 12), ("film=b", 6)):
+        best = fit_laws(rows, Setting(0.03, 0.4), ["mirror"], where=where, bootstrap=0, profiles=False).best
+        assert len(best.problem.x) == used
+
+
 def test_laws_that_were_not_tried_are_named():
     assert "stronge" in [one.name for one in laws_named(None, "planar", True)[0]]
     (note,) = laws_named(None, "table", False)[1]

@@ -40,7 +40,7 @@ from carom.fitting.profile_likelihood import with_profiles
 from carom.fitting.result import Fit, with_error_bar
 from carom.fitting.setting import Setting, require_settings
 from carom.fitting.uncertainty import with_bootstrap, with_shared
-from carom.fitting.usable_rows import second_rows, usable_rows
+from carom.fitting.usable_rows import rows_that_meet, second_rows, usable_rows
 from carom.formatting import json_value
 from carom.laws.registry import one_or_several
 from carom.public.progress import Progress, loop_callback
@@ -239,8 +239,10 @@ def fit_laws(
         "every_contact": every_contact,
     }
     others = [(words, usable_rows(rows, setting, **choice)[0]) for words, rows in shifted]
-    later, plain = second_rows(rebounds), setting
-    rebounds, setting = usable_rows(every := rebounds, setting, **choice)
+    every, plain = rebounds, setting
+    rebounds, setting = usable_rows(every, setting, **choice)
+    every = rows_that_meet(every, where)
+    later = second_rows(every)
     with noting(rebounds.notes):
         ranking = _fit_rows(rebounds, setting, laws, profiles, bootstrap, seed, step_callback(progress))
         if later.any():  # (both stages of a film: the second is compared)

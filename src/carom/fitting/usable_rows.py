@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +15,7 @@ from carom.errors import CaromError, FaultList, float_or_nan
 from carom.fitting.setting import Setting
 from carom.tracks.rebounds import first_contacts
 
-__all__ = ["assumed_height", "require_error_bars", "second_rows", "spin_of_rows", "usable_rows"]
+__all__ = ["assumed_height", "require_error_bars", "rows_that_meet", "second_rows", "spin_of_rows", "usable_rows"]
 
 Rows = NDArray[np.bool_]
 CONTACT = ("film", "shot", "ball", "contact")  # columns by which rows of one contact are known
@@ -75,10 +75,9 @@ def usable_rows(
     faults = FaultList()
     faults.attempt(require_error_bars, sigma_v, sigma_spin)
     known_spin, prior = faults.attempt(spin_of_rows, spin) or (None, {})
-    columns: dict[str, Any] = dict(rebounds.extra) | ({} if rebounds.stage is None else {"stage": rebounds.stage})
-    keep = faults.attempt(rows_where, columns, where, len(rebounds))
+    met = faults.attempt(rows_that_meet, rebounds, where)
     faults.raise_if_any()
-    rows, height_note = rebounds.select(keep), assumed_height(rebounds.kind, setting)
+    rows, height_note = cast(Rebounds, met), assumed_height(rebounds.kind, setting)
     rows = replace(rows, notes=(*kinds_note(rows.extra, len(rows)), *height_note, *rows.notes))
     if not every_contact:
         rows = _without_later_contacts(rows)
@@ -86,6 +85,12 @@ def usable_rows(
     rows = _with_defaults(rows, sigma_v, sigma_spin, known_spin)
     rows = replace(rows, notes=(*rows.notes, *_sign_note(rows, setting)))
     return rows, replace(setting, **prior, chained=not every_contact).with_height()
+
+
+def rows_that_meet(rebounds: Rebounds, where: Where) -> Rebounds:
+    """Return the rows that meet conditions on the additional columns or on the stage."""
+    columns: dict[str, Any] = dict(rebounds.extra) | ({} if rebounds.stage is None else {"stage": rebounds.stage})
+    return rebounds.select(rows_where(columns, where, len(rebounds)))
 
 
 def require_error_bars(sigma_v: float | None, sigma_spin: float | None) -> None:
