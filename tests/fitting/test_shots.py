@@ -74,7 +74,7 @@ def test_the_result_pickles_prints_and_goes_to_json(ranking):
 def test_derivatives_are_central_differences(films):
     tracks, scenes = films
     found = filmed_shots(tracks, RADIUS)
-    scene, paths = begun(scene_of_films(scenes[0], found.walls, None, 3, 60.0, "test"), FREE)
+    scene, paths = begun(scene_of_films(scenes[0], found, None, 3, 60.0, "test"), FREE)
     model = TableModel(scene, paths, {})
     shot, values = found.shots[1], np.array([one.value for one in model.shared])
     table, frames, p = model.at(values), len(found.shots[1].time), len(model.shared)
@@ -224,6 +224,19 @@ def test_films_of_different_tables_are_refused(films):
         carom.CaromError, match=r"aside: expected balls on the table that is given, .* its left cushion"
     ):
         carom.fit_shots(aside, scenes[0])
+
+
+def test_a_cushion_that_no_ball_reaches_follows_from_the_others(films):
+    tracks, _scenes = films
+    some = [one if one.group == "shot 1" else one.select(one.time < 1.0) for one in tracks]
+    found = filmed_shots(some, RADIUS)
+    wall = scene_of_films(None, found, RADIUS, 3, 60.0, "test").walls[0]
+    assert (wall.length, wall.width) == pytest.approx((2.84, 1.42), abs=0.02)
+    assert "no ball reaches the right cushion: taken to be 2.8" in found.notes[-1]
+    with pytest.raises(
+        carom.CaromError, match="expected shots that reach three cushions at least, got none at right, top"
+    ):
+        carom.fit_shots(tracks[:3], radius=RADIUS)
 
 
 def test_shots_with_different_numbers_of_balls_are_fitted(films):

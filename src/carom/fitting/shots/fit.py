@@ -138,7 +138,7 @@ def fit_shots(
     found, reading = films_of(tracks, scale=scale, rate=rate, where=where)
     films = filmed_shots(found, ball)
     balls = max(len(one.balls) for one in films.shots)
-    scene = scene_of_films(table, films.walls, radius, balls, DURATION, "fit_shots")
+    scene = scene_of_films(table, films, radius, balls, DURATION, "fit_shots")
     scene = replaced(scene, dict(fix)) if fix else scene
     require_on_table(films.shots, table_of(scene), ball)
     wanted = [free] if isinstance(free, str) else list(FREE if free is None else free)

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from carom.core.motion.phases import REST
 from carom.errors import CaromError
 from carom.fitting.cushions import cushions_between, reach_of
+from carom.fitting.shots.film import Films
 from carom.scene.floor import Floor
 from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Run, Scene
@@ -21,7 +22,6 @@ from carom.scene.shapes import Table
 from carom.simulation.sensitivity.compiled import dual_users
 from carom.simulation.sensitivity.parameters import Parameters, parameters_of
 from carom.simulation.setup import SceneArrays, set_up
-from carom.tracks.events import WallLine
 
 __all__ = [
     "FREE",
@@ -36,6 +36,7 @@ __all__ = [
 ]
 
 Array = NDArray[np.float64]
+SIDES = {"left": "right", "right": "left", "bottom": "top", "top": "bottom"}  # and the one across
 NOSE, MASS = 0.037, 0.21  # m, of a carom cushion; kg, of a ball
 SPIN_LOSS, GRAVITY = 2.0, 9.80665  # rad/s^2 of spin about the vertical, where the search begins
 TERMS = {"walls.0.yield_time": 2.5e-3, "floor.rolling_drag": 2e-3, "floor.spin_drag": 3.0}
@@ -196,14 +197,14 @@ class TableModel:
 
 
 def scene_of_films(
-    table: Scene | None, walls: Sequence[WallLine], radius: float | None, count: int, duration: float, where: str
+    table: Scene | None, films: Films, radius: float | None, count: int, duration: float, where: str
 ) -> Scene:
     """Return the scene with ``count`` balls: the one given, or a carom table between the lines of the films."""
     if table is None:
         if radius is None:
             raise CaromError(f"{where}: `radius`: expected the balls' radius in m, got none; a carom ball has 30.75 mm")
         a, ball = radius, dict[str, Any](radius=radius, mass=MASS)
-        shape = _table_between(walls, a, where)
+        shape = _table_between(films, a, where)
         given: dict[str, Any] = {
             "floor": Floor(friction=0.2, rolling_resistance=0.006, spin_friction=0.4 * a * SPIN_LOSS / GRAVITY),
             "walls": (shape,), "ball_contact": {"restitution": 0.95, "friction": 0.06}, "run": Run(),
@@ -275,15 +276,25 @@ def _apart(balls: Sequence[dict[str, Any]], wall: Table) -> list[dict[str, Any]]
     return [one | {"position": tuple(at)} for one, at in zip(balls, places.tolist(), strict=True)]
 
 
-def _table_between(walls: Sequence[WallLine], a: float, where: str) -> Table:
-    """Return a carom table whose cushions reflect centres at the lines of the films."""
-    at = {}
-    for wall in walls:
-        axis = int(abs(wall.normal[1]) > 0.5)
-        at[wall.name] = wall.point[axis]
-    missing = [side for side in ("left", "right", "bottom", "top") if side not in at]
-    if missing:
+def _table_between(films: Films, a: float, where: str) -> Table:
+    """Return a carom table whose cushions reflect centres at the lines of the films; a field is twice as long as wide."""
+    at = {wall.name: wall.point[int(abs(wall.normal[1]) > 0.5)] for wall in films.walls}
+    nose = NOSE if a < NOSE < 2 * a else None
+    missing = [side for side in SIDES if side not in at]
+    if len(missing) == 1:
+        side, other = missing[0], SIDES[missing[0]]
+        axis = int(side in ("bottom", "top"))
+        low, high = ("left", "right") if axis else ("bottom", "top")
+        reach = reach_of(a, nose)
+        across = at[high] - at[low] + 2 * reach
+        far = max(float(np.abs(shot.position[shot.known][:, axis] - at[other]).max()) for shot in films.shots)
+        size = across * (2 if far > across / 2 else 0.5)
+        at[side] = at[other] + (1 if side in ("right", "top") else -1) * (size - 2 * reach)
+        taken = f"taken to be {size:.2f} m from the {other} one, as a field is twice as long as wide"
+        films.notes.append(f"no ball reaches the {side} cushion: {taken}")
+    elif missing:
+        names = ", ".join(missing)
         raise CaromError(
-            f"{where}: expected shots that reach all four cushions, got none at {', '.join(missing)}: give the table as a scene"
+            f"{where}: expected shots that reach three cushions at least, got none at {names}: give the table as a scene"
         )
-    return cushions_between(at, a, NOSE if a < NOSE < 2 * a else None, restitution=0.83, friction=0.22)
+    return cushions_between(at, a, nose, restitution=0.83, friction=0.22)
