@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import carom
+from carom.errors import CaromError
 from carom.scene.figures import FIGURES, ArcPiece, EllipsePiece, ParallelPiece, Piece, PlaneFigure, SegmentPiece, figure
 from carom.scene.shapes.outline import OutlineWall, placed_pieces
 
@@ -211,3 +212,10 @@ def test_a_ball_stays_in_a_figure_with_arcs_and_corners_both_ways() -> None:
     assert all(wall.blocked((*place, 0.0)) for place in outside)
     ends = wall.outline()[0]
     assert np.abs(ends[:, None] - edge).sum(-1).min(axis=1).max() < 2e-3
+
+
+def test_a_size_that_a_figure_lacks_is_refused_with_an_example() -> None:
+    with pytest.raises(CaromError, match=r"known are shape, half_axes; an example is ellipse:half_axes=1\.0,0\.8$"):
+        figure("ellipse:a=2,b=1")
+    with pytest.raises(CaromError, match=r"an example is cell:size=1\.0,1\.0,obstacles=\[\[0\.0,0\.0,0\.3\]\]$"):
+        figure("cell:a=1")

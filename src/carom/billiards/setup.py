@@ -135,7 +135,13 @@ def orbit_setup(table: Table, ball: Ball | None, law: Any, surface: Surface | No
     """Validate a table, a ball and a law together and return them with the WORLD record; CaromError, one line per problem."""
     if not isinstance(table, Table):
         raise CaromError(
-            Fault("orbit", "table", "a table such as carom.billiards.circle()", f"{type(table).__name__} {table!r:.60}")
+            Fault(
+                "orbit",
+                "table",
+                "a table such as carom.billiards.circle()",
+                f"{type(table).__name__} {table!r:.60}",
+                f"carom.billiards.table({table!r:.60}) makes one of a name" if isinstance(table, str) else "",
+            )
         )
     faults = FaultList("orbit")
     ball = default_ball(table) if ball is None else ball

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from dataclasses import replace
 from os import PathLike
 from pathlib import Path
 from typing import Annotated, Any
@@ -67,7 +68,19 @@ def _made(where: str, table: dict[str, Any]) -> Figure:
         raise CaromError(
             Fault(where, "shape", f"one of {', '.join(FIGURES)}", got, did_you_mean(str(name), list(FIGURES)))
         )
-    return from_file(name if where == "figure" else where, FIGURES[name], table)
+    try:
+        return from_file(name if where == "figure" else where, FIGURES[name], table)
+    except CaromError as error:
+        raise CaromError(*(_with_example(fault, FIGURES[name]) for fault in error.records)) from None
+
+
+def _with_example(fault: Fault, kind: type[Figure]) -> Fault:
+    """Return the fault of a size that the figure does not have with its usual sizes, as they are written."""
+    if not kind.usual or "." in fault.field or not fault.advice.startswith("known are"):
+        return fault
+    sizes = {name: json.dumps(value).replace(" ", "") for name, value in kind.usual.items()}
+    example = ",".join(f"{name}={text if '[[' in text else text.strip('[]')}" for name, text in sizes.items())
+    return replace(fault, advice=f"{fault.advice}; an example is {kind.model_fields['shape'].default}:{example}")
 
 
 def _table(text: str, sizes: Mapping[str, Any]) -> dict[str, Any]:
