@@ -112,8 +112,11 @@ def plot_orbit(found: Orbit, which: Any = None) -> Figure:
             if long and not tall
             else {"shrink": 0.75, "pad": 0.03, "aspect": 25}
         )
-        bar = figure.colorbar(flights, ax=axes, label=label, **where)
-        bar.outline.set_linewidth(0.4)
+        if not tall:
+            figure.subplots_adjust(left=0.02, right=0.98 if long else 0.93, bottom=0.12 if long else 0.02, top=0.98)
+        if spins.any():  # (of a mirror's orbit without spin nothing is told by a colour)
+            bar = figure.colorbar(flights, ax=axes, label=label, **where)
+            bar.outline.set_linewidth(0.4)
         if grid:
             _heights(figure.add_subplot(grid[1]), found, which, count)
     return figure
