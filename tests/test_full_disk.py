@@ -6,10 +6,12 @@ command runs in a process of its own: a library that ends the process would end 
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import subprocess
 import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -17,13 +19,32 @@ from reference.gases import ROUGH
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs limits of processes")
 
-LIMITED = """
-import resource, signal, sys
+# One process has all that the commands import, and forks for each.
+FORKING = """
+import json, os, resource, signal, sys
 signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 from carom.cli import main
 import carom.simulation.simulate, carom.gas.session
-resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv.pop(1)), resource.RLIM_INFINITY))
-main()
+for name in sys.argv[1:]:
+    try:
+        __import__(name)
+    except ImportError:
+        pass
+for line in sys.stdin:
+    folder, size, words = json.loads(line)
+    pipes = os.pipe(), os.pipe()
+    child = os.fork()
+    if child == 0:
+        os.chdir(folder)
+        for (_read, write), stream in zip(pipes, (1, 2)):
+            os.dup2(write, stream)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (size, resource.RLIM_INFINITY))
+        sys.argv = ["carom", *words]
+        sys.exit(main())
+    for _read, write in pipes:
+        os.close(write)
+    said = [open(read).read() for read, _write in pipes]
+    print(json.dumps([os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), *said]), flush=True)
 """
 SCENE = """
 [floor]
@@ -46,13 +67,33 @@ max_events = 60
 """
 
 
-def limited(folder: Path, size: int, *words: str, **environment: str) -> tuple[int, str, list[str]]:
-    """Run carom where no file can be larger than this: exit code, standard output, lines of standard error."""
-    done = subprocess.run(
-        [sys.executable, "-c", LIMITED, str(size), *words], cwd=folder, capture_output=True, text=True, check=False,
-        timeout=600, env=os.environ | environment,
-    )  # fmt: skip
-    return done.returncode, done.stdout, done.stderr.splitlines()
+Limited = Callable[..., tuple[int, str, list[str]]]
+
+
+@contextlib.contextmanager
+def forking(*libraries: str, **environment: str) -> Iterator[Limited]:
+    """Run carom in a folder where no file can be larger than some size: exit code, standard output, lines of standard error."""
+    with subprocess.Popen(
+        [sys.executable, "-c", FORKING, *libraries], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+        env=os.environ | environment,
+    ) as process:  # fmt: skip
+        assert process.stdin is not None
+        assert process.stdout is not None
+        requests, answers = process.stdin, process.stdout
+
+        def limited(folder: Path, size: int, *words: str) -> tuple[int, str, list[str]]:
+            print(json.dumps([str(folder), size, words]), file=requests, flush=True)
+            code, out, err = json.loads(answers.readline())
+            return code, out, err.splitlines()
+
+        yield limited
+        requests.close()
+
+
+@pytest.fixture(scope="module")
+def limited() -> Iterator[Limited]:
+    with forking("h5netcdf", "xarray", "pyarrow.parquet", "gsd.hoomd") as run:
+        yield run
 
 
 def room(name: str) -> str:
@@ -68,14 +109,14 @@ def folder(tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize("kind", [".nc", ".parquet"])
 @pytest.mark.parametrize("size", [0, 3000])
-def test_a_run_that_cannot_be_saved(kind: str, size: int, folder: Path) -> None:
+def test_a_run_that_cannot_be_saved(kind: str, size: int, folder: Path, limited: Limited) -> None:
     before = sorted(path.name for path in folder.iterdir())
     code, out, err = limited(folder, size, "simulate", "scene.toml", "--quiet", "--save", f"run{kind}")
     assert (code, out, err) == (2, "", [room(f"run{kind}")])
     assert sorted(path.name for path in folder.iterdir()) == before
 
 
-def test_a_netcdf_file_is_the_same_as_from_disk(folder: Path) -> None:
+def test_a_netcdf_file_is_the_same_as_from_disk(folder: Path, limited: Limited) -> None:
     xarray = pytest.importorskip("xarray")
     pytest.importorskip("h5netcdf")
     code, _out, _err = limited(
@@ -89,7 +130,7 @@ def test_a_netcdf_file_is_the_same_as_from_disk(folder: Path) -> None:
 
 
 @pytest.mark.parametrize("size", [1000, 60_000])
-def test_snapshots_that_do_not_fit_lose_nothing_else(size: int, folder: Path) -> None:
+def test_snapshots_that_do_not_fit_lose_nothing_else(size: int, folder: Path, limited: Limited) -> None:
     """The run goes on, its measures are written and printed, and the fault is told at its end."""
     pytest.importorskip("gsd")
     words = (
@@ -123,7 +164,8 @@ def test_a_cache_that_cannot_be_written_costs_time_only(folder: Path) -> None:
     (folder / "none").write_text("a file, and no folder")
     words = ("predict", "shots.csv", "--law", "mirror", "--out", "out.csv", "--json")
     for cache, size in (("cache", 300), ("none", 10**9)):
-        code, out, err = limited(folder, size, *words, CAROM_CACHE=str(folder / cache))
+        with forking(CAROM_CACHE=str(folder / cache)) as run:
+            code, out, err = run(folder, size, *words)
         faults = [line for line in err if line.startswith("carom:") or "Error" in line]
         assert faults == ([] if size > 300 else [room("out.csv")])  # (the table does not fit either)
         assert (code, bool(out)) == ((0, True) if size > 300 else (2, False))

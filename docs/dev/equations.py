@@ -10,6 +10,7 @@ entry of that number in :mod:`carom.derive.paper`. Numbers of other papers stand
 from __future__ import annotations
 
 import ast
+import functools
 import io
 import re
 import sys
@@ -43,6 +44,7 @@ def functions(tree: ast.Module) -> list[tuple[int, int, str]]:
     return [(one.lineno, one.end_lineno or 0, one.name) for one in ast.walk(tree) if isinstance(one, kinds)]
 
 
+@functools.cache
 def computed() -> dict[int, list[str]]:
     """Return file:function of each equation that a comment cites."""
     found: dict[int, list[str]] = defaultdict(list)
@@ -69,6 +71,7 @@ def cited(text: str) -> Iterator[int]:
         yield from range(int(low), int(high or low) + 1)
 
 
+@functools.cache
 def derived() -> dict[int, list[str]]:
     """Return file:function of each entry of the paper's derivation."""
     found: dict[int, list[str]] = defaultdict(list)

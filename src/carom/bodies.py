@@ -7,14 +7,13 @@ tangential restitution; :class:`State` velocity and spin. All are validated when
 from __future__ import annotations
 
 import math
-import warnings
 from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.core.units import in_si
+from carom.core.units import in_si, warn_of_density
 from carom.errors import (
     MAX_MAGNITUDE,
     CaromError,
@@ -26,18 +25,7 @@ from carom.errors import (
     require_type,
 )
 
-__all__ = [
-    "INERTIAS",
-    "Ball",
-    "Disc",
-    "State",
-    "Surface",
-    "inertia_number",
-    "kinetic_energy",
-    "rolling",
-    "slip",
-    "unlikely_density",
-]
+__all__ = ["INERTIAS", "Ball", "Disc", "State", "Surface", "inertia_number", "kinetic_energy", "rolling", "slip"]
 
 Array = NDArray[np.float64]
 Numbers = float | Array  # one number, or an array of them
@@ -45,7 +33,6 @@ Inertia = Literal["solid", "hollow"]
 # kappa = I/(m a^2)
 INERTIAS = {"solid": 2 / 5, "hollow": 2 / 3}
 DISC_INERTIAS = {"disc": 1 / 2, "ring": 1.0}
-AIR, OSMIUM = 1.2, 22_600.0  # kg/m^3: density of nearly every ball lies between
 
 
 @dataclass(frozen=True, init=False)
@@ -71,10 +58,7 @@ class Ball:
     Raises
     ------
     CaromError
-        One line per problem.
-
-    Warns of numbers that are hardly in m and kg: a radius above 5 m or a mass above 10 kg, and lighter than air or denser than any
-    metal.
+        One line per problem. (A warning: above 5 m or 10 kg and lighter than air or denser than any metal.)
 
     Examples
     --------
@@ -95,10 +79,7 @@ class Ball:
         self, radius: ArrayLike | str = 0.02625, mass: ArrayLike | str = 0.1406, inertia: Inertia | ArrayLike = "solid"
     ) -> None:
         _fill(self, "Ball", radius, mass, inertia, INERTIAS, 2 / 3, planar=False)
-        a, m = self.radius, self.mass
-        # (about 1 they may be in any units)
-        if isinstance(a, float) and isinstance(m, float) and (a > 5 or m > 10) and (said := unlikely_density(a, m)):
-            warnings.warn(f"Ball: {said}", stacklevel=3)  # (below the public wrapper)
+        warn_of_density(self.radius, self.mass)
 
     @property
     def moment(self) -> Numbers:
@@ -134,15 +115,6 @@ def Disc(  # noqa: N802
     ball = object.__new__(Ball)
     _fill(ball, "Disc", radius, mass, inertia, DISC_INERTIAS, math.inf, planar=True)
     return ball
-
-
-def unlikely_density(radius: float, mass: float) -> str:
-    """Return the line about a ball that is lighter than air or denser than any metal (m, kg); "" for all others."""
-    density = mass / (4 / 3 * math.pi * radius**3)
-    is_ball = f"{mass:g} kg with a radius of {radius:g} m"
-    if density < AIR:
-        return f'{is_ball}: lighter than air; is the radius in mm? write "{radius:g} mm"'
-    return f'{is_ball}: denser than any metal; is the mass in g? write "{mass:g} g"' if density > OSMIUM else ""
 
 
 def inertia_number(inertia: str | float) -> float:

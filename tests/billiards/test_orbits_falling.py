@@ -146,7 +146,7 @@ MEASURED = ("circle", "stadium", "sphere", "cylinder with lids", "wedge", "level
 @pytest.mark.parametrize("name", MEASURED)
 def test_the_measure_is_kept(name, law):
     """Starts drawn by the energy left there, thirty bounces on: heights and velocities across are spread as they were."""
-    table, count = TABLES[name], 20_000
+    table, count = TABLES[name], tried(8000, 20_000)
     g = np.array(table.acceleration[: table.dimension])
     found = billiards.orbit(table, billiards.starts(table, count, 3, law=law, speed=1.2), 31, law=law)
     assert (found.ended == "bounces").mean() > 0.999

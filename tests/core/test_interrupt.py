@@ -112,7 +112,7 @@ def test_an_interrupt_ends_it(job: str) -> None:
         try:
             assert process.stdout is not None
             assert process.stdout.readline() == "begun\n"
-            time.sleep(0.5)
+            time.sleep(0.1)
             process.send_signal(signal.SIGINT)
             assert process.communicate(timeout=PATIENCE)[0] == "interrupted\n"
         finally:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from reference.exploring import tried
 from reference.synthetic_bounces import measured_bounces as bounces
 
 import carom
@@ -659,7 +660,9 @@ def test_a_shot_whose_spin_nobody_will_know_is_worth_what_many_such_shots_tell_o
     plan = design("planar", setting, ("contact", "sliding"), shots, truth)
     assert plan.as_dict()["map"]["spin"] == [None]
     assert all(shot.spin is None for shot in plan.shots)
-    played = hit(angle_deg, lambda rng, v: (0.2 * v[:, 1] + 0.3 * 2.0 * rng.normal(size=len(v))) / A, 1, 20_000)
+    played = hit(
+        angle_deg, lambda rng, v: (0.2 * v[:, 1] + 0.3 * 2.0 * rng.normal(size=len(v))) / A, 1, tried(8000, 20_000)
+    )
     problem = make_problem(played, setting)[0]
     told = []
     for name, numbers in (("contact", plan.truth), ("sliding", plan.other)):

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from reference.exploring import tried
 
 import carom
 from carom.data import make_rebounds, rebounds_of_collisions
@@ -176,6 +177,7 @@ def filmed(seed, n, sigma=0.004, shared=False):
 def test_a_table_of_the_law_changes_no_estimate(monkeypatch):
     law, problem = filmed(3, 64)
     quick = fit_law(law, problem)
+    in_the_valley(quick)
     monkeypatch.setattr(tabulated, "LEAST_ROWS", 1000)
     plain = fit_law(law, problem)
     assert quick.tabulated is not None
@@ -189,14 +191,16 @@ def test_a_table_of_the_law_changes_no_estimate(monkeypatch):
     assert quick.degenerate == plain.degenerate
 
 
-@pytest.mark.parametrize(("seed", "shared"), [(1, False), (6, True)])
-def test_the_valley_of_the_true_friction_is_found_however_narrow(seed, shared):
+def in_the_valley(fit):
     # small error bars: between the frictions that were tried the search saw nothing of it, and ended 170 above in chi^2
-    law, problem = filmed(seed, 64, shared=shared)
-    fit = fit_law(law, problem)
     for name, value in (("restitution", 0.8), ("friction", 0.2), ("spin_mean", 0.4), ("spin_width", 0.4)):
         assert abs(fit.estimates[name].value - value) < 3.5 * fit.estimates[name].stderr, name
     assert fit.estimates["friction"].stderr < 0.002
+
+
+@pytest.mark.parametrize(("seed", "shared"), tried([(6, True)], [(1, False), (6, True)]))
+def test_the_valley_of_the_true_friction_is_found_however_narrow(seed, shared):
+    in_the_valley(fit_law(*filmed(seed, 64, shared=shared)))
 
 
 def said(model, x, p):

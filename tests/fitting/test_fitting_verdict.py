@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from reference.commands import command, fails
+from reference.exploring import tried
 from reference.synthetic_bounces import SETTING, A, measured_bounces
 from reference.synthetic_bounces import bounces as unmeasured_bounces
 
@@ -89,18 +90,19 @@ def test_what_fails_its_chi2_is_not_preferred():
 
 
 def test_true_laws_are_seldom_rejected():
+    count = tried(60, 150)
     found = [adequacy(fit_law(law("contact"), make_problem(make_rebounds("planar", plain(measured_bounces(s, 40))), SETTING)[0]))
-             for s in range(150)]  # fmt: skip
+             for s in range(count)]  # fmt: skip
     pattern = np.array([one.pattern_probability for one in found])
     assert np.isnan([one.chi2_probability for one in found]).all()
     assert all(one.fits for one in found)
     # the probability counts all orders that were looked at, so that it is no less than it says (three errors of the count)
     for level in (0.05, 0.2):
-        assert np.mean(pattern <= level) <= level + 3 * np.sqrt(level * (1 - level) / 150)
+        assert np.mean(pattern <= level) <= level + 3 * np.sqrt(level * (1 - level) / count)
     known = [adequacy(fit_law(law("contact"), make_problem(make_rebounds("planar", measured_bounces(s, 40)), SETTING)[0]))
-             for s in range(150)]  # fmt: skip
+             for s in range(count)]  # fmt: skip
     chi2 = np.array([one.chi2_probability for one in known])
-    assert np.mean(chi2) == pytest.approx(0.5, abs=3 * np.sqrt(1 / 12 / 150))
+    assert np.mean(chi2) == pytest.approx(0.5, abs=3 * np.sqrt(1 / 12 / count))
     assert (chi2 > UNLIKELY).all()
 
 

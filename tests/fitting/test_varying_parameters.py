@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from reference.exploring import tried
 from reference.varying_bounces import RADIUS, bounce, drawn_table
 
 import carom
@@ -103,7 +104,9 @@ def test_a_spline_follows_what_no_form_has() -> None:
 
 
 def test_held_out_rows_choose_the_parameter_that_depends_on_the_impact() -> None:
-    found = choice_of(drawn_table(80, 3, **(CONSTANT | {"beta": lambda s: 0.6 - 0.3 * s}), sigma=0.1, bars=False))
+    found = choice_of(
+        drawn_table(tried(60, 80), 3, **(CONSTANT | {"beta": lambda s: 0.6 - 0.3 * s}), sigma=0.1, bars=False)
+    )
     assert found.tried[found.chosen[1]].words.startswith("tangential restitution")
     assert found.best.gain > found.best.gain_error
     said = found.predict([[6.0, 1.0, -200.0]])

@@ -14,6 +14,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from reference.exploring import tried
 from reference.gases import MIXED, ROUGH
 
 from carom import CaromError
@@ -281,7 +282,7 @@ def _spoiled(array: np.ndarray, how: str) -> np.ndarray:
 
 
 @pytest.mark.parametrize("how", ["type", "longer", "flat", "nan", "wild"])
-@pytest.mark.parametrize("text", [ROUGH, MIXED], ids=["rough", "mixed"])
+@pytest.mark.parametrize("text", tried([MIXED], [ROUGH, MIXED]))
 def test_an_array_that_is_another(tmp_path, text, how):
     """One array of a checkpoint has another type, shape or content: refused in one line, and no compiled loop sees it."""
     session = Session(scene_of(tmp_path, text))

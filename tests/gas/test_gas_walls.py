@@ -234,8 +234,10 @@ CASES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", CASES)
-@pytest.mark.parametrize("rough", [True, False])
+# (smooth surfaces change outcomes, not what a ball meets: the suite takes every fourth)
+@pytest.mark.parametrize(
+    ("name", "rough"), [*((name, True) for name in CASES), *((name, False) for name in list(CASES)[:: tried(4, 1)])]
+)
 def test_the_same_events_as_by_distances(name, rough):
     room, walls, gravity, drives = CASES[name]
     flat = len(room.size) == 2
@@ -510,8 +512,9 @@ def test_balls_that_walls_would_hold_go_on_in_hops(restitution, room, gravity):
     ball = Disc(0.5, 1.0, 0.5) if flat else Ball(0.5, 1.0, 0.4)
     contacts = {("a", "a"): Surface(0.9, 0, 0), ("a", "wall"): Surface(restitution, 0, 0)}
     gas = Gas([Species(ball, 20)], room, gravity=gravity, contacts=contacts, contact_time=1e-3)
-    gas.run(until=30.0)
-    assert gas.time == 30.0
+    until = tried(12.0, 30.0)
+    gas.run(until=until)
+    assert gas.time == until
     balls = gas.balls()
     assert room.clearance(np.full(20, 0.5), balls.position).min() > -1e-12
 

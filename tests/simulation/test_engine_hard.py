@@ -1,5 +1,6 @@
 """The hard instants: contact that lasts, contact at time zero, bounces without number, many contacts at once."""
 
+import itertools
 import math
 from typing import Any
 
@@ -219,9 +220,10 @@ def series(x: Any, v: Any, w: Any, g: float, e: Any, mu: float, beta: float) -> 
             return x, v, w, t, landings
 
 
-@pytest.mark.parametrize("beta", [0.0, 0.6, -0.4])
-@pytest.mark.parametrize("mu", [0.05, 0.3, math.inf])
-@pytest.mark.parametrize("e", [0.0, 0.5, 0.9, 0.99])
+BOUNCY = list(itertools.product([0.0, 0.5, 0.9, 0.99], [0.05, 0.3, math.inf], [0.0, 0.6, -0.4]))
+
+
+@pytest.mark.parametrize(("e", "mu", "beta"), BOUNCY[:: tried(2, 1)])
 def test_all_bounces_are_summed(e: float, mu: float, beta: float) -> None:
     start = ([0.1, -0.2, 3 * A], [1.0, 0.3, 0.4], [5.0, -30.0, 7.0])
     floor = {"restitution": e, "friction": mu, "tangential_restitution": beta}
@@ -459,12 +461,12 @@ def test_a_floor_without_friction_and_one_with_all(mu: float) -> None:
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.05])
-@pytest.mark.parametrize("e", [1.0, 0.99, 0.97, 0.9, 0.8, 0.5, 0.3, 0.0])
+@pytest.mark.parametrize("e", tried([1.0, 0.97, 0.8, 0.5, 0.3, 0.0], [1.0, 0.99, 0.97, 0.9, 0.8, 0.5, 0.3, 0.0]))
 def test_the_break_of_a_frozen_rack(e: float, friction: float) -> None:
     rack = [ball(i * A * math.sqrt(3) * (1 + 1e-15), (2 * j - i) * A) for i in range(5) for j in range(i + 1)]
     cloth = {**FLOOR, "rolling_resistance": 0.01, "spin_friction": 0.01}
-    # (with little restitution and friction the balls stay in touch, for hundreds of thousands of contacts: not to the end here)
-    duration = tried(0.12 if e <= 0.3 and friction else 60.0, 60.0)
+    # (with little restitution the balls stay in touch, for hundreds of thousands of contacts: not to the end here)
+    duration = tried(0.12 if e <= 0.3 else 60.0, 60.0)
     found = run(
         ball(-0.5, 0, velocity=[5.0, 0.0], rolling=True),
         *rack,

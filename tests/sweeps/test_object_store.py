@@ -10,13 +10,14 @@ from sweeps.test_store import KEEP, space
 
 import carom
 
-pytest.importorskip("s3fs")
-server = pytest.importorskip("moto.server")
 pytestmark = pytest.mark.filterwarnings("ignore")  # (of the servers' and of botocore's own)
 
 
 @pytest.fixture
 def bucket(monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
+    # (loaded where they are needed: every worker collects this file)
+    pytest.importorskip("s3fs")
+    server = pytest.importorskip("moto.server")
     import boto3
 
     made = server.ThreadedMotoServer(ip_address="127.0.0.1", port=0)

@@ -16,6 +16,7 @@ from carom.billiards.setup import Start, needs_surface, orbit_setup
 from carom.billiards.table_records import PARABOLA
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
+from carom.core.sums import added
 from carom.errors import CaromError, Fault
 
 __all__ = ["free_area", "starts"]
@@ -180,7 +181,7 @@ def _on_infinite_walls(
     n[:, :2] = np.array([normal[:2] for normal, *_ in sides])[which]
     x[:, :2] = n[:, :2] * np.array([c for _n, c, *_ in sides])[which, None]
     if lids:
-        high, width = -float(lids[0].offset), -float(sum(c for _n, c, *_ in sides))
+        high, width = -float(lids[0].offset), -float(added(c for _n, c, *_ in sides))
         x[:, 2] = rng.uniform(-high, high, count)
         on = rng.uniform(size=count) < width / (width + 2 * high)
         up = np.where(rng.uniform(size=count) < 0.5, 1.0, -1.0)

@@ -149,9 +149,9 @@ def gas(
     found.raise_if_any()
     progress = Progress(quiet)
     if ensemble is not None:
-        return run_ensemble(given, str(scene), ensemble, progress, plot, measures, as_json, quiet)
+        return run_ensemble(given, ensemble, progress, plot, measures, as_json, quiet)
     with stop_requests() as signals:
-        session = _session(scene, given, resume, progress)
+        session = _session(given, resume, progress)
         snapshot_every = _keep_outputs(
             session, {"--snapshots": snapshots, "--measures": measures, "--plot": plot}, snapshot_every, progress
         )
@@ -161,7 +161,7 @@ def gas(
             math.inf if snapshots is None else allowed_size(snapshots, session.scene, snapshot_every, most, progress),
             checkpoint or resume,
             interval,
-            Path(f"{(scene or resume or Path('gas')).stem}.checkpoint.npz"),
+            Path(f"{Path(given.where if resume is None else resume).stem}.checkpoint.npz"),
         )
         with progress:
             end = run_with_files(
@@ -176,7 +176,7 @@ def gas(
             "--every": every,
             "--max-size": "inf" if yes and max_size is None else max_size,
         }
-        _stopped(session, scene, end.checkpoint, signals[0], again, end.faults)
+        _stopped(session, given, end.checkpoint, signals[0], again, end.faults)
     found += end.faults
     if end.finished:
         # the report is printed even if a file cannot be written
@@ -325,7 +325,7 @@ def _spaced(every: Every) -> str:
 # --- run -----------------------------------------------------------------------------------------------------------
 
 
-def _session(path: Path | None, scene: GasScene | None, resume: Path | None, progress: Progress) -> Session:
+def _session(scene: GasScene | None, resume: Path | None, progress: Progress) -> Session:
     from carom.gas.checkpoint import load_checkpoint
     from carom.gas.session import Session
 
@@ -335,12 +335,12 @@ def _session(path: Path | None, scene: GasScene | None, resume: Path | None, pro
         return session
     assert scene is not None
     progress.note_compiling()
-    return Session(scene, str(path), progress.growing)
+    return Session(scene, progress.growing)
 
 
 def _stopped(
     session: Session,
-    scene: Path | None,
+    scene: GasScene | None,
     checkpoint: Path | None,
     which: int,
     options: dict[str, Any],
@@ -350,7 +350,7 @@ def _stopped(
     for fault in faults:
         note(f"carom: {fault}")
     again = [part for name, value in options.items() if value is not None for part in (name, shlex.quote(str(value)))]
-    parts = ("carom gas", scene, "--resume", checkpoint, *again)
+    parts = ("carom gas", scene and scene.where, "--resume", checkpoint, *again)
     command = " ".join(str(part) for part in parts if part is not None)
     note(
         f"carom: stopped after {counted(session.done, 'event')} of the {'run' if session.measuring else 'equilibration'},"

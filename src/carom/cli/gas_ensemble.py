@@ -40,7 +40,6 @@ def require_no_files(found: FaultList, members: int, files: dict[str, Any]) -> N
 
 def run_ensemble(
     scene: GasScene,
-    where: str,
     members: int,
     progress: Progress,
     plot: Path | None,
@@ -56,7 +55,7 @@ def run_ensemble(
     found = FaultList()
     try:
         with progress:
-            ensemble = simulate_ensemble(scene, members, where=where, progress=_Bar(progress, members).show)
+            ensemble = simulate_ensemble(scene, members, progress=_Bar(progress, members).show)
     except EndedEarlyError as error:
         if error.result is None:
             raise

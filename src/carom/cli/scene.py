@@ -94,7 +94,7 @@ def check(
         from carom.gas.build import build
 
         gas = load_gas(file)
-        build(gas, str(file))
+        build(gas)
         if as_json:
             from carom.scene.as_json import plain_model
 

@@ -10,13 +10,14 @@ from __future__ import annotations
 import functools
 import math
 import re
+import warnings
 from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
 
 import numpy as np
 
-__all__ = ["UNITS", "Unit", "in_si", "parse_quantity", "unit_named"]
+__all__ = ["UNITS", "Unit", "in_si", "parse_quantity", "unit_named", "unlikely_density", "warn_of_density"]
 
 
 @dataclass(frozen=True)
@@ -150,3 +151,22 @@ def parse_quantity(text: str, unit: str) -> float:
     if unit == "rad/s" and "hertz" in str(given):
         raise ValueError("'Hz' may mean turns or radians per second; write rev/s or rad/s")
     return float(units.Quantity(amount, given).to(unit).magnitude)
+
+
+AIR, OSMIUM = 1.2, 22_600.0  # kg/m^3: density of nearly every ball lies between
+
+
+def unlikely_density(radius: float, mass: float) -> str:
+    """Return the line about a ball that is lighter than air or denser than any metal (m, kg); "" for all others."""
+    density = mass / (4 / 3 * math.pi * radius**3)
+    is_ball = f"{mass:g} kg with a radius of {radius:g} m"
+    if density < AIR:
+        return f'{is_ball}: lighter than air; is the radius in mm? write "{radius:g} mm"'
+    return f'{is_ball}: denser than any metal; is the mass in g? write "{mass:g} g"' if density > OSMIUM else ""
+
+
+def warn_of_density(radius: Any, mass: Any) -> None:
+    """Warn of a ball with such a density that is also far from 1 m and 1 kg, near which they may be in any consistent units."""
+    numbers = isinstance(radius, float) and isinstance(mass, float)
+    if numbers and (radius > 5 or mass > 10) and (said := unlikely_density(radius, mass)):
+        warnings.warn(f"Ball: {said}", stacklevel=4)  # (the public wrapper's caller)

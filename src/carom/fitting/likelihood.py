@@ -1,4 +1,4 @@
-"""Likelihood of all rebounds under a law: deviances, scores and information; compiled, on all cores.
+"""Likelihood of a rebound, and of all in a table, under a law: deviances, scores and information; compiled, on all cores.
 
 The laws are compiled separately and called by their addresses, so that one loop serves balls in the air and on tables. Rows
 are split into the same parts whatever the number of cores, and summed in order: results are bitwise identical.

@@ -24,11 +24,11 @@ __all__ = ["build", "gas_text", "is_gas", "load_gas", "new_gas"]
 SINGLE_PRECISION = 1e-5  # of a radius: an overlap that rounding to single precision may cause
 
 
-def build(scene: GasScene, where: str = "gas", progress: Progress | None = None) -> Gas:
+def build(scene: GasScene, progress: Progress | None = None) -> Gas:
     """Return the gas of a scene, at its start.
 
-    ``where`` is what errors name as their place; ``progress`` is called while a dense random start grows, as by
-    :func:`carom.gas.dense`. Raises CaromError for initial positions that overlap, or that a file does not have.
+    ``progress`` is called while a dense random start grows, as by :func:`carom.gas.dense`. Raises CaromError for initial positions
+    that overlap, or that a file does not have.
     """
     axes, run, container = scene.container.dimensions, scene.run, scene.container.geometry
     options: dict[str, Any] = {}
@@ -39,9 +39,9 @@ def build(scene: GasScene, where: str = "gas", progress: Progress | None = None)
         try:
             options["position"] = dense(radii, container, seed=seed, progress=progress)
         except CaromError as error:
-            raise CaromError(*(_in_scene(scene, where, fault) for fault in error.faults)) from None
+            raise CaromError(*(_in_scene(scene, fault) for fault in error.faults)) from None
     elif run.start != "lattice":
-        options = _from_file(scene, where)
+        options = _from_file(scene)
     try:
         return Gas(
             [one.species(axes) for one in scene.species],
@@ -56,19 +56,19 @@ def build(scene: GasScene, where: str = "gas", progress: Progress | None = None)
             **options,
         )
     except CaromError as error:
-        raise CaromError(*(_in_scene(scene, where, fault) for fault in error.faults)) from None
+        raise CaromError(*(_in_scene(scene, fault) for fault in error.faults)) from None
 
 
-def _from_file(scene: GasScene, where: str) -> dict[str, Any]:
+def _from_file(scene: GasScene) -> dict[str, Any]:
     """Return the content of the start's file, as options of Gas."""
     axes, path = scene.container.dimensions, Path(scene.run.start)
     try:
         start = read_initial_state(path, axes, scene.container.geometry.size, scene.count)
     except CaromError as error:
         raise CaromError(
-            *(f"{where}: {one}" if one.startswith("run.start: ") else one for one in error.faults)
+            *(f"{scene.where}: {one}" if one.startswith("run.start: ") else one for one in error.faults)
         ) from None
-    order = _order_by_species(scene, where, start, path)
+    order = _order_by_species(scene, start, path)
     found: dict[str, Any] = {"position": start.position[order]}
     for name, values in (("velocity", start.velocity), ("spin", start.spin)):
         if values is not None:
@@ -80,13 +80,15 @@ def _from_file(scene: GasScene, where: str) -> dict[str, Any]:
     return found
 
 
-def _order_by_species(scene: GasScene, where: str, start: InitialState, path: Path) -> Any:
+def _order_by_species(scene: GasScene, start: InitialState, path: Path) -> Any:
     """Return the order of a file's rows by species, as the scene has them."""
     names = [one.name for one in scene.species]
     if start.species is None:
         if len(start.position) != scene.count:
             got = f"{len(start.position)} in {path.name}"
-            raise CaromError(f"{where}: run.start: expected {scene.count} balls, the sum over the species, got {got}")
+            raise CaromError(
+                f"{scene.where}: run.start: expected {scene.count} balls, the sum over the species, got {got}"
+            )
         return slice(None)
     for name in start.species:
         if name not in names:
@@ -94,19 +96,19 @@ def _order_by_species(scene: GasScene, where: str, start: InitialState, path: Pa
     for one in scene.species:
         if (count := start.species.count(one.name)) != one.count:
             raise CaromError(
-                f"{where}: run.start: expected {one.count} balls of species {one.name!r}, got {count} in {path.name}"
+                f"{scene.where}: run.start: expected {one.count} balls of species {one.name!r}, got {count} in {path.name}"
             )
     return np.argsort([names.index(name) for name in start.species], kind="stable")
 
 
-def _in_scene(scene: GasScene, where: str, fault: str) -> str:
+def _in_scene(scene: GasScene, fault: str) -> str:
     """Return a fault of the gas as one of the scene."""
     said = fault.removeprefix("Gas: ")
     for part in ("position: ", "dense: ", "lattice: "):
         if said.startswith(part):
             file = f", in {Path(scene.run.start).name}" if Path(scene.run.start).suffix else ""
-            return f"{where}: run.start: {said.removeprefix(part)}{file}"
-    return f"{where}: {said}"
+            return f"{scene.where}: run.start: {said.removeprefix(part)}{file}"
+    return f"{scene.where}: {said}"
 
 
 def load_gas(path: str | Path) -> GasScene:
@@ -147,7 +149,9 @@ def load_gas(path: str | Path) -> GasScene:
     run = table.get("run")
     if isinstance(run, dict) and isinstance(start := run.get("start"), str) and Path(start).suffix:
         run["start"] = str(folder / start)
-    return from_file(name, GasScene, table)
+    scene = from_file(name, GasScene, table)
+    object.__setattr__(scene, "where", name)
+    return scene
 
 
 def is_gas(path: str | Path) -> bool:

@@ -70,7 +70,6 @@ def simulate_ensemble(
     scene: GasScene,
     members: int,
     *,
-    where: str = "gas",
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> Ensemble:
@@ -82,8 +81,6 @@ def simulate_ensemble(
         Its start must depend on the seed: random positions or velocities, a heated wall, or a thermostat.
     members : int
         Number of gases, at least 2. A larger ensemble begins with the members of a smaller one.
-    where : str
-        What errors name as their place.
     threads : int, optional
         Default: one per core. The results are bitwise identical for any number, except ``cpu_seconds``.
     progress : callable(done, total, text), optional
@@ -113,9 +110,9 @@ def simulate_ensemble(
     >>> 0 < found.error["pressure"] < 0.1 * found.mean["pressure"]
     True
     """
-    _require(scene, where, members, threads)
+    _require(scene, members, threads)
     seeds = np.random.SeedSequence(scene.run.seed).generate_state(members, np.uint64) >> np.uint64(64 - SEED_BITS)
-    work = _Work(scene, where, tuple(map(int, seeds)))
+    work = _Work(scene, tuple(map(int, seeds)))
     for room in (driver, histograms, initial, overlaps):
         room.compiled_loops()  # made once, before several threads ask for them
     with ThreadPoolExecutor(threads or thread_count()) as pool:
@@ -148,7 +145,7 @@ def member_scene(scene: GasScene, seed: int) -> GasScene:
     return scene.model_copy(update={"run": scene.run.model_copy(update={"seed": seed})})
 
 
-def _require(scene: Any, where: str, members: Any, threads: Any) -> None:
+def _require(scene: Any, members: Any, threads: Any) -> None:
     require_type("simulate_ensemble", "scene", scene, GasScene)
     faults = FaultList("simulate_ensemble")
     for name, count, least in (("members", members, 2), ("threads", 1 if threads is None else threads, 1)):
@@ -157,7 +154,7 @@ def _require(scene: Any, where: str, members: Any, threads: Any) -> None:
     faults.raise_if_any()
     if not _depends_on_seed(scene):
         raise CaromError(
-            f"{where}: run: expected a start that depends on the seed, got gases that would all be the same; give a"
+            f"{scene.where}: run: expected a start that depends on the seed, got gases that would all be the same; give a"
             " temperature > 0 or start = 'random', or run one gas"
         )
 
@@ -186,14 +183,14 @@ def _depends_on_seed(scene: GasScene) -> bool:
 class _Work:
     """The members, what each has done so far, and whether they are to stop."""
 
-    def __init__(self, scene: GasScene, where: str, seeds: tuple[int, ...]) -> None:
-        self.scene, self.where, self.seeds, self.stop = scene, where, seeds, threading.Event()
+    def __init__(self, scene: GasScene, seeds: tuple[int, ...]) -> None:
+        self.scene, self.seeds, self.stop = scene, seeds, threading.Event()
         self.shares, self.events = np.zeros(len(seeds)), np.zeros(len(seeds), np.int64)
 
     def run(self, k: int) -> tuple[dict[str, Any], dict[str, tuple[Array, Array]], EndedEarlyError | None]:
         """Simulate member k; return its report, its curves, and why it ended early if it did."""
         try:
-            session = Session(member_scene(self.scene, self.seeds[k]), self.where, self._growing)
+            session = Session(member_scene(self.scene, self.seeds[k]), self._growing)
             _, early = session.run_until_early(stop=self.stop.is_set, progress=lambda *_: self._note(k, session))
             return report(session), _curves(session), early
         except CaromError as error:

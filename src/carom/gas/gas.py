@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from carom.core.sums import added
 from carom.errors import FaultList, float_or_nan
 from carom.formatting import counted, format_number
 from carom.gas.containers import Container, WallNumbers, as_container
@@ -419,8 +420,8 @@ class Gas:
             wall_pressure=self._by_wall({k: pushes[k] / (areas[k] * t) if t > 0 else math.nan for k in areas}),
             energy_from_walls=feeds,
             energy_from_thermostat=fed,
-            energy_drift=(sum(energy) - fed - worked - sum(feeds.values())) / sum(energy0) - 1
-            if sum(energy0) != 0
+            energy_drift=(added(energy) - fed - worked - added(feeds.values())) / added(energy0) - 1
+            if added(energy0) != 0
             else 0.0,
             temperature_translational=means.temperature,
             temperature_rotational=means.temperature_rotational,

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.sums import added
 from carom.gas.gas import Gas
 from carom.gas.results import Mark
 from carom.gas.scene import GasScene
@@ -79,7 +80,7 @@ def channels(gas: Gas, since: Mark, names: tuple[str, ...]) -> list[Channel]:
 
     def channel(between: tuple[str, str], table: Any, before: Any, rows: set[int], share: float) -> Channel:
         sums = {
-            name: sum((table[row][name] - before[row][name]).item() for row in rows)
+            name: added((table[row][name] - before[row][name]).item() for row in rows)
             for name in ("collisions", "lost_normal", "lost_tangential", "to_spin")
         }
         rate = share * sums["collisions"] / t if t > 0 else float("nan")
@@ -122,8 +123,8 @@ def report(session: Session) -> dict[str, Any]:
         "time": session.gas.time,
         "balls": session.scene.count,
         "packing_fraction": session.scene.packing_fraction,
-        "energy_start": sum(mark.energy),
-        "energy_end": sum(energy),
+        "energy_start": added(mark.energy),
+        "energy_end": added(energy),
         "stationary": stationary,
         "temperature_ratio": of(means.temperatures if stationary else means.final)["temperature_ratio"],
         "looks": measures.samples,
@@ -176,10 +177,10 @@ def _layers(session: Session, found: LayerAverages) -> dict[str, Any]:
 def _imbalance(found: dict[str, Any]) -> float:
     """Return the change of energy that collisions, walls, thermostat and shear do not account for, relative to the energies."""
     start, end = found["energy_start"], found["energy_end"]
-    lost = sum(row["lost_normal"] + row["lost_tangential"] for row in found["channels"])
-    given = [sum(found["energy_from_walls"].values()), found["energy_from_thermostat"]]
+    lost = added(row["lost_normal"] + row["lost_tangential"] for row in found["channels"])
+    given = [added(found["energy_from_walls"].values()), found["energy_from_thermostat"]]
     given += [found["shear"]["energy"]] if "shear" in found else []
-    left, scale = end - start - sum(given) + lost, abs(start) + abs(end) + abs(lost)
+    left, scale = end - start - added(given) + lost, abs(start) + abs(end) + abs(lost)
     return float(left / scale) if scale > 0 else 0.0
 
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import itertools
 import math
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, model_validator
 
 from carom.bodies import Surface
+from carom.core.sums import added
 from carom.errors import Fault, FaultList, shown, suggestion
 from carom.formatting import counted, format_number
 from carom.gas.contact_forms import GasSurface
@@ -79,6 +80,8 @@ class GasScene(Model):
     0.261799
     """
 
+    where: ClassVar[str] = "gas"
+    """Where errors are found; a scene of a file has the file's name."""
     gravity: Annotated[float | tuple[float, ...], BeforeValidator(_gravity)] = 0.0
     contact_time: Annotated[float, BeforeValidator(_CONTACT_TIME)] = 0.0
     shear_rate: Annotated[float, BeforeValidator(_SHEAR_RATE)] = 0.0
@@ -118,7 +121,7 @@ class GasScene(Model):
     def packing_fraction(self) -> float:
         """Fraction of the volume (discs: of the area) that the balls fill."""
         axes = self.container.dimensions
-        balls = sum(
+        balls: float = added(
             float(volume_of_balls(one.radii, axes).sum())
             if isinstance(one.radius, RadiiDistribution)
             else one.count * (math.pi if axes == 2 else 4 / 3 * math.pi) * one.radius**axes

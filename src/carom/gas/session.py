@@ -35,8 +35,6 @@ class Session:
     Parameters
     ----------
     scene : GasScene
-    where : str
-        What errors name as their place.
     growing : callable(done, total, text), optional
         Called while a dense random start grows, as by :func:`carom.gas.dense`.
 
@@ -62,8 +60,8 @@ class Session:
     2000
     """
 
-    def __init__(self, scene: GasScene, where: str = "gas", growing: Progress | None = None) -> None:
-        self._set(scene, build(scene, where, growing))
+    def __init__(self, scene: GasScene, growing: Progress | None = None) -> None:
+        self._set(scene, build(scene, growing))
         self.mark: Mark | None = None
         self.measures: Measures | None = None
         self.first_collision = 0  # number of collisions when the measurement began
@@ -74,7 +72,7 @@ class Session:
             what = "balls at rest" if scene.count > 1 or scene.container.geometry.faces else "one ball without walls"
             remedy = "add balls or walls" if what.startswith("one") else "give a temperature > 0"
             raise CaromError(
-                f"{where}: run: expected a gas with collisions to come, got {what}; {remedy},"
+                f"{scene.where}: run: expected a gas with collisions to come, got {what}; {remedy},"
                 " or set equilibrate = 0 and a duration"
             )
         self.sample_interval = SAMPLES if scene.run.max_events is None else max(scene.run.max_events // SAMPLES, 1)

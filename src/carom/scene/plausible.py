@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from carom.bodies import unlikely_density
+from carom.core.units import unlikely_density
 
 if TYPE_CHECKING:
     from carom.scene.scene import Scene
