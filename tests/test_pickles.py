@@ -170,7 +170,7 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
         ),
         shots.LawErrors(),
         GasFit({"restitution": 0.9}, {"restitution": 0.01}, "tracks", 30),
-        shots.ComparedForm("cushion", "not yielding", 3.0, {"e": 0.8}, (1, 2)),
+        shots.ComparedForm("cushion", "not yielding", 3.0, 1.0, {"e": 0.8}, (1, 2)),
         gas.TransportCoefficients(*3 * [gas.Coefficient(0.2, 0.01, np.ones(3), np.ones(3))]),
         gas.enskog(0.1),
         gas.LayerProfiles(*2 * [LayerAverages("z", *7 * [np.ones(3)])]),
