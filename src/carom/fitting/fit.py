@@ -42,10 +42,12 @@ KINK_ROWS = 250  # among which, of many, frictions beyond kinks are sought
 FRICTIONS = tuple(np.geomspace(0.01, 1.0, 41).tolist())  # at which it is held where it is hardly known
 HARDLY_KNOWN, KINKED = 0.2, 1e-5  # error bar over the friction; rise of the deviance that a descent should still gain
 SIMPLICES, MOST_SIMPLICES = (1e-2, 2.5e-3, 6e-4), 40  # of the ranges, or of 1
+COMPARED = 0.02  # of the deviance: to that descents are followed whose ends are compared, or only begin others
 FREED = 3  # number of held frictions that are then freed
 MAX_EXCESS = 30.0  # of the deviance above the best: a start that ends higher is dropped
 HEATS = (16.0, 8.0, 4.0, 2.0)  # by which error bars are multiplied, in turn, in the search with a table
 AROUND = (-4.0, -2.0, -1.0, 1.0, 2.0, 4.0)  # error bars of the friction, at which it is held with the fine table
+NEAR_BOUND = 0.01  # of a parameter's range
 DISTINCT = 0.02  # least distance between two points regarded as different
 STUDENT_NU = 4
 
@@ -59,9 +61,9 @@ class Place(NamedTuple):
     score: Array = np.empty(0)
 
 
-def _descend(model: FitModel, p: Array) -> Place:
+def _descend(model: FitModel, p: Array, close: float = 0.0) -> Place:
     """Descend from each of p (B, K), and return the best end point."""
-    found = model.minimize(p, STEPS)
+    found = model.minimize(p, STEPS, close=close)
     best = int(np.argmin(found.value))
     return Place(found.p[best], float(found.value[best]), found.information[best], found.score[best])
 
@@ -93,13 +95,15 @@ def _held(model: FitModel, p: Array, frictions: Sequence[float] | Array, steps: 
     """Return the end points of descents from p (K,) with the friction held at some values, within its bounds."""
     i, start = INDEX["friction"], np.tile(p, (len(frictions), 1))
     start[:, i] = np.clip(frictions, model.low[i], model.high[i])
-    return model.holding("friction").minimize(start, steps)
+    return model.holding("friction").minimize(start, steps, close=COMPARED if model.problem.spins is not None else 0.0)
 
 
 def _freed(model: FitModel, best: Place, frictions: Sequence[float] | Array) -> Place:
     """Return the best place: with the friction held at some values and, from the best of these, freed."""
     held = _held(model, best.p, frictions)
-    freed = _descend(model, held.p[np.argsort(held.value, kind="stable")[:FREED]])
+    freed = _descend(model, held.p[np.argsort(held.value, kind="stable")[:FREED]], COMPARED)
+    if freed.deviance < best.deviance + COMPARED:
+        freed = _descend(model, freed.p[None])
     return freed if freed.deviance < best.deviance else best
 
 
@@ -139,7 +143,7 @@ def _search(model: FitModel) -> Array:
         return _search(replace(model, problem=replace(model.problem, carried=False)))
     if model.form:  # what constants reach is a start, too: a form contains them, or nearly so
         steady = model.steady()
-        found = steady.minimize(_search(steady), FEW_STEPS)
+        found = steady.minimize(_search(steady), FEW_STEPS, close=COMPARED)
         return np.vstack([_search_grid(model), model.like(found.p[np.argmin(found.value)])])
     return _search_grid(model)
 
@@ -153,7 +157,7 @@ def _search_grid(model: FitModel) -> Array:
     some = model if n <= few else replace(model, problem=problem.select(np.linspace(0, n - 1, few).astype(int)))
     if law.search_code is not None and parameters:  # a similar law that is a hundred times as fast
         quick = replace(model.using(None), law=replace(law, code=law.search_code, search_code=None))
-        found = quick.minimize(_search_grid(quick), FEW_STEPS)
+        found = quick.minimize(_search_grid(quick), FEW_STEPS, close=COMPARED)
         starts = found.p[_distinct(found.p[:, model.free], found.value, MAX_EXCESS, 2)]
         if marginal:
             return starts
@@ -171,7 +175,7 @@ def _search_grid(model: FitModel) -> Array:
         # unknown spins and unknown friction have the same effect on an angle: one descent from each friction
         _friction, best = np.unique(p[first, INDEX["friction"]], return_index=True)
         first = first[np.sort(best)]
-    found = some.minimize(p[first[: MARGINAL_STARTS if marginal else STARTS]], FEW_STEPS)
+    found = some.minimize(p[first[: MARGINAL_STARTS if marginal else STARTS]], FEW_STEPS, close=COMPARED)
     return found.p[_distinct(found.p[:, model.free], found.value, MAX_EXCESS * n / few, 4 if marginal else 3)]
 
 
@@ -243,7 +247,7 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
         if problem.estimated.any():
             found = with_estimated_scatter(model, _search, _descend_exactly)
         else:
-            found = with_contact_scatter(model, _search, lambda at, p: _descend(at, p).p)
+            found = with_contact_scatter(model, _search, lambda at, p: _descend(at, p, COMPARED).p)
         p, model, extra, scatter, contacts = found
         problem = model.problem
     else:
@@ -253,11 +257,6 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
         p = np.concatenate([p, _annealed(own, p)])
     best = _descend(own, p)
     best = _across_kinks(own, best)
-    if problem.shared:  # there may be a kink: searched from both sides
-        z = np.eye(len(problem.shared))
-        p = np.tile(best.p, (1 + 2 * len(z), 1))
-        p[1:, NUMBERS:] = np.concatenate([z, -z])
-        best = _descend(model, p)
     if contacts is not None and contacts.value:  # (beyond kinks the scatter may be another)
         again = with_contact_scatter(
             plain, lambda _model: best.p[None], lambda at, p: _descend(at, p).p, contacts.value
@@ -265,6 +264,14 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
         model, extra, scatter, contacts = again.model, again.extra, again.scatter, again.estimate
         problem, own = model.problem, model.without_shared()
         best = _descend(model, again.p)
+    if problem.shared:  # there may be a kink: searched from both sides, and from a bound that is near
+        z, free = np.eye(len(problem.shared)), model.free
+        p = np.tile(best.p, (2 + 2 * len(z), 1))
+        p[1:-1, NUMBERS:] = np.concatenate([z, -z])
+        here, low, high = p[-1, free], model.low[free], model.high[free]
+        near = NEAR_BOUND * (high - low)
+        p[-1, free] = np.where(high - here < near, high, np.where(here - low < near, low, here))
+        best = _descend(model, p)
     if problem.carried and feels_spins(law, problem) and not problem.shared:
         best = best._replace(information=chain_information(own, best.p, best.information))
     table = None
@@ -279,7 +286,7 @@ def place_near(law: FittedLaw, problem: Problem, p: Array) -> Array:
     model = model.using(None if problem.carried else coarse_table(model))
     own, starts = model.without_shared(), np.vstack([_search(model.without_shared()), p])
     starts[:, NUMBERS:] = p[NUMBERS:]
-    return _descend(model, _across_kinks(own, _descend(own, starts)).p[None]).p
+    return _descend(model, _across_kinks(own, _descend(own, starts, COMPARED)).p[None], COMPARED).p
 
 
 def fit_at(
@@ -361,11 +368,11 @@ def _annealed(model: FitModel, p: Array) -> Array:
         hot = {name: getattr(problem, name) * heat**2 for name in ("vx", "vy", "covariance")}
         return replace(model, problem=replace(problem, **hot))
 
-    p = np.tile(_descend(warm(HEATS[0]), p).p, (1 + len(EVERYWHERE), 1))
+    p = np.tile(_descend(warm(HEATS[0]), p, COMPARED).p, (1 + len(EVERYWHERE), 1))
     if "friction" in model.parameters:
         p[1:, INDEX["friction"]] = np.clip(EVERYWHERE, model.low[INDEX["friction"]], model.high[INDEX["friction"]])
     for heat in HEATS:
-        found = warm(heat).minimize(p, HELD_STEPS)
+        found = warm(heat).minimize(p, HELD_STEPS, close=COMPARED)
         p = found.p
     return p[_distinct(p[:, model.free], found.value, math.inf, FREED)]
 

@@ -153,6 +153,17 @@ def _lagrange_weights(t: float) -> tuple[float, float, float, float]:
 
 
 @kernel
+def _between_four(known: Any, at: int, u: tuple[float, float, float, float]) -> Vec:
+    """Return the sum of four entries of a table, from a place on, with their weights."""
+    u0, u1, u2, u3 = u
+    return (
+        u0 * known[at] + u1 * known[at + 3] + u2 * known[at + 6] + u3 * known[at + 9],
+        u0 * known[at + 1] + u1 * known[at + 4] + u2 * known[at + 7] + u3 * known[at + 10],
+        u0 * known[at + 2] + u1 * known[at + 5] + u2 * known[at + 8] + u3 * known[at + 11],
+    )
+
+
+@kernel
 def look_up(stage: int, x: Vec, a: float, p: Any, known: Any) -> Vec:
     """Return a table's prediction: cubic in direction and spin, linear in the difference of the parameters from the table's.
 
@@ -173,20 +184,18 @@ def look_up(stage: int, x: Vec, a: float, p: Any, known: Any) -> Vec:
     u0, u1, u2, u3 = _lagrange_weights(two - j)
     first = (int(min(stage, known[_STAGES] - 1)) * directions + i) * spins + j
     size = int(known[_STAGES]) * directions * spins * 3
-    off0, off1, off2 = p.restitution - known[0], p.friction - known[1], p.floor_friction - known[2]
-    moved = off0 != 0 or off1 != 0 or off2 != 0
+    at, row, u = TABLE_HEAD + 3 * first, 3 * spins, (u0, u1, u2, u3)
     f0 = f1 = f2 = 0 * speed
-    for m in range(4):
-        w = w0 if m == 0 else w1 if m == 1 else w2 if m == 2 else w3
-        for n in range(4):
-            u = w * (u0 if n == 0 else u1 if n == 1 else u2 if n == 2 else u3)
-            at = TABLE_HEAD + (first + m * spins + n) * 3
-            f0, f1, f2 = f0 + u * known[at], f1 + u * known[at + 1], f2 + u * known[at + 2]
-            if moved:
-                by_e, by_mu, by_floor = at + size, at + 2 * size, at + 3 * size
-                f0 += u * (off0 * known[by_e] + off1 * known[by_mu] + off2 * known[by_floor])
-                f1 += u * (off0 * known[by_e + 1] + off1 * known[by_mu + 1] + off2 * known[by_floor + 1])
-                f2 += u * (off0 * known[by_e + 2] + off1 * known[by_mu + 2] + off2 * known[by_floor + 2])
+    for plane in range(PLANES):
+        off = 1 + 0 * speed if plane == 0 else p.restitution - known[0] if plane == 1 else p.friction - known[1]
+        off = p.floor_friction - known[2] if plane == 3 else off
+        if off != 0:
+            r0, r1 = _between_four(known, at, u), _between_four(known, at + row, u)
+            r2, r3 = _between_four(known, at + 2 * row, u), _between_four(known, at + 3 * row, u)
+            f0 += off * (w0 * r0[0] + w1 * r1[0] + w2 * r2[0] + w3 * r3[0])
+            f1 += off * (w0 * r0[1] + w1 * r1[1] + w2 * r2[1] + w3 * r3[1])
+            f2 += off * (w0 * r0[2] + w1 * r1[2] + w2 * r2[2] + w3 * r3[2])
+        at += size
     return speed * f0, side * speed * f1, side * speed * f2 / a
 
 

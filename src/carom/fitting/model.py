@@ -106,11 +106,17 @@ class FitModel:
         return LikelihoodModel(self.law.kind, rows, free, self.low, self.high, moved, moves, self.tabulated)
 
     def minimize(
-        self, p: Array, steps: int = STEPS, weights: Array | None = None, centers: Array | None = None
+        self,
+        p: Array,
+        steps: int = STEPS,
+        weights: Array | None = None,
+        centers: Array | None = None,
+        close: float = 0.0,
     ) -> Minimum:
         """Minimise the deviance from each of p (B, K); ``p`` of the result holds all numbers.
 
-        ``weights`` (B or 1, N) of the rows. A shared error is normal, with width 1, about 0 or ``centers`` (B, S).
+        ``weights`` (B or 1, N) of the rows. A shared error is normal, with width 1, about 0 or ``centers`` (B, S). A descent ends
+        when it is expected to gain less than ``close``, or than usual if that is more.
         """
         p = np.array(p, dtype=float)
         centers = np.zeros((len(p), len(self.moves))) if centers is None else centers
@@ -136,8 +142,9 @@ class FitModel:
         if self.problem.carried:
             tolerance, steps = CARRIED_TOLERANCE, min(steps, CARRIED_STEPS)
         found = minimize(
-            deviance, p[:, self.free], self.low[self.free], self.high[self.free], steps=steps, tolerance=tolerance
-        )
+            deviance, p[:, self.free], self.low[self.free], self.high[self.free], steps=steps,
+            tolerance=max(tolerance, close),
+        )  # fmt: skip
         p[:, self.free] = found.p
         return replace(found, p=p)
 

@@ -4,7 +4,8 @@ Wall and floor at once takes 8 us a contact, and a fit to a row whose spin was n
 depends on few numbers: scaled by the speed, on the direction and the spin of the ball before the wall, on the wall's restitution
 and friction, and, where the film's error of it is fitted, on the friction of the floor. So it is solved on a grid of directions and
 spins for each node of a lattice in restitution and log friction, when a trial point first needs that node. At a trial point sixteen
-nodes are combined into one grid, with its derivatives (:func:`carom.fitting.kernels.look_up`); all interpolation is cubic.
+nodes are combined into one grid, with its derivatives (:func:`carom.fitting.kernels.look_up`); interpolation is cubic, and in the
+floor's friction, which the film knows well, linear.
 
 Where a contact changes from sliding to sticking the answer has a kink, across which a table is off by a share of its spacing: by
 1.3e-3 of the speed (rms; 4e-3 at most) on the coarse lattice, which serves the search, and by 3e-5 (3e-4) on a fine one, spaced by
@@ -40,7 +41,7 @@ SPACING = (2.0**-4, 2.0**-3)  # of the coarse lattice, in restitution and log(fr
 OFFSET = 0.02
 FURTHEST_SPIN = 12.5  # v/a
 STEEPEST = 0.97  # direction, v_t / (v_n + v_t), up to which there are tables
-FLOOR_STEP = 2.0  # error bars of the floor's friction between the nodes in it
+FLOOR_STEP = 1.0  # error bars of the floor's friction between the nodes in it
 FINE_STEP = 6.0  # error bars of restitution and friction between fine nodes
 FINEST = -12  # power of 2
 MOST_NODES = 400  # kept in memory
@@ -125,15 +126,14 @@ def _combined(
     one, w, dw = _stencil(e / spacing[0], 0, round(1 / spacing[0]))
     least = math.ceil(math.log(OFFSET) / spacing[1])
     two, u, du = _stencil(math.log(mu + OFFSET) / spacing[1], least, least + 1_000_000)
-    three, f, df = [0], np.ones(1), np.zeros(1)
-    if grid.floor_step:
-        t = (floor - grid.others[FLOOR]) / grid.floor_step
-        three, f = [-1, 0, 1], np.array([t * (t - 1) / 2, 1 - t * t, t * (t + 1) / 2])
-        df = np.array([t - 0.5, -2 * t, t + 0.5]) / grid.floor_step
+    t, df = 0.0, np.zeros(2)
+    if grid.floor_step:  # (a straight line: the film knows the floor well)
+        t, df = (floor - grid.others[FLOOR]) / grid.floor_step, np.array([-1, 1]) / grid.floor_step
+    f = np.array([1 - t, t])
     each = ((w, u, f), (dw / spacing[0], u, f), (w, du / spacing[1] / (mu + OFFSET), f), (w, u, df))
     shares = np.stack([np.einsum("i,j,k->ijk", *each[plane]).ravel() for plane in planes])
-    places = np.array(list(itertools.product(one, two, three)))
-    used = shares.any(axis=0)  # (a floor as it is given, of which no derivative is asked, needs a third of the nodes)
+    places = np.array(list(itertools.product(one, two, (0, 1))))
+    used = shares.any(axis=0)  # (a floor as it is given, of which no derivative is asked, needs half of the nodes)
     nodes = _nodes(grid, spacing, tuple(map(tuple, places[used].tolist())))
     body = np.zeros((PLANES, nodes.shape[1]))
     body[list(planes)] = shares[:, used] @ nodes
