@@ -58,7 +58,7 @@ class Ball:
     Raises
     ------
     CaromError
-        One line per problem. (A warning: above 5 m or 10 kg and lighter than air or denser than any metal.)
+        One line per problem. (A warning: numbers that look like mm or g.)
 
     Examples
     --------

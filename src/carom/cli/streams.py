@@ -59,7 +59,6 @@ def guarded_streams() -> Iterator[None]:
     _fill_closed_descriptors()
     filters = list(warnings.filters)
     warnings.filterwarnings("once", f".*{GOES}$", DeprecationWarning)
-    warnings.filterwarnings("ignore", "Ball: ", UserWarning)  # (commands have their own notes of units)
     warnings.showwarning = lambda about, kind, *place: (
         note(f"note: {about}") if str(about).endswith(GOES) else shown(about, kind, *place)
     )

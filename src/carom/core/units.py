@@ -10,6 +10,7 @@ from __future__ import annotations
 import functools
 import math
 import re
+import sys
 import warnings
 from dataclasses import dataclass
 from decimal import Decimal
@@ -166,7 +167,12 @@ def unlikely_density(radius: float, mass: float) -> str:
 
 
 def warn_of_density(radius: Any, mass: Any) -> None:
-    """Warn of a ball with such a density that is also far from 1 m and 1 kg, near which they may be in any consistent units."""
+    """Warn whoever makes such a ball, if its numbers look like mm and g: near 1 they may be in any consistent units.
+
+    (carom's own calls, which pass by no public wrapper, have notes of their own.)
+    """
     numbers = isinstance(radius, float) and isinstance(mass, float)
-    if numbers and (radius > 5 or mass > 10) and (said := unlikely_density(radius, mass)):
-        warnings.warn(f"Ball: {said}", stacklevel=4)  # (the public wrapper's caller)
+    public = str(sys._getframe(2).f_globals.get("__name__")).endswith(".guard")
+    like_mm_or_g = numbers and radius < 1e3 and mass < 1e5 and (radius > 5 or mass > 10)
+    if public and like_mm_or_g and (said := unlikely_density(radius, mass)):
+        warnings.warn(f"Ball: {said}", stacklevel=4)
