@@ -11,6 +11,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 from typing import Any
 
 from docutils import nodes
@@ -21,6 +22,7 @@ UNITS = "mm|cm|m|km|ns|[µu]s|ms|s|min|h|%|°|deg|m/s|mm/s|rad/s|kg|g|N|J|kB|MB|
 NUMBER = re.compile(
     rf"[<>≤≥~≈]?\s*[-−+±]?[\d.,]*\d[\d.,]*(?:e[-−+]?\d+)?(?:\s*±\s*[\d.,]+)?(?:\(\d+\))?(?:(?P<space>\s*)(?P<unit>{UNITS}))?"
 )
+BROAD = 660.0, 1.25  # pixels, and times the height: on a phone such a picture scrolls in its frame
 MANY = 7  # columns: such a table is set small
 NONE = {"", "-", "–", "—", "inf", "∞", "none", "nan"}
 TAG = re.compile(r"[ \t]*\\tag\{([^}]+)\}")
@@ -37,7 +39,7 @@ class Looks(SphinxPostTransform):
         for table in self.document.findall(nodes.table):
             align(table)
         number_equations(self.document)
-        number_pictures(self.document)
+        number_pictures(self.document, str(self.env.srcdir))
         for paragraph in list(self.document.findall(nodes.paragraph)):
             box_theorems(paragraph)
 
@@ -107,7 +109,7 @@ def _in_cell(node: nodes.Node) -> bool:
 
 
 # --- pictures -------------------------------------------------------------------------------------------------------
-def number_pictures(document: nodes.document) -> None:
+def number_pictures(document: nodes.document, folder: str) -> None:
     """Put each picture into a figure with a numbered caption; a copy for other pages or windows shares it."""
     count, last, figure = 0, "", nodes.figure()
     for image in list(document.findall(nodes.image)):
@@ -116,16 +118,33 @@ def number_pictures(document: nodes.document) -> None:
         text = image.get("alt", "")
         if text and text == last:  # (the same for dark pages, or for phones)
             figure["classes"] += ["two"]
+            image["classes"] += [name for name in figure[0]["classes"] if name == "broad"]
             image.parent.remove(image)
             figure.insert(1, image)
             continue
         count, last = count + 1, text
         figure = nodes.figure(ids=[f"figure-{count}"], classes=["picture"])
+        if not {"wide", "narrow"} & set(image["classes"]) and is_broad(Path(folder, image["uri"].lstrip("/"))):
+            image["classes"].append("broad")
         image.parent.replace(image, figure)
         caption = nodes.caption("", "", nodes.inline("", f"Figure {count}", classes=["caption-number"]))
         if words := [nodes.Text(text)] if text else _leading(figure):
             caption += [nodes.Text(". "), *words]
         figure += [image, caption]
+
+
+def is_broad(file: Path) -> bool:
+    """Return whether a picture is so broad that a phone would show its letters too small: SVG or PNG, other files are not."""
+    if not file.is_file():
+        return False
+    head = file.read_bytes()[:2000]
+    if head.startswith(b"\x89PNG"):
+        width, height = (float(int.from_bytes(head[k : k + 4], "big")) for k in (16, 20))
+    elif found := re.search(rb'viewBox="[\d.-]+ [\d.-]+ ([\d.]+) ([\d.]+)"', head):
+        width, height = (float(size) * 4 / 3 for size in found.groups())  # (points)
+    else:
+        return False
+    return width > BROAD[0] and width > BROAD[1] * height
 
 
 def _leading(figure: nodes.figure) -> list[nodes.Node]:

@@ -327,7 +327,7 @@ def _plain(name: object) -> str:
 
 def suggestion(name: object, known: Sequence[str]) -> str:
     """Return ``"did you mean 'X'?"`` for a name close to a known one, else the list of known names."""
-    return did_you_mean(name, known) or f"known are {', '.join(known)}"
+    return did_you_mean(name, known) or (f"known are {', '.join(known)}" if known else "")
 
 
 def did_you_mean(name: object, known: Iterable[object]) -> str:

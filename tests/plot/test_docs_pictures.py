@@ -7,6 +7,7 @@ from pathlib import Path
 
 import dark_pictures
 from matplotlib import rcParams
+from page_looks import is_broad
 
 from carom import plot
 from carom.plot.style import style
@@ -54,3 +55,8 @@ def test_all_drawings_are_in_the_one_font() -> None:
     for picture in (DOCS / "images").glob("*.svg"):
         fonts = set(re.findall(r'id="([A-Za-z]+)-[A-Za-z-]*[0-9a-f]+"', picture.read_text(encoding="utf-8")))
         assert not {font for font in fonts if font.startswith("DejaVu")}, picture.name
+
+
+def test_broad_pictures_are_known_by_their_files() -> None:
+    files = ("cushions.svg", "explorer.png", "orbit.svg", "which_law_narrow.svg", "none.png")
+    assert [name for name in files if is_broad(DOCS / "images" / name)] == ["cushions.svg", "explorer.png"]
