@@ -56,6 +56,8 @@ def test_the_starts_come_back_and_the_film_is_followed(ranking, films):
         assert np.abs(one.velocity - scene.balls[0].state.velocity[:2]).max() < 0.08
         match = one.events()
         assert (match.model_only, match.film_only) == ([], [])
+        after = one.stroke.on(carom.Ball(RADIUS, 0.21)).state
+        assert after.velocity[:2] == pytest.approx(one.velocity, abs=0.05)
     assert ranking.best.median("ball") < 2.5e-3
     assert "is the only law that was compared: the median distance of its shots" in ranking.verdict
     assert any("to rest" in line for line in ranking.describe())

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.bodies import Ball
 from carom.errors import CaromError
 from carom.fitting.by_shots import RankedByShots
 from carom.fitting.laws import FittedLaw
@@ -16,8 +17,10 @@ from carom.fitting.result import Estimate, common_dict, with_error_bar
 from carom.fitting.shots.film import FilmedEvent, FilmedShot
 from carom.fitting.shots.search import ShotStart
 from carom.fitting.shots.start import FIRST_PLACE, SPIN, TIME, VELOCITY
+from carom.fitting.shots.stroke import stroke_of
 from carom.fitting.shots.table import TableModel, TableNumbers, table_of
 from carom.formatting import called_ball, counted, json_value
+from carom.scene.ball import CueStrike
 from carom.scene.scene import Scene
 from carom.simulation.simulate import simulate
 from carom.simulation.trajectory import Trajectory
@@ -80,6 +83,12 @@ class FittedShot:
     def time(self) -> float:
         """When the cue ball sets off, s of the film."""
         return float(self.start[TIME])
+
+    @property
+    def stroke(self) -> CueStrike:
+        """The stroke of an ordinary cue with which the ball sets off so: :func:`carom.fitting.shots.stroke_of`."""
+        one = self.scene.balls[0]
+        return stroke_of(Ball(one.radius, one.mass), self.velocity, self.spin)
 
     @property
     def rms(self) -> float:
