@@ -153,6 +153,17 @@ def test_angle_form_with_speed_from_an_option(tmp_path):
     assert got == pytest.approx([un, ut, math.hypot(un, ut), math.degrees(math.atan2(ut, un))], rel=1e-14)
 
 
+def test_a_title_and_a_row_of_units_are_read_and_kept(tmp_path):
+    content, out = "speed [km/h],incidence [deg],spin_in [rpm]\n36,20,10\n18,30,20\n", tmp_path / "out.csv"
+    predict(tmp_path, content, "contact", given=GIVEN)
+    plain = out.read_text()
+    out.unlink()
+    title = "Throws, of Tuesday\n# indoors\n"
+    below = content.replace(" [km/h]", "").replace(" [deg]", "").replace(" [rpm]\n", "\nkm/h,deg,rpm\n")
+    predict(tmp_path, title + below, "contact", given=GIVEN)
+    assert out.read_text() == title + plain
+
+
 def test_parameters_by_row_and_an_option_that_wins(tmp_path):
     content = "v_n_in,v_t_in,restitution,kappa,friction\n1,0.5,0.5,0.4,0.1\n1,0.5,0.9,0.6,0.3\n"
     rows, _ = predict(tmp_path, content, given={"friction": 0.2})

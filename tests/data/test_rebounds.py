@@ -259,9 +259,21 @@ def test_angles_under_another_name_are_no_speeds_along_the_normal(tmp_path: Path
     assert found["v_t_in"] == pytest.approx(np.array([5, 6]) * np.sin(np.radians([20, 30])))
 
 
-def test_a_title_above_the_header_is_named(tmp_path: Path) -> None:
-    file = put(tmp_path, "Table 2. Tennis balls\nincidence_deg,e_n\n30,0.8\n")
-    with pytest.raises(
-        CaromError, match=r"got 'Table 2. Tennis balls' above the header in line 2; delete what stands above it"
-    ):
-        is_track(file)
+@pytest.mark.parametrize(
+    "above", ["Table 2. Tennis balls", "# filmed by hand\n# e_n, in water", "Racket, ball\n\n# cold", '"Balls', "#"]
+)
+def test_a_title_and_comments_may_stand_above_the_header(tmp_path: Path, above: str) -> None:
+    file = put(tmp_path, f"{above}\nincidence_deg;e_n\n30;0,8\n60;0,7\n")
+    assert not is_track(file)
+    found = read_rebounds(file, kind="planar")
+    assert found.rows[0] == f"line {above.count(chr(10)) + 3}"
+    assert (found["v_n_out"] / found["v_n_in"]).tolist() == pytest.approx([0.8, 0.7])
+
+
+def test_a_header_as_numpy_writes_it_is_no_comment(tmp_path: Path) -> None:
+    columns = {"v_n_in": [1.0, 2.0], "v_t_in": [0.5, 0.6], "v_n_out": [0.8, 1.6], "spin_in": [0.0, 0.0]}
+    file = tmp_path / "saved.csv"
+    np.savetxt(file, np.transpose(list(columns.values())), header=",".join(columns), delimiter=",")
+    assert read_rebounds(file)["v_n_out"].tolist() == columns["v_n_out"]
+    numbered = put(tmp_path, "#,v_n_in,v_t_in,v_n_out,spin_in\n1,1,0.5,0.8,0\n")
+    assert read_rebounds(numbered).extra["#"].tolist() == ["1"]

@@ -15,18 +15,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.data.csv_arrow import LARGE_FILE, arrow_installed, joined_rows, parsed_columns
+from carom.data.headers import ColumnNames, with_units_below
 from carom.data.plan import BOUNCE, TablePlan
-from carom.data.table_cells import EMPTY, SPREADSHEET, decimal_commas, parse_numbers
+from carom.data.table_cells import COMMENT, EMPTY, SPREADSHEET, decimal_commas, parse_numbers
 from carom.errors import CaromError
 from carom.files import text_encoding
 
-__all__ = ["CHUNK_ROWS", "CsvTable", "TableChunk"]
+__all__ = ["CHUNK_ROWS", "LEADING_LINES", "CsvTable", "TableChunk"]
 
 Array = NDArray[np.float64]
 CHUNK_ROWS = 1 << 14
 LARGE_CHUNK_ROWS = 1 << 16  # of a large file
 START_BYTES = 512  # in which a file that is not text shows its zeros
 DELIMITERS = ",;\t|"
+LEADING_LINES = 12  # among which the header is sought, below a title or comments
 
 
 @dataclass
@@ -65,11 +67,9 @@ class NumberedLines:
         return line
 
     def take(self, count: int) -> list[str]:
-        """Return up to so many lines at once: of those that were pushed back, if there are any, or of the file."""
-        if self.pushed:
-            taken = [self.pushed.popleft() for _ in range(min(count, len(self.pushed)))]
-        else:
-            taken = list(itertools.islice(self.file, count))
+        """Return up to so many lines at once: those that were pushed back, then those of the file."""
+        taken = [self.pushed.popleft() for _ in range(min(count, len(self.pushed)))]
+        taken += itertools.islice(self.file, count - len(taken))
         self.number += len(taken)
         return taken
 
@@ -87,9 +87,13 @@ class NumberedLines:
 class CsvTable:
     """A CSV file. Delimiter, decimal sign, line ends and encoding (UTF-8 or UTF-16) are detected, and kept in the output."""
 
-    def __init__(self, path: Path) -> None:
-        """Open a file and read its headers. Raises CaromError for a file that is not a CSV table."""
-        self.path = path
+    def __init__(self, path: Path, names: Sequence[ColumnNames] = ()) -> None:
+        """Open a file and read its headers. Raises CaromError for a file that is not a CSV table.
+
+        Comments, lines that begin with #, may stand above the header; where ``names`` say which columns there may be, a title as
+        well, and a row of units below it.
+        """
+        self.path, self.names = path, names
         self.raw = path.open("rb")
         try:
             self._begin()
@@ -116,6 +120,7 @@ class CsvTable:
         zeros = b"\0" in start and self.encoding.codec == "utf-8"
         if zeros or any(sign < " " and sign not in "\t\r\n" for sign in first):
             raise CaromError(f"{path}: expected a CSV file, a line of text with names first, got a binary file")
+        first = self._without_lines_above(first)
         self.end = first[len(first.rstrip("\r\n")) :] or "\n"
         self.delimiter = named[1] if named else max(DELIMITERS, key=first.count)
         self.lines.push_back([first])
@@ -127,10 +132,36 @@ class CsvTable:
         except csv.Error as error:
             raise CaromError(f"{path}: line {self.lines.number}: expected a header line, got: {error}") from None
         self.head = self._text(self.lines.consumed())
+        self._take_units_below()
         self.decimal = "."
         # (with another delimiter than a comma the decimal sign may be one)
         plain = self.encoding.codec == "utf-8" and self.delimiter == ","
         self.large = plain and self.size >= LARGE_FILE and arrow_installed()
+
+    def _without_lines_above(self, first: str) -> str:
+        """Return the line of the header, and keep the lines above it: a title and comments, one of which may be the header."""
+        seen = [first, *self.lines.take(LEADING_LINES)]
+        plain = [COMMENT.sub("", line, count=1) for line in seen]
+        rows = [line.split(max(DELIMITERS, key=line.count)) for line in plain]
+        known = [sum(any(names.parse(cell.strip(' "')) for names in self.names) for cell in row) > 1 for row in rows]
+        uncommented = (k for k, line in enumerate(seen) if line.strip() and not COMMENT.match(line))
+        head = known.index(True) if any(known) else next(uncommented, 0)
+        self.above = seen[:head]
+        self.lines.push_back(seen[head + 1 :])
+        return plain[head] if known[head] else seen[head]
+
+    def _take_units_below(self) -> None:
+        """Put the units of a row below the header into its brackets."""
+        row = next(self.lines, None)
+        if row is None:
+            return
+        cells = [cell.strip(' "') for cell in self._text([row]).split(self.delimiter)]
+        units = with_units_below(self.names, self.headers, cells)
+        if units is None:
+            self.lines.push_back([row])
+        else:
+            self.headers, self.head = units, self.delimiter.join(map(self.quoted, units))
+        self.lines.consumed()
 
     def __enter__(self) -> CsvTable:
         """Return itself; the file is closed at the end of the with block."""
@@ -279,9 +310,9 @@ class CsvTable:
         return '"' + cell.replace('"', '""') + '"'
 
     def write_head(self, file: BinaryIO, plan: TablePlan) -> None:
-        """Write the header line with the new headers."""
+        """Write the header line with the new headers, below the lines that stood above it."""
         cells = [self.head, *(self.quoted(added.header) for added in plan.added), plan.note]
-        file.write(self.encoding.mark + self._bytes(self.delimiter.join(cells) + self.end))
+        file.write(self.encoding.mark + self._bytes("".join(self.above) + self.delimiter.join(cells) + self.end))
 
     def write(self, file: BinaryIO, chunk: TableChunk, added: list[Array]) -> None:
         """Write the rows of a chunk with the new cells; numbers with all digits, so that they read back exactly."""

@@ -19,6 +19,7 @@ __all__ = [
     "BRACKETS",
     "OLD_COLUMNS",
     "STATE_COLUMNS",
+    "STATE_NAMES",
     "WRITTEN_COLUMNS",
     "ColumnNames",
     "Heading",
@@ -198,12 +199,12 @@ def with_units_below(kinds: Sequence[ColumnNames], headers: Sequence[str], row: 
     return found if found != list(headers) else None
 
 
-_STATE_NAMES = ColumnNames(STATE_COLUMNS)
+STATE_NAMES = ColumnNames(STATE_COLUMNS)
 
 
 def parse_header(header: str) -> Heading | None:
     """Return the meaning of a header in a table of incoming states; None for any other column."""
-    return _STATE_NAMES.parse(header)
+    return STATE_NAMES.parse(header)
 
 
 def missing_unit(where: str, header: str, meaning: Heading) -> Fault:

@@ -21,6 +21,7 @@ from carom.bodies import inertia_number
 from carom.data.columns import Columns, ColumnTable, as_columns, is_columns, read_columns
 from carom.data.csv import CsvTable
 from carom.data.evaluate import predict_rows
+from carom.data.headers import STATE_NAMES
 from carom.data.limits import bad_numbers
 from carom.data.plan import BOUNCE, PredictSettings, SpinRule, make_plan, unread
 from carom.errors import CaromError, FaultList, suggestion
@@ -227,7 +228,7 @@ def _open(source: Path, target: Path | None) -> Any:
         wanted = f"a {'CSV' if is_text else 'Parquet'} file, as the table is one ({' or '.join(TEXT if is_text else PARQUET)})"
         raise CaromError(f"`out` {target}: expected {wanted}, got the ending {ending}")
     if is_text:
-        return CsvTable(source)
+        return CsvTable(source, (STATE_NAMES,))
     from carom.data.parquet import ParquetTable
 
     return ParquetTable(source)

@@ -16,12 +16,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.csv import CsvTable
-from carom.data.headers import BRACKETS, DIRECTION_COLUMN, DIRECTION_UNIT, Heading, missing_unit, with_units_below
+from carom.data.csv import LEADING_LINES, CsvTable
+from carom.data.headers import BRACKETS, DIRECTION_COLUMN, DIRECTION_UNIT, Heading, missing_unit
 from carom.data.rebounds import CELL_BYTES, NAMED, Kind, Rebounds, make_rebounds, rows_of_stage, stages_of_column
 from carom.data.remarks import EMPTY_CELL, which_rows
 from carom.data.table_cells import (
-    SPREADSHEET,
+    COMMENT,
     decimal_commas,
     header_error,
     number_advice,
@@ -92,14 +92,17 @@ def read_rebounds(
 
 
 def heads_rebounds(text: str) -> bool:
-    """Return whether a text begins with a header of a table of rebounds: two columns that such a table has, one of them after the
-    contact or a ratio, or times between bounces.
+    """Return whether a text begins with a header of a table of rebounds, below a title or comments: two columns that such a table
+    has, one of them after the contact or a ratio, or times between bounces.
 
     >>> heads_rebounds("incidence_deg;e_n\\n30;0,8\\n"), heads_rebounds("t [s],x [cm],y [cm]\\n0,1,2\\n")
     (True, False)
     """
-    first = next((line for line in text.splitlines() if line.strip() and not SPREADSHEET.match(f"{line}\n")), "")
-    plain = [_plain(cell.strip().strip('"')) for cell in re.split(r"[;\t|,]", first)]
+    return any(map(_heads_rebounds, text.splitlines()[:LEADING_LINES]))
+
+
+def _heads_rebounds(line: str) -> bool:
+    plain = [_plain(cell.strip().strip('"')) for cell in re.split(r"[;\t|,]", COMMENT.sub("", line, count=1))]
     found = {meaning.quantity for cell in plain if (meaning := NAMED.parse(cell) or WRITTEN.parse(cell)) is not None}
     after = any(
         "out" in name or name.startswith(("e_", "beta", "reflection", "rebound", "time_after")) for name in found
@@ -279,13 +282,10 @@ Reader = tuple[list[str], Callable[[int], list[Any]], list[str], Callable[[int, 
 
 
 def _read_csv(path: Path, faults: FaultList) -> Reader:
-    with CsvTable(path) as table:
+    with CsvTable(path, (NAMED, WRITTEN)) as table:
         headers = table.headers
         records = list(table.records())
         semicolons = table.delimiter != ","
-    units = with_units_below((NAMED, WRITTEN), headers, records[0][2]) if records else None
-    if units is not None:
-        headers, records = units, records[1:]
     lines = [f"line {number}" for number, _text, _fields in records]
     width = len(headers)
     wrong = np.array([len(fields) > width or len(fields) < width for _n, _t, fields in records], bool)

@@ -32,6 +32,7 @@ SIGNS = {
 DIGITS_MISTYPED = str.maketrans("OoIl", "0011")
 EXPONENT = re.compile(r"\s*(?:[\u00d7\u00b7*]\s*10\s*\^|\u0623\u0633|\u0627\u0633|[eE])\s*(?=[-+]?\d+$)")
 SPREADSHEET = re.compile(r"sep=(.)\s*\n", re.IGNORECASE)  # the first line with which spreadsheets name the delimiter
+COMMENT = re.compile(r" *#+ *(?=[^\s#,;|]|$)")  # the beginning of one; no column that is called #
 GROUPED = re.compile(r"[-+]?\d{1,3}(?:([ ',.])\d{3})(?:\1\d{3})*(?!\d)")
 COMMA = re.compile(r"[-+]?(\d*),(\d+)(?:[eE][-+]?\d+)?")
 

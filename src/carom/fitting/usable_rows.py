@@ -9,6 +9,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.units import UNITS
 from carom.data.rebounds import STAGES, Kind, Rebounds
 from carom.data.where import Where, kinds_note, rows_where
 from carom.errors import CaromError, FaultList, float_or_nan
@@ -17,9 +18,10 @@ from carom.tracks.rebounds import first_contacts
 
 __all__ = ["assumed_height", "require_error_bars", "rows_that_meet", "second_rows", "spin_of_rows", "usable_rows"]
 
+Array = NDArray[np.float64]
 Rows = NDArray[np.bool_]
 CONTACT = ("film", "shot", "ball", "contact")  # columns by which rows of one contact are known
-LEAST_SIGNED, CLEARER = 5, 5.0  # rows, and ratio of what is not conserved, from which signs are doubted
+LEAST_SIGNED, CLEARER = 5, 5.0  # rows, and ratio of what is not conserved, from which signs and units are doubted
 MOST_CARRIED = 1000  # rows up to which spins are carried from one contact to the next
 
 
@@ -83,7 +85,7 @@ def usable_rows(
         rows = _without_later_contacts(rows)
     rows = _with_one_stage(rows)
     rows = _with_defaults(rows, sigma_v, sigma_spin, known_spin)
-    rows = replace(rows, notes=(*rows.notes, *_sign_note(rows, setting)))
+    rows = replace(rows, notes=(*rows.notes, *_conservation_note(rows, setting)))
     return rows, replace(setting, **prior, chained=not every_contact).with_height()
 
 
@@ -112,8 +114,8 @@ def assumed_height(kind: Kind, setting: Setting) -> list[str]:
     ]
 
 
-def _sign_note(rows: Rebounds, setting: Setting) -> list[str]:
-    """Return a note where v_t + kappa a spin, which every impact at one point conserves, is conserved with another sign only."""
+def _conservation_note(rows: Rebounds, setting: Setting) -> list[str]:
+    """Return a note where v_t + kappa a spin, which every impact at one point conserves, is so with another sign or unit only."""
     if rows.kind != "planar":
         return []
     before, after = rows["v_t_in"], rows["v_t_out"]
@@ -121,16 +123,24 @@ def _sign_note(rows: Rebounds, setting: Setting) -> list[str]:
     known = np.isfinite(before + after + spins.sum(axis=0))
     if known.sum() < LEAST_SIGNED:
         return []
-    given, turned_spin, turned_v = (
-        float(np.median(np.abs((v + spin[1] - before - spin[0])[known])))
-        for v, spin in ((after, spins), (after, -spins), (-after, spins))
-    )
-    least, meant = min((turned_spin, "the spins"), (turned_v, "v_t_out"))
+
+    def change(v: Array, spin: Array) -> float:
+        return float(np.median(np.abs((v + spin[1] - before - spin[0])[known])))
+
+    others = [
+        (change(after, -spins), "the other sign of the spins"),
+        (change(-after, spins), "the other sign of v_t_out"),
+    ]
+    others += [(change(after, spins / unit.to_si(1.0)), f"speeds in {unit.name}") for unit in UNITS["speed"].values()]
+    others += [(change(after, spins * unit.to_si(1.0)), f"spins in {unit.name}") for unit in UNITS["spin"].values()]
+    given, (least, meant) = change(after, spins), min(others)
     if not least * CLEARER < given:
         return []
+    sign = "sign" in meant
     return [
-        f"signs: an impact at one point conserves v_t + kappa a spin; here it changes by {given:.2g} m/s (median), with the"
-        f" other sign of {meant} by {least:.2g} m/s: check the signs (slip is v_t - a spin)"
+        f"{'signs' if sign else 'units'}: an impact at one point conserves v_t + kappa a spin; here it changes by {given:.2g} m/s"
+        f" (median), with {meant} by {least:.2g}{' m/s' * sign}: check the"
+        f" {'signs (slip is v_t - a spin)' if sign else 'units in the header, and the radius'}"
     ]
 
 

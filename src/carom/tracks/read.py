@@ -44,7 +44,6 @@ from carom.tracks.preprocess import MIN_INTERVAL_S, position_noise
 from carom.tracks.track import Track
 
 MESSAGE_PACK = ".msgpack"
-TITLE_LINES = 6  # among which a header below a title is looked for, for a message
 OF_REBOUNDS = ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in")  # columns
 
 __all__ = [
@@ -276,12 +275,6 @@ def got_instead(text: str) -> str:
     """
     rows = first_rows(text, 1)
     cells = [cell.strip() for cell in rows[0] if cell.strip()] if rows else []
-    lines = text.splitlines()
-    header = next(
-        (k for k in range(1, min(len(lines), TITLE_LINES)) if heads_rebounds("\n".join(lines[k : k + 2]))), None
-    )
-    if header is not None:
-        return f"got {lines[0].strip()[:60]!r} above the header in line {header + 1}; delete what stands above it"
     if len(cells) > 1 and not any(re.match(r"[-+.\d]", cell) for cell in cells):
         return f"got the columns {', '.join(cells):.100}"
     return f"got a file that begins {text.strip().splitlines()[0][:60]!r}"
