@@ -25,7 +25,7 @@ from carom.fitting.model import STEPS, TOLERANCE, FitModel, feels_spins, model_o
 from carom.fitting.optimizer import EVERYWHERE, Minimum, cross_kinks
 from carom.fitting.parameters import FORMS, INDEX, NUMBERS
 from carom.fitting.result import Estimate, Fit, refit, working_model
-from carom.fitting.scatter import with_contact_scatter, with_estimated_scatter
+from carom.fitting.scatter import Scattered, with_contact_scatter, with_estimated_scatter
 from carom.fitting.spin_chains import chain_information
 from carom.fitting.tabulated import LawTable, coarse_table, fine_table
 from carom.fitting.uncertainty import with_marginal_errors, with_profiled_friction
@@ -240,30 +240,22 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     """
     model = model_of(law, problem)
     coarse = None if problem.carried else coarse_table(model)
-    model = plain = model.using(coarse)
-    scatter: dict[str, float] = {}
-    extra, contacts = 0.0, None
-    if problem.estimated.any() or problem.setting.scatter:
-        if problem.estimated.any():
-            found = with_estimated_scatter(model, _search, _descend_exactly)
-        else:
-            found = with_contact_scatter(model, _search, lambda at, p: _descend(at, p, COMPARED).p)
-        p, model, extra, scatter, contacts = found
-        problem = model.problem
+    model = model.using(coarse)
+    if problem.estimated.any():
+        found = with_estimated_scatter(model, _search, _descend_exactly)
+    elif problem.setting.scatter:
+        found = with_contact_scatter(model, _search, lambda at, p: _descend(at, p, COMPARED).p)
     else:
-        p = _search(model.without_shared())
-    own = model.without_shared()
+        found = Scattered(_search(model.without_shared()), model, 0.0, {}, None)
+    p, own = found.p, found.model.without_shared()
     if coarse is not None:
         p = np.concatenate([p, _annealed(own, p)])
-    best = _descend(own, p)
-    best = _across_kinks(own, best)
-    if contacts is not None and contacts.value:  # (beyond kinks the scatter may be another)
-        again = with_contact_scatter(
-            plain, lambda _model: best.p[None], lambda at, p: _descend(at, p).p, contacts.value
-        )
-        model, extra, scatter, contacts = again.model, again.extra, again.scatter, again.estimate
-        problem, own = model.problem, model.without_shared()
-        best = _descend(model, again.p)
+    best = _across_kinks(own, _descend(own, p))
+    if found.estimate is not None and found.estimate.value:  # (beyond kinks the scatter may be another)
+        place, share = best.p[None], found.estimate.value
+        found = with_contact_scatter(model, lambda _model: place, lambda at, p: _descend(at, p).p, share)
+        own, best = found.model.without_shared(), _descend(found.model, found.p)
+    model = found.model
     if problem.shared:  # there may be a kink: searched from both sides, and from a bound that is near
         z, free = np.eye(len(problem.shared)), model.free
         p = np.tile(best.p, (2 + 2 * len(z), 1))
@@ -277,7 +269,7 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     table = None
     if coarse is not None:
         best, table = _refined(model if problem.shared else own, best, coarse)
-    return fit_at(model, best, scatter, extra, contacts, table)
+    return fit_at(model, best, found.scatter, found.extra, found.estimate, table)
 
 
 def place_near(law: FittedLaw, problem: Problem, p: Array) -> Array:

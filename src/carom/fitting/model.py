@@ -158,7 +158,7 @@ class FitModel:
             return evaluate(self.likelihood(derivatives), p, weights)
         if mixture is None:
             return evaluate_chains(self, p, weights, derivatives)
-        return evaluate_mixture(self.likelihood, mixture, p, weights, derivatives)
+        return evaluate_mixture(self.likelihood(derivatives), mixture, p, weights)
 
     def _profile(self, p: Array, derivatives: bool) -> Evaluation:
         """Evaluate the likelihood at p (K,) with the scatter of the residuals there. (The scores are those with that scatter held:

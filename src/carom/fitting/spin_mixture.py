@@ -8,7 +8,6 @@ the information, which is that of the rows with known component, an upper bound 
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -20,7 +19,6 @@ from carom.fitting.likelihood import Evaluation, LikelihoodModel, evaluate
 __all__ = ["SpinMixture", "evaluate_components", "evaluate_mixture", "mixture_deviances"]
 
 Array = NDArray[np.float64]
-Likelihood = Callable[[bool], LikelihoodModel]
 
 
 class SpinMixture(NamedTuple):
@@ -63,10 +61,10 @@ def mixture_deviances(deviance: Array, log_share: Array) -> tuple[Array, Array]:
 
 
 def evaluate_mixture(
-    likelihood: Likelihood, mixture: SpinMixture, p: Array, weights: Array | None, derivatives: bool
-) -> Evaluation:
+    likelihood: LikelihoodModel, mixture: SpinMixture, p: Array, weights: Array | None
+) -> Evaluation:  # fmt: skip
     """Evaluate the likelihood under a mixture at B sets of numbers p (B, K), with weights (B or 1, N) of the rows."""
-    seen = evaluate_components(likelihood(derivatives), mixture.given(p), len(mixture.share))
+    seen = evaluate_components(likelihood, mixture.given(p), len(mixture.share))
     deviance, belongs = mixture_deviances(seen.deviance, np.log(mixture.share)[None])
     chi2 = np.take_along_axis(seen.chi2, np.argmax(belongs, axis=1)[:, None], axis=1)[:, 0]
     weighted = belongs if weights is None else belongs * weights[:, None]
