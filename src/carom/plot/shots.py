@@ -184,7 +184,8 @@ def write_shots_report(ranking: ShotsRanking, source: str, path: str | Path) -> 
     body = [
         f"<h1>Whole shots: {name}</h1>", f'<p class="verdict">{html.escape(ranking.verdict)}</p>',
         *(f"<p>{html.escape(line)}</p>" for line in best.describe()), svg(plot_shots(best)), svg(plot_distances(best)),
-        "<h2>The laws, best first</h2>", _laws(ranking), "<h2>The shots, the farthest from the film first</h2>",
+        "<h2>The laws, best first</h2>", _laws(ranking),
+        listed("Other forms", [one.describe() for one in ranking.forms]), "<h2>The shots, the farthest from the film first</h2>",
         *(svg(plot_shot(one)) for one in order), listed("Notes", list(ranking.notes)),
         f"<footer>carom {__version__}. {ranking.aicc_note}</footer>",
     ]  # fmt: skip
