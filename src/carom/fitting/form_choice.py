@@ -142,9 +142,9 @@ def choose_forms(
     >>> from carom.fitting import Setting, fit_laws
     >>> rows = published_rebounds("tt_rackets").rebounds
     >>> ranking = fit_laws(rows, Setting(radius=0.02, kappa=2 / 3), "contact", where="racket=10_antispin", bootstrap=0)
-    >>> choice = choose_forms(ranking.best)
-    >>> choice.tried[choice.chosen[1]].words
-    'friction exponential'
+    >>> choice = choose_forms(ranking.best, ["friction"])
+    >>> [one.words for one in choice.tried][:3]
+    ['constants', 'friction linear', 'friction exponential']
     """
     problem = fit.problem
     varying_model(fit)  # (says what is missing)
