@@ -79,6 +79,7 @@ def _over_spins(fit: Any, test: Problem) -> Answer:
     """Return mean, error and density over the spins of the fitted prior, at the fitted numbers, with the fitted scatter."""
     from scipy.special import logsumexp, ndtri
 
+    test = replace(test, setting=fit.problem.setting)  # (with the form of its restitution)
     places = {name: one.value for name, one in fit.estimates.items()}
     v, n = np.hypot(test.x[:, 0], test.x[:, 1]), len(test.x)
     share = ndtri((np.arange(SPINS) + 0.5) / SPINS)
