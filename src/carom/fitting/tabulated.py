@@ -25,6 +25,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.jit.slices import block_slices
 from carom.fitting.data import Problem
 from carom.fitting.deviance import RowData
 from carom.fitting.kernels import DENSE, PLANES, TOGETHER
@@ -45,6 +46,7 @@ FLOOR_STEP = 1.0  # error bars of the floor's friction between the nodes in it
 FINE_STEP = 6.0  # error bars of restitution and friction between fine nodes
 FINEST = -12  # power of 2
 MOST_NODES = 400  # kept in memory
+COLUMNS = 2048  # of a product of matrices: for more, BLAS starts threads, which cost ten times the product on a busy machine
 E, MU, FLOOR = INDEX["restitution"], INDEX["friction"], INDEX["floor_friction"]
 
 
@@ -135,8 +137,9 @@ def _combined(
     places = np.array(list(itertools.product(one, two, (0, 1))))
     used = shares.any(axis=0)  # (a floor as it is given, of which no derivative is asked, needs half of the nodes)
     nodes = _nodes(grid, spacing, tuple(map(tuple, places[used].tolist())))
-    body = np.zeros((PLANES, nodes.shape[1]))
-    body[list(planes)] = shares[:, used] @ nodes
+    body, shares = np.zeros((PLANES, nodes.shape[1])), shares[:, used]
+    for some in block_slices(nodes.shape[1], COLUMNS):
+        body[list(planes), some] = shares @ nodes[:, some]
     return np.concatenate([[e, mu, floor], grid.head(), body.ravel()])
 
 
