@@ -129,7 +129,7 @@ def test_laws(name):
     n[:, 2] = 0
     n[(n == 0).all(axis=-1), 0] = 1.0
     n /= np.linalg.norm(n, axis=-1, keepdims=True)
-    count = tried(150 if name == "mathavan2010" else 1500, 5000)  # (as Python its steps take 6 ms a row)
+    count = tried(1500, 5000)
     v, w, n, p = (np.ascontiguousarray(x[:count]) for x in (v, w, n, np.stack([a, kappa, *wall], axis=-1)))
     if LAWS[name].last == "stiffness_ratio":
         p[:, 4] = 0.5 + 0.5 * np.abs(p[:, 4])
