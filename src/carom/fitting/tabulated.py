@@ -46,7 +46,9 @@ FLOOR_STEP = 1.0  # error bars of the floor's friction between the nodes in it
 FINE_STEP = 6.0  # error bars of restitution and friction between fine nodes
 FINEST = -12  # power of 2
 MOST_NODES = 400  # kept in memory
-COLUMNS = 2048  # of a product of matrices: for more, BLAS starts threads, which cost ten times the product on a busy machine
+COLUMNS = (
+    2048  # of a product of matrices: for more, BLAS starts threads, which cost ten times the product on a busy machine
+)
 E, MU, FLOOR = INDEX["restitution"], INDEX["friction"], INDEX["floor_friction"]
 
 
