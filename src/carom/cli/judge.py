@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from carom.cli.common import require_outputs, wrote
 from carom.cli.options import quantity, shared
+from carom.errors import FaultList
 
 if TYPE_CHECKING:
     from carom.tracks.judgement import Judgement
@@ -41,6 +43,7 @@ def judge(
         float | None,
         typer.Option(help="Standard deviation of a coordinate, m. Default: estimated.", **quantity("--noise", "m")),
     ] = None,
+    plot: Annotated[Path | None, shared("plot")] = None,
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
     """Find which laws of mechanics a trajectory violates, when, and by how many error bars: of an engine, a film, a video model."""
@@ -48,15 +51,23 @@ def judge(
     from carom.cli.streams import say_json, say_notes
     from carom.tracks.judgement import judge as find
 
+    faults = FaultList()
+    require_outputs(faults, {"--plot": plot}, source=table)
+    faults.raise_if_any()
     falls = (0.0, 0.0) if slope is None else parse_pair("--slope", slope)
     found = find(
         table, radius=radius, mass=mass, friction=friction, floor_friction=floor_friction, slope=falls, noise=noise
     )
     if as_json:
         say_json(vars(found) | {"violations": [vars(one) | {"sigmas": one.sigmas} for one in found.violations]})
-        return
-    say_notes(found.notes)
-    _show(found)
+    else:
+        say_notes(found.notes)
+        _show(found)
+    if plot is not None:
+        from carom.plot.judgement import plot_judgement
+
+        plot_judgement(found, plot)
+        wrote(plot)
 
 
 def _show(found: Judgement) -> None:

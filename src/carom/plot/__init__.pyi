@@ -9,6 +9,7 @@ from .friction import plot_friction as plot_friction
 from .gas import plot_gas as plot_gas
 from .gas_ensemble import plot_ensemble as plot_ensemble
 from .gas_film import animate_gas as animate_gas
+from .judgement import plot_judgement as plot_judgement
 from .paper import collision as collision
 from .paper import figures as figures
 from .paper import incidence_and_reflection as incidence_and_reflection

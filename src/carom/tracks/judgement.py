@@ -22,7 +22,7 @@ from carom.laws.results import GRAVITY
 from carom.scene.floor import gravity_on_slope
 from carom.tracks.judgement_paths import EXACT, FEW, BallPath, PathPiece, read_paths
 
-__all__ = ["LAWS", "Judgement", "Violation", "event_time", "judge", "nearest_image", "path_events"]
+__all__ = ["LAWS", "SIGMAS", "Judgement", "Violation", "event_time", "judge", "nearest_image", "path_events"]
 
 Array = NDArray[np.float64]
 LAWS = {
@@ -69,6 +69,8 @@ class Judgement:
     noise: float
     """Standard deviation of a coordinate in a frame, m."""
     notes: list[str]
+    span: tuple[float, float] = (0.0, 0.0)
+    """Times of the first and the last frame, s."""
     checked: dict[str, int] = field(default_factory=lambda: dict.fromkeys(LAWS, 0))
     """How often each law was checked."""
     violations: list[Violation] = field(default_factory=list)
@@ -156,7 +158,8 @@ def judge(
     faults.raise_if_any()
     pull = np.array(gravity_on_slope(gravity, slope))
     balls, sigma, notes = read_paths(table, radius, mass, noise)
-    found = Judgement(sigma, notes)
+    times = np.concatenate([ball.t for ball in balls])
+    found = Judgement(sigma, notes, (float(times.min()), float(times.max())))
     for ball in balls:
         _in_the_floor(ball, sigma, found)
         for piece in ball.pieces:

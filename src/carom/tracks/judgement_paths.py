@@ -110,7 +110,9 @@ def read_paths(
     if not spins:
         notes.append("no columns wx, wy, wz: spins are unknown; a contact may add as much energy as rolling has")
     label = next((name for name in ("name", "ball") if name in columns), None)
-    names = np.array([str(one) for one in columns[label]]) if label else np.full(len(numbers["t"]), "ball")
+    names = np.full(len(numbers["t"]), "ball")
+    if label:  # (numbers are read as such: ball 1, not 1.0)
+        names = np.array([f"{one:g}" if isinstance(one, float) else str(one) for one in columns[label]])
     split = []
     for name in dict.fromkeys(names.tolist()):
         own = np.flatnonzero(names == name)
