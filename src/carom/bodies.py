@@ -13,7 +13,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.core.units import in_si, warn_of_density
+from carom.core.units import in_si, unlikely_density
 from carom.errors import (
     MAX_MAGNITUDE,
     CaromError,
@@ -79,7 +79,13 @@ class Ball:
         self, radius: ArrayLike | str = 0.02625, mass: ArrayLike | str = 0.1406, inertia: Inertia | ArrayLike = "solid"
     ) -> None:
         _fill(self, "Ball", radius, mass, inertia, INERTIAS, 2 / 3, planar=False)
-        warn_of_density(self.radius, self.mass)
+
+    def _unlikely(self) -> str:
+        """Return the line about numbers in mm or g; near 1 they may be in any consistent units."""
+        a, m = self.radius, self.mass
+        if not (isinstance(a, float) and isinstance(m, float)):
+            return ""
+        return unlikely_density(a, m) if a < 1e3 and m < 1e5 and (a > 5 or m > 10) else ""
 
     @property
     def moment(self) -> Numbers:

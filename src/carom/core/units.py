@@ -10,15 +10,13 @@ from __future__ import annotations
 import functools
 import math
 import re
-import sys
-import warnings
 from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
 
 import numpy as np
 
-__all__ = ["UNITS", "Unit", "in_si", "parse_quantity", "unit_named", "unlikely_density", "warn_of_density"]
+__all__ = ["UNITS", "Unit", "in_si", "parse_quantity", "unit_named", "unlikely_density"]
 
 
 @dataclass(frozen=True)
@@ -164,15 +162,3 @@ def unlikely_density(radius: float, mass: float) -> str:
     if density < AIR:
         return f'{is_ball}: lighter than air; is the radius in mm? write "{radius:g} mm"'
     return f'{is_ball}: denser than any metal; is the mass in g? write "{mass:g} g"' if density > OSMIUM else ""
-
-
-def warn_of_density(radius: Any, mass: Any) -> None:
-    """Warn whoever makes such a ball, if its numbers look like mm and g: near 1 they may be in any consistent units.
-
-    (carom's own calls, which pass by no public wrapper, have notes of their own.)
-    """
-    numbers = isinstance(radius, float) and isinstance(mass, float)
-    public = str(sys._getframe(2).f_globals.get("__name__")).endswith(".guard")
-    like_mm_or_g = numbers and radius < 1e3 and mass < 1e5 and (radius > 5 or mass > 10)
-    if public and like_mm_or_g and (said := unlikely_density(radius, mass)):
-        warnings.warn(f"Ball: {said}", stacklevel=4)

@@ -14,6 +14,7 @@ import os
 import sys
 import types
 import typing
+import warnings
 from collections.abc import Callable
 from numbers import Integral, Real
 from typing import Any
@@ -60,12 +61,26 @@ def _guard_methods(cls: type) -> None:
         if name.startswith("_") and name not in ("__init__", "__call__"):
             continue
         where = cls.__name__ if name == "__init__" else f"{cls.__name__}.{name}"
+        if name == "__init__" and hasattr(cls, "_unlikely"):
+            member = _noting(member)  # noqa: PLW2901
         if isinstance(member, classmethod | staticmethod):
             setattr(cls, name, type(member)(_guard(member.__func__, where)))
         elif (
             inspect.isfunction(member) and member not in KERNELS
         ):  # (what a class names as its kernel is compiled as it is)
             setattr(cls, name, _guard(member, where))
+
+
+def _noting(made: Callable[..., None]) -> Callable[..., None]:
+    """Return an ``__init__`` that warns a caller outside carom of numbers hardly in SI units, by the class's ``_unlikely``."""
+
+    @functools.wraps(made)
+    def noting(self: Any, *args: Any, **options: Any) -> None:
+        made(self, *args, **options)
+        if (said := self._unlikely()) and called_from_outside():
+            warnings.warn(f"{type(self).__name__}: {said}", stacklevel=3)
+
+    return noting
 
 
 def _guard(function: Callable[..., Any], where: str) -> Callable[..., Any]:

@@ -74,7 +74,12 @@ def _columns_of(scene: Scene, wrt: Any, phases: Any) -> list[Column]:
         else:
             found.append(Column(path, path, None, match.values))
         for keys in match.places:
-            moves = keys[0] == "balls" and len(keys) > 2 and keys[2] in ("velocity", "spin")
+            moves = keys[0] == "balls" and len(keys) > 2 and keys[2] in ("velocity", "spin", "spin_z")
+            if moves and scene.balls[int(keys[1])].strike is not None:
+                ball = path.rpartition(f".{keys[2]}")[0]
+                others = ", ".join(f"{ball}.strike.{name}" for name in ("speed", "azimuth", "offset"))
+                expected = "expected a number that can change a little, got one which the cue's strike fixes"
+                raise CaromError(f"{WHERE}: wrt: {path}: {expected}; take {others}")
             if moves and phases[keys[1]] in (PIVOTING, REST):
                 raise CaromError(
                     f"{WHERE}: wrt: {path}: expected a ball that moves, got ball {keys[1]} at rest on the floor, where the "
@@ -113,23 +118,10 @@ def tangents_of(scene: Scene, wrt: Any, phases: Any, setup: SceneArrays) -> tupl
         if slope is None and all(found is None for found in whole):
             raise CaromError(
                 f"{WHERE}: wrt: {one.name}: expected a number that can change a little, got {one.value!r}, which"
-                f" {_fixed_by(scene, one.path)}"
+                " the scene fixes"
             )
     kept = [(one, slope) for one, slope in zip(columns, slopes, strict=True) if slope is not None]
     return [one for one, _slope in kept], [slope for _one, slope in kept]
-
-
-def _fixed_by(scene: Scene, path: str) -> str:
-    """Return the path that fixes a number: the strike has a struck ball's velocity and spin."""
-    for keys in path_match(scene, path).places:
-        if (
-            keys[0] == "balls"
-            and keys[2] in ("velocity", "spin", "spin_z")
-            and scene.balls[int(keys[1])].strike is not None
-        ):
-            ball = path.rpartition(f".{keys[2]}")[0]
-            return f"the cue's strike fixes; take {ball}.strike.speed, {ball}.strike.azimuth, {ball}.strike.offset"
-    return "the scene fixes"
 
 
 def _slopes(scene: Scene, column: Column, setup: SceneArrays) -> Tangents | None:
