@@ -66,7 +66,7 @@ def _figure(found: Judgement) -> Figure:
         axes.set_title(said, loc="right", fontsize=8, color=INK if violated else GREY, pad=3)
         axes.axhspan(1, SIGMAS, color=PALE, lw=0, zorder=0)  # (what could be noise)
         _dots(axes, found, law)
-    first, last = found.span
+    first, last = found.times
     room = 0.02 * max(last - first, LEAST_SPAN)
     strips[0].set(yscale="log", ylim=(2, 1.5 * MOST), xlim=(first - room, last + room))
     strips[0].set_yticks([10, 100, MOST], ["10", "100", "1000"])
@@ -88,7 +88,7 @@ def _dots(axes: Any, found: Judgement, law: str) -> None:
         )
     worst = found.worst(law)
     if worst is not None:
-        late = worst.time > sum(found.span) / 2
+        late = worst.time > sum(found.times) / 2
         axes.annotate(
             literal(" and ".join(worst.balls)), (worst.time, min(worst.sigmas, MOST)), xytext=(3 if late else -3, -5),
             textcoords="offset points", ha="right" if late else "left", va="top", fontsize=8, color=INK,

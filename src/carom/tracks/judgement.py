@@ -69,8 +69,8 @@ class Judgement:
     noise: float
     """Standard deviation of a coordinate in a frame, m."""
     notes: list[str]
-    span: tuple[float, float] = (0.0, 0.0)
-    """Times of the first and the last frame, s."""
+    times: tuple[float, float] = (0.0, 0.0)
+    """Of the first and the last frame, s."""
     checked: dict[str, int] = field(default_factory=lambda: dict.fromkeys(LAWS, 0))
     """How often each law was checked."""
     violations: list[Violation] = field(default_factory=list)
