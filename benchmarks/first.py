@@ -60,7 +60,7 @@ def main() -> None:
         return
     for name, (words, *wanted) in WORKS.items():
         times, most = [list[float](), list[float]()], 0.0
-        for _ in range(1 if "fit" in words else REPEATS):  # (which takes half a minute)
+        for _ in range(1 if "fit" in words else REPEATS):  # (which takes ten seconds)
             with tempfile.TemporaryDirectory() as folder:
                 environment = {**os.environ, "CAROM_CACHE": folder, "CAROM_NATIVE": "0" if numba else "1"}
                 for found in times:
