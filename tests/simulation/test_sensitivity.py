@@ -112,6 +112,11 @@ def test_the_motion_of_a_ball_at_rest_is_refused() -> None:
     run = carom.simulate(carom.Scene(floor=carom.Floor(friction=0.2), balls=[ball], run=carom.Run(duration=1)))
     with pytest.raises(carom.CaromError, match="expected a ball that moves"):
         run.sensitivity("balls.0.velocity")
+    # one that turns about the vertical goes on turning: its spin has a derivative
+    ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0), velocity=(0, 0), rolling=True, spin_z=5.0)
+    floor = carom.Floor(friction=0.2, spin_friction=0.01)
+    run = carom.simulate(carom.Scene(floor=floor, balls=[ball], run=carom.Run(duration=0.1)))
+    assert run.sensitivity("balls.0.spin_z").final.spin[0].tolist() == [[0.0], [0.0], [1.0]]
 
 
 def _soft(v: Any, w: Any, n: Any, a: float, kappa: float, e: float, mu: float, last: float) -> Any:

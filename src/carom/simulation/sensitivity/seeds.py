@@ -74,13 +74,13 @@ def _columns_of(scene: Scene, wrt: Any, phases: Any) -> list[Column]:
         else:
             found.append(Column(path, path, None, match.values))
         for keys in match.places:
-            moves = keys[0] == "balls" and len(keys) > 2 and keys[2] in ("velocity", "spin", "spin_z")
-            if moves and scene.balls[int(keys[1])].strike is not None:
-                ball = path.rpartition(f".{keys[2]}")[0]
+            number = keys[2] if keys[0] == "balls" and len(keys) > 2 else ""
+            if number in ("velocity", "spin", "spin_z") and scene.balls[int(keys[1])].strike is not None:
+                ball = path.rpartition(f".{number}")[0]
                 others = ", ".join(f"{ball}.strike.{name}" for name in ("speed", "azimuth", "offset"))
                 expected = "expected a number that can change a little, got one which the cue's strike fixes"
                 raise CaromError(f"{WHERE}: wrt: {path}: {expected}; take {others}")
-            if moves and phases[keys[1]] in (PIVOTING, REST):
+            if number in ("velocity", "spin") and phases[keys[1]] in (PIVOTING, REST):
                 raise CaromError(
                     f"{WHERE}: wrt: {path}: expected a ball that moves, got ball {keys[1]} at rest on the floor, where the "
                     "derivative depends on the direction; give it a small velocity"
