@@ -18,7 +18,18 @@ from carom.cli import app
 from carom.fitting import Ranking
 
 # What the command alone has: how results are shown and where they are written, and texts that the library takes as values.
-OUTPUT = {"as_json", "json_", "quiet", "plot", "portrait", "boundary", "lyapunov_plot", "report", "no_report"}
+OUTPUT = {
+    "as_json",
+    "json_",
+    "quiet",
+    "plot",
+    "portrait",
+    "boundary",
+    "lyapunov_plot",
+    "report",
+    "no_report",
+    "explore",
+}
 TWINS: dict[str, tuple[Callable[..., Any], set[str], set[str]]] = {
     # verb: its function; parameters of the command alone; parameters of the function alone
     "predict": (carom.predict, OUTPUT, {"progress", "say"}),

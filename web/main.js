@@ -17,13 +17,15 @@ import { AS_GIVEN, cardsFor, checked, comparedAt, curvesOf, horizon, runAll, sen
 import { withBall } from "./state/edit.js";
 import { nameOf } from "./state/files.js";
 import { fromHash } from "./state/link.js";
+import { apartAt, apartCurve } from "./state/film.js";
 import { Orientation, energyAt, sampleTimes, stateAt, trailTime } from "./state/motion.js";
 import { Store } from "./state/store.js";
+import { ballColour } from "./view/balls.js";
 import { flat } from "./view/flat.js";
 import { VIEWS, boxAround } from "./view/shot.js";
 import { stage } from "./view/stage.js";
 
-/** `recorded`: a run that the page shows and does not compute. @typedef {{presets: Preset[], cards: LawCard[], rebounds: Rebound[], reboundsFrom: string, film?: [number, number][][], recorded?: import("./engine/types.js").Recording}} PageData */
+/** `recorded`: a run that the page shows and does not compute. @typedef {{presets: Preset[], cards: LawCard[], rebounds: Rebound[], reboundsFrom: string, recorded?: import("./engine/types.js").Recording}} PageData */
 
 let fading = 0;
 
@@ -87,9 +89,11 @@ async function start() {
 /** @param {PageData} data @param {Engine} engine */
 function show(data, engine) {
   // (the documentation links to #preset=NAME)
-  const asked = new URLSearchParams(location.hash.replace(/^#/, "")).get("preset");
-  const number = Math.max(0, data.presets.findIndex(({ name }) => name === asked));
+  const asked = () => data.presets.findIndex(({ name }) => name === new URLSearchParams(location.hash.replace(/^#/, "")).get("preset"));
+  const number = Math.max(0, asked());
   const first = data.presets[number];
+  /** The film beside a preset's scene. @param {Preset | undefined} preset */
+  const filmed = (preset) => ({ film: preset?.film ?? [], shot: preset?.film ? preset.name : "" });
   const names = [AS_GIVEN, ...data.cards.map(({ name }) => name)];
   const cardsOf = (/** @type {Scene} */ of) => (data.recorded ? data.cards : cardsFor(data.cards, of));
   const lawsOf = (/** @type {Preset} */ preset) => cardsOf(preset.scene).map(({ name }) => name).filter((name) => preset.laws.includes(name));
@@ -109,7 +113,7 @@ function show(data, engine) {
     scene = checked(engine, first.scene);
   }
   const store = new Store({
-    scene, laws: linked?.laws ?? lawsOf(first), followed: "", ball: 0, wall: -1, t: linked?.t ?? first.time ?? 0, playing: false,
+    scene, ...filmed(linked && asked() < 0 ? undefined : first), laws: linked?.laws ?? lawsOf(first), followed: "", ball: 0, wall: -1, t: linked?.t ?? first.time ?? 0, playing: false,
     span: linked ? null : (first.span ?? null), speed: first.slow ?? 1, rebounds: data.rebounds, reboundsFrom: data.reboundsFrom, cards: cardsOf(scene),
   });
   const { state } = store;
@@ -207,8 +211,9 @@ function show(data, engine) {
     dirty = new Set();
     const of = colours();
     if (parts.has("scene") || parts.has("laws")) {
-      view.update({ scene: state.scene, ball: state.ball, followed: state.followed, runs: outcome.runs, colours: of, span: trailSpan(), box, film: data.film ?? [] }, palette());
+      view.update({ scene: state.scene, ball: state.ball, followed: state.followed, runs: outcome.runs, colours: of, span: trailSpan(), box, film: state.film }, palette());
       byId("key").hidden = !state.scene.floor;
+      byId("apart").hidden = byId("key-film").hidden = !state.film.length;
       canvas.setAttribute("aria-label", `The scene: ${state.scene.balls.length} ball${state.scene.balls.length > 1 ? "s" : ""} under ${state.laws.join(", ") || "no law"}. Drag the ball or its arrow, or use the sliders.`);
       const compared = comparedAt(engine, state.scene, state.cards);
       if (lawColumn.cards.length !== state.cards.length) Object.assign(lawColumn, lawPanels());
@@ -221,6 +226,17 @@ function show(data, engine) {
     view.draw(state.t);
     course.place(state.t);
     time.update();
+    byId("apart").textContent = apartText();
+  }
+
+  /** How far the run that is followed is from the film now. */
+  function apartText() {
+    const run = outcome.runs.get(state.followed);
+    const each = state.film.map((rows, i) => {
+      const apart = run && apartAt(rows, run.balls[i].pieces, state.t);
+      return `${nameOf(state.scene, i)}: ${apart === null || apart === undefined ? "not seen" : `${(1e3 * apart).toFixed(1)} mm`}`;
+    });
+    return `From film to run: ${each.join(", ")}`;
   }
 
   /** @param {import("./state/compute.js").Compared} compared @param {Map<string, string>} of */
@@ -255,7 +271,12 @@ function show(data, engine) {
       if (all > 0) energy.push({ ...look, points: times.map((t) => [t, energyAt(state.scene, run, t) / all]) });
       height.push({ ...look, points: times.map((t) => [t, (stateAt(run.balls[state.ball].pieces, t).x[2] - low) * 1e3]) });
     }
-    course.update(energy, height, span);
+    const run = outcome.runs.get(state.followed);
+    const apart = state.film.map((rows, i) => {
+      const colour = (i === state.ball ? of.get(state.followed) : null) ?? ballColour(state.scene.balls[i], i);
+      return { name: String(i), colour, dashes: null, width: 1.5, points: run ? apartCurve(rows, run.balls[i].pieces, span) : [] };
+    });
+    course.update(energy, apart.length ? apart : height, span, apart.length ? "from film to run" : "height");
   }
 
   // --- presets, theme, undo -------------------------------------------------------------------------------------------
@@ -269,7 +290,7 @@ function show(data, engine) {
     store.remember();
     say("");
     about(preset.about);
-    Object.assign(state, { ball: 0, wall: -1, t: preset.time ?? 0, span: preset.span ?? null, speed: preset.slow ?? 1, playing: false });
+    Object.assign(state, { ...filmed(preset), ball: 0, wall: -1, t: preset.time ?? 0, span: preset.span ?? null, speed: preset.slow ?? 1, playing: false });
     store.change({ scene: checked(engine, preset.scene), laws: lawsOf(preset), followed: preset.scene.run.law }, "scene", "laws", "time");
     box = boxAround(state.scene, outcome.runs, state.followed, span);
     draw(new Set(["scene"]));
@@ -295,7 +316,7 @@ function show(data, engine) {
       const bad = runAll(engine, found.scene, found.laws.length ? found.laws : [found.scene.run.law]).fault;
       if (bad !== null) throw new Error(bad);
       store.remember();
-      store.change({ ...found, ball: 0, wall: -1, span: null, playing: false }, "scene", "laws", "time");
+      store.change({ ...found, ...filmed(data.presets[asked()]), ball: 0, wall: -1, span: null, playing: false }, "scene", "laws", "time");
       box = boxAround(state.scene, outcome.runs, state.followed, span);
       draw(new Set(["scene"]));
     } catch (error) {

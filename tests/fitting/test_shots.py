@@ -73,6 +73,27 @@ def test_the_result_pickles_prints_and_goes_to_json(ranking):
         ranking.best.horizon("cushion 9")
 
 
+def test_pictures_say_what_is_drawn(ranking, tmp_path):
+    from carom.plot.shots import plot_shot, plot_shots, write_shots_report
+
+    one = plot_shot(ranking.best.shots[0])
+    words = [text.get_text() for legend in one.legends for text in legend.get_texts()]
+    assert words[0] == "ball 1, struck by the cue"
+    assert words[3:] == ["film", "model", "start", "contact in the model", "contact in the film"]
+    # the title and the legends of few small multiples are not cut off
+    few = plot_shots(replace(ranking.best, shots=ranking.best.shots[:1]))
+    few.canvas.draw()
+    for part in (few._suptitle, *few.legends):
+        box = part.get_window_extent()
+        assert 0 <= box.x0 < box.x1 <= few.bbox.x1
+        assert 0 <= box.y0 < box.y1 <= few.bbox.y1
+    text = write_shots_report(ranking, "films.csv", tmp_path / "shots.html").read_text(encoding="utf-8")
+    assert [text.count(f"<h3>{shot.name}: ") for shot in ranking.best.shots] == [1, 1]
+    assert text.count("<svg") == 2 + 2 + 1 + 2 * 2  # small multiples, distances, the legend, and two of each shot
+    assert "<td>walls.0.restitution</td>" in text
+    assert "prefers-color-scheme: dark" in text
+
+
 def test_derivatives_are_central_differences(films):
     tracks, scenes = films
     found = filmed_shots(tracks, RADIUS)

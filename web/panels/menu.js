@@ -25,8 +25,8 @@ function save(name, blob) {
  */
 export function menu(store, view, followed, say) {
   const hash = () => {
-    const { scene, laws, followed: leads, t } = store.state;
-    return toHash({ scene, laws, followed: leads, t });
+    const { scene, laws, followed: leads, t, shot } = store.state;
+    return toHash({ scene, laws, followed: leads, t }, shot);
   };
   let waiting = 0;
   // browsers count how often an address is changed: once when the hand rests

@@ -1,4 +1,4 @@
-// Two live plots: reflection against incidence under each law, with measured rebounds; energy and height over time.
+// Two live plots: reflection against incidence under each law, with measured rebounds; energy over time, and height or distance from a film.
 
 /** @import { Rebound } from "../state/types.js" */
 import { scaleLinear } from "d3-scale";
@@ -87,9 +87,9 @@ export function anglePlot(host) {
   };
 }
 
-/** Energy and height over time. @param {HTMLElement} host @param {(t: number) => void} seek */
+/** Energy over time, and below it a length: height, or the distance from a film. @param {HTMLElement} host @param {(t: number) => void} seek */
 export function timePlot(host, seek) {
-  const { root, size } = surface(host, "Energy kept and height of the ball over time under each law");
+  const { root, size } = surface(host, "Energy kept, and height of the ball or distance from the film, over time");
   const cursor = svg("path", { class: "cursor" });
   let span = { from: 0, until: 1 };
   let area = size();
@@ -112,11 +112,11 @@ export function timePlot(host, seek) {
   };
   return {
     place,
-    /** @param {Curve[]} energy shares of the energy at the start @param {Curve[]} height mm @param {{from: number, until: number}} shown s */
-    update(energy, height, shown) {
+    /** @param {Curve[]} energy shares of the energy at the start @param {Curve[]} height mm @param {{from: number, until: number}} shown s @param {string} words of the height */
+    update(energy, height, shown, words) {
       area = size();
       span = shown;
-      const most = Math.max(0, ...height.flatMap(({ points }) => points.map(([, y]) => y)));
+      const most = Math.max(0, ...height.flatMap(({ points }) => points.map(([, y]) => y || 0)));
       const both = most > 1e-3;
       const top = { ...area, height: both ? (area.height - 24) * 0.52 : area.height };
       const sx = scaleLinear([span.from, span.until], [area.x, area.x + area.width]);
@@ -128,7 +128,7 @@ export function timePlot(host, seek) {
         const long = most > 500;
         const sh = scaleLinear([0, most * 1.05], [low.y + low.height, low.y]);
         const format = (/** @type {number} */ y) => tidy(long ? y / 1000 : y);
-        children.push(axes(low, sx, sh, { title: `height, ${long ? "m" : "mm"}`, xLabel: "time, s", yTicks: 2, yFormat: format }), ...paths(height, sx, sh));
+        children.push(axes(low, sx, sh, { title: `${words}, ${long ? "m" : "mm"}`, xLabel: "time, s", yTicks: 2, yFormat: format }), ...paths(height, sx, sh));
       }
       root.replaceChildren(...children, cursor);
     },

@@ -34,14 +34,14 @@ export function eventsCsv(scene, run) {
   const vectors = (/** @type {string} */ name, after = "") => AXES.map((axis) => `${name}${axis}${after}`);
   const header = ["t", "kind", "ball", "name", "other", "phase", ...AXES, ...vectors("v", "_before"), ...vectors("w", "_before"), ...vectors("v"), ...vectors("w"), "required_friction"];
   const rows = run.events.map((event) => [
-    event.t, event.kind, event.ball, nameOf(scene, event.ball), event.other ?? -1, event.phase, ...event.x, ...(event.v_before ?? []), ...(event.w_before ?? []), ...event.v,
+    event.t, event.kind, event.ball, scene.balls[event.ball].name ?? `ball ${event.ball}`, event.other ?? -1, event.phase, ...event.x, ...(event.v_before ?? []), ...(event.w_before ?? []), ...event.v,
     ...event.w, event.required ?? "",
   ]);
   return csvFormatRows([header, ...rows].map((row) => row.map(String)));
 }
 
-/** @param {Scene} scene @param {number} i */
-export const nameOf = (scene, i) => scene.balls[i]?.name ?? `ball ${i}`;
+/** How a sentence calls a ball. @param {Scene} scene @param {number} i */
+export const nameOf = (scene, i) => (scene.balls[i]?.name ?? String(i)).replace(/^\d+$/, "ball $&");
 /** @param {Scene} scene @param {number} i */
 export const wallName = (scene, i) => scene.walls[i]?.name ?? `${scene.walls[i]?.shape ?? "wall"} ${i}`;
 

@@ -8,12 +8,12 @@ const LONGEST = 60_000; // characters of a link that are looked at
 
 /** @typedef {{scene: Scene, laws: string[], followed: string, t: number}} Shown */
 
-/** @param {Shown} shown @returns {string} */
-export function toHash({ scene, laws, followed, t }) {
+/** @param {Shown} shown @param {string} [shot] a preset whose film stands beside the scene @returns {string} */
+export function toHash({ scene, laws, followed, t }, shot) {
   const bytes = new TextEncoder().encode(JSON.stringify({ scene, laws, followed, t: Number(t.toPrecision(9)) }));
   let text = "";
   for (const byte of bytes) text += String.fromCharCode(byte);
-  return `#s=${btoa(text).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`;
+  return `#${shot ? `preset=${encodeURIComponent(shot)}&` : ""}s=${btoa(text).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`;
 }
 
 /**

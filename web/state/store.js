@@ -1,10 +1,12 @@
 // What the page shows now, who wants to know when it changes, and the way back.
 
-/** @import { Scene, Rebound, LawCard } from "./types.js" */
+/** @import { Film, Scene, Rebound, LawCard } from "./types.js" */
 
 /**
  * @typedef {object} State
  * @property {Scene} scene
+ * @property {Film} film
+ * @property {string} shot name of the preset that the film is of
  * @property {string[]} laws names of the laws that are shown
  * @property {string} followed the law whose balls are drawn solid, and whose events are stepped through
  * @property {number} ball number of the ball that is edited

@@ -50,7 +50,9 @@
 /** A law as the page shows it: its colour and dashes are those of carom's figures.
  * @typedef {{name: string, summary: string, valid: string, colour: string, dashes: number[] | null, reads: string[] | null}} LawCard */
 
-/** @typedef {{name: string, title: string, about: string, laws: string[], scene: Scene, strikes?: (Strike | null)[], view?: string, slow?: number, time?: number, span?: [number, number]}} Preset */
+/** Rows of each ball in a film: s of the scene, and m from above. @typedef {[number, number, number][][]} Film */
+
+/** @typedef {{name: string, title: string, about: string, laws: string[], scene: Scene, film?: Film, strikes?: (Strike | null)[], view?: string, slow?: number, time?: number, span?: [number, number]}} Preset */
 
 /** How a cue has struck a ball of a preset: m/s, degrees, and radii to the player's right and up. @typedef {{speed: number, azimuth: number, elevation: number, offset: [number, number]}} Strike */
 

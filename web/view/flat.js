@@ -2,10 +2,11 @@
 
 /** @import { Drag, Palette, Shot, View } from "./shot.js" */
 import { pocketsOf } from "../scene/shapes.js";
+import { placeAt } from "../state/film.js";
 import { Orientation, stateAt, trail } from "../state/motion.js";
 import { ballColour } from "./balls.js";
 import { oncePerFrame } from "./frames.js";
-import { arrowTime, outline } from "./shot.js";
+import { arrowTime, dotsOf, outline } from "./shot.js";
 
 const DASHES = { rolling: [], sliding: [7, 4], flight: [1.5, 3.5] };
 const REACH = 24;
@@ -166,9 +167,17 @@ export function flat(host, drag) {
       c.setLineDash([]);
     }
     c.fillStyle = palette.ink;
-    for (const [x, y] of shot.film.flat()) {
-      const at = view.above(x, y);
-      c.fillRect(at[0] - 1, at[1] - 1, 2, 2);
+    c.strokeStyle = palette.ink;
+    for (const [i, rows] of shot.film.entries()) {
+      for (const [, x, y] of dotsOf(rows, shot.box)) {
+        const at = view.above(x, y);
+        c.fillRect(at[0] - 1, at[1] - 1, 2, 2);
+      }
+      const place = placeAt(rows, now);
+      if (!place) continue;
+      c.beginPath();
+      c.arc(...pair(view.above(...place)), 3 + view.k * shot.scene.balls[i].radius, 0, 7);
+      c.stroke();
     }
     const end = tip();
     const start = shot.scene.balls[shot.ball].position;

@@ -1,6 +1,6 @@
 // What both views (3-D, and 2-D where there is no WebGL 2) draw, and how large it is.
 
-/** @import { Run, Scene, Vec, Wall } from "../state/types.js" */
+/** @import { Film, Run, Scene, Vec, Wall } from "../state/types.js" */
 import { toNumber } from "../state/edit.js";
 import { trail } from "../state/motion.js";
 import { chainsOf, lineOf } from "./outline.js";
@@ -14,7 +14,7 @@ import { chainsOf, lineOf } from "./outline.js";
  * @property {Map<string, string>} colours of the laws, for the theme
  * @property {{from: number, until: number}} span s: where trails begin and end
  * @property {Box} box
- * @property {[number, number][][]} film places of each ball in a film, m, from above
+ * @property {Film} film
  */
 
 /** @typedef {{low: Vec, high: Vec}} Box */
@@ -46,6 +46,13 @@ const FAR = 1e4;
 const farIn = (scene) => FAR * Math.max(1, ...scene.balls.flatMap(({ position, radius }) => [...position.map(Math.abs), radius]));
 /** Width of a cushion, in radii of the largest ball. */
 export const RAIL = 2.2;
+
+/** The dots of a film that do not cover each other, m. @param {Film[number]} rows @param {Box} box */
+export function dotsOf(rows, box) {
+  const least = sizeOf(box) / 150;
+  let [x, y] = [Infinity, Infinity];
+  return rows.filter((row) => Math.hypot(row[1] - x, row[2] - y) > least && ([, x, y] = row));
+}
 
 /** How far the arrow of a velocity reaches: s, so that it is length over speed. @param {Shot} shot */
 export const arrowTime = (shot) => (0.16 * sizeOf(shot.box)) / Math.max(1, Math.hypot(...shot.scene.balls[shot.ball].velocity) / 2 || 1);

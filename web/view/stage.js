@@ -249,8 +249,9 @@ export function stage(host, drag, labels) {
       const apart = law === shot.followed || !solid ? Infinity : Math.hypot(x[0] - solid[0], x[1] - solid[1], x[2] - solid[2]);
       mesh.place(x, turns.at(now), apart);
     }
-    // (seen along the floor, nothing can be dragged over it)
-    arrow.group.visible = drag !== null && Math.abs(camera.getWorldDirection(gaze).z) > 0.12;
+    trails.filmAt(shot, now);
+    // (seen along the floor, nothing can be dragged over it; the dots of a film are not to be taken for its shaft)
+    arrow.group.visible = drag !== null && !(shot.film.length && now > shot.span.from) && Math.abs(camera.getWorldDirection(gaze).z) > 0.12;
     renderer.render(scene, camera);
     label(solid);
     // where hands, and tests, find the handles

@@ -2,12 +2,13 @@
 
 /** @import { Shot } from "./shot.js" */
 /** @import { Vec } from "../state/types.js" */
-import { BufferGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, Points, PointsMaterial } from "three";
+import { BufferGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Points, PointsMaterial, RingGeometry } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+import { placeAt } from "../state/film.js";
 import { trail } from "../state/motion.js";
-import { sizeOf } from "./shot.js";
+import { dotsOf, sizeOf } from "./shot.js";
 
 /** Dashes and gaps, in hundredths of what is seen. @type {Record<string, [number, number] | null>} */
 const DASHES = { rolling: null, sliding: [1.5, 0.9], flight: [0.28, 0.55] };
@@ -21,6 +22,7 @@ function pairs(points) {
 
 /** Size of a film's dots, px. */
 const DOT = 2;
+const RING = new RingGeometry(1.05, 1.3, 48);
 
 /** All trails. Lines and materials are kept from change to change: a new one would have its shaders compiled anew. */
 export class Trails {
@@ -28,7 +30,7 @@ export class Trails {
     this.group = new Group();
     /** @type {Map<string, LineSegments2 | LineSegments>} */
     this.lines = new Map();
-    /** Of a film, one for each ball. @type {Points<BufferGeometry, PointsMaterial>[]} */
+    /** Of a film: of each ball its places, and the one at the time that is shown. @type {[Points<BufferGeometry, PointsMaterial>, Mesh<RingGeometry, MeshBasicMaterial>][]} */
     this.dots = [];
     this.pixels = { width: 1, height: 1 };
   }
@@ -69,18 +71,32 @@ export class Trails {
 
   /** Draw where a film saw the balls, in an ink that their paths have not. @param {Shot} shot @param {string} ink */
   film(shot, ink) {
-    shot.film.forEach((places, i) => {
-      let dots = this.dots[i];
-      if (!dots) {
-        dots = new Points(new BufferGeometry(), new PointsMaterial({ size: DOT, sizeAttenuation: false, transparent: true, depthWrite: false }));
-        dots.frustumCulled = false;
-        dots.renderOrder = 4;
-        this.dots[i] = dots;
-        this.group.add(dots);
-      }
+    shot.scene.balls.forEach(({ radius: a }, i) => {
+      const [dots, ring] = (this.dots[i] ??= this.#dots());
       dots.material.color.set(ink);
-      const a = shot.scene.balls[i]?.radius ?? 0;
-      dots.geometry.setAttribute("position", new Float32BufferAttribute(places.flatMap(([x, y]) => [x, y, a]), 3));
+      ring.material.color.set(ink);
+      ring.scale.setScalar(a);
+      dots.geometry.setAttribute("position", new Float32BufferAttribute(dotsOf(shot.film[i] ?? [], shot.box).flatMap(([, x, y]) => [x, y, a]), 3));
+    });
+  }
+
+  /** Dots and a ring of one ball. @returns {[Points<BufferGeometry, PointsMaterial>, Mesh<RingGeometry, MeshBasicMaterial>]} */
+  #dots() {
+    const look = { transparent: true, depthWrite: false };
+    const dots = new Points(new BufferGeometry(), new PointsMaterial({ size: DOT, sizeAttenuation: false, ...look }));
+    const ring = new Mesh(RING, new MeshBasicMaterial({ ...look, depthTest: false }));
+    dots.frustumCulled = false;
+    dots.renderOrder = ring.renderOrder = 4;
+    this.group.add(dots, ring);
+    return [dots, ring];
+  }
+
+  /** Set the rings to where the film saw the balls at a time. @param {Shot} shot @param {number} t */
+  filmAt(shot, t) {
+    this.dots.forEach(([, ring], i) => {
+      const place = shot.film[i] && placeAt(shot.film[i], t);
+      ring.visible = Boolean(place);
+      if (place) ring.position.set(...place, shot.scene.balls[i].radius);
     });
   }
 

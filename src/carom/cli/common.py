@@ -31,16 +31,15 @@ def tick(console: Console, good: bool) -> str:
     return "yes" if good else "no"
 
 
-def tell(ranking: Any, show: Callable[[Any], None], as_json: bool, console: Console, written: Path | None) -> None:
-    """Print a ranking of laws, as JSON or by ``show``; on the console also its notes, and the path of its report."""
+def tell(ranking: Any, show: Callable[[Any], None], as_json: bool, console: Console, written: Sequence[Path]) -> None:
+    """Print a ranking of laws, as JSON or by ``show``; on the console also its notes, and the paths of files that were written."""
     if as_json:
         say_json(ranking.as_dict())
     else:
         show(ranking)
     for text in ranking.notes:
         console.print(f"note: {text}", style="yellow", soft_wrap=True)
-    if written is not None:
-        wrote(written)
+    wrote(*written)
 
 
 def wrote(*paths: Path) -> None:

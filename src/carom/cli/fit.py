@@ -235,6 +235,14 @@ def fit(
     plot: Annotated[
         Path | None, shared("plot", help="Draw which rows slide or grip, and which decide; with --shot film and model.")
     ] = None,
+    explore: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE.html",
+            help="With --shot: write a page that plays the fitted shots beside their films.",
+            rich_help_panel=OUTPUT,
+        ),
+    ] = None,
     no_report: Annotated[bool, typer.Option("--no-report", help="The default.", hidden=True)] = False,
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
@@ -251,13 +259,15 @@ def fit(
 
     faults = FaultList()
     fixed, bounds = _held(faults, fix, bound)
-    _pages(faults, report, no_report, plot)
+    _pages(faults, report, no_report, plot, explore)
     if by is not None and (report is not None or plot is not None):
         faults.add(
             "", "", advice=f"--{'plot' if report is None else 'report'} has no effect with --by; omit one of them"
         )
     if whole and plot is not None:
         faults.add("", "", advice="--plot has no effect with --whole; omit one of them")
+    if explore is not None and not shot:
+        faults.add("", "", advice="--explore has no effect without --shot; omit it, or add --shot")
     options: dict[str, Any] = {
         "radius": radius, "inertia": inertia, "laws": [name for text in laws for name in comma_separated(text)] if laws else None,
         "restitution": restitution, "friction": friction, "tangential_restitution": tangential_restitution,
@@ -279,15 +289,19 @@ def fit(
     console = err()
     with _bar(console) as progress:
         ranking = fit_laws_to(files, progress=progress, **options)
-        written = None
+        written = [path for path in (report, plot, explore) if path is not None]
         if report is not None:
-            written = write_report_page(
+            write_report_page(
                 lambda: _page(with_options(ranking), files, report), lambda text, done: progress(done, 1.0, text)
             )
         if plot is not None:
             from carom.plot.style import save
 
             save(_picture(ranking), plot)
+        if explore is not None:
+            from carom.explorer.page import explore as make_page
+
+            make_page(ranking).save(explore)
     shows: list[tuple[bool, Any]] = [(shot, show_shots), (whole, show_whole), (by is not None, show_each)]
     tell(ranking, next((one for wanted, one in shows if wanted), show), as_json, console, written)
 
@@ -307,8 +321,11 @@ def _held(
             {name: x for name, x in bounds.items() if x is not None})  # fmt: skip
 
 
-def _pages(faults: FaultList, report: Path | None, no_report: bool, plot: Path | None) -> None:
-    require_outputs(faults, {"--report": report, "--plot": plot}, {"--report": (".html", ".htm")})
+def _pages(faults: FaultList, report: Path | None, no_report: bool, plot: Path | None, explore: Path | None) -> None:
+    pages = (".html", ".htm")
+    require_outputs(
+        faults, {"--report": report, "--plot": plot, "--explore": explore}, {"--report": pages, "--explore": pages}
+    )
     if report is not None and no_report:
         faults.add("", "", advice="--no-report has no effect with --report; omit one of them")
 

@@ -9,7 +9,7 @@ import json
 import os
 import re
 import tomllib
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -18,7 +18,8 @@ import numpy as np
 
 from carom.data.rebound_files import read_rebounds
 from carom.data.rebounds import Rebounds
-from carom.errors import CaromError, Fault, FaultList, require_type, shortened_list, suggestion
+from carom.errors import CaromError, Fault, FaultList, require_type
+from carom.explorer.film import FilmedRun, fitted_shots, places_in_film, places_of_shot
 from carom.explorer.module import MOST_BALLS, MOST_FEATURES, engine_bytes, engine_layout
 from carom.files import as_path, require_writable, write_text
 from carom.laws.law import Law
@@ -30,8 +31,6 @@ from carom.scene.shapes import FigureWall
 from carom.scene.shapes.planes import Plane
 from carom.scene.toml import load_scene
 from carom.scene.wall import WallShape, law_name
-from carom.tracks import Calibration, read_tracks
-from carom.tracks.read import film_of
 
 __all__ = ["ExplorerPage", "explore", "filled_page", "not_shown", "page_text", "presets"]
 
@@ -73,7 +72,7 @@ class ExplorerPage:
 
 
 def explore(
-    scene: Scene | str | os.PathLike[str] | None = None,
+    scene: Any = None,
     laws: str | Iterable[str] | None = None,
     data: Rebounds | str | os.PathLike[str] | None = None,
     film: Any = None,
@@ -83,17 +82,19 @@ def explore(
 
     Parameters
     ----------
-    scene : Scene or path, optional
-        Default: the paper's example. At most 100 balls, and walls of at most 2,000 faces, edges and corners.
+    scene : Scene or path, or a fit to whole shots, optional
+        Default: the paper's example. At most 100 balls, and walls of at most 2,000 faces, edges and corners. Of a fit
+        (:func:`carom.fit_shots`, or one of its shots) each shot is a scene of the page, with its film beside it.
     laws : names, optional
         Laws that are shown at first. Default: the scene's own and laws of `carom compare`; where walls are the noses of cushions,
-        `two-step`, the published laws of cushions and, as a contrast, `mirror`; of a scene of more than 6 balls its own alone. The
-        scene's own law leads.
+        `two-step`, the published laws of cushions and, as a contrast, `mirror`; of a scene of more than 6 balls, or with a film,
+        its own alone. The scene's own law leads.
     data : Rebounds or path, optional
         Measured rebounds, shown over the curves of reflection against incidence.
     film : path, or Tracks, optional
-        A track file of one shot, or the tracks of its balls, in the coordinates of the scene: dots beside the balls' paths. They go
-        by their names, or in their order where the scene has other names.
+        A track file of one shot, or the tracks of its balls, in the coordinates of the scene: dots beside the balls' paths, a ring
+        where the film saw each ball at the time that is shown, and the distance from there to the run. They go by their names, or
+        in their order where the scene has other names. The scene begins at that time of the film at which its run is nearest.
     shot : str, optional
         Its name in a film of several shots.
 
@@ -118,7 +119,8 @@ def explore(
     True
     """
     faults = FaultList()
-    given = None if scene is None else _scene(scene, faults)
+    shots = fitted_shots(scene)
+    given = None if scene is None or shots else _scene(scene, faults)
     named = _laws(laws, faults)
     rebounds = None
     if data is not None:
@@ -126,37 +128,17 @@ def explore(
     if rebounds is not None and len(rebounds) > MOST_REBOUNDS:
         wanted = f"at most {MOST_REBOUNDS:,} rebounds"
         faults.append(Fault("explore", "data", wanted, f"{len(rebounds):,}", "carom fit takes more"))
-    dots = [] if film is None else faults.attempt(_dots, film, shot, given) or []
+    beside: dict[str, Any] = {}
+    if film is not None and shots:
+        faults.append(Fault("explore", "film", advice="`film` has no effect with a fit, which has its own; omit it"))
+    elif film is not None and scene is None:
+        faults.append(Fault("explore", "film", "a scene beside it, in whose coordinates it is", "none"))
+    elif film is not None and given is not None:
+        beside = {"film": faults.attempt(places_in_film, film, shot, given), "view": "above"}
+    for one in shots:
+        faults += not_shown(one.scene, "explore")
     faults.raise_if_any()
-    return ExplorerPage(page_text(given, named, rebounds, film=dots))
-
-
-def _dots(film: Any, shot: str | None, scene: Scene | None) -> list[list[list[float]]]:
-    """Return the places of each ball of a scene in a film."""
-    if scene is None:
-        raise CaromError(Fault("explore", "film", "a scene beside it, in whose coordinates it is", "none"))
-    found = film_of(film, 0, Calibration())
-    tracks = (read_tracks(found) if isinstance(found, Path) else found).tracks
-    shots = list(dict.fromkeys(track.group for track in tracks))
-    if len(shots) > 1 and shot is None:
-        got = f"{len(shots)}: {shortened_list(shots, 6)}"
-        raise CaromError(Fault("explore", "film", "one shot", got, "name one with `shot`"))
-    if shot is not None and shot not in shots:
-        raise CaromError(
-            Fault("explore", "shot", f"one of {shortened_list(shots, 6)}", repr(shot), suggestion(shot, shots))
-        )
-    tracks = tuple(track for track in tracks if shot is None or track.group == shot)
-    names = scene.ball_names
-    if len(tracks) > len(names):
-        raise CaromError(Fault("explore", "film", f"at most the {len(names)} balls of the scene", f"{len(tracks)}"))
-    if all(track.name in names for track in tracks):
-        order = [names.index(track.name) for track in tracks]
-    else:
-        order = list(range(len(tracks)))
-    dots: list[list[list[float]]] = [[] for _ in names]
-    for k, track in zip(order, tracks, strict=True):
-        dots[k] = track.position[track.seen][:, :2].round(5).tolist()
-    return dots
+    return ExplorerPage(_shots_text(shots, named, rebounds) if shots else page_text(given, named, rebounds, beside))
 
 
 def _scene(scene: Scene | str | os.PathLike[str], faults: FaultList) -> Scene | None:
@@ -240,30 +222,56 @@ def presets() -> list[dict[str, Any]]:
 
 
 def page_text(
-    scene: Scene | None, laws: list[str], rebounds: Rebounds | None = None, seen: dict[str, Any] | None = None,
-    film: list[list[list[float]]] | None = None,
-) -> str:  # fmt: skip
+    scene: Scene | None, laws: list[str], rebounds: Rebounds | None = None, seen: dict[str, Any] | None = None
+) -> str:
     """Return the page's HTML; ``seen``: further fields of the first preset, which is the scene (``web/state/types.js``)."""
     shown = presets()
-    main = [law for law in all_laws().values() if not law.variant_of and not law.ignores_floor]
     own = [] if scene is None else [law_name(law) for law in (scene.run.law, *scene.wall_laws)]
-    names = [name for name in _compiled() if name in {*(law.name for law in main), *laws, *own}]
+    names = _offered([*laws, *own])
     if scene is not None:
         first = {"name": "scene", "title": "Your scene", "about": scene.describe(), "scene": scene_dict(scene)}
-        # (many balls under all laws at once would make the page slow at its first sight)
-        wanted = {*own} if len(scene.balls) > FEW_BALLS else {*_for_walls(scene, main), *own}
+        # (many balls under all laws at once, or paths of other laws among a film's dots, would hide what is to be seen)
+        alone = len(scene.balls) > FEW_BALLS or "film" in (seen or {})
+        wanted = {*own} if alone else {*_for_walls(scene, _main_laws()), *own}
         several = [SEVERAL_LAWS] if any(wall.law is not None for wall in scene.walls) else []
         listed = laws or [*several, *(name for name in names if name in wanted)]
         shown.insert(0, {**first, **_strikes(scene), "laws": listed, "slow": 1.0, **(seen or {})})
     elif laws:
         shown[0]["laws"] = laws
+    return _page_of(shown, names, rebounds)
+
+
+def _shots_text(shots: Sequence[FilmedRun], laws: list[str], rebounds: Rebounds | None) -> str:
+    """Return the HTML of a page with the shots of a fit, each with its film."""
+    shown = []
+    for one in shots:
+        own = law_name(one.scene.run.law)
+        found = {
+            "name": one.name, "title": f"{one.name}: {1e3 * one.rms:.3g} mm from the film",
+            "about": f"fitted to {len(one.film.time):,} frames under {own}", "scene": scene_dict(one.scene),
+            "laws": laws or [own], "slow": 1.0, "view": "above", "film": places_of_shot(one),
+        }  # fmt: skip
+        shown.append(found)
+    return _page_of(shown, _offered([*laws, *(law_name(one.scene.run.law) for one in shots)]), rebounds)
+
+
+def _main_laws() -> list[Law]:
+    return [law for law in all_laws().values() if not law.variant_of and not law.ignores_floor]
+
+
+def _offered(others: Iterable[str]) -> list[str]:
+    """Return the laws of which the page has cards: those of carom compare, and others."""
+    wanted = {*(law.name for law in _main_laws()), *others}
+    return [name for name in _compiled() if name in wanted]
+
+
+def _page_of(shown: list[dict[str, Any]], names: list[str], rebounds: Rebounds | None) -> str:
     return filled_page(
         {
             "presets": shown,
             "cards": [_card(name) for name in names],
             "rebounds": [] if rebounds is None else _angles(rebounds),
             "reboundsFrom": "" if rebounds is None else Path(rebounds.source).name or "the data given",
-            **({"film": film} if film else {}),
         }
     )
 

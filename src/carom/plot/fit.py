@@ -240,7 +240,17 @@ table {{ border-collapse: collapse; font-size: .88rem; }} th, td {{ padding: .25
 th, td {{ text-align: left; vertical-align: top; }}
 th {{ border-bottom: 1px solid #444; white-space: nowrap; }} td.n {{ text-align: right; white-space: nowrap; }}
 tr:nth-child(odd) td {{ background: #fafaf8; }} tr.best td {{ font-weight: 600; }}
+th:first-child, td:first-child {{ min-width: 8rem; }}
 svg {{ max-width: 100%; height: auto; }} footer {{ color: #777; font-size: .8rem; margin-top: 2rem; }}
+h3 {{ font-size: 1rem; margin: 1rem 0 .2rem; }}
+div.beside {{ display: flex; flex-wrap: wrap; gap: .2rem .8rem; }} div.beside svg {{ flex: 0 1 29rem; min-width: 0; }}
+div.small svg {{ flex: 0 1 11.5rem; }}
+@media (max-width: 40rem) {{ div.beside svg {{ flex-basis: 100%; }} div.small svg {{ flex-basis: 47%; }} }}
+@media (prefers-color-scheme: dark) {{
+:root {{ color-scheme: dark; }} body {{ color: #e6e6e6; background: #111; }}
+p.verdict, tr:nth-child(odd) td {{ background: #1c1c1c; }}
+th {{ border-color: #999; }} footer {{ color: #999; }} svg {{ filter: invert(.93) hue-rotate(180deg); }}
+}}
 </style></head><body>
 {body}
 </body></html>
@@ -252,16 +262,18 @@ def _cell(text: str, number: bool = True) -> str:
 
 
 def table_of_laws(
-    ranking: Ranking | TrackRanking | ShotsRanking, heads: Sequence[str], cells: Callable[[Any], Sequence[str]]
-) -> str:
+    ranking: Ranking | TrackRanking | ShotsRanking, heads: Sequence[str], cells: Callable[[Any], Sequence[str]],
+    parameters: bool = True,
+) -> str:  # fmt: skip
     """Return the table of laws, best first; ``cells`` of a ranked fit: one for each of ``heads``, and the parameters."""
     rows = []
     for one in ranking.ranked:
-        law, (*numbers, parameters) = one.fit.law, cells(one)
+        law, numbers = one.fit.law, cells(one)
         made = _cell(f"<b>{law.name}</b><br>{html.escape(law.words)}", False)
-        made += "".join(map(_cell, (f"{one.fit.aicc - ranking.best.aicc:.1f}", *numbers))) + _cell(parameters, False)
+        made += "".join(map(_cell, (f"{one.fit.aicc - ranking.best.aicc:.1f}", *numbers[: len(heads)])))
+        made += "".join(_cell(text, False) for text in numbers[len(heads) :])
         rows.append(f'<tr class="{"best" if one is ranking.ranked[0] else ""}">{made}</tr>')
-    head = "".join(f"<th>{head}</th>" for head in ("law", "ΔAICc", *heads, "parameters"))
+    head = "".join(f"<th>{head}</th>" for head in ("law", "ΔAICc", *heads, *(["parameters"] if parameters else [])))
     return f'<div class="wide"><table><tr>{head}</tr>{"".join(rows)}</table></div>'
 
 
