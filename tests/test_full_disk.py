@@ -9,43 +9,15 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import subprocess
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from reference.forking import forking
 from reference.gases import ROUGH
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs limits of processes")
 
-# One process has all that the commands import, and forks for each.
-FORKING = """
-import json, os, resource, signal, sys
-signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-from carom.cli import main
-import carom.simulation.simulate, carom.gas.session
-for name in sys.argv[1:]:
-    try:
-        __import__(name)
-    except ImportError:
-        pass
-for line in sys.stdin:
-    folder, size, words = json.loads(line)
-    pipes = os.pipe(), os.pipe()
-    child = os.fork()
-    if child == 0:
-        os.chdir(folder)
-        for (_read, write), stream in zip(pipes, (1, 2)):
-            os.dup2(write, stream)
-        resource.setrlimit(resource.RLIMIT_FSIZE, (size, resource.RLIM_INFINITY))
-        sys.argv = ["carom", *words]
-        sys.exit(main())
-    for _read, write in pipes:
-        os.close(write)
-    said = [open(read).read() for read, _write in pipes]
-    print(json.dumps([os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), *said]), flush=True)
-"""
 SCENE = """
 [floor]
 friction = 0.2
@@ -71,28 +43,20 @@ Limited = Callable[..., tuple[int, str, list[str]]]
 
 
 @contextlib.contextmanager
-def forking(*libraries: str, **environment: str) -> Iterator[Limited]:
+def limiting(*libraries: str, **environment: str) -> Iterator[Limited]:
     """Run carom in a folder where no file can be larger than some size: exit code, standard output, lines of standard error."""
-    with subprocess.Popen(
-        [sys.executable, "-c", FORKING, *libraries], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
-        env=os.environ | environment,
-    ) as process:  # fmt: skip
-        assert process.stdin is not None
-        assert process.stdout is not None
-        requests, answers = process.stdin, process.stdout
+    with forking("carom.simulation.simulate", "carom.gas.session", *libraries, **environment) as run:
 
         def limited(folder: Path, size: int, *words: str) -> tuple[int, str, list[str]]:
-            print(json.dumps([str(folder), size, words]), file=requests, flush=True)
-            code, out, err = json.loads(answers.readline())
+            code, out, err = run(folder, *words, size=size)
             return code, out, err.splitlines()
 
         yield limited
-        requests.close()
 
 
 @pytest.fixture(scope="module")
 def limited() -> Iterator[Limited]:
-    with forking("h5netcdf", "xarray", "pyarrow.parquet", "gsd.hoomd") as run:
+    with limiting("h5netcdf", "xarray", "pyarrow.parquet", "gsd.hoomd") as run:
         yield run
 
 
@@ -164,7 +128,7 @@ def test_a_cache_that_cannot_be_written_costs_time_only(folder: Path) -> None:
     (folder / "none").write_text("a file, and no folder")
     words = ("predict", "shots.csv", "--law", "mirror", "--out", "out.csv", "--json")
     for cache, size in (("cache", 300), ("none", 10**9)):
-        with forking(CAROM_CACHE=str(folder / cache)) as run:
+        with limiting(CAROM_CACHE=str(folder / cache)) as run:
             code, out, err = run(folder, size, *words)
         faults = [line for line in err if line.startswith("carom:") or "Error" in line]
         assert faults == ([] if size > 300 else [room("out.csv")])  # (the table does not fit either)

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-import os
 import shutil
-import subprocess
-import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from reference.forking import forking
 
 import carom
 from carom.core.jit.cache import cache_folder
@@ -115,10 +114,10 @@ print(json.dumps([many.final.velocity.tolist(), int(np.sum(orbit.count)), orbit.
 
 
 @pytest.fixture(scope="module")
-def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of the package with one file more, a scene and tables beside it."""
+def run(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[..., str]]:
+    """Runs of a copy of the package with two files more, a scene and tables beside it: what they write."""
     folder = tmp_path_factory.mktemp("copy")
-    shutil.copytree(Path(carom.__file__).parent, folder / "carom", ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copytree(Path(carom.__file__).parent, folder / "carom")
     (folder / "carom" / "laws" / "half_slide.py").write_text(LAW)
     (folder / "carom" / "laws" / "double_rub.py").write_text(PAIR_LAW)
     (folder / "scene.toml").write_text(SCENE)
@@ -128,55 +127,54 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     lines = [f"{n:.3f},{t:.3f},{s:.1f},{0.7 * n:.3f},{0.5 * t:.3f},{s:.1f},0.02,0.02,0.5" for n, t, s in rows]
     head = "v_n_in,v_t_in,spin_in,v_n_out,v_t_out,spin_out,sigma_v_n_out,sigma_v_t_out,sigma_spin_out"
     (folder / "rebounds.csv").write_text("\n".join([head, *lines]) + "\n")
-    # the loops call such a law by its address: what was compiled without it serves, and only the law itself is new
-    shutil.copytree(cache_folder(), run(folder, "-c", WHERE).strip(), dirs_exist_ok=True)
-    return folder
-
-
-def run(package: Path, *args: str) -> str:
     # (a cache of its own: a second copy of the sources must not push the first one's compiled code out)
-    env = {**os.environ, "PYTHONPATH": str(package), "CAROM_CACHE": str(package / "cache"), "NO_COLOR": "1"}
-    done = subprocess.run([sys.executable, *args], cwd=package, env=env, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
+    own = {"PYTHONPATH": str(folder), "CAROM_CACHE": str(folder / "cache"), "NO_COLOR": "1"}
+    with forking("numpy", "numba", **own) as forked:
+
+        def answer(*words: str) -> str:
+            code, out, err = forked(folder, *words)
+            assert code == 0, err
+            return out
+
+        # the loops call such a law by its address: what was compiled without it serves, and only the law itself is new
+        shutil.copytree(cache_folder(), answer("-c", WHERE).strip(), dirs_exist_ok=True)
+        yield answer
 
 
 WHERE = "from carom.core.jit.cache import cache_folder; print(cache_folder())"
 
 
-def test_the_command_knows_it(package: Path) -> None:
-    pairs = {law["name"]: law["for_pairs"] for law in json.loads(run(package, "-m", "carom", "laws", "--json"))["laws"]}
+def test_the_command_knows_it(run: Callable[..., str]) -> None:
+    pairs = {law["name"]: law["for_pairs"] for law in json.loads(run("laws", "--json"))["laws"]}
     assert [pairs[name] for name in ("double-rub", "contact", "half-slide", "two-step")] == [True, True, False, False]
-    compared = json.loads(run(package, "-m", "carom", "compare", "--restitution", "0.5", "--json"))["laws"]
+    compared = json.loads(run("compare", "--restitution", "0.5", "--json"))["laws"]
     found = next(law for law in compared if law["law"] == "half-slide")
     assert found["after_wall"]["velocity"][:2] == pytest.approx([0.5 * 0.5**0.5, 0.5 * 0.5**0.5])
-    predicted = run(
-        package, "-m", "carom", "predict", "shots.csv", "--law", "half-slide", "--restitution", "0.5", "--spin", "none"
-    )
+    predicted = run("predict", "shots.csv", "--law", "half-slide", "--restitution", "0.5", "--spin", "none")
     assert predicted.splitlines()[1].split(",")[3:5] == ["0.5", "0.25"]
 
 
-def test_scenes_many_runs_and_billiards_know_it(package: Path) -> None:
-    events = json.loads(run(package, "-m", "carom", "simulate", "scene.toml", "--json"))
+def test_scenes_many_runs_and_billiards_know_it(run: Callable[..., str]) -> None:
+    events = json.loads(run("simulate", "scene.toml", "--json"))
     assert events["final"][0]["velocity"] == pytest.approx([0.5, 0.5, 0.0])
-    many, bounces, law = json.loads(run(package, "-c", MANY).splitlines()[-1])
+    many, bounces, law = json.loads(run("-c", MANY).splitlines()[-1])
     assert [v[0][:2] for v in many] == [[0.5, 0.5], [1.0, 0.5]]
     assert (bounces, law) == (3, "half-slide")
 
 
-def test_two_balls_meet_by_a_law_of_one_file(package: Path) -> None:
-    scene, collide, twice, swept = json.loads(run(package, "-c", PAIR).splitlines()[-1])
+def test_two_balls_meet_by_a_law_of_one_file(run: Callable[..., str]) -> None:
+    scene, collide, twice, swept = json.loads(run("-c", PAIR).splitlines()[-1])
     assert scene == collide == pytest.approx(twice, abs=1e-15)
     assert swept[1][1] == pytest.approx(twice, abs=1e-12)
     assert swept[0][1] != pytest.approx(twice, abs=1e-3)
 
 
-def test_fits_know_it(package: Path) -> None:
-    ranked = json.loads(run(package, "-m", "carom", "fit", "rebounds.csv", "--radius", "0.02", "--json"))
+def test_fits_know_it(run: Callable[..., str]) -> None:
+    ranked = json.loads(run("fit", "rebounds.csv", "--radius", "0.02", "--json"))
     laws = {law["law"]: law for law in ranked["ranking"]}
     assert laws["half-slide"]["parameters"]["restitution"]["value"] == pytest.approx(0.7, abs=0.02)
 
 
-def test_the_documentation_knows_it(package: Path) -> None:
+def test_the_documentation_knows_it(run: Callable[..., str]) -> None:
     # (the page of the laws is made from carom.CARDS)
-    assert "half-slide" in run(package, "-c", "import carom; print(list(carom.CARDS))")
+    assert "half-slide" in run("-c", "import carom; print(list(carom.CARDS))")
