@@ -1,7 +1,12 @@
 """Settings for all tests: where compiled loops are kept, and how Hypothesis searches."""
 
+import contextlib
+import gc
+import importlib
 import os
+import sys
 import time
+from collections.abc import Generator
 from pathlib import Path
 
 import pytest
@@ -43,6 +48,38 @@ def _all_tests(config: pytest.Config) -> bool:
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
     """All cores for the whole suite (xdist's own count); one process for chosen files, unless ``-n`` says otherwise."""
     return None if _all_tests(config) else 0
+
+
+@pytest.hookimpl(wrapper=True, trylast=True)
+def pytest_collection(session: pytest.Session) -> Generator[None, object, object]:
+    """Collect the tests, and leave what lives then out of the walks of Python's garbage collector.
+
+    It walks through all objects: modules of large libraries and thousands of tests, which live to the end.
+    """
+    gc.disable()
+    _import_share(session.config)
+    collected = yield
+    gc.collect()
+    gc.freeze()
+    gc.enable()
+    return collected
+
+
+def _import_share(config: pytest.Config) -> None:
+    """Where several workers run the whole suite: import a part of the test files, whose bytecode the other workers then find.
+
+    pytest rewrites the asserts of each file, 14 s of a core for all; every worker needs them all.
+    """
+    asked = getattr(config, "workerinput", None)
+    if asked is None or sys.dont_write_bytecode or not _all_tests(config):
+        return
+    files = sorted(Path(__file__).parent.rglob("test_*.py"))
+    for file in files[int(asked["workerid"].removeprefix("gw")) :: asked["workercount"]]:
+        if str(file.parent) not in sys.path:
+            sys.path.insert(0, str(file.parent))
+        # (what a file says in its import is said again where it is collected: that it is skipped, or its error)
+        with contextlib.suppress(BaseException):
+            importlib.import_module(file.stem)
 
 
 def pytest_sessionstart(session: pytest.Session) -> None:
