@@ -16,7 +16,9 @@ from rows import REPEATS, SMALL, alone, paired, report, run_script, seconds, usu
 from carom.data.rebounds import make_rebounds
 from carom.fitting import Setting, fit_law, make_problem, with_bootstrap
 from carom.fitting.laws import laws_named
-from carom.fitting.tracks import errors, fit_tracks, objective
+from carom.fitting.starts import StatesBy
+from carom.fitting.tracks import fit_tracks, objective
+from carom.simulation.sensitivity.at_times import states_at
 from carom.tracks import Measured, Settings, measure
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
@@ -33,33 +35,30 @@ def tracks(shots: int) -> Measured:
 def by_differences() -> Iterator[None]:
     """Within, let fits of whole tracks take derivatives by one step forward, as they did before they were exact."""
 
-    def start_slope(table, frames, starts, q):
-        gap = objective._many(table.setup, frames, q[:, None])
-        columns = np.flatnonzero(starts.free.any(axis=0))
-        tried = np.repeat(q[:, None], len(columns), axis=1)
-        tried[:, np.arange(len(columns)), columns] += 1e-6 * starts.scale[:, columns]
-        slope = np.zeros((len(q), gap.shape[-1], q.shape[1]))
-        slope[:, :, columns] = np.moveaxis(objective._many(table.setup, frames, tried) - gap, 1, 2) / 1e-6
-        return slope * starts.free[:, None]
+    def states(table, frames, q, shared=False):
+        def places(at, tried):
+            balls, _by = objective._on_table(at.arrays, frames, tried)
+            return states_at(at.arrays, balls, frames.time, frames.count, 2)
 
-    def shared_slope(model, frames, q, numbers):
-        found = []
-        here = objective._many(model.table(numbers).setup, frames, q[:, None])[:, 0]
-        for name, parameter in model.free.items():
-            h = 1e-6 * min(parameter.high - parameter.low, 1.0)
-            h = -h if numbers[name] + h > parameter.high else h
-            there = objective._many(model.table({**numbers, name: numbers[name] + h}).setup, frames, q[:, None])[:, 0]
-            found.append((there - here) / h)
-        return np.stack(found, axis=-1)
+        here, by_start = places(table, q), []
+        for k in range(q.shape[1]):
+            moves = k not in range(q.shape[1])[objective.SLIP] or q[:, k].any()  # (no slip: held)
+            h = 1e-6 * max(float(np.abs(q[:, k]).max()), 0.01)
+            tried = q + h * np.eye(q.shape[1])[k]
+            by_start.append((places(table, tried) - here) / h if moves else 0 * here)
+        by_shared = []
+        for k, one in enumerate(table.shared if shared else ()):
+            h = 1e-6 * min(one.high - one.low, 1.0)
+            h = -h if table.values[k] + h > one.high else h
+            by_shared.append((places(table.at(table.values + h * np.eye(len(table.values))[k]), q) - here) / h)
+        columns = [np.nan_to_num(np.stack(some, axis=-1)) if some else None for some in (by_start, by_shared)]
+        return StatesBy(here, *columns)
 
-    before = objective._start_slope, objective.shared_slope
-    objective._start_slope = start_slope
-    objective.shared_slope = errors.shared_slope = shared_slope
+    before, objective._states = objective._states, states
     try:
         yield
     finally:
-        objective._start_slope, objective.shared_slope = before
-        errors.shared_slope = before[1]
+        objective._states = before
 
 
 def whole(measured: Measured) -> list[float]:

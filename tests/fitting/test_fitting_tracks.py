@@ -14,20 +14,20 @@ from reference.commands import command
 from reference.synthetic_runs import RADIUS, TRUTH, film, write
 
 import carom
-from carom.core.jit.dual.dual_records import float_count
-from carom.core.jit.dual.numbers import LANES
 from carom.errors import CaromError
 from carom.fitting.example_films import TRUTH as EXAMPLES
 from carom.fitting.example_films import write_example_films
 from carom.fitting.laws import FITTED
 from carom.fitting.parameters import FORMS
 from carom.fitting.setting import Setting
+from carom.fitting.starts import balls_of, states_by
+from carom.fitting.table_numbers import TableNumbers
 from carom.fitting.tracks import TrackFit, TrackRanking, TrackSetting, fit_tracks
 from carom.fitting.tracks.model import track_models
-from carom.fitting.tracks.objective import SIDESPIN, SegmentArrays, shared_slope, spin_loss
+from carom.fitting.tracks.objective import SIDESPIN, START, SegmentArrays, balls_by_start, gaps, shared_slope
 from carom.fitting.tracks.segments import find_segments
-from carom.fitting.tracks.simulate import START, positions_and_slopes, positions_at, start_slopes
 from carom.scene.shapes import Table
+from carom.simulation.sensitivity.at_times import states_at
 from carom.simulation.setup import set_up
 from carom.tracks import Measured, Settings, measure
 
@@ -107,18 +107,18 @@ def test_places_are_those_of_simulate(nose: float | None) -> None:
     )  # fmt: skip
     count = np.full(n, len(t))
     count[3] = 40
-    setup = set_up(scene(0.85))
-    places = positions_at(setup, start, np.tile(t, (n, 1)), count)
-    by_scene = {name: np.zeros((1, len(rows), float_count(rows.dtype), LANES)) for name, rows in setup._asdict().items()
-                if name in ("world", "features")}  # fmt: skip
-    by_start = np.zeros((n, 1, 1, float_count(setup.balls.dtype), LANES))
-    by_start[:, 0, 0, :, : len(START)] = start_slopes(RADIUS)
-    again, slopes = positions_and_slopes(setup, setup.users, start, np.tile(t, (n, 1)), count, by_scene, by_start)
-    assert np.array_equal(places, again, equal_nan=True)
+    table, times = TableNumbers((), np.zeros(0), scene(0.85), set_up(scene(0.85)), None), np.tile(t, (n, 1))
+    by = balls_by_start(RADIUS)
+    balls = balls_of(table.arrays, by, start)
+    places = states_at(table.arrays, balls, times, count, 2)[:, :, 0]
+    found = states_by(table, balls, by, times, count)
+    slopes = found.by_start[:, :, 0]
+    assert np.array_equal(places, found.states[:, :, 0, :2], equal_nan=True)
     assert np.isnan(places[3, 40:]).all()
     assert (slopes[3, 40:] == 0).all()
     for k, (x, y, vx, vy, ux, uy, spin) in enumerate(start.tolist()):
-        spins = ((uy - vy) / RADIUS, (vx - ux) / RADIUS, spin)
+        spins = tuple(balls["w"][k, 0].tolist())
+        assert spins == pytest.approx(((uy - vy) / RADIUS, (vx - ux) / RADIUS, spin), rel=1e-14)
         run = carom.simulate(scene(0.85, position=(x, y), velocity=(vx, vy), spin=spins))
         seen = np.asarray(run.at(t).position)[: count[k], 0, :2]
         assert np.array_equal(places[k, : count[k]], seen)
@@ -148,7 +148,7 @@ def test_arrays_of_every_law_are_affine_in_its_parameters(form: str) -> None:
     for model in models:
         numbers = {name: rng.uniform(0.9 * one.value + 0.1 * one.low, 0.9 * one.value + 0.1 * one.high)
                    for name, one in model.free.items()}  # fmt: skip
-        made, expected = model.table(numbers).setup, set_up(model.scene(numbers))
+        made, expected = model.table(numbers).arrays, set_up(model.scene(numbers))
         for array in ("world", "features"):
             for field in made.world.dtype.names if array == "world" else made.features.dtype.names:
                 one, two = getattr(made, array)[field], getattr(expected, array)[field]
@@ -168,17 +168,15 @@ def test_shared_derivatives_are_those_of_differences(law: str) -> None:
         q[n, 2:4], q[n, :2] = np.polyfit(one.time[:6], one.position[:6], 1)
     q[:, SIDESPIN] = 20.0
 
-    def gaps(name: str, by: float) -> np.ndarray:
-        setup = set_up(model.scene({**numbers, name: numbers[name] + by}))
-        start = q.copy()
-        start[:, SIDESPIN] += spin_loss(setup) * np.array([one.contacts[0] for one in frames.segments])
-        return frames.gap(positions_at(setup, start, frames.time, frames.count))
+    def moved(name: str, by: float) -> np.ndarray:
+        scene = model.scene({**numbers, name: numbers[name] + by})
+        return gaps(TableNumbers((), np.zeros(0), scene, set_up(scene), None), frames, q)
 
     slopes = shared_slope(model, frames, q, numbers)
     for p, name in enumerate(model.free):
         width, off, scale = min(model.free[name].high - model.free[name].low, 1.0), np.array(math.inf), 1.0
         for h in np.array([3e-4, 1e-4, 3e-5, 1e-5, 3e-6]) * width:
-            one, two = ((gaps(name, k * h) - gaps(name, -k * h)) / (2 * k * h) for k in (1, 2))
+            one, two = ((moved(name, k * h) - moved(name, -k * h)) / (2 * k * h) for k in (1, 2))
             scale = max(float(np.abs(one).max()), scale)
             # (places jump by half a nanometre within some steps, others in each; a derivative that is wrong is so in all of them)
             off = np.minimum(off, np.abs((4 * one - two) / 3 - slopes[:, :, p]))

@@ -36,7 +36,8 @@ from carom.fitting.shots.joint import (
 from carom.fitting.shots.result import FittedShot, ShotsFit, ShotsRanking
 from carom.fitting.shots.search import FAILED, SearchSettings, ShotStart, refined, rms, search_start
 from carom.fitting.shots.start import FIRST_PLACE, SPIN, VELOCITY, distances, start_size
-from carom.fitting.shots.table import FREE, TableModel, TableNumbers, begun, scene_of_films, table_of, with_balls
+from carom.fitting.shots.table import FREE, TableModel, begun, scene_of_films, table_of, with_balls
+from carom.fitting.table_numbers import TableNumbers
 from carom.formatting import counted
 from carom.laws.registry import one_or_several
 from carom.public.progress import Progress

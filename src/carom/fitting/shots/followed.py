@@ -26,9 +26,9 @@ from carom.fitting.shots.start import (
     residuals,
     start_size,
     starting_balls,
-    states_by,
 )
-from carom.fitting.shots.table import TableNumbers
+from carom.fitting.starts import balls_by, balls_of, states_by
+from carom.fitting.table_numbers import TableNumbers
 from carom.simulation.sensitivity.at_times import states_at
 
 __all__ = ["Belief", "Followed", "LawErrors", "belief_of_start", "drawn_rests", "followed"]
@@ -90,30 +90,29 @@ def _numbers(states: Array, radius: float) -> Array:
     return np.concatenate([states[..., :2], states[..., 3:5], radius * states[..., 6:9]], axis=-1)
 
 
+def _by_numbers(balls: int, radius: float) -> Array:
+    """Return the derivatives of balls by their numbers, OWN of each."""
+    each = [("x", 0, 1.0), ("x", 1, 1.0), ("v", 0, 1.0), ("v", 1, 1.0), *(("w", j, 1 / radius) for j in range(3))]
+    return balls_by(balls, [[(k, *one)] for k in range(balls) for one in each])
+
+
 def _balls(table: TableNumbers, numbers: Array) -> NDArray[np.void]:
     """Return the balls (N, B) of numbers (N, B, OWN)."""
-    balls = np.tile(table.arrays.balls[: numbers.shape[1]], (len(numbers), 1))
-    a = float(balls["radius"][0, 0])
-    balls["x"][..., :2], balls["x"][..., 2] = numbers[..., PLACE], a
-    balls["v"][..., :2], balls["v"][..., 2] = numbers[..., MOTION], 0.0
-    balls["w"] = numbers[..., TURN] / a
-    return balls
+    n, b, _own = numbers.shape
+    return balls_of(table.arrays, _by_numbers(b, float(table.arrays.balls["radius"][0])), numbers.reshape(n, -1))
 
 
 def _moved(table: TableNumbers, mean: Array, time: Array, b: int) -> tuple[Array, Array]:
     """Return the numbers (T, B, OWN) of B balls at times since now, and their derivatives (T, B, OWN, S)."""
     a = float(table.arrays.balls["radius"][0])
-    columns = [
-        (k, name, j, size)
-        for k in range(b)
-        for name, count, size in (("x", 2, 1.0), ("v", 2, 1.0), ("w", 3, 1 / a))
-        for j in range(count)
-    ]
     own, deviations = mean[: OWN * b].reshape(1, b, OWN), mean[OWN * b :]
-    at = states_by(table, _balls(table, own)[0], deviations, time, columns, 9, bool(len(deviations)))
-    d = np.concatenate([at.by_columns, at.by_shared], axis=-1)
+    at = states_by(
+        table, _balls(table, own), _by_numbers(b, a), time[None], np.array([len(time)]), 9, shared=bool(len(deviations)),
+        deviations=deviations, limits=LIMITS,
+    )  # fmt: skip
+    d = np.concatenate([at.by_start[0], at.by_shared[0]], axis=-1)
     d = np.concatenate([d[:, :, :2], d[:, :, 3:5], a * d[:, :, 6:9]], axis=2)
-    return _numbers(at.states, a), np.nan_to_num(d)
+    return _numbers(at.states[0], a), np.nan_to_num(d)
 
 
 def _carried(now: Array, slopes: Array) -> Array:

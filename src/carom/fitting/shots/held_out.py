@@ -15,7 +15,8 @@ from carom.fitting.shots.film import FilmedShot, until_time
 from carom.fitting.shots.followed import LawErrors, belief_of_start, drawn_rests, followed
 from carom.fitting.shots.result import ShotsFit
 from carom.fitting.shots.search import SearchSettings, ShotStart, horizons, refined, search_start
-from carom.fitting.shots.table import TableNumbers, table_of
+from carom.fitting.shots.table import table_of
+from carom.fitting.table_numbers import TableNumbers
 
 __all__ = ["HeldOut", "PredictedShot", "errors_of_laws", "predict_rest"]
 

@@ -19,7 +19,9 @@ from carom.errors import CaromError
 from carom.fitting.shots.film import FilmedShot
 from carom.fitting.shots.search import FAILED, Refined, ShotStart, error_of_frames, horizons, refined, rms, soft
 from carom.fitting.shots.start import residuals, start_size
-from carom.fitting.shots.table import TableModel, TableNumbers
+from carom.fitting.shots.table import TableModel
+from carom.fitting.starts import Projection
+from carom.fitting.table_numbers import TableNumbers
 from carom.fitting.tracks.errors import covariance_by_shot
 
 __all__ = [
@@ -149,12 +151,10 @@ def information_of_shots(
         rows = np.concatenate([by_start, one.prior.rows])
         r = np.concatenate([gap, one.prior.rows @ (got.start - one.prior.center)])
         d = np.concatenate([by_shared, np.zeros((len(one.prior.rows), count))])
-        unit = 1 / np.maximum(np.sqrt(np.square(rows).sum(axis=0)), 1e-300)
-        q, triangle = np.linalg.qr(rows * unit)
-        follows.append(-unit[:, None] * np.linalg.lstsq(triangle, q.T @ d, rcond=1e-12)[0])
-        inverse = unit[:, None] * np.linalg.pinv(triangle, rcond=1e-12)
-        spreads.append(np.sqrt(np.square(inverse[start_size(len(one.shot.balls)) :]).sum(axis=1)))
-        d = d - q @ (q.T @ d)
+        left = Projection.of(rows)
+        follows.append(left.follows(d))
+        spreads.append(np.sqrt(np.square(left.inverse[start_size(len(one.shot.balls)) :]).sum(axis=1)))
+        d = left.rest(d)
         scores[i], matrices[i] = -d.T @ r, d.T @ d
     return Information(scores, matrices, follows, np.array(spreads))
 
@@ -167,7 +167,7 @@ def covariance_of_shared(
     used = [i for i, n in enumerate(fitted.frames) if n]
     some, ends = [starts[i] for i in used], [fitted.frames[i] for i in used]
     got = [refined(table, one, n, 9, 2) for one, n in zip(some, ends, strict=True)]
-    scale = np.array([one.scale for one in table.model.shared])
+    scale = np.array([one.scale for one in table.shared])
     scores, matrices = information_of_shots(table, some, ends, got).weighted(weights_of_shots(some, ends, got))
     scores, matrices = scores * scale, matrices * scale[:, None] * scale
     far = [rms(table, one.shot, best.start, n) for one, n, best in zip(some, ends, got, strict=True)]

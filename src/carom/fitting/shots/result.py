@@ -18,7 +18,8 @@ from carom.fitting.shots.film import FilmedEvent, FilmedShot
 from carom.fitting.shots.search import ShotStart
 from carom.fitting.shots.start import FIRST_PLACE, SPIN, TIME, VELOCITY
 from carom.fitting.shots.stroke import stroke_of
-from carom.fitting.shots.table import TableModel, TableNumbers, table_of
+from carom.fitting.shots.table import TableModel, table_of
+from carom.fitting.table_numbers import TableNumbers
 from carom.formatting import called_ball, counted, json_value
 from carom.scene.ball import CueStrike
 from carom.scene.scene import Scene

@@ -14,10 +14,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.optimizer import minimize
 from carom.fitting.shots.film import FilmedShot
 from carom.fitting.shots.start import FIRST_PLACE, SPIN, TIME, VELOCITY, StartPrior, distances, residuals, start_size
-from carom.fitting.shots.table import TableNumbers
+from carom.fitting.starts import nearest_starts
+from carom.fitting.table_numbers import TableNumbers
 
 __all__ = [
     "Refined",
@@ -135,9 +135,13 @@ def _first_draws(shot: FilmedShot, prior: StartPrior, velocity: Array, count: in
 
 def _cost(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int, prior: StartPrior, sigma: float) -> Array:
     """Return the soft-L1 costs (N,) of starts (N, K)."""
-    z = distances(table, shot, starts, frames) / (SOFT * sigma) ** 2
     unlikely = np.square((starts - prior.center) @ prior.rows.T).sum(axis=1)
-    return np.asarray(2 * SOFT**2 * (np.sqrt(1 + z) - 1).sum(axis=1) + unlikely)
+    return np.asarray(_loss(distances(table, shot, starts, frames), sigma).sum(axis=1) + unlikely)
+
+
+def _loss(squares: Array, sigma: float) -> Array:
+    """Return the soft-L1 losses of squared distances, m^2."""
+    return np.asarray(2 * SOFT**2 * (np.sqrt(1 + squares / (SOFT * sigma) ** 2) - 1))
 
 
 def rms(table: TableNumbers, shot: FilmedShot, start: Array, frames: int) -> float:
@@ -153,22 +157,20 @@ def descend(
 ) -> tuple[Array, float, Array]:
     """Return the nearest minimum of the soft-L1 cost from a start, its cost, and the information (K, K) on it there."""
     scale = _scales(start, prior, start_size(len(shot.balls)))
-    far = np.full(len(start), np.inf)
 
-    def evaluated(_which: object, u: Array, derivatives: bool) -> tuple[Array, Array, Array]:
-        at = start + scale * u[0]
+    def residual(_which: object, at: Array, derivatives: bool) -> tuple[Array, Array | None]:
         if not derivatives:
-            return _cost(table, shot, at[None], frames, prior, sigma), u, u
-        found = residuals(table, shot, at, frames)
-        gap, (jac,) = soft(found.gap, [found.by_start * scale], sigma)
-        off, rows = prior.rows @ (at - prior.center), prior.rows * scale
-        value = gap @ gap + off @ off
-        return np.array([value]), -(gap @ jac + off @ rows)[None], (jac.T @ jac + rows.T @ rows)[None]
+            return np.sqrt(_loss(distances(table, shot, at, frames), sigma)), None
+        found = residuals(table, shot, at[0], frames)
+        gap, (jac,) = soft(found.gap, [found.by_start], sigma)
+        return gap[None], jac[None]
 
     dof = np.array([2.0 * shot.known[:frames].sum()])
-    tolerance = GAIN * float(dof[0])
-    found = minimize(evaluated, np.zeros((1, len(start))), -far, far, steps=evaluations, tolerance=tolerance, dof=dof)
-    return start + scale * found.p[0], float(found.value[0]), found.information[0] / scale[:, None] / scale
+    best, found = nearest_starts(
+        residual, start[None], scale[None], prior.center[None], prior.rows[None], steps=evaluations,
+        tolerance=GAIN * float(dof[0]), dof=dof, joint=True,
+    )  # fmt: skip
+    return best[0], float(found.value[0]), found.information[0] / scale[:, None] / scale
 
 
 def _scales(start: Array, prior: StartPrior, own: int) -> Array:

@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.jit.dual.dual_records import float_count, float_places
-from carom.core.jit.dual.numbers import LANES
 from carom.fitting.shots.film import FilmedShot
-from carom.fitting.shots.table import TableNumbers
-from carom.simulation.records import BALLS
-from carom.simulation.sensitivity.at_times import Limits, states_and_slopes, states_at
+from carom.fitting.starts import balls_by, balls_of, states_by
+from carom.fitting.table_numbers import TableNumbers
+from carom.simulation.sensitivity.at_times import Limits, states_at
 
 __all__ = [
-    "FIRST_PLACE", "LIMITS", "SPIN", "TIME", "VELOCITY", "Residuals", "StartPrior", "StatesBy", "distances",
-    "residuals", "start_size", "starting_balls", "states_by",
+    "FIRST_PLACE", "LIMITS", "SPIN", "TIME", "VELOCITY", "Residuals", "StartPrior", "distances", "residuals", "start_size",
+    "starting_balls",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -85,18 +82,17 @@ class Residuals(NamedTuple):
     """(M, P) derivatives by the shared numbers."""
 
 
+def _by_start(balls: int, radius: float) -> Array:
+    """Return the derivatives of balls by the numbers of a start, in their order (:func:`carom.fitting.starts.balls_by`)."""
+    velocity = [[(0, "v", j, 1.0)] for j in range(2)]
+    spin = [[(0, "w", j, 1 / radius)] for j in range(3)]
+    return balls_by(balls, [[], *velocity, *spin, *([(k, "x", j, 1.0)] for k in range(balls) for j in range(2))])
+
+
 def starting_balls(table: TableNumbers, starts: Array, b: int) -> NDArray[np.void]:
     """Return the B balls (N, B) of starts (N, K): a shot may have fewer than others."""
-    n = len(starts)
-    starts = starts[:, : start_size(b)]
-    balls = np.tile(table.arrays.balls[:b], (n, 1))
-    a = float(balls["radius"][0, 0])
-    balls["x"][:, :, 2] = a
-    balls["x"][:, :, :2] = starts[:, FIRST_PLACE:].reshape(n, b, 2)
-    balls["v"][:], balls["w"][:] = 0.0, 0.0
-    balls["v"][:, 0, :2] = starts[:, VELOCITY]
-    balls["w"][:, 0] = starts[:, SPIN] / a
-    return balls
+    by = _by_start(b, float(table.arrays.balls["radius"][0]))
+    return balls_of(table.arrays, by, starts[:, : start_size(b)])
 
 
 def _gap(shot: FilmedShot, states: Array, frames: int) -> tuple[Array, NDArray[np.bool_]]:
@@ -126,64 +122,22 @@ def distances(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int)
     return np.asarray(np.square(gap).sum(axis=-1)[:, known])
 
 
-class StatesBy(NamedTuple):
-    """States of a shot's balls at times, with exact derivatives."""
-
-    states: Array
-    """(T, B, 9): position, velocity, spin; NaN where the model has none."""
-    by_columns: Array
-    """(T, B, N, K): of their first N numbers, by numbers of the balls at the start."""
-    by_shared: Array
-    """(T, B, N, P): by the shared numbers."""
-
-
-def states_by(
-    table: TableNumbers, balls: NDArray[np.void], deviations: Array, time: Array, columns: Sequence[tuple[int, str, int, float]],
-    numbers: int, shared: bool,
-) -> StatesBy:  # fmt: skip
-    """Return states of balls (B,) at times (T,) since the start, on a table that deviates by (P,), and their derivatives.
-
-    ``columns``: ball, field of its record, component, and the derivative of that number by the column.
-    """
-    b, k = len(balls), len(columns)
-    parts = {name: table.slopes[name] for name in ("world", "features")} if table.slopes and shared else {}
-    mine, own = -(-k // LANES), len(parts["world"]) if parts else 0
-    places = float_places(BALLS)
-    by_start = np.zeros((1, mine + own, b, float_count(BALLS), LANES))
-    for column, (ball, name, component, slope) in enumerate(columns):
-        by_start[0, column // LANES, ball, places[name].start + component, column % LANES] = slope
-    by_scene = {
-        name: np.concatenate(
-            [np.zeros((mine, len(rows), float_count(rows.dtype), LANES)), *([parts[name]] if parts else [])]
-        )
-        for name, rows in (("world", table.arrays.world), ("features", table.arrays.features))
-    }
-    states, slopes = states_and_slopes(
-        table.moved(deviations), table.duals, balls[None], time[None], np.array([len(time)]), by_scene, by_start, numbers,
-        limits=LIMITS,
-    )  # fmt: skip
-    d = np.moveaxis(slopes[0], 0, 3).reshape(len(time), b, numbers, -1)
-    first = mine * LANES
-    return StatesBy(states[0], d[..., :k], d[..., first : first + (len(table.values) if parts else 0)])
-
-
 def residuals(table: TableNumbers, shot: FilmedShot, start: Array, frames: int, shared: bool = False) -> Residuals:
     """Return model less film up to a horizon, with exact derivatives by the start, and on request by the shared numbers."""
-    b = len(shot.balls)
-    k = start_size(b)
+    b, radius = len(shot.balls), float(table.arrays.balls["radius"][0])
+    k, by = start_size(b), _by_start(b, radius)
     deviations = start[k:]
-    a = float(table.arrays.balls["radius"][0])
-    columns = [(0, "v", 0, 1.0), (0, "v", 1, 1.0), *((0, "w", j, 1 / a) for j in range(3))]
-    columns += [(ball, "x", j, 1.0) for ball in range(b) for j in range(2)]
     time = np.maximum(shot.time[:frames] - start[TIME], 0.0)
     at = states_by(
-        table, starting_balls(table, start[None], b)[0], deviations, time, columns, 2, shared or bool(len(deviations))
-    )
-    gap, known = _gap(shot, at.states, frames)
+        table, balls_of(table.arrays, by, start[None, :k]), by, time[None], np.array([frames]),
+        shared=shared or bool(len(deviations)), deviations=deviations, limits=LIMITS,
+    )  # fmt: skip
+    states, by_start, by_shared = (one[0] for one in at)
+    gap, known = _gap(shot, states, frames)
     moving = np.where(time > 0, 1.0, 0.0)[:, None, None]
-    by_time = -np.nan_to_num(at.states[:, :, 3:5] * moving)[known]
-    found = np.concatenate([by_time[..., None], at.by_columns[known]], axis=-1).reshape(-1, k)
-    by_shared = at.by_shared[known].reshape(len(found), -1)
+    by_start[..., TIME] = -np.nan_to_num(states[:, :, 3:5] * moving)
+    found = by_start[known].reshape(-1, k)
+    by_shared = by_shared[known].reshape(len(found), -1)
     good = np.isfinite(found).all(axis=1) & np.isfinite(by_shared).all(axis=1)
     found[~good], by_shared[~good] = 0.0, 0.0
     if len(deviations):

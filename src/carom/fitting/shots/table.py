@@ -6,7 +6,7 @@ import contextlib
 import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,20 +15,18 @@ from carom.core.motion.phases import REST
 from carom.errors import CaromError
 from carom.fitting.cushions import cushions_between, reach_of
 from carom.fitting.shots.film import Films
+from carom.fitting.table_numbers import SharedNumber, TableNumbers
 from carom.scene.floor import Floor
 from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Run, Scene
 from carom.scene.shapes import Table
-from carom.simulation.sensitivity.compiled import dual_users
-from carom.simulation.sensitivity.parameters import Parameters, parameters_of
-from carom.simulation.setup import SceneArrays, set_up
+from carom.simulation.sensitivity.parameters import parameters_of
+from carom.simulation.setup import set_up
 
 __all__ = [
     "FREE",
     "TERMS",
-    "SharedNumber",
     "TableModel",
-    "TableNumbers",
     "begun",
     "scene_of_films",
     "table_of",
@@ -53,74 +51,6 @@ KNOWN = {
     "coefficients.2": (-0.1, 0.1, 0.003), "yield_time": (0.0, 0.02, 5e-4), "rolling_drag": (0.0, 0.02, 5e-4),
     "spin_damping": (0.0, 2.0, 0.03), "spin_drag": (0.0, 20.0, 0.3), "slope.x": (-0.01, 0.01, 1e-4), "slope.y": (-0.01, 0.01, 1e-4),
 }  # fmt: skip
-
-
-class SharedNumber(NamedTuple):
-    """A number of the table that all shots share: a column of a sensitivity."""
-
-    name: str
-    value: float
-    low: float
-    high: float
-    scale: float
-    """Of a usual change, for a search."""
-
-
-@dataclass(frozen=True, eq=False)
-class TableNumbers:
-    """The table at values of its shared numbers."""
-
-    model: TableModel
-    values: Array
-    """(P,)"""
-    scene: Scene
-    arrays: SceneArrays
-    parameters: Parameters | None
-    """Of a sensitivity: columns, and their derivatives; None where no number is fitted."""
-    duals: NDArray[np.int64]
-
-    @property
-    def slopes(self) -> dict[str, Array]:
-        """Derivatives of world and features, packed for compiled code: (C, rows, numbers, LANES)."""
-        return {} if self.parameters is None else self.parameters.packed
-
-    @functools.cached_property
-    def _moved(self) -> tuple[list[tuple[str, str, slice, tuple[int, ...]]], Array]:
-        """Arrays and fields that the numbers change, each with its columns in the derivatives (P, M) of all, and its shape."""
-        fields: list[tuple[str, str, slice, tuple[int, ...]]] = []
-        parts, first = [], 0
-        slopes = [] if self.parameters is None else self.parameters.slopes
-        for array in ("world", "features") if slopes else ():
-            for field, some in slopes[0][array].items():
-                every = np.array([one[array].get(field, 0.0 * some) for one in slopes])
-                if every.any():
-                    flat = every.reshape(len(slopes), -1)
-                    fields.append((array, field, slice(first, first + flat.shape[1]), every.shape[1:]))
-                    parts.append(flat)
-                    first += flat.shape[1]
-        return fields, np.concatenate(parts, axis=1) if parts else np.zeros((len(slopes), 0))
-
-    @functools.cached_property
-    def _ends(self) -> tuple[Array, Array]:
-        """Bounds (P,) of the numbers."""
-        low, high = (np.array([getattr(one, end) for one in self.model.shared]) for end in ("low", "high"))
-        return low, high
-
-    def at_deviations(self, by: Array) -> Array:
-        """Return the numbers (P,) of a shot for which they differ by so much, within their bounds."""
-        return np.asarray(np.clip(self.values + by, *self._ends))
-
-    def moved(self, by: Array) -> SceneArrays:
-        """Return the arrays of a shot for which the numbers differ by so much (P,); none at all: the table of all shots."""
-        if not np.any(by):
-            return self.arrays
-        by = self.at_deviations(by) - self.values
-        made = self.arrays._replace(world=self.arrays.world.copy(), features=self.arrays.features.copy())
-        fields, slopes = self._moved
-        change = by @ slopes
-        for array, field, columns, shape in fields:
-            getattr(made, array)[field] += change[columns].reshape(shape)
-        return made
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,7 +119,7 @@ class TableModel:
         scene = self.scene_at(values)
         arrays = set_up(scene)
         found = parameters_of(scene, arrays, self.paths, [REST] * len(scene.balls)) if self.paths else None
-        return TableNumbers(self, values, scene, arrays, found, dual_users(scene.called_laws))
+        return TableNumbers(tuple(self.shared), values, scene, arrays, found)
 
     def with_law(self, law: str) -> TableModel:
         """Return the model with another law of the cushions."""

@@ -65,15 +65,14 @@ class _Subject:
         self.fit, self.label, self.names, self.trade_offs = fit, fit.law.name, fit.names, False
         self.parameters = tuple(fit.model.free.values())
         self.values = np.array([fit.numbers[name] for name in self.names])
-        gaps, prior = projected(settled, fit.starts, shared_slope(fit.model, fit.frames, settled.q, fit.numbers))
-        self.information = np.einsum("ntp,ntq->pq", gaps, gaps) + np.einsum("nkp,nkq->pq", prior, prior)
-        each = np.einsum("ntp,nt->np", gaps, settled.gap)
-        each += np.einsum("nkp,nk->np", prior, np.sqrt(fit.starts.weight) * settled.q)
+        rest = projected(settled, fit.starts, shared_slope(fit.model, fit.frames, settled.q, fit.numbers))
+        by_segment = np.einsum("ntp,ntq->npq", rest, rest)
+        self.information = by_segment.sum(axis=0)
+        each = np.einsum("ntp,nt->np", rest, settled.residual(fit.starts))
         # (of few shots the balls: each has walls of its own)
         groups = fit.frames.groups
         groups = groups if len(groups) >= LEAST_SHOTS else [np.array([n]) for n in range(len(each))]
         self.scores = np.array([each[rows].sum(axis=0) for rows in groups])
-        by_segment = np.einsum("ntp,ntq->npq", gaps, gaps) + np.einsum("nkp,nkq->npq", prior, prior)
         self.by_shot = np.array([by_segment[rows].sum(axis=0) for rows in groups])
         self.by_shots, self.design_effect = False, 1.0
         self.misfit = misfit_as_noise(settled.gap, fit.frames.count, fit.dof)

@@ -15,7 +15,7 @@ from carom.fitting.cushions import cushions_between
 from carom.fitting.laws import FittedLaw, track_laws_named
 from carom.fitting.parameters import FORMS, PARAMETERS, Parameter
 from carom.fitting.setting import Setting, decided, forms_of, require_settings
-from carom.fitting.tracks.arrays import AffineArrays, Table
+from carom.fitting.table_numbers import SharedNumber, TableNumbers, affine_table
 from carom.fitting.usable_rows import assumed_height
 from carom.laws.law import LIKE_SOLIDS
 from carom.scene.ball import SceneBall
@@ -72,8 +72,8 @@ class TrackModel:
     free: dict[str, Parameter]
     held: dict[str, float]
     """Parameters that are not fitted."""
-    family: AffineArrays | None = None
-    """The arrays of :meth:`scene` by parameter, also of parameters that are held later on."""
+    start: TableNumbers | None = None
+    """The table of :meth:`scene` where the search begins, by parameter, also of parameters that are held later on."""
 
     @property
     def rolling_only(self) -> bool:
@@ -85,10 +85,11 @@ class TrackModel:
         free = {other: one for other, one in self.free.items() if other != name}
         return replace(self, free=free, held=self.held | {name: value})
 
-    def table(self, numbers: Mapping[str, float]) -> Table:
-        """Return the arrays of the scene."""
-        assert self.family is not None
-        return self.family.at({**self.held, **numbers})
+    def table(self, numbers: Mapping[str, float]) -> TableNumbers:
+        """Return the arrays of the scene, and their derivatives."""
+        assert self.start is not None
+        at = {**self.held, **numbers}
+        return self.start.at(np.array([at[one.name] for one in self.start.shared]))
 
     def scene(self, numbers: Mapping[str, float], duration: float | None = None) -> Scene:
         """Return the table with one ball in its middle."""
@@ -167,7 +168,8 @@ def _model(law: FittedLaw, setting: Setting, walls: Sequence[WallLine], start: M
     model = TrackModel(
         law, setting, tuple(walls), free, {name: one.value for name, one in every.items() if not one.free}
     )
-    return replace(model, family=AffineArrays(model.scene, free))
+    shared = tuple(SharedNumber(name, one.value, one.low, one.high, one.high - one.low) for name, one in free.items())
+    return replace(model, start=affine_table(model.scene, shared))
 
 
 def _begun(one: Parameter, start: Mapping[str, float]) -> Parameter:

@@ -1,9 +1,7 @@
 """Least-squares objective of whole tracks: parameters that all segments share, and a separate start for each segment.
 
 A start affects only its own segment, so for given shared parameters the starts are fitted separately, all segments in one call of
-the engine with its exact derivatives, and the shared parameters minimise the remainder: variable projection, after Golub & Pereyra,
-SIAM J. Numer. Anal. 10, 413 (1973), with Kaufman's derivative, BIT 15, 49 (1975), whose normal matrix is the information on the
-shared parameters with all starts free. Both descents are :func:`carom.fitting.optimizer.minimize`.
+the engine with its exact derivatives, and the shared parameters minimise the remainder (:mod:`carom.fitting.starts`).
 """
 
 from __future__ import annotations
@@ -14,19 +12,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.jit.dual.dual_records import float_count, float_places
-from carom.core.jit.dual.numbers import LANES
 from carom.fitting.optimizer import minimize
-from carom.fitting.tracks.arrays import Table
+from carom.fitting.starts import Projection, StatesBy, balls_by, balls_of, nearest_starts, states_by
+from carom.fitting.table_numbers import TableNumbers
 from carom.fitting.tracks.model import TrackModel
 from carom.fitting.tracks.segments import TrackSegment
-from carom.fitting.tracks.simulate import START, positions_and_slopes, positions_at, start_slopes
-from carom.simulation.records import BALLS
-from carom.simulation.sensitivity.at_times import Slopes
+from carom.simulation.sensitivity.at_times import states_at
 from carom.simulation.setup import SceneArrays
 
 __all__ = [
-    "SIDESPIN", "SLIP", "VELOCITY", "BestStarts", "Numbers", "SegmentArrays", "Starts", "descend", "effective_numbers",
+    "SIDESPIN", "SLIP", "START", "VELOCITY", "BestStarts", "Numbers", "SegmentArrays", "Starts", "balls_by_start", "descend",
+    "effective_numbers", "gaps",
     "projected", "scan", "settle", "shared_slope", "spin_loss",
 ]  # fmt: skip
 
@@ -36,6 +32,8 @@ UNDEFINED_DISTANCE = 0.5  # m between frame and ball where the law is undefined
 START_TOLERANCE, START_STEPS, NEXT_STEPS = 1e-3, 30, 9  # of chi^2; steps from anywhere, and from nearby parameters
 SHARED_TOLERANCE, ROUGH_TOLERANCE = 1e-2, 1e-3  # of chi^2; of its value
 SHARED_STEPS, ROUGH_STEPS = 60, 12
+START = ("x", "y", "v_x", "v_y", "u_x", "u_y", "spin_z")
+"""The numbers of a start: position (m), velocity (m/s), slip on the floor (m/s), sidespin (rad/s)."""
 K = len(START)
 VELOCITY, SLIP, SIDESPIN = slice(2, 4), slice(4, 6), START.index("spin_z")  # parts of a start
 
@@ -102,6 +100,11 @@ class Starts:
         """Return only those segments."""
         return Starts(self.free[which], self.weight[which], self.scale[which])
 
+    @property
+    def prior(self) -> Array:
+        """(N, 7, 7): times a start, a normal prior of unit width."""
+        return np.asarray(np.sqrt(self.weight)[:, :, None] * np.eye(K))
+
 
 @dataclass(frozen=True, eq=False)
 class BestStarts:
@@ -112,20 +115,37 @@ class BestStarts:
     gap: Array
     """(N, 2 T)"""
     slope: Array
-    """(N, 2 T, 7) derivative of the gaps in the scaled starts."""
+    """(N, 2 T, 7) derivative of the gaps in the starts; 0 in a number that is held."""
     cost: Array
     """(N,) sum of squares, with the prior."""
 
+    def residual(self, starts: Starts) -> Array:
+        """Return gaps and prior (N, 2 T + 7)."""
+        return np.concatenate([self.gap, np.sqrt(starts.weight) * self.q], axis=1)
 
-def _on_table(setup: SceneArrays, frames: SegmentArrays, q: Array) -> Array:
-    """Return the starts (N, 7) of q (N, 7), whose sidespin is that at the first contact.
+    def projection(self, starts: Starts) -> Projection:
+        """Return the projection of derivatives of these residuals. (A held number follows nothing: its prior is its own.)"""
+        own = starts.prior + ~starts.free[:, :, None] * np.eye(K)
+        return Projection.of(np.concatenate([self.slope, own], axis=1))
+
+
+def _on_table(setup: SceneArrays, frames: SegmentArrays, q: Array) -> tuple[NDArray[np.void], Array]:
+    """Return the balls (N, 1) of q (N, 7), whose sidespin is that at the first contact, and their derivatives.
 
     The spin at the start is larger, by the loss on the cloth until then: a ball that had less than this loss arrives without
     sidespin, so within a range no residual depends on the spin at the start, and a search would not converge.
     """
-    start = q.copy()
+    start, by = q.copy(), balls_by_start(float(setup.balls["radius"][0]))
     start[:, SIDESPIN] += np.sign(q[:, SIDESPIN]) * spin_loss(setup) * _first_contacts(frames)
-    return start
+    return balls_of(setup, by, start), by
+
+
+def balls_by_start(radius: float) -> Array:
+    """Return the derivatives of a ball by START. (The slip is u = v + w x (-a z) = (v_x - a w_y, v_y + a w_x).)"""
+    place = [[(0, "x", 0, 1.0)], [(0, "x", 1, 1.0)]]
+    velocity = [[(0, "v", 0, 1.0), (0, "w", 1, 1 / radius)], [(0, "v", 1, 1.0), (0, "w", 0, -1 / radius)]]
+    slip = [[(0, "w", 1, -1 / radius)], [(0, "w", 0, 1 / radius)]]
+    return balls_by(1, [*place, *velocity, *slip, [(0, "w", 2, 1.0)]])
 
 
 def _first_contacts(frames: SegmentArrays) -> Array:
@@ -138,104 +158,75 @@ def spin_loss(setup: SceneArrays) -> float:
     return float(world["spin_friction"] * world["g"] / (ball["kappa"] * ball["radius"]))
 
 
-def _many(setup: SceneArrays, frames: SegmentArrays, tried: Array) -> Array:
-    """Return the gaps (N, M, 2 T) of M starts (N, M, 7) for each segment."""
-    n, m, _k = tried.shape
-    spread = frames.pick(np.repeat(np.arange(n), m))
-    start = _on_table(setup, spread, tried.reshape(n * m, K))
-    return spread.gap(positions_at(setup, start, spread.time, spread.count)).reshape(n, m, -1)
+def gaps(table: TableNumbers, frames: SegmentArrays, q: Array) -> Array:
+    """Return the gaps (N, 2 T) of starts (N, 7)."""
+    balls, _by = _on_table(table.arrays, frames, q)
+    return frames.gap(states_at(table.arrays, balls, frames.time, frames.count, 2)[:, :, 0])
 
 
-def _slope(table: Table, frames: SegmentArrays, q: Array, by_scene: Slopes, by_start: Array) -> Array:
-    """Return the derivatives (N, 2 T, C LANES) of the simulated positions."""
-    start = _on_table(table.setup, frames, q)
-    _places, slopes = positions_and_slopes(
-        table.setup, table.family.duals, start, frames.time, frames.count, by_scene, by_start
-    )
-    return slopes.reshape(len(q), -1, slopes.shape[-1])
+def _states(table: TableNumbers, frames: SegmentArrays, q: Array, shared: bool = False) -> StatesBy:
+    """Return the states of starts (N, 7) at the frames, and the derivatives of their places."""
+    balls, by = _on_table(table.arrays, frames, q)
+    return states_by(table, balls, by, frames.time, frames.count, shared=shared)
 
 
-def _start_slope(table: Table, frames: SegmentArrays, starts: Starts, q: Array) -> Array:
-    """Return the derivative (N, 2 T, 7) of the gaps in q / scale."""
-    by_start = np.zeros((len(q), 1, 1, float_count(BALLS), LANES))
-    unit = starts.free * starts.scale / frames.sigma[:, None]
-    by_start[:, 0, 0, :, :K] = start_slopes(float(table.setup.balls["radius"][0])) * unit[:, None]
-    return _slope(table, frames, q, table.family.packed([]), by_start)[..., :K]
+def _by_frame(slope: Array, frames: SegmentArrays) -> Array:
+    """Return derivatives (N, T, 1, 2, P) of places as those of gaps (N, 2 T, P)."""
+    return np.asarray(slope.reshape(len(slope), -1, slope.shape[-1]) / frames.sigma[:, None, None])
 
 
-def _information(slope: Array, starts: Starts) -> Array:
-    """Return the information (N, 7, 7) on the scaled starts; 1 where a number is held."""
-    matrix = np.swapaxes(slope, 1, 2) @ slope
-    matrix[:, np.arange(K), np.arange(K)] += starts.weight * starts.scale**2 + ~starts.free
-    return np.asarray(matrix)
-
-
-def _solved(matrix: Array, right: Array) -> Array:
-    """Return solutions of (N, 7, 7) times (N, 7, M), with rows and columns scaled."""
-    size = 1 / np.sqrt(np.maximum(np.einsum("nii->ni", matrix), 1e-300))
-    scaled = matrix * size[:, :, None] * size[:, None, :]
-    scaled[:, np.arange(K), np.arange(K)] += 1e-13
-    return np.asarray(size[:, :, None] * np.linalg.solve(scaled, size[:, :, None] * right))
-
-
-def settle(table: Table, frames: SegmentArrays, starts: Starts, q: Array, steps: int = START_STEPS) -> BestStarts:
+def settle(
+    table: TableNumbers, frames: SegmentArrays, starts: Starts, q: Array, steps: int = START_STEPS
+) -> BestStarts:
     """Find the starts whose simulations are nearest to the frames, descending from q (N, 7). ``steps`` 1: evaluate only at q."""
     width = 2 * frames.time.shape[1]
-    tried, gap, slope = np.zeros((len(q), width)), np.zeros((len(q), width)), np.zeros((len(q), width, K))
+    gap, slope = np.zeros((len(q), width)), np.zeros((len(q), width, K))
 
-    def evaluate(which: NDArray[np.int64], at: Array, derivatives: bool) -> tuple[Array, Array, Array]:
-        some, part = frames.pick(which), starts.pick(which)
-        here = at * part.scale
+    def residual(which: NDArray[np.int64], at: Array, derivatives: bool) -> tuple[Array, Array | None]:
+        some = frames.pick(which)
         if not derivatives:
-            tried[which] = _many(table.setup, some, here[:, None])[:, 0]
-        value = np.square(tried[which]).sum(axis=-1) + (part.weight * here * here).sum(axis=-1)
-        if not derivatives:
-            return value, at, at
-        gap[which] = tried[which]
-        slope[which] = _start_slope(table, some, part, here)
-        score = -(np.einsum("ntk,nt->nk", slope[which], gap[which]) + part.weight * part.scale * here) * part.free
-        return value, score, _information(slope[which], part)
+            return gaps(table, some, at), None
+        found = _states(table, some, at)
+        gap[which] = some.gap(found.states[:, :, 0, :2])
+        slope[which] = _by_frame(found.by_start, some) * starts.free[which][:, None]
+        return gap[which], slope[which]
 
-    far = np.full(K, np.inf)
-    dof = np.asarray(2.0 * frames.count, dtype=np.float64)
-    begin = q / starts.scale
-    found = minimize(evaluate, begin, -far, far, steps=steps, tolerance=START_TOLERANCE, dof=dof, joint=False)
-    return BestStarts(found.p * starts.scale, gap, slope, found.value)
+    best, found = nearest_starts(
+        residual, q, np.where(starts.free, starts.scale, 0.0), np.zeros_like(q), starts.prior, steps=steps,
+        tolerance=START_TOLERANCE, dof=np.asarray(2.0 * frames.count, dtype=np.float64), joint=False,
+    )  # fmt: skip
+    return BestStarts(best, gap, slope, found.value)
 
 
-def scan(table: Table, frames: SegmentArrays, q: Array, tried: Array) -> Array:
+def scan(table: TableNumbers, frames: SegmentArrays, q: Array, tried: Array) -> Array:
     """Return sums of squares (N, M) with M sidespins (N, M) instead of the starts' own."""
-    starts = np.repeat(q[:, None], tried.shape[1], axis=1)
-    starts[:, :, SIDESPIN] = tried
-    return np.asarray(np.square(_many(table.setup, frames, starts)).sum(axis=-1))
+    n, m = tried.shape
+    every = np.repeat(np.arange(n), m)
+    starts = q[every]
+    starts[:, SIDESPIN] = tried.ravel()
+    return np.asarray(np.square(gaps(table, frames.pick(every), starts)).sum(axis=-1).reshape(n, m))
 
 
 def shared_slope(model: TrackModel, frames: SegmentArrays, q: Array, numbers: Mapping[str, float]) -> Array:
     """Return the derivative (N, 2 T, P) of the gaps in the shared parameters, with the starts held."""
-    names = list(model.free)
-    if not names:
-        return np.zeros((len(q), 2 * frames.time.shape[1], 0))
     table = model.table(numbers)
-    by_scene = table.family.packed(names)
-    by_start = np.zeros((len(q), len(by_scene["world"]), 1, float_count(BALLS), LANES))
-    if "spin_loss" in names:
-        chunk, lane = divmod(names.index("spin_loss"), LANES)
+    names, found = [one.name for one in table.shared], _states(table, frames, q, shared=True)
+    slope = _by_frame(found.by_shared, frames)
+    if "spin_loss" in names:  # (which the sidespin at the start follows)
         turned = np.sign(q[:, SIDESPIN]) * _first_contacts(frames)
-        by_start[:, chunk, 0, float_places(BALLS)["w"].stop - 1, lane] = turned
-    return _slope(table, frames, q, by_scene, by_start)[..., : len(names)] / frames.sigma[:, None, None]
+        slope[..., names.index("spin_loss")] += _by_frame(found.by_start, frames)[..., SIDESPIN] * turned[:, None]
+    return slope[..., [names.index(name) for name in model.free]]
 
 
-def projected(settled: BestStarts, starts: Starts, by_shared: Array) -> tuple[Array, Array]:
-    """Return the derivatives in the shared parameters with the starts refitted: of gaps (N, 2 T, P) and prior (N, 7, P)."""
-    follows = _solved(_information(settled.slope, starts), np.swapaxes(settled.slope, 1, 2) @ by_shared)
-    root = np.sqrt(starts.weight) * starts.scale
-    return by_shared - settled.slope @ follows, -root[:, :, None] * follows
+def projected(settled: BestStarts, starts: Starts, by_shared: Array) -> Array:
+    """Return the derivatives (N, 2 T + 7, P) of gaps and prior in the shared parameters with the starts refitted."""
+    prior = np.zeros((len(by_shared), K, by_shared.shape[-1]))
+    return settled.projection(starts).rest(np.concatenate([by_shared, prior], axis=1))
 
 
 def effective_numbers(settled: BestStarts, starts: Starts) -> float:
     """Return the effective number of parameters of the starts: the share of the frames in their information."""
-    known = np.swapaxes(settled.slope, 1, 2) @ settled.slope
-    return float(np.einsum("nii->", _solved(_information(settled.slope, starts), known)))
+    return float(np.square(settled.projection(starts).basis[:, :-K]).sum())
 
 
 def descend(
@@ -258,11 +249,9 @@ def descend(
             nearest, least = settled.q, value
         if not derivatives:
             return np.array([value]), at, at
-        gaps, prior = projected(settled, starts, shared_slope(model, frames, settled.q, here))
-        known = np.sqrt(starts.weight) * settled.q
-        score = -np.einsum("ntp,nt->p", gaps, settled.gap) - np.einsum("nkp,nk->p", prior, known)
-        information = np.einsum("ntp,ntr->pr", gaps, gaps) + np.einsum("nkp,nkr->pr", prior, prior)
-        return np.array([value]), score[None], information[None]
+        rest = projected(settled, starts, shared_slope(model, frames, settled.q, here))
+        score = -np.einsum("ntp,nt->p", rest, settled.residual(starts))
+        return np.array([value]), score[None], np.einsum("ntp,ntr->pr", rest, rest)[None]
 
     if not names:
         return {}, settle(model.table(numbers), frames, starts, q)

@@ -35,7 +35,7 @@ class TrackFit:
     frames: SegmentArrays
     starts: Starts
     q: Array
-    """(N, 7): the starts (carom.fitting.tracks.simulate.START), but with the sidespin at the first contact."""
+    """(N, 7): the starts (carom.fitting.tracks.objective.START), but with the sidespin at the first contact."""
     numbers: dict[str, float]
     """The shared parameters that were fitted."""
     estimates: dict[str, Estimate]
@@ -112,9 +112,9 @@ class TrackFit:
         return float(np.median([self.rms([n]) for n in range(len(self.q))]))
 
     def start(self, n: int) -> Array:
-        """Return the start (7,) of a segment (carom.fitting.tracks.simulate.START)."""
+        """Return the start (7,) of a segment (carom.fitting.tracks.objective.START)."""
         start: Array = self.q[n].copy()
-        loss = spin_loss(self.model.table(self.numbers).setup) * self.frames.segments[n].contacts[0]
+        loss = spin_loss(self.model.table(self.numbers).arrays) * self.frames.segments[n].contacts[0]
         start[SIDESPIN] += np.sign(start[SIDESPIN]) * loss
         return start
 
