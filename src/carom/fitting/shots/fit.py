@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError, FaultList, did_you_mean
 from carom.files import require_library
-from carom.fitting.by_shots import nearer_shots
-from carom.fitting.evidence import DECIDED, Ranked, verdict_words, weigh
+from carom.fitting.by_shots import compared_by_shots
+from carom.fitting.evidence import DECIDED, verdict_words, weigh
 from carom.fitting.identifiability import NOT_IDENTIFIABLE
 from carom.fitting.laws import FittedLaw, track_laws_named
 from carom.fitting.result import Estimate
@@ -356,22 +356,16 @@ def _estimates(model: TableModel, values: Array, covariance: Array) -> dict[str,
 
 def _ranked(fits: list[ShotsFit], notes: list[str]) -> ShotsRanking:
     best, evidence = fits[0], weigh(fits)
-    closer, chance, support = None, math.nan, evidence.odds
-    reason = f"the median distance of its shots from the films is {1e3 * best.median():.3g} mm to rest"
-    if evidence.rival is not None:
-        near, far = (np.array([one.rms for one in fit.shots]) for fit in (best, evidence.rival))
-        closer, chance = found = nearer_shots(near, far)
-        support = found.support
-        reason = f"nearer than {evidence.rival.law.name} in {closer[0]} of {closer[1]} shots"
+    compared = compared_by_shots(fits, evidence, lambda fit: np.array([one.rms for one in fit.shots]))
+    only = f"the median distance of its shots from the films is {1e3 * best.median():.3g} mm to rest"
     if best.count <= best.k + 1:
         few = f"{counted(len(best.shots), 'shot')} with {best.count} independent numbers for {best.k} that are fitted"
         notes = [*notes, f"{few}: AIC instead of AICc; fit fewer numbers, or film more shots"]
-    words = verdict_words(best.law.called, evidence, "the shots", support, reason)
+    words = verdict_words(best.law.called, evidence, "the shots", compared.support, compared.reason or only)
     lost = [one for one in best.shots if not one.followed]
     if lost:
         words += f"; {len(lost)} of {len(best.shots)} shots are not followed to the end"
-    ranked = tuple(Ranked(fit, weight) for fit, weight in zip(fits, evidence.weights.tolist(), strict=True))
     return ShotsRanking(
-        ranked, f"{words[0].upper()}{words[1:]}.", math.nan, evidence.rival.law.name if evidence.rival else "",
-        tuple(dict.fromkeys(notes)), closer, chance, evidence.rival is not None and support >= DECIDED,
+        **compared.fields, verdict=f"{words[0].upper()}{words[1:]}.", odds=math.nan, notes=tuple(dict.fromkeys(notes)),
+        decisive=evidence.rival is not None and compared.support >= DECIDED,
     )  # fmt: skip

@@ -16,13 +16,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
+from carom.fitting.by_shots import covariance_by_shot
 from carom.fitting.shots.film import FilmedShot
 from carom.fitting.shots.search import FAILED, Refined, ShotStart, error_of_frames, horizons, refined, rms, soft
 from carom.fitting.shots.start import residuals, start_size
 from carom.fitting.shots.table import TableModel
 from carom.fitting.starts import Projection
 from carom.fitting.table_numbers import TableNumbers
-from carom.fitting.tracks.errors import covariance_by_shot
 
 __all__ = [
     "FEWEST",

@@ -8,34 +8,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.fitting.by_shots import covariance_by_shot
 from carom.fitting.identifiability import NOT_IDENTIFIABLE, identify
 from carom.fitting.result import Estimate, without_estimate
 from carom.fitting.tracks.objective import BestStarts, descend, projected, settle, shared_slope
 from carom.fitting.tracks.result import TrackFit
 
-__all__ = ["MISFIT_AS_NOISE", "ambiguous", "covariance_by_shot", "with_errors"]
+__all__ = ["MISFIT_AS_NOISE", "ambiguous", "with_errors"]
 
 Array = NDArray[np.float64]
 MISFIT_AS_NOISE = "the law does not follow the frames; error bar as if their distances were correlated noise"
 LEAST_SHOTS = 5  # for error bars from the scatter of shots
-NOTHING_LEFT = 1e-9  # share of the information that the other shots have
 FOLLOWING_STEPS = 5  # of the starts after a parameter has been changed
-
-
-def covariance_by_shot(information: Array, scores: Array, by_shot: Array) -> Array:
-    """Return the covariance (P, P) from the scatter of shots: their scores (N, P) and information (N, P, P), whose sum is given.
-
-    Each score is corrected for how much of the information is the shot's own (CR2 of Bell & McCaffrey 2002).
-    """
-    root = np.linalg.inv(np.linalg.cholesky(information))
-    moved = []
-    for score, own in zip(scores, by_shot, strict=True):
-        share, along = np.linalg.eigh(root @ own @ root.T)
-        left = 1 - np.clip(share, 0.0, 1.0)
-        # (a wall that only this shot meets: nothing is left, and the score of the other shots is zero)
-        factor = np.divide(1.0, np.sqrt(left), out=np.zeros_like(left), where=left > NOTHING_LEFT)
-        moved.append(root.T @ (along @ (factor * (along.T @ (root @ score)))))
-    return np.asarray(np.array(moved).T @ np.array(moved))
 
 
 def misfit_as_noise(gap: Array, count: NDArray[np.int64], dof: float) -> float:

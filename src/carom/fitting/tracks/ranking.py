@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.files import require_library
-from carom.fitting.by_shots import RankedByShots, nearer_shots
-from carom.fitting.evidence import DECIDED, LEANS, Evidence, Ranked, odds_in_words, verdict_words, weigh
+from carom.fitting.by_shots import RankedByShots, compared_by_shots
+from carom.fitting.evidence import DECIDED, LEANS, Evidence, odds_in_words, verdict_words, weigh
 from carom.fitting.ranking import step_callback
 from carom.fitting.setting import Setting, require_settings
 from carom.fitting.tracks.errors import MISFIT_AS_NOISE
@@ -157,29 +157,18 @@ def _ranked(fits: list[TrackFit], notes: list[str]) -> TrackRanking:
     best = fits[0]
     poor = best.known and not best.follows
     evidence = weigh(fits, max(math.sqrt(best.chi2 / max(best.dof, 1)), 1.0) if poor else 1.0)
-    rival: TrackFit | None = evidence.rival
-    closer, chance, support, reason = None, math.nan, evidence.odds, ""
-    if rival is not None:
-        near, far = (np.array([fit.rms(rows) for rows in best.frames.groups]) for fit in (best, rival))
-        (closer, chance), medians = (found := nearer_shots(near, far)), _medians(near, far)
-        reason = f"{odds_in_words(evidence.odds)} over {rival.law.name}"
-        if not best.follows:
-            support = found.support
-            reason = f"nearer than {rival.law.name} in {closer[0]} of {closer[1]} shots (median {medians})"
+    compared = compared_by_shots(fits, evidence, lambda fit: np.array([fit.rms(one) for one in best.frames.groups]))
+    support, reason, odds = compared.support, compared.reason, math.nan
+    if best.follows and evidence.rival is not None:
+        odds = support = evidence.odds
+        reason = f"{odds_in_words(odds)} over {evidence.rival.law.name}"
     verdict, decisive = _verdict(best, evidence, support, reason)
     distances = np.zeros(0) if best.follows else distances_through_contacts(best)
     if failing := failing_part(distances, best.noise):
         notes.append(f"{best.law.name}: {failing}")
-    odds = evidence.odds if rival is not None and best.follows else math.nan
-    ranked = tuple(map(Ranked, fits, evidence.weights.tolist()))
-    against = rival.law.name if rival else ""
-    return TrackRanking(ranked, verdict, odds, against, tuple(notes), closer, chance, decisive, distances)
-
-
-def _medians(near: Array, far: Array) -> str:
-    from carom.formatting import format_length
-
-    return f"{format_length(float(np.median(near)))} against {format_length(float(np.median(far)))}"
+    return TrackRanking(
+        **compared.fields, verdict=verdict, odds=odds, notes=tuple(notes), decisive=decisive, distances=distances
+    )
 
 
 def _verdict(best: TrackFit, evidence: Evidence, support: float, reason: str) -> tuple[str, bool]:

@@ -1,0 +1,99 @@
+"""Starts of filmed balls: many runs of one ball as one run of many, the nearest start, and starts projected out."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import carom
+from carom.fitting.starts import Projection, balls_by, balls_of, nearest_starts, states_by
+from carom.fitting.table_numbers import SharedNumber, TableNumbers, affine_table
+from carom.scene.shapes import Table
+
+RADIUS = 0.03
+PLACE_AND_VELOCITY = (("x", 0), ("x", 1), ("v", 0), ("v", 1))
+
+
+def table_of(balls: int) -> TableNumbers:
+    """A table with balls, as a function of the restitution and the floor's friction."""
+
+    def scene(at: dict[str, float]) -> carom.Scene:
+        wall = Table(length=2.8, width=1.4, center=(1.4, 0.7), restitution=at["restitution"], friction=0.2)
+        each = [carom.SceneBall(radius=RADIUS, mass=1, position=(0.5 + k, 0.7)) for k in range(balls)]
+        return carom.Scene(floor=carom.Floor(friction=at["floor"]), walls=[wall], balls=each, run=carom.Run(duration=3))
+
+    return affine_table(
+        scene, (SharedNumber("restitution", 0.8, 0.0, 1.0, 0.1), SharedNumber("floor", 0.2, 0.0, 1.0, 0.1))
+    )
+
+
+def test_runs_of_one_ball_are_those_of_balls_that_do_not_meet() -> None:
+    """States and derivatives of two starts of one ball each, and of one start of both."""
+    time = np.linspace(0, 1.2, 25)
+    one, both = table_of(1), table_of(2)
+    starts = np.array([[0.5, 0.4, -1.0, 1.2], [2.0, 1.0, 1.5, 0.5]])
+    count = np.array([25, 25])
+    own = balls_by(1, [[(0, name, j, 1.0)] for name, j in PLACE_AND_VELOCITY])
+    each = states_by(one, balls_of(one.arrays, own, starts), own, np.tile(time, (2, 1)), count, shared=True)
+    by = balls_by(2, [[(k, name, j, 1.0)] for k in range(2) for name, j in PLACE_AND_VELOCITY])
+    found = states_by(both, balls_of(both.arrays, by, starts.reshape(1, -1)), by, time[None], count[:1], shared=True)
+    for k in range(2):
+        assert np.array_equal(found.states[0, :, k], each.states[k, :, 0])
+        assert found.by_start[0, :, k, :, 4 * k : 4 * k + 4] == pytest.approx(each.by_start[k, :, 0], abs=1e-14)
+        assert found.by_shared[0, :, k] == pytest.approx(each.by_shared[k, :, 0], abs=1e-14)
+        assert not found.by_start[0, :, k, :, 4 * (1 - k) : 4 * (1 - k) + 4].any()
+    # both balls meet a cushion
+    assert np.abs(found.by_shared[0, -1, :, :, 0]).max(axis=-1).min() > 0.01
+
+
+def test_a_table_at_other_numbers_and_one_that_deviates_are_the_same() -> None:
+    table, by = table_of(1), balls_by(1, [[(0, name, j, 1.0)] for name, j in PLACE_AND_VELOCITY])
+    values, time, count = np.array([0.7, 0.25]), np.linspace(0, 1, 9)[None], np.array([9])
+    balls = balls_of(table.arrays, by, np.array([[0.5, 0.4, -1.0, 1.2]]))
+    moved = states_by(table.at(values), balls, by, time, count)
+    deviates = states_by(table, balls, by, time, count, deviations=values - table.values)
+    assert np.array_equal(moved.states, deviates.states)
+    assert np.abs(moved.states - states_by(table, balls, by, time, count).states).max() > 0.01
+    # numbers stay within their bounds
+    assert table.at_deviations(np.array([0.5, 0.1])) == pytest.approx([1.0, 0.3])
+
+
+def test_the_nearest_start_of_a_linear_problem_is_that_of_least_squares() -> None:
+    """With a prior, and with a number that is held."""
+    rng = np.random.default_rng(2)
+    slope, seen = rng.normal(size=(3, 12, 4)), rng.normal(size=(3, 12))
+    center, rows = rng.normal(size=(3, 4)), np.tile(0.5 * np.eye(4), (3, 1, 1))
+    scale, begin = rng.uniform(0.1, 10, (3, 4)), rng.normal(size=(3, 4))
+    scale[1, 2] = 0.0
+
+    def residual(which: np.ndarray, at: np.ndarray, derivatives: bool) -> tuple[np.ndarray, np.ndarray | None]:
+        gap = np.einsum("nmk,nk->nm", slope[which], at) - seen[which]
+        return gap, slope[which] if derivatives else None
+
+    found, minimum = nearest_starts(
+        residual, begin, scale, center, rows, steps=30, tolerance=1e-12, dof=np.full(3, 12.0), joint=False
+    )
+    for n in range(3):
+        free = scale[n] > 0
+        matrix = np.concatenate([slope[n], rows[n]])
+        right = np.concatenate([seen[n], rows[n] @ center[n]]) - matrix[:, ~free] @ begin[n, ~free]
+        best = np.linalg.lstsq(matrix[:, free], right, rcond=None)[0]
+        assert found[n, free] == pytest.approx(best, abs=1e-5)
+        assert np.array_equal(found[n, ~free], begin[n, ~free])
+        assert minimum.value[n] == pytest.approx(np.square(matrix[:, free] @ best - right).sum(), rel=1e-8)
+
+
+def test_starts_are_projected_out() -> None:
+    rng = np.random.default_rng(3)
+    size = np.array([1.0, 1e-4, 1e3, 1.0])
+    by_start, by_shared = rng.normal(size=(2, 20, 4)) * size, rng.normal(size=(2, 20, 3))
+    # a number that is held: nothing but its own prior depends on it
+    by_start[:, :, 3], by_start[:, 19], by_shared[:, 19] = 0.0, [0.0, 0.0, 0.0, 1.0], 0.0
+    left = Projection.of(by_start)
+    rest, follows = left.rest(by_shared), left.follows(by_shared)
+    assert by_shared + by_start @ follows == pytest.approx(rest, abs=1e-12)
+    assert np.swapaxes(left.basis, 1, 2) @ rest == pytest.approx(np.zeros((2, 4, 3)), abs=1e-12)
+    assert not follows[:, 3].any()
+    for n in range(2):
+        expected = -np.linalg.lstsq(by_start[n] / size, by_shared[n], rcond=None)[0] / size[:, None]
+        assert follows[n] == pytest.approx(expected, rel=1e-9)
