@@ -33,6 +33,7 @@ for line in sys.stdin:
         if size is not None:
             import resource
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            sys.dont_write_bytecode = True  # (Python would leave what is cut short)
             resource.setrlimit(resource.RLIMIT_FSIZE, (size, resource.RLIM_INFINITY))
         if words[0] == "-c":
             exec(words[1], {"__name__": "__main__"})
