@@ -8,6 +8,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 from reference.bad_options import BAD
@@ -21,14 +22,6 @@ runner = CliRunner()
 
 # what compare asks for a ball on the floor at an upright wall: "contact" leaves the floor out
 ON_FLOOR = [name for name, law in carom.LAWS.items() if not (law.ignores_floor or law.variant_of or law.on_table)]
-
-
-def carom_command(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    """The real command in its own process."""
-    return subprocess.run(
-        [sys.executable, "-c", "from carom.cli import main; main()", *arguments],
-        capture_output=True, text=True, check=False, encoding="utf-8", env={**os.environ, **environment},
-    )  # fmt: skip
 
 
 def test_json_is_the_librarys_answer_in_full() -> None:
@@ -62,7 +55,7 @@ def test_only_the_laws_asked_for() -> None:
     assert [row["law"] for row in json.loads(result.stdout)["laws"]] == ["two-step", "mirror"]
 
 
-def test_piped_at_80_columns_nothing_is_cut() -> None:
+def test_piped_at_80_columns_nothing_is_cut(carom_command: Any) -> None:
     result = carom_command("compare", COLUMNS="80")
     assert result.returncode == 0
     assert result.stderr == ""
@@ -90,14 +83,14 @@ def test_piped_at_80_columns_nothing_is_cut() -> None:
         assert any(line.startswith((f"✓ {law}:", f"✗ {law}:")) for line in lines)
 
 
-def test_large_numbers_are_not_cut_either() -> None:
+def test_large_numbers_are_not_cut_either(carom_command: Any) -> None:
     result = carom_command("compare", "--speed", "123456789", "--spin-z", "-1234567", COLUMNS="80")
     assert "5.52e+07, 6.95e+07" in result.stdout or "e+07" in result.stdout
     assert "conventional" in result.stdout
     assert result.stdout.count("✗") + result.stdout.count("✓") == 2 * len(ON_FLOOR)
 
 
-def test_wide_tables_have_the_spin() -> None:
+def test_wide_tables_have_the_spin(carom_command: Any) -> None:
     narrow, wide = (carom_command("compare", COLUMNS=columns).stdout for columns in ("80", "140"))
     assert "final spin" in wide
     assert "final spin" not in narrow
@@ -105,13 +98,16 @@ def test_wide_tables_have_the_spin() -> None:
 
 
 def test_an_output_without_ticks() -> None:
-    result = carom_command("compare", PYTHONIOENCODING="ascii", PYTHONUTF8="0", COLUMNS="80")
+    result = subprocess.run(
+        [sys.executable, "-m", "carom", "compare"], capture_output=True, text=True, check=False, encoding="utf-8",
+        env={**os.environ, "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0", "COLUMNS": "80"},
+    )  # fmt: skip
     assert result.returncode == 0
     assert "yes two-step:" in result.stdout
     assert "no conventional:" in result.stdout
 
 
-def test_a_process_fails_with_code_2_and_only_standard_error() -> None:
+def test_a_process_fails_with_code_2_and_only_standard_error(carom_command: Any) -> None:
     result = carom_command("compare", "--angle", "95", "--radius", "0", "--law", "twostep", "--json")
     assert result.returncode == 2
     assert result.stdout == ""
@@ -171,7 +167,7 @@ def test_pictures_that_cannot_be_written(tmp_path: Path, capsys: pytest.CaptureF
     assert sorted(path.name for path in tmp_path.iterdir()) == ["folder.svg"]
 
 
-def test_picture_and_json_keep_apart(tmp_path: Path) -> None:
+def test_picture_and_json_keep_apart(tmp_path: Path, carom_command: Any) -> None:
     result = carom_command("compare", "--json", "--plot", str(tmp_path / "a.svg"))
     assert result.returncode == 0
     assert json.loads(result.stdout)["incident"]["angle_deg"] == pytest.approx(45)
@@ -214,7 +210,7 @@ def test_nothing_heavy_is_imported() -> None:
     assert result.stderr.strip() == "[]"
 
 
-def test_laws() -> None:
+def test_laws(carom_command: Any) -> None:
     told = json.loads(runner.invoke(app, ["laws", "--json"]).stdout)["laws"]
     assert [card["name"] for card in told] == list(carom.CARDS)
     table = carom_command("laws", COLUMNS="80").stdout

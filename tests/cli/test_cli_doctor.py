@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import json
-import os
-import subprocess
-import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -14,17 +12,7 @@ import carom
 from carom.files import install_command
 
 
-def carom_command(*words: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "carom", *words],
-        capture_output=True,
-        text=True,
-        check=False,
-        env={**os.environ, **environment},
-    )
-
-
-def test_doctor_says_what_is_there() -> None:
+def test_doctor_says_what_is_there(carom_command: Any) -> None:
     done = carom_command("doctor", "--json")
     assert done.returncode == 0, done.stderr
     found = json.loads(done.stdout)
@@ -42,17 +30,17 @@ def test_doctor_says_what_is_there() -> None:
     assert (install_command("plot") in table.stdout) == missing  # whole, to be copied, however narrow the terminal
 
 
-def test_version() -> None:
+def test_version(carom_command: Any) -> None:
     assert carom_command("--version").stdout.startswith(f"carom {carom.__version__}")
 
 
-def test_flags_have_no_type_in_help() -> None:
+def test_flags_have_no_type_in_help(carom_command: Any) -> None:
     shown = carom_command("simulate", "--help", COLUMNS="100").stdout
     (line,) = (line for line in shown.splitlines() if "--quiet" in line)
     assert "bool" not in line
 
 
-def test_completion_can_be_shown() -> None:
+def test_completion_can_be_shown(carom_command: Any) -> None:
     done = carom_command("--show-completion", "bash", _TYPER_COMPLETE_TEST_DISABLE_SHELL_DETECTION="1")
     assert done.returncode == 0
     assert "complete" in done.stdout

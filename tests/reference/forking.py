@@ -28,6 +28,7 @@ for line in sys.stdin:
     if child == 0:
         os.chdir(folder)
         os.environ.update(environment)
+        os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
         for (_read, write), stream in zip(pipes, (1, 2)):
             os.dup2(write, stream)
         if size is not None:

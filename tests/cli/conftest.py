@@ -1,0 +1,28 @@
+"""The command in processes of its own, which are forked from one that has imported it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from subprocess import CompletedProcess
+from typing import Protocol
+
+import pytest
+from reference.forking import forking
+
+
+class Command(Protocol):
+    """The command with words and variables of the environment."""
+
+    def __call__(self, *words: str, **environment: str) -> CompletedProcess[str]: ...
+
+
+@pytest.fixture(scope="session")
+def carom_command(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Command]:
+    """The real command, whose output is no terminal."""
+    folder = tmp_path_factory.mktemp("command")
+    with forking("carom.laws.registry", "carom.laws.comparison", "numpy", "rich.table") as run:
+
+        def command(*words: str, **environment: str) -> CompletedProcess[str]:
+            return CompletedProcess(words, *run(folder, *words, **environment))
+
+        yield command
