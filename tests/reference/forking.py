@@ -15,7 +15,8 @@ __all__ = ["Forked", "forking"]
 # (what a run writes to standard error is read after all of its standard output: it has to fit into a pipe)
 SERVER = """
 import json, os, signal, sys
-import carom.cli
+import carom.cli, carom.cli.help
+len(carom.LAWS)  # (loads them)
 for name in sys.argv[1:]:
     try:
         __import__(name)
