@@ -1,11 +1,12 @@
 """Ctrl-C ends every compiled loop: each is run in slices, between which Python hears of it.
 
-Every job here would take minutes or hours. It runs in a process of its own, which says when it has begun, gets SIGINT, and must
-end by KeyboardInterrupt long before the job would.
+Every job here would take minutes or hours. It runs in another process, which says when it has begun, gets SIGINT, and must
+leave the job by KeyboardInterrupt long before the job would end.
 """
 
 from __future__ import annotations
 
+import json
 import multiprocessing
 import os
 import signal
@@ -14,6 +15,7 @@ import sys
 import threading
 import time
 import warnings
+from collections.abc import Iterator
 
 import pytest
 from reference.commands import command
@@ -67,6 +69,16 @@ billiards.lyapunov(billiards.stadium(), ((0.1, 0.2), (0.7, 0.4), 0.3), 10, block
 begin()
 billiards.lyapunov(billiards.stadium(), ((0.1, 0.2), (0.7, 0.4), 0.3), 10**12, blocks=2)
 """,
+    "fit": """
+from carom.fitting import Setting, fit_laws
+from carom.data import published_rebounds
+rows = published_rebounds("kharaz2001").rebounds
+setting = Setting(radius=0.0025)
+fit_laws(rows, setting, ["sliding"], bootstrap=5)
+begin()
+fit_laws(rows, setting, ["sliding"], bootstrap=10**7)
+""",
+    # (the last, as it loads Numba, and loops of one part run in another thread from then on)
     "rows": """
 from carom.core.jit.kernel import kernel
 @kernel
@@ -83,40 +95,53 @@ answer(500)
 begin()
 answer(3_000_000)
 """,
-    "fit": """
-from carom.fitting import Setting, fit_laws
-from carom.data import published_rebounds
-rows = published_rebounds("kharaz2001").rebounds
-setting = Setting(radius=0.0025)
-fit_laws(rows, setting, ["sliding"], bootstrap=5)
-begin()
-fit_laws(rows, setting, ["sliding"], bootstrap=10**7)
-""",
 }  # fmt: skip
-END = """
-try:
-    job()
-except KeyboardInterrupt:
-    print("interrupted", flush=True)
-else:
-    print("finished", flush=True)
+SERVER = f"""{BEGIN}
+import json, sys
+for line in sys.stdin:
+    try:
+        exec(json.loads(line), globals())
+    except KeyboardInterrupt:
+        print("interrupted", flush=True)
+    else:
+        print("finished", flush=True)
 """
+
+
+@pytest.fixture(scope="module")
+def workers() -> Iterator[list[subprocess.Popen[str]]]:
+    """The process that does one job after the other, once the first is asked for; another where a job has not ended."""
+    running: list[subprocess.Popen[str]] = []
+    yield running
+    for process in running:
+        process.kill()
+        process.communicate()
 
 
 @pytest.mark.skipif(os.name != "posix", reason="needs signals")
 @pytest.mark.parametrize("job", JOBS)
-def test_an_interrupt_ends_it(job: str) -> None:
-    body = "".join(f"    {line}\n" for line in JOBS[job].splitlines())
-    script = f"{BEGIN}\ndef job():\n{body}\n{END}"
-    with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True) as process:
-        try:
-            assert process.stdout is not None
-            assert process.stdout.readline() == "begun\n"
-            time.sleep(0.1)
-            process.send_signal(signal.SIGINT)
-            assert process.communicate(timeout=PATIENCE)[0] == "interrupted\n"
-        finally:
-            process.kill()
+def test_an_interrupt_ends_it(job: str, workers: list[subprocess.Popen[str]]) -> None:
+    if not workers:
+        workers.append(
+            subprocess.Popen([sys.executable, "-c", SERVER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        )
+    process = workers.pop()
+    assert process.stdin is not None
+    assert process.stdout is not None
+    late = threading.Timer(PATIENCE, process.kill)
+    try:
+        print(json.dumps(JOBS[job]), file=process.stdin, flush=True)
+        assert process.stdout.readline() == "begun\n"
+        time.sleep(0.1)
+        process.send_signal(signal.SIGINT)
+        late.start()
+        assert process.stdout.readline() == "interrupted\n"
+    except BaseException:
+        process.kill()
+        raise
+    finally:
+        late.cancel()
+    workers.append(process)
 
 
 def test_the_command_ends_without_a_traceback(
