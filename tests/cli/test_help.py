@@ -52,16 +52,31 @@ def test_a_verb_that_is_left_out(capsys: pytest.CaptureFixture[str]) -> None:
         ),
         ("compare --unheard", "--unheard: expected an option of carom compare"),
         ("fit --law x", "--law: expected an option of carom fit; did you mean '--laws'?"),
-        ("compare --speed", "--speed: expected a value, got none"),
+        ("compare --rakc", "--rakc: expected an option of carom compare; carom scene new has --rack"),
+        ("gas --no-ball", "--no-ball: expected an option of carom gas"),
+        ("fit --no-ball", "--no-ball: expected an option of carom fit; did you mean '--no-balls'?"),
+        ("fit --scatter kharaz2001", "--scatter: expected share or absolute, got 'kharaz2001'"),
         ("predict", "Missing argument 'table'."),
         ("sweep rum", "sweep: expected one of new, explain, run, status, verify, plot, got 'rum'; did you mean 'run'?"),
     ],
 )
 def test_unknown_words(words: str, line: str, capsys: pytest.CaptureFixture[str]) -> None:
-    verb = (
-        "" if "a value" in line else f"{words.split(maxsplit=1)[0]} "
-    )  # (Typer does not say of which verb that option is)
-    assert command(capsys, *words.split()) == (2, "", f"carom: {line} (carom {verb}--help)\n")
+    assert command(capsys, *words.split()) == (2, "", f"carom: {line} (carom {words.split(maxsplit=1)[0]} --help)\n")
+
+
+@pytest.mark.parametrize(
+    ("words", "line"),
+    [
+        ("compare --speed", "--speed: expected a value, got none"),
+        ("compare --speed --angle 30", "--speed: expected a value, got the next option, --angle"),
+        ("fit kharaz2001 --scatter", "--scatter: expected share or absolute, got none"),
+        ("fit kharaz2001 --scatter --laws maw", "--scatter: expected share or absolute, got the next option, --laws"),
+    ],
+)
+def test_an_option_without_its_value(words: str, line: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command(capsys, *words.split()) == (2, "", f"carom: {line}\n")
+    # an empty value is one, and a number below 0
+    assert "got none" not in command(capsys, "compare", "--angle", "", "--speed", "-1")[2]
 
 
 @pytest.mark.parametrize("width", [40, 80, 120])

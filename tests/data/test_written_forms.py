@@ -179,3 +179,15 @@ def test_a_fault_is_one_line(tmp_path: Path, text: str, line: str) -> None:
         read_rebounds(file)
     (fault,) = str(caught.value).splitlines()
     assert line in fault
+
+
+@pytest.mark.parametrize(
+    "header", ["COR, v (m/s)", "COR,v_n [m/s]", "e,velocity [m/s]", "Coefficient of restitution,Impact velocity (cm/s)"]
+)
+def test_restitution_against_speed_is_read_as_it_is_published(tmp_path: Path, header: str) -> None:
+    file = tmp_path / "published.csv"
+    file.write_text(f"{header}\n0.9,1\n0.8,2\n", encoding="utf-8")
+    found = read_rebounds(file)
+    speed = np.array([1.0, 2.0]) * (0.01 if "cm/s" in header else 1.0)
+    np.testing.assert_allclose(found["v_n_in"], speed)
+    np.testing.assert_allclose(found["v_n_out"], speed * [0.9, 0.8])

@@ -14,6 +14,7 @@ __all__ = [
     "as_option",
     "in_options",
     "option_of",
+    "options_of_all_verbs",
     "parameter_of",
     "remember_verbs",
     "verbs_with",
@@ -49,6 +50,7 @@ def remember_verbs(command: Any, path: str = "carom") -> Any:
     _verbs[path] = {parameter_of(option): option.opts[0] for option in options}
     _verbs[path] |= {name.strip("-").replace("-", "_"): name for option in options for name in option.opts}
     command.invoke = functools.partial(_invoke, path, command.invoke)
+    command.parse_args = functools.partial(_parse, command, command.parse_args)
     for name, inner in getattr(command, "commands", {}).items():
         remember_verbs(inner, f"{path} {name}")
     return command
@@ -57,6 +59,13 @@ def remember_verbs(command: Any, path: str = "carom") -> Any:
 def _invoke(path: str, invoke: Any, context: Any) -> Any:
     _running[0] = path
     return invoke(context)
+
+
+def _parse(command: Any, parse: Any, context: Any, words: list[str]) -> Any:
+    from carom.cli.usage import require_values
+
+    require_values(command, words)
+    return parse(context, words)
 
 
 def parameter_of(option: Any) -> str:
@@ -79,6 +88,11 @@ def _own(parameter: str) -> str | None:
 def verbs_with(option: str) -> list[str]:
     """Return the verbs that have an option."""
     return [verb for verb, own in _verbs.items() if option in own.values()]
+
+
+def options_of_all_verbs() -> list[str]:
+    """Return the options of all verbs."""
+    return sorted({option for own in _verbs.values() for option in own.values()})
 
 
 def in_options(text: str) -> str:

@@ -55,7 +55,7 @@ STATE_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
 }
 # Columns of rebounds in other forms than components, before (in) and after (out) the contact: name -> dimension, other names.
 WRITTEN_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
-    "speed_in": ("speed", ("speed", "v_in", "v1", "impact_speed", "velocity_in")),
+    "speed_in": ("speed", ("speed", "v_in", "v1", "impact_speed", "velocity_in", "v", "velocity", "impact_velocity")),
     "speed_out": ("speed", ("v_out", "v2", "rebound_speed", "velocity_out")),
     "incidence": (
         "angle",

@@ -46,7 +46,9 @@ _MEASURED = tuple(dict.fromkeys(COLUMNS["planar"] + COLUMNS["table"]))
 
 
 def _aliases(name: str) -> tuple[str, ...]:
-    """Return other names of a column: vn_in, spin_y_in."""
+    """Return other names of a column: vn_in, spin_y_in; v_n alone, as restitution is published against it."""
+    if name == "v_n_in":
+        return ("vn_in", "v_n", "normal_speed")
     if name.startswith("v_"):
         return (name.replace("v_", "v", 1),)
     return () if name.startswith("spin_z") else (name.replace("spin", "spin_y", 1),)

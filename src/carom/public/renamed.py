@@ -11,6 +11,7 @@ from carom.errors import CaromError
 
 __all__ = [
     "GOES",
+    "dropped_argument",
     "renamed_arguments",
     "renamed_attribute",
     "warn_of_rename",
@@ -41,6 +42,28 @@ def renamed_arguments(**names: str) -> Callable[[Function], Function]:
         @functools.wraps(function)
         def call(*args: Any, **given: Any) -> Any:
             return function(*args, **with_new_names(function.__name__, given, names))
+
+        return call  # type: ignore[return-value]
+
+    return decorate
+
+
+def dropped_argument(name: str, why: str, position: int | None = None) -> Callable[[Function], Function]:
+    """Return a decorator with which a function still takes an argument that it no longer has, with a warning that says why.
+
+    ``position``: where the argument stood among those without a keyword; a text there is taken for it.
+    """
+
+    def decorate(function: Function) -> Function:
+        @functools.wraps(function)
+        def call(*args: Any, **given: Any) -> Any:
+            old = position is not None and len(args) > position and isinstance(args[position], str)
+            if old or name in given:
+                called = function.__qualname__.removesuffix(".__init__")
+                warnings.warn(f"{called}: {name} has no effect: {why}; {GOES}", DeprecationWarning, stacklevel=3)
+                given.pop(name, None)
+                args = args[:position] + args[(position or 0) + 1 :] if old else args
+            return function(*args, **given)
 
         return call  # type: ignore[return-value]
 

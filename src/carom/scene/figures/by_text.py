@@ -11,13 +11,23 @@ from typing import Annotated, Any
 
 from pydantic import PlainSerializer, PlainValidator
 
-from carom.errors import CaromError, Fault, did_you_mean, shown
+from carom.errors import CaromError, Fault, did_you_mean, near_name, shown
 from carom.files import as_path
 from carom.scene.figures.figure import FIGURES, Figure
 from carom.scene.schema import from_file, refused, with_faults_of_part
 from carom.scene.toml_files import read_toml
 
 __all__ = ["AnyFigure", "figure", "value_of_text"]
+
+# What other names are called here, with an example as it is written
+CALLED = {
+    "cardioid": "a cardioid is the limit of 'limacon:eps=0.99'", "bunimovich": "'stadium' is Bunimovich's",
+    "triangle": "a regular one is 'regular:sides=3'", "square": "it is 'regular:sides=4', or 'rectangle:size=1,1'",
+    "pentagon": "it is 'regular:sides=5'", "hexagon": "it is 'regular:sides=6'", "octagon": "it is 'regular:sides=8'",
+    "lorentz": "'sinai' is one cell of the Lorentz gas, and 'cell' others",
+    "poincare": "`portrait` draws the Poincare section of a table", "portrait": "`portrait` draws the portrait of a table",
+}  # fmt: skip
+OTHER_CURVES = "any smooth curve is given by its formula: 'curve:r=1 + 0.1*cos(3*theta)'"
 
 
 def figure(what: str | Mapping[str, Any] | Figure | PathLike[str], /, **sizes: Any) -> Figure:
@@ -65,9 +75,8 @@ def _made(where: str, table: dict[str, Any]) -> Figure:
     name = table.get("shape")
     if name not in FIGURES:
         got = "nothing" if name is None else shown(name)
-        raise CaromError(
-            Fault(where, "shape", f"one of {', '.join(FIGURES)}", got, did_you_mean(str(name), list(FIGURES)))
-        )
+        meant = CALLED.get(near_name(str(name), CALLED)) or did_you_mean(str(name), list(FIGURES))
+        raise CaromError(Fault(where, "shape", f"one of {', '.join(FIGURES)}", got, meant or OTHER_CURVES))
     try:
         return from_file(name if where == "figure" else where, FIGURES[name], table)
     except CaromError as error:
