@@ -16,7 +16,7 @@ from carom.errors import CaromError
 from carom.fitting.shots import drawn_films
 from carom.fitting.shots.film import filmed_shots
 from carom.tracks import Calibration, Track, read_tracks
-from carom.tracks.exchanged import with_own_names
+from carom.tracks.exchanged import with_one_name, with_own_names
 from carom.tracks.formats.tailuge import UNIT
 
 RADIUS = 0.03075
@@ -186,6 +186,31 @@ def test_balls_that_exchange_their_names_get_them_back(until: int | None, films:
         np.testing.assert_array_equal(one.position, right.position)
     times = "once" if until is None else "2 times"
     assert notes[0] == f"shot 1: 1, 2 exchange their names in the file {times}, first at t = 1.4 s: exchanged back"
+
+
+def test_a_ball_that_goes_on_under_another_name_is_one_ball(films: list[Track]) -> None:
+    notes: list[str] = []
+    assert all(one is two for one, two in zip(with_one_name(films, notes), films, strict=True))
+    assert notes == []
+    # renamed twice, once after two missing frames
+    whole = films[0]
+    rows = np.arange(len(whole))
+    parts = [
+        whole.select(rows < 60),
+        replace(whole.select((rows >= 60) & (rows < 90)), name="7"),
+        replace(whole.select(rows >= 92), name="8"),
+    ]
+    found = with_one_name([*parts, *films[1:]], notes)
+    assert [one.name for one in found] == [one.name for one in films]
+    np.testing.assert_array_equal(found[0].position, whole.position[(rows < 90) | (rows >= 92)])
+    assert len(notes) == 2
+    assert f"shot 1: 7 begins at t = {whole.time[60]:.6g} s where 1 ends: taken as one ball, 1" in notes
+    # another ball, which comes into view a diameter away, or a second later
+    t, x = whole.time[rows < 60], whole.position[rows < 60]
+    for late, away in ((0.02, 2 * RADIUS), (1.0, 0.0)):
+        other = Track("9", t[-1] + late + t, x[-1] + [away, 0.0] + 0 * x, group="shot 1")
+        assert len(with_one_name([parts[0], other], notes)) == 2
+    assert len(notes) == 2
 
 
 def test_balls_that_collide_keep_their_names(films: list[Track]) -> None:

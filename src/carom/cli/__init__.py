@@ -94,8 +94,9 @@ def _command() -> Any:
     """Return the whole command, which takes longer to make than most verbs to run (a process may run several)."""
     from carom.cli.help import prepare_help
     from carom.cli.option_names import remember_verbs
+    from carom.cli.usage import require_values
 
-    return remember_verbs(prepare_help(typer.main.get_command(app)))
+    return require_values(remember_verbs(prepare_help(typer.main.get_command(app))))
 
 
 def _run(asked: list[bool]) -> int:

@@ -50,7 +50,6 @@ def remember_verbs(command: Any, path: str = "carom") -> Any:
     _verbs[path] = {parameter_of(option): option.opts[0] for option in options}
     _verbs[path] |= {name.strip("-").replace("-", "_"): name for option in options for name in option.opts}
     command.invoke = functools.partial(_invoke, path, command.invoke)
-    command.parse_args = functools.partial(_parse, command, command.parse_args)
     for name, inner in getattr(command, "commands", {}).items():
         remember_verbs(inner, f"{path} {name}")
     return command
@@ -59,13 +58,6 @@ def remember_verbs(command: Any, path: str = "carom") -> Any:
 def _invoke(path: str, invoke: Any, context: Any) -> Any:
     _running[0] = path
     return invoke(context)
-
-
-def _parse(command: Any, parse: Any, context: Any, words: list[str]) -> Any:
-    from carom.cli.usage import require_values
-
-    require_values(command, words)
-    return parse(context, words)
 
 
 def parameter_of(option: Any) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import re
 import sys
 from difflib import get_close_matches
@@ -59,17 +60,25 @@ def _taken_for_a_value(context: Any) -> str:
     return ""
 
 
-def require_values(command: Any, words: list[str]) -> None:
-    """Raise CaromError for an option without its value: it is the last word, or the next one is another option of the verb."""
+def require_values(command: Any) -> Any:
+    """Return a command that says, with all below it, which option has no value: it is the last word, or another option follows."""
+    command.parse_args = functools.partial(_parse, command, command.parse_args)
+    for inner in getattr(command, "commands", {}).values():
+        require_values(inner)
+    return command
+
+
+def _parse(command: Any, parse: Any, context: Any, given: list[str]) -> Any:
     options = [one for one in command.params if one.param_type_name == "option"]
     takes = {name for one in options if not one.is_flag for name in one.opts}
     known = {name for one in options for name in (*one.opts, *one.secondary_opts)}
-    words = words[: words.index("--")] if "--" in words else words
+    words = given[: given.index("--")] if "--" in given else given
     for k, word in enumerate(words):
         after = words[k + 1] if k + 1 < len(words) else None
         if word in takes and (after is None or (after.startswith("--") and after.partition("=")[0] in known)):
             got = f"the next option, {after}" if after is not None else "none"
             raise CaromError(Fault("", word, _values(word, command), got))
+    return parse(context, given)
 
 
 def _unknown_option(name: str, context: Any) -> Fault:

@@ -1,4 +1,4 @@
-"""Balls that a tracking program has confused: from one frame to the next two of a film take each other's places."""
+"""Balls that a tracking program has confused: two of a film take each other's places, or one goes on under another name."""
 
 from __future__ import annotations
 
@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 
 from carom.tracks.track import Track
 
-__all__ = ["with_own_names"]
+__all__ = ["with_one_name", "with_own_names"]
 
 Array = NDArray[np.float64]
 JUMP = 0.06  # m that both balls are off their paths, more than a ball's diameter
 ON_THE_WAY = 0.03  # m that they are off the other's, after the exchange: a contact leaves them a diameter apart
 LONGEST_GAP = 3.5  # frames, over which a path is continued
+NEAR_SHARE = 0.02  # of the size of what the film shows: a ball that goes on is no farther off, also where all is small
 SAME_FRAME = 0.25  # of the interval of frames
 
 
@@ -42,6 +43,44 @@ def with_own_names(tracks: Sequence[Track], notes: list[str]) -> list[Track]:
             for k, one in zip(members, mine, strict=True):
                 found[k] = one
     return found
+
+
+def with_one_name(tracks: Sequence[Track], notes: list[str]) -> list[Track]:
+    """Return the tracks of films in which no ball goes on under another name; a note says which did.
+
+    One track ends before the film does, and within a few frames another one begins on the continuation of its path, or where the
+    ball lay: nearer than any other ball could be.
+    """
+    found = list(tracks)
+    for group in dict.fromkeys(track.group for track in tracks):
+        while pair := _goes_on([track for track in found if track.group == group]):
+            one, two = pair
+            first, second = one.seen.nonzero()[0], two.seen.nonzero()[0]
+            joined = _joined([one, two], 0, [*((0, int(i)) for i in first), *((1, int(i)) for i in second)])
+            notes.append(
+                f"{group or 'film'}: {two.name} begins at t = {two.time[second[0]]:.6g} s where {one.name} ends: taken as one ball,"
+                f" {one.name}"
+            )
+            found = [joined if track is one else track for track in found if track is not two]
+    return found
+
+
+def _goes_on(tracks: list[Track]) -> tuple[Track, Track] | None:
+    """Return the two tracks of a film of which the second goes on nearest to where the first ends; None if no two do."""
+    seen = [(track, track.time[track.seen], track.position[track.seen][:, :2]) for track in tracks if track.seen.any()]
+    if len(seen) < 2:
+        return None
+    steps = np.concatenate([np.diff(t) for _track, t, _x in seen])
+    longest = LONGEST_GAP * float(np.median(steps[steps > 0])) if (steps > 0).any() else 0.0
+    near = min(ON_THE_WAY, NEAR_SHARE * float(np.hypot(*np.ptp(np.concatenate([x for _track, _t, x in seen]), axis=0))))
+    off = []
+    for (one, t, x), (two, u, y) in itertools.permutations(seen, 2):
+        if 0 < u[0] - t[-1] <= longest:
+            ahead = _continued(list(zip(t[-2:], x[-2:], strict=True)), float(u[0]), longest)
+            away = [np.hypot(*(y[0] - place)) for place in (x[-1], ahead) if place is not None]
+            off.append((min(away), one, two))
+    nearest = min(off, key=lambda each: each[0], default=None)
+    return nearest[1:] if nearest and nearest[0] < near else None
 
 
 def _jumps(track: Track) -> bool:

@@ -19,7 +19,7 @@ from carom.data.rebound_files import heads_rebounds
 from carom.errors import CaromError, Fault, FaultList, suggestion
 from carom.files import as_path, read_text
 from carom.laws.results import GRAVITY
-from carom.tracks.exchanged import with_own_names
+from carom.tracks.exchanged import with_one_name, with_own_names
 from carom.tracks.formats import (
     carom_table,
     columns,
@@ -201,7 +201,7 @@ def _checked_tracks(path: Path, name: str, tracks: Sequence[Track], calibration:
     else:
         checked = without_rounding(checked, notes)
     checked = [_one_row_per_time(track, notes) for track in checked]
-    checked = with_own_names([track for track in checked if track.seen.any()], notes)
+    checked = with_own_names(with_one_name([track for track in checked if track.seen.any()], notes), notes)
     if calibration.scale is None:
         _require_likely_unit(checked, str(path))
     for track in checked:
