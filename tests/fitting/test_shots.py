@@ -8,14 +8,17 @@ import numpy as np
 import pytest
 
 import carom
+from carom.core.motion.phases import REST
 from carom.fitting.identifiability import NOT_IDENTIFIABLE
 from carom.fitting.shots import LawErrors, compare_forms, drawn_films, fit_of_some, predict_rest
 from carom.fitting.shots.film import filmed_shots
 from carom.fitting.shots.followed import belief_of_start, followed
 from carom.fitting.shots.forms import FORMS, searched_together
-from carom.fitting.shots.joint import likely_widths
+from carom.fitting.shots.joint import PUBLISHED, Published, likely_widths
+from carom.fitting.shots.search import SearchSettings, descend, search_start
 from carom.fitting.shots.start import residuals
 from carom.fitting.shots.table import FREE, TERMS, TableModel, begun, scene_of_films
+from carom.simulation.sensitivity.parameters import parameters_of
 from carom.tracks import Track
 
 RADIUS = 0.03075
@@ -112,16 +115,69 @@ def test_derivatives_are_central_differences(films):
             *deviations,
         ]
     )
-    at = residuals(table, shot, start, frames)
+    at = residuals(table, shot, start[None], frames)
     for k in range(len(start)):
         h = 1e-6 * np.eye(len(start))[k]
-        ends = [residuals(table, shot, start + sign * h, frames).gap for sign in (1, -1)]
-        by = at.by_start[:, k]
+        ends = [residuals(table, shot, (start + sign * h)[None], frames).gap[0] for sign in (1, -1)]
+        by = at.by_start[0, :, k]
         assert np.abs((ends[0] - ends[1]) / 2e-6 - by).max() < 1e-3 * max(1.0, np.abs(by).max())
     # and a table with such deviations is the table at these numbers
-    again = residuals(model.at(values + deviations), shot, start[:-p], frames, shared=True)
+    again = residuals(model.at(values + deviations), shot, start[None, :-p], frames, shared=True)
     assert np.abs(again.gap - at.gap).max() < 1e-9
-    assert np.abs(again.by_shared - at.by_start[:, -p:]).max() < 1e-6 * np.abs(again.by_shared).max()
+    assert np.abs(again.by_shared - at.by_start[..., -p:]).max() < 1e-6 * np.abs(again.by_shared).max()
+
+
+def test_derivatives_at_other_numbers_are_those_of_a_scene_there(films):
+    tracks, scenes = films
+    found = filmed_shots(tracks, RADIUS)
+    scene, paths = begun(scene_of_films(scenes[0], found, None, 3, 60.0, "test"), FREE)
+    falling = {"at_rest": 0.1, "at_speed": 0.05, "speed": 0.9}
+    bent = carom.replaced(scene, {"ball_contact.friction": falling})
+    for model, affine in (
+        (TableModel(scene, paths, {}), True),
+        (TableModel(bent, ("ball_contact.friction.speed", "walls.0.length"), {}), False),
+    ):
+        values = np.array([one.value + 0.3 * one.scale for one in model.shared])
+        table = model.at(values)
+        there = parameters_of(table.scene, table.arrays, model.paths, [REST] * 3)
+        first = model.at(np.array([one.value for one in model.shared])).parameters
+        assert (table.parameters.slopes is first.slopes) == affine
+        for one, other in zip(table.parameters.slopes, there.slopes, strict=True):
+            for name in ("world", "features"):
+                for field, slope in other[name].items():
+                    assert np.abs(one[name][field] - slope).max() <= 1e-9 * max(np.abs(slope).max(), 1.0), field
+
+
+def test_starts_descend_together_as_each_alone(films):
+    tracks, scenes = films
+    found = filmed_shots(tracks, RADIUS)
+    model = TableModel(scene_of_films(scenes[0], found, None, 3, 60.0, "test"), ("walls.0.restitution",), {})
+    table, shot = model.at(np.array([0.85])), found.shots[0]
+    start = search_start(table, shot, found.noise, np.random.default_rng(0), SearchSettings(), widths=np.array([0.02]))
+    frames = shot.horizons["ball"]
+    tries = np.array([*start.pool[:3], start.best[frames]])
+    together = descend(table, shot, tries, frames, start.prior, 2e-3, 6)
+    for one, (best, cost, information) in zip(tries, together, strict=True):
+        ((alone, least, known),) = descend(table, shot, one[None], frames, start.prior, 2e-3, 6)
+        assert best == pytest.approx(alone, rel=1e-6, abs=1e-9)
+        assert cost == pytest.approx(least, rel=1e-9)
+        assert information == pytest.approx(known, rel=1e-6, abs=1e-6 * np.abs(known).max())
+
+
+def test_a_number_that_one_shot_does_not_tell_stays_near_that_of_the_table():
+    tracks, scenes = drawn_films(1, seed=3, until=0.6)
+    best = carom.fit_shots(tracks, scenes[0], seed=1).best
+    for one in best.model.shared:
+        assert abs(best.estimates[one.name].value - one.value) < 1.5 * PUBLISHED * one.scale, one.name
+    assert best.shots[0].followed
+    known = Published(np.array([0.8, 2.0]), np.array([0.02, 0.5]), 0.03)
+    at = np.array([0.85, 1.0])
+    score, half = known.information(at)
+    for k in range(2):
+        h = 1e-4 * known.scale * np.eye(2)[k]
+        up, down = known.cost(at + h), known.cost(at - h)
+        assert -(up - down) / 2e-4 / 2 == pytest.approx(score[k], rel=1e-6)
+        assert (up - 2 * known.cost(at) + down) / 1e-8 / 2 == pytest.approx(half[k, k], rel=1e-4)
 
 
 def test_terms_that_a_scene_leaves_at_zero_begin_at_a_usual_value(films):

@@ -20,7 +20,7 @@ from carom.simulation.sensitivity.parameters import Parameters
 from carom.simulation.sensitivity.seeds import Column, linear_slopes
 from carom.simulation.setup import SceneArrays, set_up
 
-__all__ = ["SharedNumber", "TableNumbers", "affine_table"]
+__all__ = ["MOVED", "SharedNumber", "TableNumbers", "affine_table"]
 
 Array = NDArray[np.float64]
 MOVED = ("world", "features")

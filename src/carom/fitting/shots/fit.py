@@ -23,6 +23,7 @@ from carom.fitting.shots.film import Films, filmed_shots, require_on_table
 from carom.fitting.shots.forms import compare_forms, searched_together
 from carom.fitting.shots.joint import (
     FEWEST,
+    PUBLISHED,
     WIDTH,
     JointFit,
     ScatterFit,
@@ -32,6 +33,7 @@ from carom.fitting.shots.joint import (
     fit_shared,
     frames_of_events,
     mean_squares,
+    one_table,
 )
 from carom.fitting.shots.result import FittedShot, ShotsFit, ShotsRanking
 from carom.fitting.shots.search import FAILED, SearchSettings, ShotStart, refined, rms, search_start
@@ -51,8 +53,7 @@ __all__ = ["fit_of_some", "fit_shots"]
 Array = NDArray[np.float64]
 DURATION = 60.0  # s: no shot takes longer
 JOINT = (3, 4, 6)  # events up to which the shared numbers are fitted, one after the other
-AGAIN = 2  # times that this is done once more, while a shot of few is not followed
-LATER = (*JOINT, 10)  # of few shots, none of which has a table of its own: then up to the last event
+AGAIN = 1  # times that this is done once more, with a wider search, while a shot of few is not followed
 KEPT = 12  # starts of earlier searches that are tried again
 LAW = "two-step"
 
@@ -227,23 +228,23 @@ def _fit_law(
     starts: list[ShotStart | None] = [None] * len(films.shots)
     most = max(len(shot.events) for shot in films.shots)
     few = len(films.shots) < FEWEST
-    rounds = [*(events for events in LATER if events < most), *[most] * (1 + AGAIN)] if few else [*JOINT]
+    rounds = [most] * (1 + AGAIN) if few else [*JOINT]
     fitted: JointFit | None = None
     scattered: ScatterFit | None = None
     widths: Array | None = None
 
-    def searched(part: float, share: float, events: int | None) -> list[ShotStart]:
+    def searched(part: float, share: float, events: int | None, turn: int) -> list[ShotStart]:
         table, found = model.at(values), []
+        of_its_own = few and len(values) > 0
+        own = PUBLISHED * np.array([one.scale for one in model.shared]) if of_its_own else widths
         for i, shot in enumerate(films.shots):
             tell(part + share * i / len(films.shots), f"{shot.name or 'film'}: start")
-            old = starts[i]
             last = None if events is None else frames_of_events(shot, events)
-            rng = np.random.default_rng([seed, i, events or 0])
-            found.append(
-                search_start(
-                    table, shot, films.noise, rng, settings, before=old.pool[-KEPT:] if old else (), last=last, widths=widths,
-                )
-            )  # fmt: skip
+            rng = np.random.default_rng([seed, i, turn if few else events or 0])
+            wider = not of_its_own or turn > 0
+            old = starts[i]
+            before = old.pool[-KEPT:] if old else ()
+            found.append(search_start(table, shot, films.noise, rng, settings, before, last, own, wider))
         return found
 
     for turn, events in enumerate(rounds if len(values) else ()):
@@ -251,7 +252,9 @@ def _fit_law(
             break
         part, share = 0.6 * turn / len(rounds), 0.6 / len(rounds)
         if turn == 0 or events > 4:
-            starts = [*searched(part, share / 2, max(events, 4))]
+            starts = [*searched(part, share / 2, max(events, 4), turn)]
+        if few:
+            values, starts = one_table(model, values, [one for one in starts if one is not None])
         ready = [one for one in starts if one is not None]
         frames = [frames_of_events(one, events) for one in films.shots]
         fitted = fit_shared(
@@ -272,7 +275,7 @@ def _fit_law(
             )
             starts, values, widths = [*scattered.starts], scattered.values, scattered.widths
             covariance, by_shots = scattered.covariance, True
-    final = searched(0.7, 0.3, None)
+    final = ready if few and fitted is not None else searched(0.7, 0.3, None, 0)
     table = model.at(values)
     shots = tuple(_fitted(table, model, one) for one in final)
     if fitted is None:

@@ -137,8 +137,8 @@ def belief_of_start(table: TableNumbers, start: ShotStart, best: Array, frames: 
     """Return what the first frames of a shot say of it at the last of them, by its best start."""
     shot, own = start.shot, start_size(len(start.shot.balls))
     b, a = len(shot.balls), float(table.arrays.balls["radius"][0])
-    at = residuals(table, shot, best, frames)
-    _gap, (jac,) = soft(at.gap, [at.by_start], error_of_frames(table, start, best, frames, errors.frame))
+    at = residuals(table, shot, best[None], frames)
+    _gap, (jac,) = soft(at.gap[0], [at.by_start[0]], error_of_frames(table, start, best, frames, errors.frame))
     rows = start.prior.rows
     covariance = np.linalg.inv(jac.T @ jac + rows.T @ rows)
     first = starting_balls(table, best[None], b)[0]

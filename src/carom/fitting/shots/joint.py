@@ -18,14 +18,25 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.fitting.by_shots import covariance_by_shot
 from carom.fitting.shots.film import FilmedShot
-from carom.fitting.shots.search import FAILED, Refined, ShotStart, error_of_frames, horizons, refined, rms, soft
-from carom.fitting.shots.start import residuals, start_size
+from carom.fitting.shots.search import (
+    FAILED,
+    Refined,
+    ShotStart,
+    correlation,
+    error_of_frames,
+    horizons,
+    refined,
+    rms,
+    soft,
+)
+from carom.fitting.shots.start import StartPrior, residuals, start_size
 from carom.fitting.shots.table import TableModel
 from carom.fitting.starts import Projection
 from carom.fitting.table_numbers import TableNumbers
 
 __all__ = [
     "FEWEST",
+    "PUBLISHED",
     "WIDTH",
     "Information",
     "JointFit",
@@ -38,6 +49,7 @@ __all__ = [
     "information_of_shots",
     "likely_widths",
     "mean_squares",
+    "one_table",
     "weights_of_shots",
 ]
 
@@ -51,6 +63,9 @@ SCATTER_ROUNDS, LOOSE_ROUNDS = 5, 3
 WIDTH_ROUNDS = 4  # of 300, after which widths stand still, some are 0 that later frames contradict (docs, whole shots)
 WIDTH = 0.5  # of usual changes: the scatter between shots with which its search begins
 SETTLED = 0.2  # error bars of the means, and shares of the widths, below which a round ends the search
+PUBLISHED = (
+    4.0  # usual changes: the width about the table's own numbers, to which few shots are drawn that do not tell them
+)
 FOLLOWED = 1.3  # ratio of the median distance to the noise, up to which the frames' noise alone gives the errors
 FEWEST = 5  # shots for errors from their scatter
 LEAST_WIDTH, MOST_WIDTH = 0.02, 5.0  # of a scatter between shots, in usual changes of a number
@@ -88,6 +103,37 @@ def _all_refined(
 
 def _objective(starts: Sequence[ShotStart], frames: Sequence[int], found: Sequence[Refined]) -> float:
     return float(sum(np.log(_mean_square(one, n, got)) for one, n, got in zip(starts, frames, found, strict=True)))
+
+
+class Published(NamedTuple):
+    """What is known of the shared numbers (P,) beside the films: normal about those of the table that is given."""
+
+    middle: Array
+    scale: Array
+    """Usual changes; the widths are :data:`PUBLISHED` of them."""
+    weight: float
+    """Of a squared width, where each shot counts by the logarithm of its mean square."""
+
+    def cost(self, values: Array) -> float:
+        """Return what is added to the objective of :func:`fit_shared`."""
+        return float(self.weight * np.square((values - self.middle) / self.scale / PUBLISHED).sum())
+
+    def information(self, values: Array) -> tuple[Array, Array]:
+        """Return -1/2 of the gradient (P,) of the cost, and 1/2 of its curvature (P, P), by changes in units of the scale."""
+        each = self.weight / PUBLISHED**2
+        return each * (self.middle - values) / self.scale, each * np.eye(len(values))
+
+    @classmethod
+    def of(
+        cls, table: TableNumbers, starts: Sequence[ShotStart], frames: Sequence[int], found: Sequence[Refined]
+    ) -> Published:
+        """Return it for some shots: residuals that are correlated with their neighbours count as one."""
+        middle, scale = (np.array([getattr(one, name) for one in table.shared]) for name in ("value", "scale"))
+        total = 0.0
+        for one, n, got in zip(starts, frames, found, strict=True):
+            gap = residuals(table, one.shot, got.start[None], n).gap[0]
+            total += len(gap) / correlation(gap, one.shot, n)
+        return cls(middle, scale, len(starts) / total)
 
 
 def _mean_square(start: ShotStart, frames: int, found: Refined) -> float:
@@ -146,8 +192,8 @@ def information_of_shots(
     scores, matrices, follows = np.zeros((len(starts), count)), np.zeros((len(starts), count, count)), []
     spreads = []
     for i, (one, n, got) in enumerate(zip(starts, frames, found, strict=True)):
-        at = residuals(table, one.shot, got.start, n, shared=True)
-        gap, (by_start, by_shared) = soft(at.gap, [at.by_start, at.by_shared], got.sigma)
+        at = residuals(table, one.shot, got.start[None], n, shared=True)
+        gap, (by_start, by_shared) = soft(at.gap[0], [at.by_start[0], at.by_shared[0]], got.sigma)
         rows = np.concatenate([by_start, one.prior.rows])
         r = np.concatenate([gap, one.prior.rows @ (got.start - one.prior.center)])
         d = np.concatenate([by_shared, np.zeros((len(one.prior.rows), count))])
@@ -299,11 +345,27 @@ def _loosened(
     return found.values
 
 
+def one_table(model: TableModel, values: Array, starts: Sequence[ShotStart]) -> tuple[Array, list[ShotStart | None]]:
+    """Return the mean (P,) of the tables on which shots start, each on its own, and the starts without them."""
+    low, high = (np.array([getattr(one, name) for one in model.shared]) for name in ("low", "high"))
+    by = np.mean([one.best[max(one.best)][-len(values) :] for one in starts], axis=0)
+    found = list[ShotStart | None]()
+    for one in starts:
+        k = start_size(len(one.shot.balls))
+        prior = StartPrior(one.prior.center[:k], one.prior.rows[:k, :k])
+        best = {n: start[:k] for n, start in one.best.items()}
+        found.append(ShotStart(one.shot, prior, best, [start[:k] for start in one.pool]))
+    return values + _possible(model, values, np.clip(values + by, low, high) - values), found
+
+
 def fit_shared(
     model: TableModel, values: Array, starts: Sequence[ShotStart], frames: Sequence[int], noise: float,
     tell: Callable[[float], None], loosened: bool = True,
 ) -> JointFit:  # fmt: skip
     """Find the values of the shared numbers; the starts' best and pools are brought up to date.
+
+    Of few shots the numbers are normal about those of the table that is given, weighed against residuals that count as one where
+    they are correlated: numbers that a shot does not tell would run off with whatever the laws lack.
 
     ``loosened``: whether the shots may first have tables of their own; else the search descends from ``values``.
     """
@@ -322,10 +384,12 @@ def fit_shared(
     damping = 1e-2
     for step in range(STEPS):
         tell((1 + step / STEPS) / 2)
-        here = _objective(mine, ends, got)
+        known = Published.of(table, mine, ends, got) if len(starts) < FEWEST else Published(values, scale, 0.0)
+        here = _objective(mine, ends, got) + known.cost(values)
         said = information_of_shots(table, mine, ends, got)
         follows, (scores, matrices) = said.follows, said.weighted(weights_of_shots(mine, ends, got))
-        score, matrix = (scores.sum(axis=0) * scale), matrices.sum(axis=0) * scale[:, None] * scale
+        score, matrix = known.information(values)
+        score, matrix = score + scores.sum(axis=0) * scale, matrix + matrices.sum(axis=0) * scale[:, None] * scale
         better = None
         for _ in range(4):
             free = ~(((values <= low) & (score < 0)) | ((values >= high) & (score > 0)))
@@ -341,13 +405,13 @@ def fit_shared(
                 continue
             moved = [one.start + along @ (tried - values) for one, along in zip(got, follows, strict=True)]
             again = _all_refined(other, mine, ends, [one.sigma for one in got], moved, 0)
-            if _objective(mine, ends, again) < here:
+            gain = here - _objective(mine, ends, again) - known.cost(tried)
+            if gain > 0:
                 better = again
                 break
             damping *= 10
         if better is None:
             break
-        gain = here - _objective(mine, ends, better)
         values, table, damping = tried, other, damping / 5
         for one, n, start in zip(mine, ends, better, strict=True):
             one.best[n] = start.start

@@ -7,6 +7,7 @@ frames up to the first ball come first, then those up to the next event, and so 
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
@@ -23,6 +24,7 @@ __all__ = [
     "Refined",
     "SearchSettings",
     "ShotStart",
+    "correlation",
     "error_of_a_frame",
     "error_of_frames",
     "horizons",
@@ -40,6 +42,7 @@ LAGS, CORRELATED = 40, 0.05  # frames over which residuals are correlated, and t
 SOFT = 3.0  # of these, beyond which a residual counts in proportion
 ALIKE = 1e-3  # m between the places of two starts, below which they are one
 RECENT = 12  # starts of a pool that are tried again, where each has a table of its own
+NEAR = 0.02  # m of distance (rms) at a horizon, from which on more starts are drawn, once the best have descended
 AGAIN = 4  # descents with a smaller error of a frame, after the distance has become smaller
 GAIN = 1e-4  # of the cost, below which a descent ends
 WIDER = 3  # times, of a search for a shot that was not followed
@@ -153,24 +156,26 @@ def rms(table: TableNumbers, shot: FilmedShot, start: Array, frames: int) -> flo
 
 
 def descend(
-    table: TableNumbers, shot: FilmedShot, start: Array, frames: int, prior: StartPrior, sigma: float, evaluations: int
-) -> tuple[Array, float, Array]:
-    """Return the nearest minimum of the soft-L1 cost from a start, its cost, and the information (K, K) on it there."""
-    scale = _scales(start, prior, start_size(len(shot.balls)))
+    table: TableNumbers, shot: FilmedShot, starts: Array, frames: int, prior: StartPrior, sigma: float, evaluations: int
+) -> list[tuple[Array, float, Array]]:
+    """Return the nearest minima of the soft-L1 cost from starts (N, K): the start, its cost, and the information (K, K) on it."""
+    own, n = start_size(len(shot.balls)), len(starts)
+    scale = np.array([_scales(start, prior, own) for start in starts])
 
     def residual(_which: object, at: Array, derivatives: bool) -> tuple[Array, Array | None]:
         if not derivatives:
             return np.sqrt(_loss(distances(table, shot, at, frames), sigma)), None
-        found = residuals(table, shot, at[0], frames)
+        found = residuals(table, shot, at, frames)
         gap, (jac,) = soft(found.gap, [found.by_start], sigma)
-        return gap[None], jac[None]
+        return gap, jac
 
-    dof = np.array([2.0 * shot.known[:frames].sum()])
+    dof = np.full(n, 2.0 * shot.known[:frames].sum())
+    center, rows = np.tile(prior.center, (n, 1)), np.tile(prior.rows, (n, 1, 1))
     best, found = nearest_starts(
-        residual, start[None], scale[None], prior.center[None], prior.rows[None], steps=evaluations,
-        tolerance=GAIN * float(dof[0]), dof=dof, joint=True,
-    )  # fmt: skip
-    return best[0], float(found.value[0]), found.information[0] / scale[:, None] / scale
+        residual, starts, scale, center, rows, steps=evaluations, tolerance=GAIN * float(dof[0]), dof=dof, joint=True
+    )
+    information = found.information / scale[:, :, None] / scale[:, None]
+    return list(zip(best, found.value.tolist(), information, strict=True))
 
 
 def _scales(start: Array, prior: StartPrior, own: int) -> Array:
@@ -214,22 +219,23 @@ def _distinct(
 
 def search_start(
     table: TableNumbers, shot: FilmedShot, noise: float, rng: np.random.Generator, settings: SearchSettings,
-    before: Sequence[Array] = (),
-    last: int | None = None, widths: Array | None = None,
+    before: Sequence[Array] = (), last: int | None = None, widths: Array | None = None, wider: bool = True,
 ) -> ShotStart:  # fmt: skip
     """Search for the starts of a shot, from horizon to horizon, up to the ``last`` number of frames.
 
-    ``before``: starts found at other numbers of the table; ``widths`` (P,): by how much these scatter from shot to shot. A shot
-    that is not followed is searched once more, wider: it may have gone astray some contacts earlier.
+    ``before``: starts found at other numbers of the table. ``widths`` (P,): by how much the numbers scatter from shot to shot, or
+    are unknown for one alone: they descend with the start. ``wider``: whether a shot that is not followed is searched once more,
+    wider, as it may have gone astray some contacts earlier.
     """
-    found = _searched(table, shot, noise, rng, settings, before, last, widths)
+    search = _Search(table, shot, noise, rng, last, widths)
+    found = search.found(settings, before)
     far = _farthest(table, found)
-    if far < FAILED:
+    if far < FAILED or not wider:
         return found
     wide = SearchSettings(
         WIDER * settings.beam, WIDER * settings.draws, WIDER * settings.descents, settings.evaluations
     )
-    other = _searched(table, shot, noise, rng, wide, [*before, *found.pool], last, widths)
+    other = search.found(wide, [*before, *found.pool])
     return min((found, far), (other, _farthest(table, other)), key=lambda one: one[1])[0]
 
 
@@ -239,42 +245,72 @@ def _farthest(table: TableNumbers, found: ShotStart) -> float:
     return rms(table, found.shot, found.best[frames], frames)
 
 
-def _searched(
-    table: TableNumbers, shot: FilmedShot, noise: float, rng: np.random.Generator, settings: SearchSettings,
-    before: Sequence[Array],
-    last: int | None, widths: Array | None,
-) -> ShotStart:  # fmt: skip
-    """Search once."""
-    velocity, own = _guess(shot), start_size(len(shot.balls))
-    prior = StartPrior.of(shot, velocity, noise)
-    prior = prior if widths is None else prior.with_scatter(len(shot.balls), widths)
-    result, old = ShotStart(shot, prior), padded(before, len(prior.center))
-    sigma, kept = LEAST_SIGMA, list[tuple[Array, float, Array]]()
-    every = horizons(shot)
-    for stage, frames in enumerate(n for n in every if last is None or n <= max(last, every[0])):
-        if stage == 0:
-            tries = _first_draws(shot, prior, velocity, 4 * settings.draws, rng)
-            descents = 2 * settings.descents
-        else:
-            far = rms(table, shot, kept[0][0], frames)
-            wide = 1.0 if far < FAILED else 2.0
-            count = settings.draws if far < FAILED else 4 * settings.draws
-            each = -(-count // len(kept))
-            tries = np.concatenate(
-                [np.array([one[0] for one in kept]), *(_drawn(one[0], one[2], each, rng, wide, own) for one in kept)]
+@dataclass(frozen=True, eq=False)
+class _Search:
+    """The search for the starts of a shot."""
+
+    table: TableNumbers
+    shot: FilmedShot
+    noise: float
+    rng: np.random.Generator
+    last: int | None
+    widths: Array | None
+
+    @functools.cached_property
+    def velocity(self) -> Array:
+        return _guess(self.shot)
+
+    @functools.cached_property
+    def prior(self) -> StartPrior:
+        prior = StartPrior.of(self.shot, self.velocity, self.noise)
+        return prior if self.widths is None else prior.with_scatter(len(self.shot.balls), self.widths)
+
+    def found(self, settings: SearchSettings, more: Sequence[Array]) -> ShotStart:
+        """Search once, with ``more`` starts that are tried at each horizon."""
+        every, kept = horizons(self.shot), list[tuple[Array, float, Array]]()
+        result = ShotStart(self.shot, self.prior)
+        old = padded(more, len(self.prior.center))
+        for frames in (n for n in every if self.last is None or n <= max(self.last, every[0])):
+            kept = self._stage(settings, frames, kept, old)
+            result.best[frames] = kept[0][0]
+            result.pool += [one[0] for one in kept]
+        return result
+
+    def _stage(
+        self, settings: SearchSettings, frames: int, kept: list[tuple[Array, float, Array]], old: Array
+    ) -> list[tuple[Array, float, Array]]:
+        """Return the best starts at a horizon, from those at the one before."""
+        table, shot, rng = self.table, self.shot, self.rng
+        if not kept:
+            first = _first_draws(shot, self.prior, self.velocity, 4 * settings.draws, rng)
+            return self._descended(settings, frames, [], np.concatenate([first, old]), 2 * settings.descents)
+        for turn in range(2):
+            many = turn > 0 or rms(table, shot, kept[0][0], frames) >= FAILED
+            count, descents = (
+                (4 * settings.draws, 2 * settings.descents) if many else (settings.draws, settings.descents)
             )
-            descents = settings.descents if far < FAILED else 2 * settings.descents
-            sigma = error_of_a_frame(far)
-        tries = np.concatenate([tries, old])
-        cost = _cost(table, shot, tries, frames, prior, sigma)
+            each, own, wide = -(-count // len(kept)), start_size(len(shot.balls)), 2.0 if many else 1.0
+            tries = [
+                np.array([one[0] for one in kept]),
+                *(_drawn(one[0], one[2], each, rng, wide, own) for one in kept),
+                old,
+            ]
+            found = self._descended(settings, frames, kept, np.concatenate(tries), descents)
+            if many or rms(table, shot, found[0][0], frames) < NEAR:
+                break
+        return found
+
+    def _descended(
+        self, settings: SearchSettings, frames: int, kept: list[tuple[Array, float, Array]], tries: Array, descents: int
+    ) -> list[tuple[Array, float, Array]]:
+        """Return the best starts at a horizon, of those that were kept, and the nearest ones of all tries (N, K)."""
+        far = rms(self.table, self.shot, kept[0][0], frames) if kept else 0.0
+        sigma = error_of_a_frame(far)
+        cost = _cost(self.table, self.shot, tries, frames, self.prior, sigma)
         order = np.argsort(cost, kind="stable")[:descents].tolist()
-        if stage:
-            order = list(dict.fromkeys([*range(len(kept)), *order]))[: descents + len(kept)]
-        found = [descend(table, shot, tries[i], frames, prior, sigma, settings.evaluations) for i in order]
-        kept = [found[i] for i in _distinct(found, settings.beam, shot, table, frames)]
-        result.best[frames] = kept[0][0]
-        result.pool += [one[0] for one in kept]
-    return result
+        order = list(dict.fromkeys([*range(len(kept)), *order]))[: descents + len(kept)]
+        found = descend(self.table, self.shot, tries[order], frames, self.prior, sigma, settings.evaluations)
+        return [found[i] for i in _distinct(found, settings.beam, self.shot, self.table, frames)]
 
 
 class Refined(NamedTuple):
@@ -305,14 +341,13 @@ def refined(
     given = sigma is not None
     if sigma is None:
         sigma = error_of_a_frame(min(rms(table, shot, tries[i], frames) for i in order))
-    found = [descend(table, shot, tries[i], frames, start.prior, sigma, evaluations) for i in order]
-    best = min(found, key=lambda one: one[1])
+    best = min(descend(table, shot, tries[order], frames, start.prior, sigma, evaluations), key=lambda one: one[1])
     for _ in range(0 if given else AGAIN):  # (with a larger error than there is, the prior would weigh too much)
         nearer = error_of_a_frame(rms(table, shot, best[0], frames))
         if not nearer < 0.8 * sigma:
             break
         sigma = nearer
-        best = descend(table, shot, best[0], frames, start.prior, sigma, evaluations)
+        (best,) = descend(table, shot, best[0][None], frames, start.prior, sigma, evaluations)
     return Refined(best[0], best[1], sigma)
 
 
@@ -324,7 +359,7 @@ def error_of_a_frame(far: float) -> float:
 def error_of_frames(table: TableNumbers, start: ShotStart, best: Array, frames: int, least: float) -> float:
     """Return the error of a frame as if all were independent, m: residuals are correlated with their neighbours, and so many of
     them count as one. ``least``: of a distance, m."""
-    gap = residuals(table, start.shot, best, frames).gap
+    gap = residuals(table, start.shot, best[None], frames).gap[0]
     size = max(float(np.sqrt(np.square(gap).mean())), least / np.sqrt(2), LEAST_SIGMA)
     return float(size * np.sqrt(correlation(gap, start.shot, frames)))
 
@@ -344,20 +379,20 @@ def correlation(gap: Array, shot: FilmedShot, frames: int) -> float:
 
 
 def soft(gap: Array, by: Sequence[Array], sigma: float) -> tuple[Array, list[Array]]:
-    """Return gaps (M,) and their derivatives (M, K) such that the sum of squares is the soft-L1 loss of each frame and ball.
+    """Return gaps (..., M) and their derivatives (..., M, K) such that the sum of squares is the soft-L1 loss of each frame
+    and ball.
 
     f(z) = 2 SOFT^2 (sqrt(1 + z) - 1) with z = |gap|^2 / (SOFT sigma)^2 is |h gap|^2 / sigma^2 with h^2 = 2 / (sqrt(1 + z) + 1).
     """
-    flat = gap.reshape(-1, 2) / sigma
-    z = np.square(flat).sum(axis=1) / SOFT**2
-    root = np.sqrt(1 + z)
+    flat = gap.reshape(*gap.shape[:-1], -1, 2) / sigma
+    root = np.sqrt(1 + np.square(flat).sum(axis=-1) / SOFT**2)
     h = np.sqrt(2 / (root + 1))
-    turned = (-0.5 / SOFT**2) * h**3 / root
+    turned = ((-0.5 / SOFT**2) * h**3 / root)[..., None] * flat
     found = []
     for one in by:
-        d = one.reshape(-1, 2, one.shape[1]) / sigma
-        inner = np.einsum("mi,mik->mk", flat, d)
-        found.append(
-            (h[:, None, None] * d + (turned[:, None] * flat)[:, :, None] * inner[:, None, :]).reshape(one.shape)
-        )
-    return (h[:, None] * flat).ravel(), found
+        d = one.reshape(*flat.shape, one.shape[-1]) / sigma
+        inner = flat[..., 0, None] * d[..., 0, :] + flat[..., 1, None] * d[..., 1, :]
+        d *= h[..., None, None]
+        d += turned[..., None] * inner[..., None, :]
+        found.append(d.reshape(one.shape))
+    return (h[..., None] * flat).reshape(gap.shape), found

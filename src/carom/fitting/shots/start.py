@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -75,11 +76,11 @@ class Residuals(NamedTuple):
     """Model less film at the known frames of a shot up to a horizon."""
 
     gap: Array
-    """(M,) m, two for each frame and ball."""
+    """(N, M) m, two for each frame and ball."""
     by_start: Array
-    """(M, K) derivatives by the start."""
+    """(N, M, K) derivatives by the starts."""
     by_shared: Array
-    """(M, P) derivatives by the shared numbers."""
+    """(N, M, P) derivatives by the shared numbers."""
 
 
 def _by_start(balls: int, radius: float) -> Array:
@@ -102,17 +103,22 @@ def _gap(shot: FilmedShot, states: Array, frames: int) -> tuple[Array, NDArray[n
     return np.where(np.isnan(gap), UNKNOWN, gap), known
 
 
+def _tables(starts: Array, b: int) -> Iterator[tuple[Array, NDArray[np.int64]]]:
+    """Yield the deviations (P,) of the table's numbers in starts (N, K) of B balls, and which starts have them."""
+    deviations, group = np.unique(starts[:, start_size(b) :], axis=0, return_inverse=True)
+    for k, one in enumerate(deviations):
+        yield one, np.flatnonzero(group.ravel() == k)
+
+
 def _places_of(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int | None = None) -> Array:
     """Return the places (N, T, B, 2) at the times of frames for starts (N, K); NaN where the model has no state."""
     many = len(shot.time) if frames is None else frames
     time = np.maximum(shot.time[None, :many] - starts[:, :1], 0.0)
     balls = starting_balls(table, starts, len(shot.balls))
     places = np.empty((len(starts), many, len(shot.balls), 2))
-    deviations, group = np.unique(starts[:, start_size(len(shot.balls)) :], axis=0, return_inverse=True)
-    for k, one in enumerate(deviations):
-        which = np.flatnonzero(group.ravel() == k)
+    for deviations, which in _tables(starts, len(shot.balls)):
         count = np.full(len(which), many)
-        places[which] = states_at(table.moved(one), balls[which], time[which], count, 2, LIMITS)
+        places[which] = states_at(table.moved(deviations), balls[which], time[which], count, 2, LIMITS)
     return places
 
 
@@ -122,24 +128,24 @@ def distances(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int)
     return np.asarray(np.square(gap).sum(axis=-1)[:, known])
 
 
-def residuals(table: TableNumbers, shot: FilmedShot, start: Array, frames: int, shared: bool = False) -> Residuals:
-    """Return model less film up to a horizon, with exact derivatives by the start, and on request by the shared numbers."""
+def residuals(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int, shared: bool = False) -> Residuals:
+    """Return model less film up to a horizon for starts (N, K), with exact derivatives by them, and on request by the shared
+    numbers."""
     b, radius = len(shot.balls), float(table.arrays.balls["radius"][0])
     k, by = start_size(b), _by_start(b, radius)
-    deviations = start[k:]
-    time = np.maximum(shot.time[:frames] - start[TIME], 0.0)
-    at = states_by(
-        table, balls_of(table.arrays, by, start[None, :k]), by, time[None], np.array([frames]),
-        shared=shared or bool(len(deviations)), deviations=deviations, limits=LIMITS,
-    )  # fmt: skip
-    states, by_start, by_shared = (one[0] for one in at)
-    gap, known = _gap(shot, states, frames)
-    moving = np.where(time > 0, 1.0, 0.0)[:, None, None]
-    by_start[..., TIME] = -np.nan_to_num(states[:, :, 3:5] * moving)
-    found = by_start[known].reshape(-1, k)
-    by_shared = by_shared[known].reshape(len(found), -1)
-    good = np.isfinite(found).all(axis=1) & np.isfinite(by_shared).all(axis=1)
-    found[~good], by_shared[~good] = 0.0, 0.0
-    if len(deviations):
-        found = np.concatenate([found, by_shared], axis=1)
-    return Residuals(gap[known].ravel(), found, by_shared)
+    time = np.maximum(shot.time[:frames] - starts[:, TIME, None], 0.0)
+    balls, own = balls_of(table.arrays, by, starts[:, :k]), starts.shape[1] > k
+    known, p = shot.known[:frames], len(table.values) if shared or own else 0
+    size = 2 * int(known.sum())
+    gap, found = np.empty((len(starts), size)), np.empty((len(starts), size, k + p))
+    for deviations, which in _tables(starts, b):
+        at = states_by(
+            table, balls[which], by, time[which], np.full(len(which), frames), shared=p > 0, deviations=deviations, limits=LIMITS
+        )  # fmt: skip
+        gap[which] = _gap(shot, at.states, frames)[0][:, known].reshape(len(which), size)
+        moving = np.where(time[which] > 0, 1.0, 0.0)[:, :, None, None]
+        at.by_start[..., TIME] = -np.nan_to_num(at.states[..., 3:5] * moving)
+        d = np.concatenate([at.by_start[:, known], at.by_shared[:, known]], axis=-1)
+        found[which] = d.reshape(len(which), size, k + p)
+    found[~np.isfinite(found).all(axis=-1)] = 0.0
+    return Residuals(gap, found if own else found[..., :k], found[..., k:])
