@@ -296,7 +296,8 @@ class _Search:
                 old,
             ]
             found = self._descended(settings, frames, kept, np.concatenate(tries), descents)
-            if many or rms(table, shot, found[0][0], frames) < NEAR:
+            # (on a table that is the same for all shots, it may be the table that is wrong)
+            if many or self.widths is None or rms(table, shot, found[0][0], frames) < NEAR:
                 break
         return found
 
