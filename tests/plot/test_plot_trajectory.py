@@ -69,6 +69,31 @@ def test_no_height_where_no_ball_leaves_the_floor() -> None:
     assert len(carom.simulate(hop(0.3)).plot().axes) == 2  # before it meets the wall
 
 
+@pytest.mark.parametrize(
+    ("axis", "sign", "said"), [(1, -1, "height y, m"), (0, 1, "height −x, m"), (2, -1, "height z, m")]
+)
+def test_a_drop_is_drawn_over_time_whichever_way_is_down(axis: int, sign: int, said: str) -> None:
+    down, start = [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]
+    down[axis], start[axis] = 9.8 * sign, -sign
+    wall = {
+        "shape": "plane",
+        "point": (0, 0, 0),
+        "normal": [-x / 9.8 for x in down],
+        "restitution": 0.8,
+        "friction": 0.2,
+    }
+    ball = {"radius": 0.03, "mass": 0.2, "position": start}
+    scene = carom.Scene(gravity=down, walls=[wall], balls=[ball], run={"law": "contact", "duration": 2})
+    above, height, _energy = carom.simulate(scene).plot().axes
+    assert (above.get_xlabel(), height.get_ylabel(), height.get_xlabel()) == ("x, m", said, "time, s")
+    drawn = height.lines[0].get_ydata()
+    assert drawn[0] == pytest.approx(1)
+    assert min(drawn) == pytest.approx(0.03)
+    # a ball that goes across as well shows its heights from above
+    if axis < 2:
+        assert len(carom.simulate(carom.replaced(scene, {"balls.0.velocity": (0.5, 0.5, 0.0)})).plot().axes) == 2
+
+
 def test_energy_has_its_steps() -> None:
     run = carom.simulate(hop())
     axes = run.plot().axes[-1]

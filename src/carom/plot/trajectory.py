@@ -256,12 +256,25 @@ def _numbers(run: Trajectory, balls: list[int]) -> list[tuple[Any, int]]:
     return [(run.log[row], k) for k, row in enumerate(rows[first], 1)] if len(first) <= MOST_NUMBERS else []
 
 
+def _upwards(run: Trajectory, ways: dict[int, list[Any]]) -> int:
+    """Return the axis of heights: z; of balls that fall along one line as seen from above, in a scene on its side, x or y."""
+    pull = np.asarray(run.scene.gravity)
+    axis = int(np.argmax(np.abs(pull)))
+    if run.scene.floor is not None or axis == 2 or np.count_nonzero(pull) != 1:
+        return 2
+    wide = max(
+        np.ptp(x[:, 1 - axis]) / run.scene.balls[i].radius for i, pieces in ways.items() for _phase, _t, x in pieces
+    )
+    return axis if wide < SEEN else 2
+
+
 def _hops(run: Trajectory, ways: dict[int, list[Any]]) -> tuple[float, float] | None:
     """Return the period during which heights change visibly, s; None if they do not."""
     times: list[float] = []
+    axis = _upwards(run, ways)
     for i, pieces in ways.items():
         for _phase, t, x in pieces:
-            if np.ptp(x[:, 2]) > SEEN * run.scene.balls[i].radius:
+            if np.ptp(x[:, axis]) > SEEN * run.scene.balls[i].radius:
                 times += [t[0], t[-1]]
     return (min(times), max(times)) if times else None
 
@@ -275,17 +288,19 @@ def _scaled(most: float, unit: str) -> tuple[float, str]:
 
 
 def _height(axes: Any, run: Trajectory, ways: dict[int, list[Any]]) -> None:
-    floor = run.scene.floor is not None
+    floor, axis = run.scene.floor is not None, _upwards(run, ways)
+    sign = 1.0 if floor or axis == 2 else -float(np.sign(np.asarray(run.scene.gravity)[axis]))
     base = {i: run.scene.balls[i].radius if floor else 0.0 for i in ways}
-    lifts = {i: [(t, x[:, 2] - base[i]) for _phase, t, x in pieces] for i, pieces in ways.items()}
+    lifts = {i: [(t, sign * x[:, axis] - base[i]) for _phase, t, x in pieces] for i, pieces in ways.items()}
     most = max(float(np.abs(z).max()) for pieces in lifts.values() for _t, z in pieces)
     factor, unit = _scaled(most, "m")
+    said = f"height {'−' if sign < 0 else ''}{'xyz'[axis]}"
     for i, pieces in lifts.items():
         axes.plot(
             np.concatenate([t for t, _z in pieces]), factor * np.concatenate([z for _t, z in pieces]),
             color=colour(run, i), lw=1.0,
         )  # fmt: skip
-    axes.set_ylabel(f"{'height above the floor' if floor else 'height z'}, {unit}")
+    axes.set_ylabel(f"{'height above the floor' if floor else said}, {unit}")
     if floor:
         axes.set_ylim(0, 1.12 * factor * most)
 
