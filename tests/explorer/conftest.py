@@ -101,18 +101,26 @@ def page_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 Opener = Callable[..., Any]
 
 
+@pytest.fixture(scope="session")
+def contexts() -> dict[str, Any]:
+    """The browser's contexts, by their settings: a page keeps nothing that the next could find, and shares what is compiled."""
+    return {}
+
+
 @pytest.fixture
-def open_page(chromium: Any, page_file: Path) -> Iterator[Opener]:
+def open_page(chromium: Any, contexts: dict[str, Any], page_file: Path) -> Iterator[Opener]:
     """Open the page (``file``: another one) with the network off; at the end: no error in the console, nothing asked for."""
-    contexts: list[Any] = []
+    pages: list[Any] = []
     said: list[str] = []
 
     def opened(
         file: Path = page_file, after: str = "", script: str = "", size: tuple[int, int] = (1280, 720), **settings: Any
     ) -> Any:
-        context = chromium.new_context(viewport={"width": size[0], "height": size[1]}, offline=True, **settings)
-        contexts.append(context)
-        page = context.new_page()
+        settings |= {"viewport": {"width": size[0], "height": size[1]}, "offline": True}
+        if repr(settings) not in contexts:
+            contexts[repr(settings)] = chromium.new_context(**settings)
+        page = contexts[repr(settings)].new_page()
+        pages.append(page)
         page.on("console", lambda message: said.append(message.text) if message.type in ("error", "warning") else None)
         page.on("pageerror", lambda error: said.append(str(error)))
         page.on(
@@ -128,7 +136,7 @@ def open_page(chromium: Any, page_file: Path) -> Iterator[Opener]:
         return page
 
     yield opened
-    for context in contexts:
-        context.close()
+    for page in pages:
+        page.close()
     # (Chromium says of software WebGL that reading pixels is slow: no fault of the page)
     assert [text for text in said if "GPU stall" not in text and "GL Driver Message" not in text] == []
