@@ -21,10 +21,10 @@ from carom.fitting.evidence import UNLIKELY
 from carom.fitting.profile_likelihood import LEVELS
 from carom.fitting.simulated_likelihood import Deviance, Simulated, interval, likelihood_of, plausible
 from carom.gas.build import build
+from carom.gas.contact_forms import ANY
 from carom.gas.endings import EndedEarlyError
 from carom.gas.scene import GasScene
 from carom.gas.schema import GasContact
-from carom.gas.species import ANY
 from carom.public.progress import Progress
 from carom.scene.paths import replaced
 from carom.scene.restitution import Exponential, Polynomial, Power, Restitution, Viscoelastic

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -36,13 +38,11 @@ def build(scene: GasScene, progress: Progress | None = None) -> Gas:
         radii = np.concatenate([one.radii for one in scene.species])
         # (velocities are drawn from the seed itself)
         seed = int(np.random.SeedSequence([run.seed, 1]).generate_state(1)[0])
-        try:
+        with _faults_of(scene):
             options["position"] = dense(radii, container, seed=seed, progress=progress)
-        except CaromError as error:
-            raise CaromError(*(_in_scene(scene, fault) for fault in error.faults)) from None
     elif run.start != "lattice":
         options = _from_file(scene)
-    try:
+    with _faults_of(scene):
         return Gas(
             [one.species(axes) for one in scene.species],
             container,
@@ -55,8 +55,6 @@ def build(scene: GasScene, progress: Progress | None = None) -> Gas:
             seed=run.seed,
             **options,
         )
-    except CaromError as error:
-        raise CaromError(*(_in_scene(scene, fault) for fault in error.faults)) from None
 
 
 def _from_file(scene: GasScene) -> dict[str, Any]:
@@ -99,6 +97,15 @@ def _order_by_species(scene: GasScene, start: InitialState, path: Path) -> Any:
                 f"{scene.where}: run.start: expected {one.count} balls of species {one.name!r}, got {count} in {path.name}"
             )
     return np.argsort([names.index(name) for name in start.species], kind="stable")
+
+
+@contextmanager
+def _faults_of(scene: GasScene) -> Iterator[None]:
+    """Raise the faults of a gas as those of its scene."""
+    try:
+        yield
+    except CaromError as error:
+        raise CaromError(*(_in_scene(scene, fault) for fault in error.faults)) from None
 
 
 def _in_scene(scene: GasScene, fault: str) -> str:

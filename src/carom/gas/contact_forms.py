@@ -1,19 +1,33 @@
-"""Contacts whose restitution or friction is no number: functions of the speed, as scenes have them, and random numbers."""
+"""Contacts of a gas: which species has which, as the engine's records; restitution and friction as numbers, or as functions.
+
+Restitution may depend on the speed, as in scenes, or be a random number for each contact.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
+import numpy as np
+from numpy.typing import NDArray
 from pydantic import AfterValidator, BeforeValidator, Field, PlainSerializer, model_validator
 
 from carom.bodies import Surface
-from carom.gas.edmd.gas_records import RANDOM_NORMAL, RANDOM_UNIFORM
+from carom.errors import FaultList, suggestion
+from carom.gas.containers import WALLS, Container, wall_name
+from carom.gas.edmd.gas_records import CONTACT_FORM, PAIR, RANDOM_NORMAL, RANDOM_UNIFORM, WALL_CONTACT
+from carom.gas.faces import ContainerFace
 from carom.scene.ball_contact import FallingFriction, Rubbing
 from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, Power, Restitution, Viscoelastic
 from carom.scene.schema import Model, Number, Share, Spring, Vector, refused
 
-__all__ = ["GasSurface", "NormalRestitution", "UniformRestitution", "contact_numbers"]
+__all__ = [
+    "ANY", "Contacts", "GasSurface", "NormalRestitution", "UniformRestitution", "best_contact", "contact_numbers",
+    "contact_records", "contacts_by_names",
+]  # fmt: skip
 
+ANY = "*"  # in contacts: every species and wall
+NO_TOTALS = (0, 0.0, 0.0, 0.0)  # of a contact that has not happened yet
 UNKNOWN = 0.5  # in the place of a restitution that is no number
 NO_FORM = (0, 0.0, 0.0, 0.0, 0.0, 0.0)
 _DEVIATION = Number("a standard deviation from 0 to 1", least=0, most=1)
@@ -144,3 +158,78 @@ def contact_numbers(surface: Surface | GasSurface) -> tuple[tuple[float, float, 
     falls = rub.parameters if isinstance(rub, FallingFriction) else (rub, 0.0, 0.0)
     number = UNKNOWN if isinstance(bounce, Restitution) else bounce
     return (number, falls[0], beta), (*form, *falls[1:]), surface.is_smooth
+
+
+# --- between species ----------------------------------------------------------------------------------------------
+
+
+Contacts = Surface | GasSurface | Mapping[tuple[str, str], Surface | GasSurface]
+
+
+def contacts_by_names(faults: FaultList, contacts: Contacts, names: Sequence[str], container: Container) -> Contacts:
+    """Return contacts under the container's own names of walls; add the faults of contacts: no surface, or unknown names."""
+    if (wrong := _wrong_contacts(contacts)) is not None:
+        faults.add("contacts", "a carom.Surface, or one for each pair of names, {('a', 'wall'): Surface(...)}", wrong)
+    elif not isinstance(contacts, Surface | GasSurface):
+        known = [ANY, *names, "wall", *dict.fromkeys((*WALLS, *container.names))]
+        for name in sorted({name for key in contacts for name in key} - set(known)):
+            faults.add("contacts", "names of species or walls", f"{name!r}; {suggestion(name, known)}")
+        axes = len(container.size)
+        return {(wall_name(one, axes), wall_name(two, axes)): given for (one, two), given in contacts.items()}
+    return contacts
+
+
+def _wrong_contacts(contacts: Any) -> str | None:
+    """Return what is neither a surface nor a mapping of pairs of names to surfaces; None if nothing is."""
+    if isinstance(contacts, Surface | GasSurface):
+        return None
+    if not isinstance(contacts, Mapping):
+        return f"{contacts!r:.60}"
+    for pair, surface in contacts.items():
+        named = isinstance(pair, tuple) and len(pair) == 2 and all(isinstance(name, str) for name in pair)
+        if not named or not isinstance(surface, Surface | GasSurface):
+            return f"{pair!r:.40}: {surface!r:.40}"
+    return None
+
+
+def best_contact(keys: Iterable[tuple[str, str]], one: str, others: Sequence[str]) -> tuple[str, str] | None:
+    """Return which of some pairs of names says most about a species and the first of others: "*" stands for every name."""
+    found: dict[tuple[int, int, int], tuple[str, str]] = {}
+    for order, key in enumerate(keys):
+        for first, second in (key, key[::-1]):
+            if first in {one, ANY} and second in {*others, ANY}:
+                rank = len(others) if second == ANY else list(others).index(second)
+                found.setdefault(((first, second).count(ANY), rank, order), key)
+    return found[min(found)] if found else None
+
+
+def _surface(faults: FaultList, contacts: Contacts, one: str, others: Sequence[str]) -> Surface | GasSurface:
+    """Return the surface between a species and the first of others for which one is given."""
+    if isinstance(contacts, Surface | GasSurface):
+        return contacts
+    key = best_contact(contacts, one, others)
+    if key is not None:
+        return contacts[key]
+    faults.add("contacts", f"a Surface for ({one!r}, {others[-1]!r})", f"keys {sorted(contacts)}")
+    return Surface()
+
+
+def contact_records(
+    faults: FaultList, species: Sequence[tuple[str, float]], faces: Sequence[ContainerFace], contacts: Contacts
+) -> list[NDArray[np.void]]:
+    """Return the records of contacts of pairs and with walls, each with their forms; ``species``: names and radii (m)."""
+    count = len(species)
+    sizes = (count**2, count**2, len(faces) * count, len(faces) * count)
+    kinds = (PAIR, CONTACT_FORM, WALL_CONTACT, CONTACT_FORM)
+    found = [np.zeros(size, kind) for size, kind in zip(sizes, kinds, strict=True)]
+    for i, (name, radius) in enumerate(species):
+        for j, (other, its_radius) in enumerate(species):
+            numbers, form, smooth = contact_numbers(_surface(faults, contacts, name, [other]))
+            distance = radius + its_radius
+            found[0][i * count + j] = (distance, distance * distance, *numbers, smooth, *NO_TOTALS)
+            found[1][i * count + j] = form
+        for k, face in enumerate(faces):
+            numbers, form, _smooth = contact_numbers(_surface(faults, contacts, name, [face.name, "wall"]))
+            found[2][k * count + i] = (*face.offset(radius), *numbers, *NO_TOTALS)
+            found[3][k * count + i] = form
+    return found

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from carom.core.sums import added
 from carom.errors import FaultList, float_or_nan
 from carom.formatting import counted, format_number
+from carom.gas.contact_forms import Contacts
 from carom.gas.containers import Container, WallNumbers, as_container
 from carom.gas.drives import Drive, Thermostat, WallMotion, motion_of_walls
 from carom.gas.edmd import driver as engine
@@ -21,7 +22,7 @@ from carom.gas.edmd.gas_records import COLLAPSED, DONE, HEAT, UNDERFLOW, Average
 from carom.gas.endings import AT_REST, COLLAPSE, TOO_SLOW, EarlyEnd, EndedEarlyError, collapse_of
 from carom.gas.results import GasBalls, GasRun, Mark, ShearRun
 from carom.gas.size_distributions import SizeClasses
-from carom.gas.species import Contacts, Species, system_records
+from carom.gas.species import Species, system_records
 from carom.gas.starts import TOUCH, draw_thermal, require_no_overlap, start_positions, vectors
 from carom.gas.time_averages import averages_between
 from carom.public.progress import Progress, loop_callback

@@ -14,7 +14,7 @@ from carom.bodies import Surface
 from carom.core.sums import added
 from carom.errors import Fault, FaultList, shown, suggestion
 from carom.formatting import counted, format_number
-from carom.gas.contact_forms import GasSurface
+from carom.gas.contact_forms import ANY, GasSurface, best_contact
 from carom.gas.containers import BOXES, WALLS, wall_name
 from carom.gas.drives import drive_faults
 from carom.gas.edmd.gas_records import ELLIPSE, MAX_BALLS
@@ -31,7 +31,7 @@ from carom.gas.schema import (
 )
 from carom.gas.size_distributions import RadiiDistribution
 from carom.gas.sizes import LONGEST_SIDE
-from carom.gas.species import ANY, best_contact, shear_faults
+from carom.gas.species import shear_faults
 from carom.scene.plausible import FAST
 from carom.scene.schema import Components, Model, Number, raise_faults
 

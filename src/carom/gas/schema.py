@@ -15,12 +15,12 @@ from pydantic import BeforeValidator, Field, model_validator
 from carom.bodies import DISC_INERTIAS, INERTIAS, Ball, Disc
 from carom.errors import Fault, shown, suggestion
 from carom.formatting import counted, format_number
-from carom.gas.contact_forms import GasSurface
+from carom.gas.contact_forms import ANY, GasSurface
 from carom.gas.containers import WALLS, Container, container, container_figures, in_figure
 from carom.gas.drives import Drive, Thermostat
 from carom.gas.old_containers import with_new_container
 from carom.gas.size_distributions import RadiiDistribution, SpeciesRadius, in_classes, size_moments
-from carom.gas.species import ANY, Species
+from carom.gas.species import Species
 from carom.scene.figures import FIGURES, Figure, PlaneFigure
 from carom.scene.figures.sector import SectorFigure
 from carom.scene.figures.solids import CylinderFigure, SphereFigure

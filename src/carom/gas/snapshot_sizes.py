@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 from carom.errors import CaromError
 from carom.formatting import format_bytes, format_number
+from carom.gas.contact_forms import ANY
 from carom.gas.sampling import Every, LogTimes
 from carom.gas.scene import GasScene
-from carom.gas.species import ANY
 
 __all__ = ["MAX_BYTES", "SnapshotSize", "expected_snapshots", "mean_free_time", "require_size"]
 

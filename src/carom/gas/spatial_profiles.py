@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from carom.gas.containers import Container
 from carom.gas.edmd.gas_records import PLANE
 
-__all__ = ["Profile", "Profiles", "layers", "slice_volumes", "volume_within"]
+__all__ = ["Profile", "Profiles", "layer_axis", "layers", "slice_volumes", "volume_within"]
 
 Array = NDArray[np.float64]
 MIN_SLICES, MAX_SLICES = 16, 120
@@ -53,6 +53,13 @@ def layers(container: Container, gravity: Sequence[float], driven: Collection[st
         push = [sum(abs(vector[k]) for vector in planes) for k in range(3)]
     closed = [k for k, around in enumerate(container.periodic) if not around] or [0]
     return max(closed, key=lambda k: push[k]), any(push)
+
+
+def layer_axis(container: Container, gravity: Sequence[float], driven: Collection[str], sheared: bool = False) -> int:
+    """Return the axis across which a gas is averaged in layers, by its number; -1 without walls and flow."""
+    if sheared:
+        return 1
+    return layers(container, gravity, driven)[0] if container.faces else -1
 
 
 class Profiles:

@@ -3,41 +3,35 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.bodies import Ball, Surface
-from carom.errors import Fault, FaultList, require_type, suggestion
-from carom.gas.contact_forms import GasSurface, contact_numbers
-from carom.gas.containers import WALLS, Container, wall_name
+from carom.bodies import Ball
+from carom.errors import Fault, FaultList, require_type
+from carom.gas.contact_forms import Contacts, contact_records, contacts_by_names
+from carom.gas.containers import Container, wall_name
 from carom.gas.drives import Drive, Thermostat, face_records
 from carom.gas.edmd.driver import SystemRecords
 from carom.gas.edmd.gas_records import (
-    CONTACT_FORM,
     ELLIPSE,
     FLOW,
     LAYER,
     MAX_BALLS,
-    PAIR,
     SHEAR,
     SPECIES,
     SYSTEM,
-    WALL_CONTACT,
     WHOLE,
 )  # fmt: skip
 from carom.gas.faces import JOINT_OVERLAP
 from carom.gas.sizes import LONGEST_SIDE, cells_at_most
-from carom.gas.spatial_profiles import layers
+from carom.gas.spatial_profiles import layer_axis
 
-__all__ = ["ANY", "Contacts", "Species", "best_contact", "layer_axis", "shear_faults", "system_records"]
+__all__ = ["Species", "shear_faults", "system_records"]
 
-Contacts = Surface | GasSurface | Mapping[tuple[str, str], Surface | GasSurface]
-ANY = "*"  # in contacts: every species and wall
-NO_TOTALS = (0, 0.0, 0.0, 0.0)  # of a contact that has not happened yet
 FASTEST_FLOW = (
     1e6  # thermal speeds, of a shear flow across the box: faster, images go by so fast that hardly a ball meets another
 )
@@ -79,51 +73,6 @@ class Species:
     temperature: float = 1.0
     temperature_rotational: float | None = None
     radii: ArrayLike | None = field(default=None, compare=False)
-
-
-def _check_contacts(faults: FaultList, contacts: Contacts, names: Sequence[str], container: Container) -> None:
-    """Add the faults of contacts: what is no surface, and names that are not known."""
-    if (wrong := _wrong_contacts(contacts)) is not None:
-        faults.add("contacts", "a carom.Surface, or one for each pair of names, {('a', 'wall'): Surface(...)}", wrong)
-    elif not isinstance(contacts, Surface | GasSurface):
-        known = [ANY, *names, "wall", *dict.fromkeys((*WALLS, *container.names))]
-        for name in sorted({name for key in contacts for name in key} - set(known)):
-            faults.add("contacts", "names of species or walls", f"{name!r}; {suggestion(name, known)}")
-
-
-def _wrong_contacts(contacts: Any) -> str | None:
-    """Return what is neither a surface nor a mapping of pairs of names to surfaces; None if nothing is."""
-    if isinstance(contacts, Surface | GasSurface):
-        return None
-    if not isinstance(contacts, Mapping):
-        return f"{contacts!r:.60}"
-    for pair, surface in contacts.items():
-        named = isinstance(pair, tuple) and len(pair) == 2 and all(isinstance(name, str) for name in pair)
-        if not named or not isinstance(surface, Surface | GasSurface):
-            return f"{pair!r:.40}: {surface!r:.40}"
-    return None
-
-
-def best_contact(keys: Iterable[tuple[str, str]], one: str, others: Sequence[str]) -> tuple[str, str] | None:
-    """Return which of some pairs of names says most about a species and the first of others: "*" stands for every name."""
-    found: dict[tuple[int, int, int], tuple[str, str]] = {}
-    for order, key in enumerate(keys):
-        for first, second in (key, key[::-1]):
-            if first in {one, ANY} and second in {*others, ANY}:
-                rank = len(others) if second == ANY else list(others).index(second)
-                found.setdefault(((first, second).count(ANY), rank, order), key)
-    return found[min(found)] if found else None
-
-
-def _surface(faults: FaultList, contacts: Contacts, one: str, others: Sequence[str]) -> Surface | GasSurface:
-    """Return the surface between a species and the first of others for which one is given."""
-    if isinstance(contacts, Surface | GasSurface):
-        return contacts
-    key = best_contact(contacts, one, others)
-    if key is not None:
-        return contacts[key]
-    faults.add("contacts", f"a Surface for ({one!r}, {others[-1]!r})", f"keys {sorted(contacts)}")
-    return Surface()
 
 
 def _set_cells(faults: FaultList, one: Any, container: Container, widest: float, longest: float, count: int) -> None:
@@ -191,10 +140,8 @@ def system_records(
         faults.add("gravity", "no component along z for discs", f"{gravity!r}")
     if not 0 <= contact_time < math.inf:
         faults.add("contact_time", "a time >= 0", f"{contact_time!r}")
-    _check_contacts(faults, contacts, names, container)
+    by_names = contacts_by_names(faults, contacts, names, container)
     faults.raise_if_any()
-    if isinstance(contacts, Mapping):
-        contacts = {(wall_name(one, axes), wall_name(two, axes)): given for (one, two), given in contacts.items()}
     system = np.zeros(1, SYSTEM)
     one = system[0]
     one["dimensions"], one["side"], one["periodic"], one["cells"], one["cell_size"] = axes, 1.0, 1, 1, 1.0
@@ -216,11 +163,15 @@ def system_records(
     fastest = max(math.sqrt(one.temperature / one.ball.mass) for one in species)
     shear = _shear_record(faults, container, pull, shear_rate, fastest)
     kinds = np.array([(kind.ball.radius, kind.ball.mass, kind.ball.kappa) for kind in species], SPECIES)
-    pairs, pair_forms, with_walls, wall_forms = _contact_records(faults, species, container, contacts)
+    radii = [(kind.name, float(kind.ball.radius)) for kind in species]
+    pairs, pair_forms, with_walls, wall_forms = contact_records(faults, radii, container.faces, by_names)
     faults.raise_if_any()
-    means = _average_records(one, container, drives, len(species), shear_rate != 0)
+    whole, axis = np.zeros(1, WHOLE), layer_axis(container, one["gravity"].tolist(), drives, shear_rate != 0)
+    whole["axis"] = axis
+    layers = np.zeros(0 if axis < 0 else int(one["cells"][axis]) * len(species), LAYER)
+    curves, flows = container.curves, np.zeros(len(species), FLOW)
     return SystemRecords(
-        system, kinds, pairs, pair_forms, with_walls, wall_forms, faces, container.curves, shear, *means
+        system, kinds, pairs, pair_forms, with_walls, wall_forms, faces, curves, shear, whole, flows, layers
     )
 
 
@@ -274,39 +225,3 @@ def shear_faults(container: Container, gravity: Any, rate: float, thermal_speed:
         expected = f"at most {FASTEST_FLOW:g} thermal speeds across the box, {most:.3g}"
         found.add("shear_rate", expected, f"{rate:g}", "lower the rate, or raise the temperature")
     return found
-
-
-def _contact_records(
-    faults: FaultList, species: Sequence[Species], container: Container, contacts: Contacts
-) -> list[NDArray[np.void]]:
-    """Return the records of contacts of pairs and with walls, each with those of their forms."""
-    count = len(species)
-    sizes = (count**2, count**2, len(container.faces) * count, len(container.faces) * count)
-    kinds = (PAIR, CONTACT_FORM, WALL_CONTACT, CONTACT_FORM)
-    found = [np.zeros(size, kind) for size, kind in zip(sizes, kinds, strict=True)]
-    for i, first in enumerate(species):
-        for j, second in enumerate(species):
-            numbers, form, smooth = contact_numbers(_surface(faults, contacts, first.name, [second.name]))
-            distance = first.ball.radius + second.ball.radius
-            found[0][i * count + j] = (distance, distance * distance, *numbers, smooth, *NO_TOTALS)
-            found[1][i * count + j] = form
-        for k, face in enumerate(container.faces):
-            numbers, form, _smooth = contact_numbers(_surface(faults, contacts, first.name, [face.name, "wall"]))
-            found[2][k * count + i] = (*face.offset(float(first.ball.radius)), *numbers, *NO_TOTALS)
-            found[3][k * count + i] = form
-    return found
-
-
-def _average_records(one: Any, container: Container, drives: Collection[str], count: int, sheared: bool) -> Any:
-    """Return the records of means over time, of the whole gas, of each species, and of each in each layer."""
-    whole, axis = np.zeros(1, WHOLE), layer_axis(container, one["gravity"], drives, sheared)
-    whole["axis"] = axis
-    rows = 0 if axis < 0 else int(one["cells"][axis]) * count
-    return whole, np.zeros(count, FLOW), np.zeros(rows, LAYER)
-
-
-def layer_axis(container: Container, gravity: Any, driven: Collection[str], sheared: bool = False) -> int:
-    """Return the axis across which a gas is averaged in layers, by its number; -1 without walls and flow."""
-    if sheared:
-        return 1
-    return layers(container, gravity.tolist(), driven)[0] if container.faces else -1

@@ -19,7 +19,7 @@ from carom.gas.measures import MAX_FOLLOWED, SERIES, Measures
 from carom.gas.results import TOTALS, Mark
 from carom.gas.scene import GasScene
 from carom.gas.sizes import cells_at_most
-from carom.gas.species import layer_axis
+from carom.gas.spatial_profiles import layer_axis
 
 __all__ = ["State", "course_as_arrays", "gas_of_arrays", "require_state", "set_course"]
 
@@ -174,7 +174,7 @@ def _forms(scene: GasScene, state: Arrays) -> dict[str, tuple[np.dtype[Any], tup
         "system": 1, "motions": balls, "plans": balls + 1, "bodies": balls, "numbers": balls, "species": species,
         "pairs": species**2, "pair_forms": species**2, "contacts": faces * species, "contact_forms": faces * species,
         "faces": faces, "whole": 1, "flows": species,
-        "layers": _layers(scene, state) * species,
+        "layers": _layers(state) * species,
         "curves": scene.container.geometry.curves.size,
         "shear": int(scene.shear_rate != 0),
     }  # fmt: skip
@@ -188,18 +188,12 @@ def _forms(scene: GasScene, state: Arrays) -> dict[str, tuple[np.dtype[Any], tup
     }  # fmt: skip
 
 
-def _layers(scene: GasScene, state: Arrays) -> int:
-    """Return the number of layers of a gas, 0 without walls."""
-    require_same_form("system", state["gas.system"], STATE["system"], (1,))
-    one = state["gas.system"][0]
-    axis = _layer_axis(scene, one)
-    return 0 if axis < 0 else int(one["cells"][axis])
-
-
-def _layer_axis(scene: GasScene, one: Any) -> int:
-    return layer_axis(
-        scene.container.geometry, one["gravity"], {drive.wall for drive in scene.drives}, scene.shear_rate != 0
-    )
+def _layers(state: Arrays) -> int:
+    """Return the number of layers of a gas across its axis, whose number is compared with the scene's later; 0 without walls."""
+    for name in ("system", "whole"):
+        require_same_form(name, state[f"gas.{name}"], STATE[name], (1,))
+    axis = int(state["gas.whole"][0]["axis"])
+    return int(state["gas.system"][0]["cells"][axis]) if axis in range(3) else 0
 
 
 def _require_no_nan(name: str, array: NDArray[Any]) -> None:
@@ -221,7 +215,8 @@ def _require_contents(scene: GasScene, state: Arrays) -> None:
     counted = {
         name: int(state[f"gas.{name}"]["collisions"].sum()) for name in ("motions", "pairs", "contacts", "faces")
     }
-    axis = _layer_axis(scene, one)
+    driven = {drive.wall for drive in scene.drives}
+    axis = layer_axis(scene.container.geometry, one["gravity"].tolist(), driven, scene.shear_rate != 0)
     first, sampled, interval, snapshots, _timed = state["session"].tolist()
     whole = {
         "numbers": np.array_equal(np.sort(state["gas.numbers"]), np.arange(count)),
