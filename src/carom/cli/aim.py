@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.common import require_outputs, wrote
-from carom.cli.options import OUTPUT, RUN, parse_pair, quantity, shared
+from carom.cli.options import OUTPUT, RUN, option, parse_pair, shared
 from carom.cli.streams import note, say_json
 from carom.errors import CaromError, FaultList
 
@@ -28,76 +28,55 @@ def register(app: typer.Typer) -> None:
 def aim(
     scene: Annotated[Path, typer.Argument(metavar="SCENE.toml", help="A scene file; carom scene new FILE writes one.")],
     ball: Annotated[
-        str,
-        typer.Option(
-            "--ball", metavar="BALL", help="Number or name of the ball that is to reach it.", rich_help_panel=TARGET
-        ),
+        str, option(TARGET, "Number or name of the ball that is to reach it.", "--ball", metavar="BALL")
     ] = "0",
     hit: Annotated[
         list[str] | None,
-        typer.Option(
-            "--hit", metavar="BALL", help="A ball to be touched; may be repeated, in any order.", rich_help_panel=TARGET
-        ),
+        option(TARGET, "A ball to be touched; may be repeated, in any order.", "--hit", metavar="BALL"),
     ] = None,
     cushions: Annotated[
-        int,
-        typer.Option(
-            "--cushions", min=0, metavar="N", help="Cushions before the last of them, at least.", rich_help_panel=TARGET
-        ),
+        int, option(TARGET, "Cushions before the last of them, at least.", "--cushions", min=0, metavar="N")
     ] = 0,
     pocket: Annotated[
-        str | None,
-        typer.Option("--pocket", metavar="NAME|any", help="Pocket that it is to fall into.", rich_help_panel=TARGET),
+        str | None, option(TARGET, "Pocket that it is to fall into.", "--pocket", metavar="NAME|any")
     ] = None,
-    point: Annotated[
-        str | None, typer.Option("--point", metavar="X,Y", help="Place where it is to end, m.", rich_help_panel=TARGET)
-    ] = None,
+    point: Annotated[str | None, option(TARGET, "Place where it is to end, m.", "--point", metavar="X,Y")] = None,
     within: Annotated[
         float | None,
-        typer.Option(
-            "--within",
-            **quantity("--within", "m"),
-            help="How far from there it may end, m.",
-            show_default="its radius",
-            rich_help_panel=TARGET,
-        ),
+        option(TARGET, "How far from there it may end, m.", "--within", unit="m", show_default="its radius"),
     ] = None,
     speed: Annotated[
         float | None,
-        typer.Option(
+        option(
+            TARGET,
+            "Speed with which it comes to the ball or the pocket, m/s, within a tenth.",
             "--speed",
-            **quantity("--speed", "m/s"),
-            help="Speed with which it comes to the ball or the pocket, m/s, within a tenth.",
+            unit="m/s",
             show_default="any",
-            rich_help_panel=TARGET,
         ),
     ] = None,
     free: Annotated[
         list[str] | None,
-        typer.Option(
+        option(
+            START,
+            "What may be chosen: balls.0.velocity, balls.0.strike, balls.0.strike.offset, ...; may be repeated.",
             "--free",
             metavar="PATH[=LOW:HIGH]",
-            help="What may be chosen: balls.0.velocity, balls.0.strike, balls.0.strike.offset, ...; may be repeated.",
             show_default="balls.0.velocity, or the strike of a ball that is struck",
-            rich_help_panel=START,
         ),
     ] = None,
     error: Annotated[
         list[str] | None,
-        typer.Option(
+        option(
+            START,
+            "The player's: speed (a share), angle, azimuth, elevation (degrees), side, top (radii).",
             "--error",
             metavar="NAME=SIGMA",
-            help="The player's: speed (a share), angle, azimuth, elevation (degrees), side, top (radii).",
             show_default="speed=0.03, angle=0.2",
-            rich_help_panel=START,
         ),
     ] = None,
-    solutions: Annotated[
-        int, typer.Option("--solutions", min=1, metavar="N", help="How many to show, at most.", rich_help_panel=OUTPUT)
-    ] = 5,
-    starts: Annotated[
-        int, typer.Option("--starts", min=1, metavar="N", help="Starts of the coarse sweep.", rich_help_panel=RUN)
-    ] = 1 << 14,
+    solutions: Annotated[int, option(OUTPUT, "How many to show, at most.", "--solutions", min=1, metavar="N")] = 5,
+    starts: Annotated[int, option(RUN, "Starts of the coarse sweep.", "--starts", min=1, metavar="N")] = 1 << 14,
     seed: Annotated[int, shared("seed")] = 0,
     allow_own_laws: Annotated[bool, shared("allow_own_laws")] = False,
     as_json: Annotated[bool, shared("json")] = False,

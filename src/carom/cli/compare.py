@@ -15,7 +15,7 @@ from rich.text import Text
 
 from carom.cli.common import require_outputs, tick, wrote
 from carom.cli.console import out
-from carom.cli.options import BALL, OUTPUT, comma_separated, quantity, shared
+from carom.cli.options import BALL, OUTPUT, comma_separated, option, shared
 from carom.cli.streams import say_json, say_notes
 from carom.errors import FaultList
 from carom.formatting import format_length, format_number
@@ -35,45 +35,22 @@ def register(app: typer.Typer) -> None:
 
 
 def compare(
-    speed: Annotated[
-        float, typer.Option(help="Speed along the floor, m/s.", rich_help_panel=BALL, **quantity("--speed", "m/s"))
-    ] = 1.0,
+    speed: Annotated[float, option(BALL, "Speed along the floor, m/s.", "--speed", unit="m/s")] = 1.0,
     angle_deg: Annotated[
-        float,
-        typer.Option(
-            "--angle",
-            help="Angle of incidence, from the wall's normal, degrees.",
-            rich_help_panel=BALL,
-            **quantity("--angle", "degree"),
-        ),
+        float, option(BALL, "Angle of incidence, from the wall's normal, degrees.", "--angle", unit="degree")
     ] = 45.0,
-    spin_z: Annotated[
-        float,
-        typer.Option(help="Spin about the vertical, rad/s.", rich_help_panel=BALL, **quantity("--spin-z", "rad/s")),
-    ] = 0.0,
+    spin_z: Annotated[float, option(BALL, "Spin about the vertical, rad/s.", "--spin-z", unit="rad/s")] = 0.0,
     spin_x: Annotated[
-        float | None,
-        typer.Option(
-            help="Spin about x, rad/s.", show_default="rolling", rich_help_panel=BALL, **quantity("--spin-x", "rad/s")
-        ),
+        float | None, option(BALL, "Spin about x, rad/s.", "--spin-x", unit="rad/s", show_default="rolling")
     ] = None,
     spin_y: Annotated[
-        float | None,
-        typer.Option(
-            help="Spin about y, rad/s.", show_default="rolling", rich_help_panel=BALL, **quantity("--spin-y", "rad/s")
-        ),
+        float | None, option(BALL, "Spin about y, rad/s.", "--spin-y", unit="rad/s", show_default="rolling")
     ] = None,
     sliding: Annotated[
-        bool,
-        typer.Option(
-            "--sliding", help="The ball slides: --spin-x and --spin-y are 0 by default.", rich_help_panel=BALL
-        ),
+        bool, option(BALL, "The ball slides: --spin-x and --spin-y are 0 by default.", "--sliding")
     ] = False,
     vertical_speed: Annotated[
-        float,
-        typer.Option(
-            help="Upward speed at the wall, m/s.", rich_help_panel=BALL, **quantity("--vertical-speed", "m/s")
-        ),
+        float, option(BALL, "Upward speed at the wall, m/s.", "--vertical-speed", unit="m/s")
     ] = 0.0,
     height: Annotated[float, shared("height")] = 0.0,
     inertia: Annotated[str, shared("inertia")] = "solid",
@@ -90,11 +67,7 @@ def compare(
     floor_contact: Annotated[str, shared("floor_contact")] = "with",
     law: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="NAME,NAME",
-            help="Compare only these laws, or custom ones, my_law.py:law; may be repeated.",
-            rich_help_panel=OUTPUT,
-        ),
+        option(OUTPUT, "Compare only these laws, or custom ones, my_law.py:law; may be repeated.", metavar="NAME,NAME"),
     ] = None,
     as_json: Annotated[bool, shared("json")] = False,
     plot: Annotated[Path | None, shared("plot")] = None,

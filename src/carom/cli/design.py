@@ -11,6 +11,7 @@ from carom.cli.common import require_outputs, wrote
 from carom.cli.options import (
     BALL,
     WALL,
+    option,
     parse_assignments,
     parse_number,
     shared,
@@ -37,45 +38,33 @@ def design(
     inertia: Annotated[str, shared("inertia")] = "solid",
     kind: Annotated[str | None, shared("kind", default="FILE's, else planar", rich_help_panel=BALL)] = None,
     stage: Annotated[
-        str,
-        typer.Option(help="Stage at which a ball on a table is measured: after_wall or rolling.", rich_help_panel=BALL),
+        str, option(BALL, "Stage at which a ball on a table is measured: after_wall or rolling.")
     ] = "after_wall",
     truth: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME=VALUE", help="Parameter of the first law; may be repeated.", rich_help_panel=WALL),
+        list[str] | None, option(WALL, "Parameter of the first law; may be repeated.", metavar="NAME=VALUE")
     ] = None,
     contact_height: Annotated[float | None, shared("contact_height", default="1")] = None,
     floor_friction: Annotated[float | None, shared("floor_friction", default="what FILE says, else 0.2")] = None,
     angles_deg: Annotated[
-        str,
-        typer.Option(
-            "--angles", metavar="LOW:HIGH", help="Angles of incidence, degrees from the normal.", rich_help_panel=SHOTS
-        ),
+        str, option(SHOTS, "Angles of incidence, degrees from the normal.", "--angles", metavar="LOW:HIGH")
     ] = "{:g}:{:g}".format(*ANGLES_DEG),
-    speeds: Annotated[
-        str, typer.Option(metavar="LOW:HIGH", help="Speeds, m/s.", rich_help_panel=SHOTS)
-    ] = "{:g}:{:g}".format(*SPEEDS),
+    speeds: Annotated[str, option(SHOTS, "Speeds, m/s.", metavar="LOW:HIGH")] = "{:g}:{:g}".format(*SPEEDS),
     spins: Annotated[
-        str,
-        typer.Option(
-            metavar="LOW:HIGH|unknown",
-            help="Spin before the wall, rad/s; unknown if not measured.",
-            rich_help_panel=SHOTS,
-        ),
+        str, option(SHOTS, "Spin before the wall, rad/s; unknown if not measured.", metavar="LOW:HIGH|unknown")
     ] = "{:g}:{:g}".format(*SPINS),
     spin: Annotated[
         str | None,
-        typer.Option(
-            help="Unmeasured spins before the wall in FILE, as in carom fit: rad/s at the first contact of each ball, or a prior.",
+        option(
+            SHOTS,
+            "Unmeasured spins before the wall in FILE, as in carom fit: rad/s at the first contact of each ball, or a prior.",
             show_default="normal, mean along v_t and width fitted",
-            rich_help_panel=SHOTS,
         ),
     ] = None,
     sigma_v: Annotated[float, shared("sigma_v", rich_help_panel=SHOTS)] = SIGMA_V,
     sigma_spin: Annotated[
         float | None, shared("sigma_spin", default="spin not measured", rich_help_panel=SHOTS)
     ] = None,
-    odds: Annotated[float, typer.Option(help="Target odds, N:1.", rich_help_panel=SHOTS)] = ODDS,
+    odds: Annotated[float, option(SHOTS, "Target odds, N:1.")] = ODDS,
     plot: Annotated[Path | None, shared("plot")] = None,
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from carom.cli.common import require_outputs, wrote
-from carom.cli.options import OUTPUT, RUN, comma_separated, shared
+from carom.cli.options import OUTPUT, RUN, comma_separated, option, shared
 from carom.errors import FaultList
 
 
@@ -23,41 +23,34 @@ def explore(
     ] = None,
     laws: Annotated[
         str | None,
-        typer.Option(
+        option(
+            RUN,
+            "Laws that are shown at first. Default: the scene's own laws, and the laws of carom compare for its walls.",
             metavar="NAME,NAME...",
-            help="Laws that are shown at first. Default: the scene's own laws, and the laws of carom compare for its walls.",
-            rich_help_panel=RUN,
         ),
     ] = None,
     data: Annotated[
         Path | None,
-        typer.Option(
-            metavar="REBOUNDS.csv",
-            help="Measured rebounds, drawn over the laws' curves. These are not fitted to them: they are for the restitution and"
+        option(
+            RUN,
+            "Measured rebounds, drawn over the laws' curves. These are not fitted to them: they are for the restitution and"
             " friction of the scene, and of the page's sliders.",
-            rich_help_panel=RUN,
+            metavar="REBOUNDS.csv",
         ),
     ] = None,
     film: Annotated[
         Path | None,
-        typer.Option(
+        option(
+            RUN,
+            "A track file of one shot, in the coordinates of the scene: dots beside the balls' paths.",
             metavar="FILM",
-            help="A track file of one shot, in the coordinates of the scene: dots beside the balls' paths.",
-            rich_help_panel=RUN,
         ),
     ] = None,
-    shot: Annotated[
-        str | None, typer.Option(metavar="NAME", help="Its name in a film of several shots.", rich_help_panel=RUN)
-    ] = None,
+    shot: Annotated[str | None, option(RUN, "Its name in a film of several shots.", metavar="NAME")] = None,
     out: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE.html", help="File to write.", show_default="carom_explorer.html", rich_help_panel=OUTPUT
-        ),
+        Path | None, option(OUTPUT, "File to write.", metavar="FILE.html", show_default="carom_explorer.html")
     ] = None,
-    no_open: Annotated[
-        bool, typer.Option("--no-open", help="Write the file, and open no browser.", rich_help_panel=OUTPUT)
-    ] = False,
+    no_open: Annotated[bool, option(OUTPUT, "Write the file, and open no browser.", "--no-open")] = False,
     quiet: Annotated[bool, shared("quiet")] = False,
 ) -> None:
     """Write a page in which a ball is thrown by hand and every law is watched at once, and open it in the browser."""

@@ -17,6 +17,7 @@ from carom.cli.options import (
     OUTPUT,
     REBOUNDS,
     comma_separated,
+    option,
     parse_assignments,
     parse_bounds,
     parse_length,
@@ -50,187 +51,136 @@ def fit(
     radius: Annotated[float | None, shared("radius", default="the radius of a set that comes with carom")] = None,
     inertia: Annotated[str | None, shared("inertia", default="solid")] = None,
     laws: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME,NAME", help="Fit only these laws; may be repeated.", rich_help_panel=LAWS),
+        list[str] | None, option(LAWS, "Fit only these laws; may be repeated.", metavar="NAME,NAME")
     ] = None,
     restitution: Annotated[
         str,
-        typer.Option(
-            help="Restitution as a function of speed: constant, line, polynomial, power, viscoelastic, exponential.",
-            rich_help_panel=LAWS,
+        option(
+            LAWS, "Restitution as a function of speed: constant, line, polynomial, power, viscoelastic, exponential."
         ),
     ] = "constant",
     friction: Annotated[
         str,
-        typer.Option(
+        option(
+            LAWS,
+            "Friction: constant, or linear or exponential in the slip, or in v_n, slip/v_n, speed after a colon.",
             metavar="FORM[:VARIABLE]",
-            help="Friction: constant, or linear or exponential in the slip, or in v_n, slip/v_n, speed after a colon.",
-            rich_help_panel=LAWS,
         ),
     ] = "constant",
     tangential_restitution: Annotated[
-        str,
-        typer.Option(
-            metavar="FORM[:VARIABLE]",
-            help="Tangential restitution: the same, by default in slip/v_n.",
-            rich_help_panel=LAWS,
-        ),
+        str, option(LAWS, "Tangential restitution: the same, by default in slip/v_n.", metavar="FORM[:VARIABLE]")
     ] = "constant",
     stiffness_ratio: Annotated[
-        str,
-        typer.Option(
-            metavar="FORM[:VARIABLE]", help="Stiffness ratio: the same, by default in slip/v_n.", rich_help_panel=LAWS
-        ),
+        str, option(LAWS, "Stiffness ratio: the same, by default in slip/v_n.", metavar="FORM[:VARIABLE]")
     ] = "constant",
     forms: Annotated[
         bool,
-        typer.Option(
-            "--forms",
-            help="Choose a form or a spline for each parameter of the best law, and the tails of errors, by rows held out; of whole"
+        option(
+            LAWS,
+            "Choose a form or a spline for each parameter of the best law, and the tails of errors, by rows held out; of whole"
             " shots: compare other forms of cushion, cloth and balls.",
-            rich_help_panel=LAWS,
+            "--forms",
         ),
     ] = False,
     fit_: Annotated[
         list[str] | None,
-        typer.Option(
-            "--fit",
-            metavar="NAME",
-            help="Fit this as well: kappa, contact_height, floor_friction, roll.",
-            rich_help_panel=LAWS,
-        ),
+        option(LAWS, "Fit this as well: kappa, contact_height, floor_friction, roll.", "--fit", metavar="NAME"),
     ] = None,
     fix: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="NAME=VALUE", help="Hold a parameter of the laws at a value; may be repeated.", rich_help_panel=LAWS
-        ),
+        option(LAWS, "Hold a parameter of the laws at a value; may be repeated.", metavar="NAME=VALUE"),
     ] = None,
     bound: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="NAME=LOW:HIGH", help="Bounds of a fitted parameter; may be repeated.", rich_help_panel=LAWS
-        ),
+        list[str] | None, option(LAWS, "Bounds of a fitted parameter; may be repeated.", metavar="NAME=LOW:HIGH")
     ] = None,
-    robust: Annotated[
-        bool, typer.Option("--robust", help="Assume errors with heavy tails (Student's t).", rich_help_panel=LAWS)
-    ] = False,
+    robust: Annotated[bool, option(LAWS, "Assume errors with heavy tails (Student's t).", "--robust")] = False,
     contact_height: Annotated[float | None, shared("contact_height", default="1")] = None,
     floor_friction: Annotated[float | None, shared("floor_friction", default="what the film says, else 0.2")] = None,
     floor_restitution: Annotated[float, shared("floor_restitution")] = 0.0,
     roll: Annotated[
-        float,
-        typer.Option(
-            help="Spin before the wall, in units of a rolling ball's spin: 1 rolling, 0 without spin.",
-            rich_help_panel=LAWS,
-        ),
+        float, option(LAWS, "Spin before the wall, in units of a rolling ball's spin: 1 rolling, 0 without spin.")
     ] = 1.0,
     kind: Annotated[str | None, shared("kind", default="by the columns")] = None,
-    stage: Annotated[
-        str | None, typer.Option(help="Stage of all rows: after_wall or rolling.", rich_help_panel=DATA)
-    ] = None,
+    stage: Annotated[str | None, option(DATA, "Stage of all rows: after_wall or rolling.")] = None,
     rate: Annotated[float | None, shared("rate", default="from the times")] = None,
     scale: Annotated[str | None, shared("scale")] = None,
     view: Annotated[str | None, shared("view", default="by the motion")] = None,
     balls: Annotated[bool, shared("balls")] = False,
     whole: Annotated[
         bool,
-        typer.Option(
-            "--whole",
-            help="Fit whole tracks, each simulated from its own initial state, instead of contacts.",
-            rich_help_panel=DATA,
-        ),
+        option(DATA, "Fit whole tracks, each simulated from its own initial state, instead of contacts.", "--whole"),
     ] = False,
-    cushions: Annotated[
-        int, typer.Option(help="With --whole: largest number of contacts followed per ball.", rich_help_panel=DATA)
-    ] = CUSHIONS,
+    cushions: Annotated[int, option(DATA, "With --whole: largest number of contacts followed per ball.")] = CUSHIONS,
     shot: Annotated[
         bool,
-        typer.Option(
+        option(
+            DATA,
+            "Fit whole shots from the stroke to rest, all balls and cushions; --fit, --fix and --bound take paths of a scene.",
             "--shot",
-            help="Fit whole shots from the stroke to rest, all balls and cushions; --fit, --fix and --bound take paths of a scene.",
-            rich_help_panel=DATA,
         ),
     ] = False,
     table: Annotated[
         Path | None,
-        typer.Option(
+        option(
+            DATA,
+            "With --shot: the table with which the fit begins.",
             metavar="SCENE.toml",
-            help="With --shot: the table with which the fit begins.",
             show_default="a carom table between the cushions of the films",
-            rich_help_panel=DATA,
         ),
     ] = None,
     noise: Annotated[str | None, shared("noise", default="estimated; only with --whole")] = None,
     where: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="COLUMN=VALUE",
-            help="Use only rows with this value in the column; may be repeated.",
-            rich_help_panel=DATA,
-        ),
+        option(DATA, "Use only rows with this value in the column; may be repeated.", metavar="COLUMN=VALUE"),
     ] = None,
     by: Annotated[
-        str | None,
-        typer.Option(
-            metavar="COLUMN", help="Fit the rows of each value of this column, such as surface.", rich_help_panel=DATA
-        ),
+        str | None, option(DATA, "Fit the rows of each value of this column, such as surface.", metavar="COLUMN")
     ] = None,
     population: Annotated[
-        bool,
-        typer.Option(
-            "--population",
-            help="With --by: fit a common distribution of the values' numbers, too.",
-            rich_help_panel=DATA,
-        ),
+        bool, option(DATA, "With --by: fit a common distribution of the values' numbers, too.", "--population")
     ] = False,
     sigma_v: Annotated[float | None, shared("sigma_v", default="of the table")] = None,
     sigma_spin: Annotated[float | None, shared("sigma_spin", default="of the table")] = None,
     spin: Annotated[
         str | None,
-        typer.Option(
-            help="Unmeasured spins before the wall: rad/s at the first contact of each ball (0: thrown without spin), or a prior:"
+        option(
+            DATA,
+            "Unmeasured spins before the wall: rad/s at the first contact of each ball (0: thrown without spin), or a prior:"
             " normal, normal:WIDTH, uniform:WIDTH (in v/a, about 0).",
             show_default="normal, mean along v_t and width fitted",
-            rich_help_panel=DATA,
         ),
     ] = None,
     every_contact: Annotated[
         bool,
-        typer.Option(
+        option(
+            DATA,
+            "Take unmeasured spins of a ball's later contacts as independent; by default each contact sets the next one's.",
             "--every-contact",
-            help="Take unmeasured spins of a ball's later contacts as independent; by default each contact sets the next one's.",
-            rich_help_panel=DATA,
         ),
     ] = False,
     scatter: Annotated[
         str | None,
-        typer.Option(
+        option(
+            DATA,
+            "Fit what contacts scatter beyond the error bars: a share of the speed before the wall, or m/s.",
             metavar="share|absolute",
-            help="Fit what contacts scatter beyond the error bars: a share of the speed before the wall, or m/s.",
             show_default="none",
-            rich_help_panel=DATA,
         ),
     ] = None,
     bootstrap: Annotated[
-        int | None,
-        typer.Option(help="Number of bootstrap fits.", show_default="200 where quick", rich_help_panel=OUTPUT),
+        int | None, option(OUTPUT, "Number of bootstrap fits.", show_default="200 where quick")
     ] = None,
     profiles: Annotated[
         bool | None,
-        typer.Option(
-            "--profiles/--no-profiles",
-            help="Compute intervals by profile likelihood.",
-            show_default="where quick",
-            rich_help_panel=OUTPUT,
+        option(
+            OUTPUT, "Compute intervals by profile likelihood.", "--profiles/--no-profiles", show_default="where quick"
         ),
     ] = None,
     seed: Annotated[
         int | None, shared("seed", default="0", help="Seed of the bootstrap.", rich_help_panel=OUTPUT)
     ] = None,
     report: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE.html", help="Write a report with figures to this file.", rich_help_panel=OUTPUT),
+        Path | None, option(OUTPUT, "Write a report with figures to this file.", metavar="FILE.html")
     ] = None,
     plot: Annotated[
         Path | None, shared("plot", help="Draw which rows slide or grip, and which decide; with --shot film and model.")

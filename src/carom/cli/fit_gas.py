@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from carom.cli.options import OUTPUT, RUN, comma_separated, shared
+from carom.cli.options import OUTPUT, RUN, comma_separated, option, shared
 
 
 def register(app: typer.Typer) -> None:
@@ -28,15 +28,9 @@ def fit_gas(
     ],
     names: Annotated[
         str | None,
-        typer.Option(
-            metavar="NAME,NAME",
-            help="What a curve is to tell: restitution, friction, tangential_restitution.",
-            rich_help_panel=RUN,
-        ),
+        option(RUN, "What a curve is to tell: restitution, friction, tangential_restitution.", metavar="NAME,NAME"),
     ] = None,
-    simulations: Annotated[
-        int, typer.Option(help="Gases simulated in each of four rounds, for a curve.", rich_help_panel=RUN)
-    ] = 80,
+    simulations: Annotated[int, option(RUN, "Gases simulated in each of four rounds, for a curve.")] = 80,
     seed: Annotated[int, shared("seed", default="0", help="Seed of the simulations.", rich_help_panel=RUN)] = 0,
     as_json: Annotated[bool, shared("json", rich_help_panel=OUTPUT)] = False,
 ) -> None:

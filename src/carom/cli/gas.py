@@ -13,7 +13,7 @@ import typer
 from carom.cli.common import GAS_FILMS, of_option, require_outputs, write_files, wrote
 from carom.cli.gas_snapshots import allowed_size, size_limit
 from carom.cli.interrupts import stop_requests
-from carom.cli.options import OUTPUT, RUN, shared
+from carom.cli.options import OUTPUT, RUN, option, shared
 from carom.cli.streams import json_text, note, say_notes
 from carom.errors import CaromError, FaultList, collected
 from carom.formatting import counted
@@ -48,18 +48,15 @@ def gas(
     ] = None,
     duration: Annotated[str | None, shared("duration", default="the scene's", help="Duration to measure.")] = None,
     from_time: Annotated[
-        str | None,
-        typer.Option(
-            "--from", metavar="T", help="Simulated time before which nothing is measured.", rich_help_panel=RUN
-        ),
+        str | None, option(RUN, "Simulated time before which nothing is measured.", "--from", metavar="T")
     ] = None,
     seed: Annotated[int | None, shared("seed", default="the scene's")] = None,
     ensemble: Annotated[
         int | None,
-        typer.Option(
+        option(
+            RUN,
+            "Simulate N independent gases, on all cores; report mean and standard error of every measure.",
             metavar="N",
-            help="Simulate N independent gases, on all cores; report mean and standard error of every measure.",
-            rich_help_panel=RUN,
         ),
     ] = None,
     as_json: Annotated[bool, shared("json")] = False,
@@ -67,54 +64,38 @@ def gas(
     plot: Annotated[Path | None, shared("plot")] = None,
     animate: Annotated[
         Path | None,
-        typer.Option(
+        option(
+            OUTPUT,
+            "A film of the gas as it goes on after the run: .svg (moves in a page), .gif or .mp4.",
             metavar="FILE",
-            help="A film of the gas as it goes on after the run: .svg (moves in a page), .gif or .mp4.",
-            rich_help_panel=OUTPUT,
         ),
     ] = None,
     measures: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="All measures, with the curves of the plot: .json.", rich_help_panel=OUTPUT),
+        Path | None, option(OUTPUT, "All measures, with the curves of the plot: .json.", metavar="FILE")
     ] = None,
     snapshots: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="Snapshots of the balls, e.g. for OVITO: .gsd.", rich_help_panel=OUTPUT),
+        Path | None, option(OUTPUT, "Snapshots of the balls, e.g. for OVITO: .gsd.", metavar="FILE")
     ] = None,
     every: Annotated[
-        str | None,
-        typer.Option(
-            metavar="T",
-            help="Time between snapshots, '5000 events', or '20 per decade' of time.",
-            rich_help_panel=OUTPUT,
-        ),
+        str | None, option(OUTPUT, "Time between snapshots, '5000 events', or '20 per decade' of time.", metavar="T")
     ] = None,
     max_size: Annotated[
-        str | None,
-        typer.Option(
-            metavar="SIZE", help="Largest size of the snapshots: '20 GB'. Default: 1 GB.", rich_help_panel=OUTPUT
-        ),
+        str | None, option(OUTPUT, "Largest size of the snapshots: '20 GB'. Default: 1 GB.", metavar="SIZE")
     ] = None,
-    yes: Annotated[
-        bool, typer.Option("--yes", help="Write snapshots of any size for which there is room.", rich_help_panel=OUTPUT)
-    ] = False,
+    yes: Annotated[bool, option(OUTPUT, "Write snapshots of any size for which there is room.", "--yes")] = False,
     force: Annotated[bool, shared("force", help="Overwrite snapshots that exist.")] = False,
     checkpoint: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="Save the state of the run, to resume from.", rich_help_panel=RESUME),
+        Path | None, option(RESUME, "Save the state of the run, to resume from.", metavar="FILE")
     ] = None,
     checkpoint_every: Annotated[
-        str,
-        typer.Option(
-            metavar="T", help="Interval of checkpoints: '10 min', or '1000000 events'.", rich_help_panel=RESUME
-        ),
+        str, option(RESUME, "Interval of checkpoints: '10 min', or '1000000 events'.", metavar="T")
     ] = CHECKPOINT_INTERVAL,
     resume: Annotated[
         Path | None,
-        typer.Option(
+        option(
+            RESUME,
+            "Resume from a checkpoint. Without --checkpoint the state of the run is saved to FILE too, and replaces it.",
             metavar="FILE",
-            help="Resume from a checkpoint. Without --checkpoint the state of the run is saved to FILE too, and replaces it.",
-            rich_help_panel=RESUME,
         ),
     ] = None,
 ) -> None:
@@ -214,9 +195,9 @@ def _snapshot_options(
 ) -> tuple[Every | None, float | None]:
     """Return the interval of snapshots and their largest size in bytes, None if not given; add faults to ``found``."""
     interval = found.attempt(_spacing, every, scene) if every is not None else None
-    for option, value in (("--every", every), ("--max-size", max_size), ("--yes", yes or None)):
+    for name, value in (("--every", every), ("--max-size", max_size), ("--yes", yes or None)):
         if value is not None and snapshots is None:
-            found.add(option, "--snapshots FILE.gsd as well", "none")
+            found.add(name, "--snapshots FILE.gsd as well", "none")
     return interval, math.inf if yes and max_size is None else found.attempt(size_limit, max_size)
 
 

@@ -20,6 +20,7 @@ __all__ = [
     "TRACK",
     "WALL",
     "comma_separated",
+    "option",
     "parse_assignments",
     "parse_bounds",
     "parse_length",
@@ -101,6 +102,15 @@ _SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
 }
 
 
+def option(panel: str, text: str, *flags: str, unit: str | None = None, **more: Any) -> Any:
+    """Return an option under a heading of the help, for ``Annotated``.
+
+    ``unit`` is the SI unit of a value that may be given with another; ``more`` are further arguments of typer.Option.
+    """
+    settings = quantity(flags[0], unit) if unit else {}
+    return typer.Option(*flags, help=text, rich_help_panel=panel, **settings | more)
+
+
 def shared(name: str, default: str | None = None, **changes: Any) -> Any:
     """Return the option with this name in the table, for ``Annotated``.
 
@@ -108,14 +118,14 @@ def shared(name: str, default: str | None = None, **changes: Any) -> Any:
     typer.Option for a command in which the option has a more specific meaning (``help``, ``rich_help_panel``).
     """
     panel, text, more = _SHARED[name]
-    settings = {"help": text, "rich_help_panel": panel, **more, **changes}
-    if unit := settings.pop("unit", None):
-        settings |= quantity(f"--{name.replace('_', '-')}", unit)
+    settings = {**more, **changes}
+    flag = f"--{name.replace('_', '-')}"
+    flags = settings.pop("flags", (flag,) if "unit" in settings else ())
     if settings.pop("whole", False):
-        settings["parser"] = functools.partial(parse_whole, f"--{name.replace('_', '-')}")
+        settings["parser"] = functools.partial(parse_whole, flag)
     if default is not None:
         settings["show_default"] = default
-    return typer.Option(*settings.pop("flags", ()), **settings)
+    return option(settings.pop("rich_help_panel", panel), settings.pop("help", text), *flags, **settings)
 
 
 def comma_separated(text: str) -> list[str]:

@@ -11,7 +11,7 @@ import typer
 
 from carom.billiards.old_sizes import OLD_SIZES, new_sizes
 from carom.cli.common import require_outputs, wrote
-from carom.cli.options import BALL, OUTPUT, parse_whole, quantity, shared
+from carom.cli.options import BALL, OUTPUT, option, parse_whole, shared
 from carom.cli.orbit_output import every_bounce, orbit_facts, print_orbit
 from carom.cli.progress import working
 from carom.cli.streams import note, say_json
@@ -46,57 +46,44 @@ def orbit(
     ] = BOUNCES,
     table_file: Annotated[
         Path | None,
-        typer.Option(
+        option(
+            TABLE,
+            "The table from a file: TOML with a shape and sizes, or JSON, such as a list of points.",
             "--table",
-            help="The table from a file: TOML with a shape and sizes, or JSON, such as a list of points.",
-            rich_help_panel=TABLE,
             show_default=False,
             metavar="FILE",
         ),
     ] = None,
-    bounds: Annotated[
-        str, typer.Option(help="Whether the table bounds the ball's centre or its surface.", rich_help_panel=TABLE)
-    ] = "centre",
+    bounds: Annotated[str, option(TABLE, "Whether the table bounds the ball's centre or its surface.")] = "centre",
     acceleration: Annotated[
         str | None,
-        typer.Option(
-            help="Constant acceleration, m/s^2: x,y or x,y,z; or a number: along a strip (x), plates or a cylinder (z).",
-            rich_help_panel=TABLE,
+        option(
+            TABLE,
+            "Constant acceleration, m/s^2: x,y or x,y,z; or a number: along a strip (x), plates or a cylinder (z).",
             show_default=False,
         ),
     ] = None,
     magnetic_field: Annotated[
         float | None,
-        typer.Option(
-            help="Magnetic field perpendicular to the plane, as the cyclotron frequency, rad/s: the centre moves on circles of"
+        option(
+            TABLE,
+            "Magnetic field perpendicular to the plane, as the cyclotron frequency, rad/s: the centre moves on circles of"
             " the Larmor radius speed/|this|, counterclockwise where it is positive.",
-            rich_help_panel=TABLE,
             show_default=False,
         ),
     ] = None,
     kappa: Annotated[
-        float | None,
-        typer.Option(
-            help="Moment of inertia, I/(m a^2); any in the plane.",
-            show_default="0.5; in space 0.4",
-            rich_help_panel=BALL,
-        ),
+        float | None, option(BALL, "Moment of inertia, I/(m a^2); any in the plane.", show_default="0.5; in space 0.4")
     ] = None,
     ball_radius: Annotated[
-        float | None,
-        typer.Option(
-            help="Radius, m.",
-            show_default="1; 0.1 with --bounds surface",
-            rich_help_panel=BALL,
-            **quantity("--ball-radius", "m"),
-        ),
+        float | None, option(BALL, "Radius, m.", "--ball-radius", unit="m", show_default="1; 0.1 with --bounds surface")
     ] = None,
     law: Annotated[
         str,
-        typer.Option(
-            help="no-slip, mirror, contact, rolling, another law of carom laws that answers at a wall alone (of two-step the"
+        option(
+            LAW,
+            "no-slip, mirror, contact, rolling, another law of carom laws that answers at a wall alone (of two-step the"
             " part at the wall: there is no floor), or a custom law: my_law.py:law.",
-            rich_help_panel=LAW,
         ),
     ] = "no-slip",
     restitution: Annotated[float | None, shared("restitution", default="1", rich_help_panel=LAW)] = None,
@@ -104,60 +91,45 @@ def orbit(
     tangential_restitution: Annotated[
         float | None, shared("tangential_restitution", default="0", rich_help_panel=LAW)
     ] = None,
-    corners: Annotated[
-        str, typer.Option(help="At a corner: end the orbit, or pass (one side, then the other).", rich_help_panel=LAW)
-    ] = "end",
-    position: Annotated[
-        str | None, typer.Option(help="Of the centre: x,y or x,y,z; m.", rich_help_panel=START, show_default="sampled")
-    ] = None,
-    velocity: Annotated[
-        str | None, typer.Option(help="x,y or x,y,z; m/s.", rich_help_panel=START, show_default="sampled")
-    ] = None,
-    spin: Annotated[
-        str | None, typer.Option(help="rad/s; in space x,y,z.", rich_help_panel=START, show_default="sampled, or 0")
-    ] = None,
-    orbits: Annotated[
-        int, typer.Option(help="Number of orbits, sampled from the invariant measure.", rich_help_panel=START)
-    ] = 1,
+    corners: Annotated[str, option(LAW, "At a corner: end the orbit, or pass (one side, then the other).")] = "end",
+    position: Annotated[str | None, option(START, "Of the centre: x,y or x,y,z; m.", show_default="sampled")] = None,
+    velocity: Annotated[str | None, option(START, "x,y or x,y,z; m/s.", show_default="sampled")] = None,
+    spin: Annotated[str | None, option(START, "rad/s; in space x,y,z.", show_default="sampled, or 0")] = None,
+    orbits: Annotated[int, option(START, "Number of orbits, sampled from the invariant measure.")] = 1,
     seed: Annotated[int, shared("seed", rich_help_panel=START)] = 0,
     plot: Annotated[Path | None, shared("plot", help="Draw the first orbit in the table: .svg, .pdf or .png.")] = None,
     portrait: Annotated[Path | None, shared("plot", help="Draw the velocity phase portrait.")] = None,
     boundary: Annotated[Path | None, shared("plot", help="Draw the boundary map.")] = None,
-    lyapunov: Annotated[
-        bool, typer.Option("--lyapunov", help="Compute the Lyapunov spectrum.", rich_help_panel=OUTPUT)
-    ] = False,
+    lyapunov: Annotated[bool, option(OUTPUT, "Compute the Lyapunov spectrum.", "--lyapunov")] = False,
     lyapunov_plot: Annotated[
         Path | None, shared("plot", help="Draw how the Lyapunov exponents converge; computes them.")
     ] = None,
     reverse: Annotated[
-        bool,
-        typer.Option("--reverse", help="Run the orbits backwards, too, and print the error.", rich_help_panel=OUTPUT),
+        bool, option(OUTPUT, "Run the orbits backwards, too, and print the error.", "--reverse")
     ] = False,
     periodic: Annotated[
         str | None,
-        typer.Option(
-            help="Find the periodic orbits with these numbers of bounces, such as 4, 2-6 or 3,5; --plot draws them.",
-            rich_help_panel=OUTPUT,
+        option(
+            OUTPUT,
+            "Find the periodic orbits with these numbers of bounces, such as 4, 2-6 or 3,5; --plot draws them.",
             show_default=False,
         ),
     ] = None,
     itinerary: Annotated[
         str | None,
-        typer.Option(
-            help="Find the periodic orbits that meet these walls in turn, such as ABC or AB,ABC; A is the boundary's first piece.",
-            rich_help_panel=OUTPUT,
+        option(
+            OUTPUT,
+            "Find the periodic orbits that meet these walls in turn, such as ABC or AB,ABC; A is the boundary's first piece.",
             show_default=False,
         ),
     ] = None,
     starts: Annotated[
-        int, typer.Option(help="Starts of the search for periodic orbits, for each period.", rich_help_panel=OUTPUT)
+        int, option(OUTPUT, "Starts of the search for periodic orbits, for each period.")
     ] = PERIODIC_STARTS,
     verify: Annotated[
         bool,
-        typer.Option(
-            "--verify",
-            help="Prove by interval arithmetic that each periodic orbit is there, and the only one near.",
-            rich_help_panel=OUTPUT,
+        option(
+            OUTPUT, "Prove by interval arithmetic that each periodic orbit is there, and the only one near.", "--verify"
         ),
     ] = False,
     json_: Annotated[bool, shared("json", help="Print JSON on standard output, with every bounce.")] = False,

@@ -12,7 +12,7 @@ from rich.text import Text
 from carom.cli.common import require_outputs, wrote
 from carom.cli.console import err
 from carom.cli.option_names import in_options
-from carom.cli.options import WALL, quantity, shared
+from carom.cli.options import WALL, option, shared
 from carom.cli.progress import working
 from carom.cli.streams import say_json
 from carom.errors import CaromError, FaultList
@@ -46,12 +46,7 @@ def predict(
     ] = None,
     suffix: Annotated[str | None, typer.Option(help="Suffix of the names of added columns.")] = None,
     speed: Annotated[
-        float | None,
-        typer.Option(
-            help="Speed of every row, m/s, for tables with incidence_deg.",
-            rich_help_panel=TABLE,
-            **quantity("--speed", "m/s"),
-        ),
+        float | None, option(TABLE, "Speed of every row, m/s, for tables with incidence_deg.", "--speed", unit="m/s")
     ] = None,
     radius: Annotated[float | None, shared("radius", default="0.02625")] = None,
     mass: Annotated[float | None, shared("mass", default="0.1406")] = None,
@@ -62,10 +57,7 @@ def predict(
     tangential_restitution: Annotated[float | None, shared("tangential_restitution", default="0")] = None,
     stiffness_ratio: Annotated[float | None, shared("stiffness_ratio", default="14/17: same material")] = None,
     normal: Annotated[
-        str | None,
-        typer.Option(
-            help="Normal from wall to ball, for states as vectors.", show_default="1,0,0", rich_help_panel=WALL
-        ),
+        str | None, option(WALL, "Normal from wall to ball, for states as vectors.", show_default="1,0,0")
     ] = None,
     contact_height: Annotated[float, shared("contact_height")] = CONTACT_HEIGHT,
     floor_restitution: Annotated[float | None, shared("floor_restitution", default="0")] = None,

@@ -14,7 +14,7 @@ import typer
 
 from carom.cli.common import require_outputs, wrote
 from carom.cli.interrupts import noticed_interrupts, say_interrupted
-from carom.cli.options import OUTPUT, RUN, shared
+from carom.cli.options import OUTPUT, RUN, option, shared
 from carom.cli.progress import working
 from carom.errors import CaromError, FaultList
 from carom.public.own_laws import with_own_laws
@@ -34,10 +34,7 @@ def register(app: typer.Typer) -> None:
 def simulate(
     scene: Annotated[Path, typer.Argument(metavar="SCENE.toml", help="A scene file; carom scene new FILE writes one.")],
     law: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME", help="Law of the walls, or my_law.py:law. Default: the scene's.", rich_help_panel=RUN
-        ),
+        str | None, option(RUN, "Law of the walls, or my_law.py:law. Default: the scene's.", metavar="NAME")
     ] = None,
     allow_own_laws: Annotated[bool, shared("allow_own_laws")] = False,
     duration: Annotated[
@@ -48,65 +45,47 @@ def simulate(
     ] = None,
     set_: Annotated[
         list[str] | None,
-        typer.Option(
+        option(
+            RUN,
+            "Another value for numbers of the scene, such as walls.*.restitution=0.8 or balls.0.velocity=[2,1]; may be"
+            " repeated.",
             "--set",
             metavar="PATH=VALUE",
-            help="Another value for numbers of the scene, such as walls.*.restitution=0.8 or balls.0.velocity=[2,1]; may be"
-            " repeated.",
-            rich_help_panel=RUN,
         ),
     ] = None,
     at: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="T", help="Print the states at this time, s; may be repeated, or 0.5,1,2.", rich_help_panel=OUTPUT
-        ),
+        list[str] | None, option(OUTPUT, "Print the states at this time, s; may be repeated, or 0.5,1,2.", metavar="T")
     ] = None,
     events: Annotated[
         str | None,
-        typer.Option(
-            metavar="all|N",
-            help="Rows of the table of events, bounces folded; all: every event. Default: 40.",
-            rich_help_panel=OUTPUT,
-        ),
+        option(OUTPUT, "Rows of the table of events, bounces folded; all: every event. Default: 40.", metavar="all|N"),
     ] = None,
     as_json: Annotated[bool, shared("json")] = False,
     quiet: Annotated[bool, shared("quiet")] = False,
     sensitivity: Annotated[
         str | None,
-        typer.Option(
-            metavar="PATHS",
-            help="Print what matters: how far each ball's final place moves per cent of these numbers, such as"
+        option(
+            OUTPUT,
+            "Print what matters: how far each ball's final place moves per cent of these numbers, such as"
             " balls.0.velocity,walls.*.friction.",
-            rich_help_panel=OUTPUT,
+            metavar="PATHS",
         ),
     ] = None,
     plot: Annotated[Path | None, shared("plot")] = None,
-    animate: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="Write an animation: .mp4, .gif or .html.", rich_help_panel=OUTPUT),
-    ] = None,
+    animate: Annotated[Path | None, option(OUTPUT, "Write an animation: .mp4, .gif or .html.", metavar="FILE")] = None,
     save: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE", help="Save the run for carom.load_trajectory: .parquet or .nc.", rich_help_panel=OUTPUT
-        ),
+        Path | None, option(OUTPUT, "Save the run for carom.load_trajectory: .parquet or .nc.", metavar="FILE")
     ] = None,
-    table: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write all events: .csv or .parquet.", rich_help_panel=OUTPUT)
-    ] = None,
+    table: Annotated[Path | None, option(OUTPUT, "Write all events: .csv or .parquet.", metavar="FILE")] = None,
     out: Annotated[
         Path | None,
-        typer.Option(
+        option(
+            OUTPUT,
+            "Write place, velocity, spin and orientation of every ball frame by frame: .csv, .json or .parquet.",
             metavar="FILE",
-            help="Write place, velocity, spin and orientation of every ball frame by frame: .csv, .json or .parquet.",
-            rich_help_panel=OUTPUT,
         ),
     ] = None,
-    frames: Annotated[
-        float | None,
-        typer.Option(metavar="RATE", help="Frames per second for --out. Default: 60.", rich_help_panel=OUTPUT),
-    ] = None,
+    frames: Annotated[float | None, option(OUTPUT, "Frames per second for --out. Default: 60.", metavar="RATE")] = None,
 ) -> None:
     """Simulate a scene event by event; print a description, the events, the final states and the energy budget."""
     from carom.cli.streams import say_notes

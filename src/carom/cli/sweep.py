@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.common import require_outputs, wrote
-from carom.cli.options import OUTPUT, RUN, shared
+from carom.cli.options import OUTPUT, RUN, option, shared
 from carom.cli.progress import working
 from carom.cli.streams import say_json
 from carom.errors import CaromError, FaultList
@@ -73,31 +73,26 @@ def run(
     file: FILE,
     store: Annotated[
         str | None,
-        typer.Option(
+        option(
+            OUTPUT,
+            "Folder or address of the results.",
             "--store",
             metavar="STORE",
-            help="Folder or address of the results.",
             show_default="FILE with the ending .zarr",
-            rich_help_panel=OUTPUT,
         ),
     ] = None,
     on: Annotated[
         str,
-        typer.Option(
+        option(
+            RUN,
+            "Where: on this machine's cores, on its GPU, or on a Dask cluster.",
             "--on",
             metavar="cores|cuda|dask:ADDRESS",
-            help="Where: on this machine's cores, on its GPU, or on a Dask cluster.",
-            rich_help_panel=RUN,
         ),
     ] = "cores",
     block: Annotated[
         str | None,
-        typer.Option(
-            "--block",
-            metavar="K/N",
-            help="Only the K-th of N equal parts, for one of an array of jobs.",
-            rich_help_panel=RUN,
-        ),
+        option(RUN, "Only the K-th of N equal parts, for one of an array of jobs.", "--block", metavar="K/N"),
     ] = None,
     allow_own_laws: OWN_LAWS = False,
     as_json: JSON = False,
@@ -158,32 +153,16 @@ def plot(
     out: Annotated[Path, shared("plot", flags=("--out", "--plot"), help="Figure to draw: .svg, .pdf or .png.")],
     of: Annotated[
         str | None,
-        typer.Option(
-            "--of",
-            metavar="NAME",
-            help="Outcome to draw, such as final.position.",
-            show_default="the first",
-            rich_help_panel=OUTPUT,
-        ),
+        option(OUTPUT, "Outcome to draw, such as final.position.", "--of", metavar="NAME", show_default="the first"),
     ] = None,
-    x: Annotated[
-        str | None, typer.Option("--x", metavar="DIM", help="Dimension along x.", rich_help_panel=OUTPUT)
-    ] = None,
-    y: Annotated[
-        str | None, typer.Option("--y", metavar="DIM", help="Dimension along y.", rich_help_panel=OUTPUT)
-    ] = None,
+    x: Annotated[str | None, option(OUTPUT, "Dimension along x.", "--x", metavar="DIM")] = None,
+    y: Annotated[str | None, option(OUTPUT, "Dimension along y.", "--y", metavar="DIM")] = None,
     panels: Annotated[
-        str | None,
-        typer.Option("--panels", metavar="DIM", help="Dimension with a panel for each value.", rich_help_panel=OUTPUT),
+        str | None, option(OUTPUT, "Dimension with a panel for each value.", "--panels", metavar="DIM")
     ] = None,
     at: Annotated[
         list[str] | None,
-        typer.Option(
-            "--at",
-            metavar="DIM=VALUE",
-            help="Value of another dimension: ball=white, axis=x. May be repeated.",
-            rich_help_panel=OUTPUT,
-        ),
+        option(OUTPUT, "Value of another dimension: ball=white, axis=x. May be repeated.", "--at", metavar="DIM=VALUE"),
     ] = None,
     allow_own_laws: OWN_LAWS = False,
 ) -> None:

@@ -15,7 +15,7 @@ from rich.console import Console
 from carom.cli.common import require_outputs, wrote
 from carom.cli.console import err
 from carom.cli.console import out as stdout
-from carom.cli.options import FLOOR, parse_length, quantity, shared
+from carom.cli.options import FLOOR, option, parse_length, shared
 from carom.cli.pair_output import pair_facts, tell_pairs
 from carom.cli.progress import working
 from carom.cli.streams import say_json
@@ -59,15 +59,10 @@ def show(
         bool, typer.Option("--sliding", help="Keep balls that are still sliding when they meet the wall.")
     ] = False,
     balls: Annotated[bool, shared("balls")] = False,
-    format_: Annotated[
-        str | None, typer.Option("--format", help="Format of the file; overrides detection.", rich_help_panel=FILE)
-    ] = None,
+    format_: Annotated[str | None, option(FILE, "Format of the file; overrides detection.", "--format")] = None,
     scale: Annotated[str | None, shared("scale", rich_help_panel=FILE)] = None,
     rate: Annotated[float | None, shared("rate", rich_help_panel=FILE)] = None,
-    down: Annotated[
-        bool | None,
-        typer.Option("--down/--up", help="The second axis points down, as in images.", rich_help_panel=FILE),
-    ] = None,
+    down: Annotated[bool | None, option(FILE, "The second axis points down, as in images.", "--down/--up")] = None,
     view: Annotated[str | None, shared("view", default="by the motion", rich_help_panel=FILE)] = None,
     radius: Annotated[
         float | None,
@@ -78,52 +73,28 @@ def show(
     inertia: Annotated[str, shared("inertia")] = "solid",
     wall: Annotated[
         list[str] | None,
-        typer.Option(
-            help="Line at which the ball's centre is reflected: x=0.03, y=1.4 or x1,y1,x2,y2 (m); may be repeated.",
-            rich_help_panel=FLOOR,
+        option(
+            FLOOR, "Line at which the ball's centre is reflected: x=0.03, y=1.4 or x1,y1,x2,y2 (m); may be repeated."
         ),
     ] = None,
-    hard: Annotated[
-        bool,
-        typer.Option("--hard", help="The wall is rigid: both motions meet on its line.", rich_help_panel=FLOOR),
-    ] = False,
+    hard: Annotated[bool, option(FLOOR, "The wall is rigid: both motions meet on its line.", "--hard")] = False,
     floor_friction: Annotated[
-        float | None,
-        typer.Option(
-            "--floor-friction", "--cloth", help="Coulomb friction of the floor. Default: fitted.", rich_help_panel=FLOOR
-        ),
+        float | None, option(FLOOR, "Coulomb friction of the floor. Default: fitted.", "--floor-friction", "--cloth")
     ] = None,
     rolling_resistance: Annotated[
         float | None,
-        typer.Option(
-            "--rolling-resistance",
-            "--rolling",
-            help="Deceleration / g of a rolling ball. Default: fitted.",
-            rich_help_panel=FLOOR,
-        ),
+        option(FLOOR, "Deceleration / g of a rolling ball. Default: fitted.", "--rolling-resistance", "--rolling"),
     ] = None,
     gravity: Annotated[float, shared("gravity")] = GRAVITY,
     drag: Annotated[
         float | None,
-        typer.Option(
-            help="Air drag k, 1/m: it slows a ball of speed v down by k v^2. Default: from the flights.",
-            rich_help_panel=FLOOR,
-        ),
+        option(FLOOR, "Air drag k, 1/m: it slows a ball of speed v down by k v^2. Default: from the flights."),
     ] = None,
     noise: Annotated[str | None, shared("noise", default="estimated", rich_help_panel=FIT)] = None,
-    window: Annotated[
-        float,
-        typer.Option(
-            help="Time fitted before and after a contact, s.", rich_help_panel=FIT, **quantity("--window", "s")
-        ),
-    ] = WINDOW,
+    window: Annotated[float, option(FIT, "Time fitted before and after a contact, s.", "--window", unit="s")] = WINDOW,
     blind: Annotated[
         float | None,
-        typer.Option(
-            help="Time excluded before and after a contact, s. Default: from the frames.",
-            rich_help_panel=FIT,
-            **quantity("--blind", "s"),
-        ),
+        option(FIT, "Time excluded before and after a contact, s. Default: from the frames.", "--blind", unit="s"),
     ] = None,
 ) -> None:
     """Summarise track files (format, tracks, frame rate, noise), and measure their contacts by fitting the physics.
