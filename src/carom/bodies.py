@@ -55,10 +55,7 @@ class Ball:
     planar : bool
         Whether it is a disc in the plane (:func:`Disc`).
 
-    Raises
-    ------
-    CaromError
-        One line per problem. (A warning: numbers that look like mm or g.)
+    Raises CaromError, one line per problem. (A warning: numbers that look like mm or g.)
 
     Examples
     --------
@@ -190,10 +187,7 @@ class Surface:
 
     Arrays broadcast with the states that meet the surface.
 
-    Raises
-    ------
-    CaromError
-        One line per problem.
+    Raises CaromError, one line per problem.
 
     Examples
     --------
@@ -245,10 +239,7 @@ class State:
 
     The arrays are copies. Two states are equal if all their velocities and spins are (NaN equals NaN).
 
-    Raises
-    ------
-    CaromError
-        For other shapes, for what is not a finite number.
+    Raises CaromError for other shapes, for what is not a finite number.
 
     Examples
     --------
@@ -345,10 +336,7 @@ def rolling(ball: Ball, velocity: ArrayLike = (-1.0, 1.0), spin_z: ArrayLike = 0
     State
         With omega_x = -v_y/a and omega_y = v_x/a, the paper's (27).
 
-    Raises
-    ------
-    CaromError
-        For a vertical velocity, a disc, other shapes, and what is not a finite number.
+    Raises CaromError for a vertical velocity, a disc, other shapes, and what is not a finite number.
 
     Examples
     --------

@@ -163,10 +163,7 @@ def section(
     -------
     Section
 
-    Raises
-    ------
-    CaromError
-        A force that is not parallel to the line, a magnetic field.
+    Raises CaromError: a force that is not parallel to the line, a magnetic field.
 
     Examples
     --------
@@ -337,10 +334,7 @@ def uniformity(
     -------
     Uniformity
 
-    Raises
-    ------
-    CaromError
-        A table that is open, or has a force.
+    Raises CaromError: a table that is open, or has a force.
 
     Examples
     --------

@@ -46,10 +46,7 @@ def rotation_number(found: Orbit) -> RotationNumber:
     RotationNumber
         NaN for orbits that ended early.
 
-    Raises
-    ------
-    CaromError
-        A table without a boundary of finite length, or too few bounces.
+    Raises CaromError: a table without a boundary of finite length, or too few bounces.
 
     Examples
     --------

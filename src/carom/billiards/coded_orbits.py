@@ -46,10 +46,7 @@ def codes(table: Table, period: int) -> list[str]:
     -------
     list of str
 
-    Raises
-    ------
-    CaromError
-        More than a million words to go through.
+    Raises CaromError: more than a million words to go through.
 
     Examples
     --------
@@ -93,10 +90,7 @@ def proved_complete(found: Iterable[Any], period: int) -> bool:
     bool
         False where nothing is proved: an orbit that is not verified, a code without an orbit (a disc may stand in its way).
 
-    Raises
-    ------
-    CaromError
-        A table with other walls, or another law.
+    Raises CaromError: a table with other walls, or another law.
 
     Examples
     --------

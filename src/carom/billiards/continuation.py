@@ -130,10 +130,7 @@ def continue_orbit(
     -------
     OrbitBranch
 
-    Raises
-    ------
-    CaromError
-        The orbit is none at ``start``, a change of something else.
+    Raises CaromError: the orbit is none at ``start``, a change of something else.
 
     Examples
     --------

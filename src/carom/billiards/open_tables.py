@@ -161,11 +161,8 @@ def escape(
     -------
     Escape
 
-    Raises
-    ------
-    CaromError
-        One line per problem: holes that are no intervals, longer than their wall, beyond it, or across two walls; holes in a
-        sphere.
+    Raises CaromError, one line per problem: holes that are no intervals, longer than their wall, beyond it, or across two
+    walls; holes in a sphere.
 
     Examples
     --------

@@ -138,10 +138,7 @@ def orbit(
     -------
     OrbitResult
 
-    Raises
-    ------
-    CaromError
-        One line per problem, all problems at once.
+    Raises CaromError, one line per problem, all problems at once.
 
     Examples
     --------

@@ -207,11 +207,8 @@ def orbit(
     Orbit
         The bounces, each with the state just after it.
 
-    Raises
-    ------
-    CaromError
-        One line per problem: a start outside the table or at rest, a law that does not fit the table or the ball, more bounces
-        than fit in 4 GB.
+    Raises CaromError, one line per problem: a start outside the table or at rest, a law that does not fit the table or the
+    ball, more bounces than fit in 4 GB.
 
     Examples
     --------
@@ -375,10 +372,7 @@ def reverse(found: Orbit) -> tuple[Orbit, Array]:
     tuple
         The reversed Orbit, and the distance (..., B) of each of its bounces from the original one, m.
 
-    Raises
-    ------
-    CaromError
-        The law loses energy, or an orbit ended early.
+    Raises CaromError: the law loses energy, or an orbit ended early.
 
     Examples
     --------

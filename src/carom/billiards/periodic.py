@@ -86,10 +86,8 @@ def periodic_orbits(
     -------
     PeriodicOrbits
 
-    Raises
-    ------
-    CaromError
-        A law that loses energy, a custom law (its derivative is not known), a table without a closed boundary or in space.
+    Raises CaromError: a law that loses energy, a custom law (its derivative is not known), a table without a closed boundary or
+    in space.
 
     Examples
     --------
@@ -146,10 +144,7 @@ def refine_orbit(
     -------
     PeriodicOrbit
 
-    Raises
-    ------
-    CaromError
-        Newton's method does not lead to an orbit that closes.
+    Raises CaromError: Newton's method does not lead to an orbit that closes.
 
     Examples
     --------

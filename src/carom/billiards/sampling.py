@@ -70,10 +70,7 @@ def starts(
     Start
         Arrays (count, ...).
 
-    Raises
-    ------
-    CaromError
-        A wedge without such a force, an energy with which no ball reaches a wall, too many starts.
+    Raises CaromError: a wedge without such a force, an energy with which no ball reaches a wall, too many starts.
 
     Examples
     --------

@@ -209,10 +209,7 @@ def tangent_map(
     TangentMap
         The matrix in the frames of the two walls.
 
-    Raises
-    ------
-    CaromError
-        An orbit that ends before, a law without a known derivative.
+    Raises CaromError: an orbit that ends before, a law without a known derivative.
 
     Examples
     --------

@@ -143,10 +143,7 @@ def words(found: Orbit, longest: int, symbols: str | None = None) -> Words:
     -------
     Words
 
-    Raises
-    ------
-    CaromError
-        A number of letters that is not the number of walls; more than 52 walls.
+    Raises CaromError: a number of letters that is not the number of walls; more than 52 walls.
 
     Examples
     --------

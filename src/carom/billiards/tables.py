@@ -185,10 +185,7 @@ def in_magnetic_field(table: Table, magnetic_field: float) -> Table:
     -------
     Table
 
-    Raises
-    ------
-    CaromError
-        A table in space, one with an acceleration, a field that is not a finite number.
+    Raises CaromError: a table in space, one with an acceleration, a field that is not a finite number.
 
     Examples
     --------

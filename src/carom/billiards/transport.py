@@ -57,10 +57,7 @@ def mean_flight(table: Table, *, ball: Ball | None = None, law: Any = "no-slip",
     -------
     MeanFlight
 
-    Raises
-    ------
-    CaromError
-        An open table, a table under a force across its walls.
+    Raises CaromError: an open table, a table under a force across its walls.
 
     Examples
     --------
@@ -133,10 +130,7 @@ def corridors(table: Table, *, ball: Ball | None = None) -> list[Corridor]:
     -------
     list of Corridor
 
-    Raises
-    ------
-    CaromError
-        A table that is not periodic.
+    Raises CaromError: a table that is not periodic.
 
     Examples
     --------
@@ -255,10 +249,8 @@ def diffusion(
     -------
     Diffusion
 
-    Raises
-    ------
-    CaromError
-        A table that is not periodic, a force, a law that loses energy, fewer than two windows in the bounces, one orbit.
+    Raises CaromError: a table that is not periodic, a force, a law that loses energy, fewer than two windows in the bounces,
+    one orbit.
 
     Examples
     --------
@@ -370,10 +362,7 @@ def recurrence(found: Orbit, visits: Sequence[Sequence[float]] | NDArray[np.bool
     -------
     Recurrence
 
-    Raises
-    ------
-    CaromError
-        Intervals that are none, an array of another shape, orbits that ended early.
+    Raises CaromError: intervals that are none, an array of another shape, orbits that ended early.
 
     Examples
     --------

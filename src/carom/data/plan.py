@@ -15,15 +15,8 @@ from carom.errors import CaromError, Fault, FaultList, did_you_mean, near_name, 
 from carom.laws.law import LIKE_SOLIDS, SURFACES, Law, Meeting
 
 __all__ = [
-    "DEFAULTS",
-    "PARAMETERS",
-    "InputColumn",
-    "OutputColumn",
-    "PredictSettings",
-    "TablePlan",
-    "make_plan",
-    "unread",
-]
+    "DEFAULTS", "PARAMETERS", "InputColumn", "OutputColumn", "PredictSettings", "TablePlan", "make_plan", "unread",
+]  # fmt: skip
 
 SpinRule = Literal["rolling", "none"]
 

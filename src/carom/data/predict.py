@@ -118,10 +118,7 @@ def predict_table(
     -------
     PredictSummary
 
-    Raises
-    ------
-    CaromError
-        For a table that cannot be read, and with ``strict`` for rows without an answer.
+    Raises CaromError for a table that cannot be read, and with ``strict`` for rows without an answer.
 
     Examples
     --------
@@ -320,11 +317,8 @@ def predict(
     PredictSummary
         ``found["v_n_out"]`` is a column (N,), ``found.columns`` all of them, unless they were written to a file.
 
-    Raises
-    ------
-    CaromError
-        One line per problem: a table that cannot be read, numbers that are out of range or that the law does not read, and with
-        ``strict`` rows without a prediction.
+    Raises CaromError, one line per problem: a table that cannot be read, numbers that are out of range or that the law does not
+    read, and with ``strict`` rows without a prediction.
 
     Examples
     --------

@@ -35,10 +35,7 @@ class Contact:
     hypothesis : str
         What e relates: "newton" (velocities), "poisson" (impulses) or "stronge" (work).
 
-    Raises
-    ------
-    CaromError
-        A value outside its range, more than two tangents, an unknown hypothesis; one line for each.
+    Raises CaromError: a value outside its range, more than two tangents, an unknown hypothesis; one line for each.
 
     Examples
     --------
@@ -103,10 +100,7 @@ def contact_at(name: str, point: Any, frame: Any, axes: Sequence[Any], **surface
     -------
     Contact
 
-    Raises
-    ------
-    CaromError
-        For another number of axes, or axes that are not orthonormal.
+    Raises CaromError for another number of axes, or axes that are not orthonormal.
 
     Examples
     --------

@@ -78,10 +78,7 @@ def design(
     -------
     Plan
 
-    Raises
-    ------
-    CaromError
-        One line per problem.
+    Raises CaromError, one line per problem.
 
     Examples
     --------

@@ -145,10 +145,7 @@ def fit(
     -------
     Ranking, with ``whole`` TrackRanking, with ``shot`` ShotsRanking, with ``by`` a RankingsBy: a Ranking for each value
 
-    Raises
-    ------
-    CaromError
-        One line per problem.
+    Raises CaromError, one line per problem.
 
     Examples
     --------

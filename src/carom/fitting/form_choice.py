@@ -131,10 +131,7 @@ def choose_forms(
     -------
     FormChoice
 
-    Raises
-    ------
-    CaromError
-        Where spins were not measured.
+    Raises CaromError where spins were not measured.
 
     Examples
     --------

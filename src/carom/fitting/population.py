@@ -158,10 +158,7 @@ def fit_population(
     -------
     Population
 
-    Raises
-    ------
-    CaromError
-        For fewer than two surfaces, surfaces of fewer than three rows, and spins that were not measured.
+    Raises CaromError for fewer than two surfaces, surfaces of fewer than three rows, and spins that were not measured.
 
     Examples
     --------

@@ -207,10 +207,7 @@ def fit_laws(
     Ranking
         All laws, best first, with a verdict; its notes say which rows were left out, and what was assumed.
 
-    Raises
-    ------
-    CaromError
-        For tables and settings that cannot be fitted, one line per problem.
+    Raises CaromError for tables and settings that cannot be fitted, one line per problem.
 
     Examples
     --------

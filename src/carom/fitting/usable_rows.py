@@ -60,10 +60,7 @@ def usable_rows(
     setting : Setting
         With the prior of spins and the height of the contact.
 
-    Raises
-    ------
-    CaromError
-        One line per problem.
+    Raises CaromError, one line per problem.
 
     Examples
     --------

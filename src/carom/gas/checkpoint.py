@@ -49,10 +49,7 @@ def save_checkpoint(session: Session, path: str | Path) -> None:
     -------
     None
 
-    Raises
-    ------
-    CaromError
-        If the file cannot be written; a previous one is then left unchanged.
+    Raises CaromError if the file cannot be written; a previous one is then left unchanged.
 
     Examples
     --------
@@ -132,10 +129,7 @@ def load_checkpoint(
     -------
     Session
 
-    Raises
-    ------
-    CaromError
-        For a file that is missing, damaged, not a checkpoint, of another format, or of another scene.
+    Raises CaromError for a file that is missing, damaged, not a checkpoint, of another format, or of another scene.
 
     Examples
     --------

@@ -69,10 +69,7 @@ def diffusion_coefficients(
     -------
     DiffusionCoefficients
 
-    Raises
-    ------
-    CaromError
-        For a gas with walls, a shear or whose energy changes, and for too few looks.
+    Raises CaromError for a gas with walls, a shear or whose energy changes, and for too few looks.
 
     Notes
     -----

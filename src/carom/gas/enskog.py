@@ -50,10 +50,7 @@ def enskog(density: Any, diameter: Any = 1.0, mass: Any = 1.0, temperature: Any 
     -------
     Enskog
 
-    Raises
-    ------
-    CaromError
-        For numbers that are not > 0, and spheres that do not fit.
+    Raises CaromError for numbers that are not > 0, and spheres that do not fit.
 
     Notes
     -----

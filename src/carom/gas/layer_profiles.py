@@ -48,10 +48,7 @@ def layer_profiles(
     -------
     LayerProfiles
 
-    Raises
-    ------
-    CaromError
-        For a gas without layers, too few collisions or blocks, and as :meth:`Gas.run` does.
+    Raises CaromError for a gas without layers, too few collisions or blocks, and as :meth:`Gas.run` does.
 
     Examples
     --------

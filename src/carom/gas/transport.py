@@ -70,10 +70,7 @@ def viscosity(gas: Gas, windows: int = 2000, *, progress: Progress | None = None
     -------
     Coefficient
 
-    Raises
-    ------
-    CaromError
-        For a gas with walls, or whose energy changes, and for too few windows.
+    Raises CaromError for a gas with walls, or whose energy changes, and for too few windows.
 
     Examples
     --------
@@ -144,10 +141,7 @@ def sheared_viscosity(
     -------
     Coefficient
 
-    Raises
-    ------
-    CaromError
-        For a gas without a shear rate, too few collisions or blocks, and as :meth:`Gas.run` does.
+    Raises CaromError for a gas without a shear rate, too few collisions or blocks, and as :meth:`Gas.run` does.
 
     Examples
     --------

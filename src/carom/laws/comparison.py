@@ -96,10 +96,7 @@ def incoming(
     -------
     Meeting
 
-    Raises
-    ------
-    CaromError
-        One line per problem, all problems at once.
+    Raises CaromError, one line per problem, all problems at once.
 
     Examples
     --------
@@ -318,10 +315,8 @@ def compare(
     Comparison
         A law whose conditions do not hold for this ball is listed too, without numbers and with the reason.
 
-    Raises
-    ------
-    CaromError
-        For an unknown law (with the nearest name), for a ball that moves away from the wall, and for more than one ball.
+    Raises CaromError for an unknown law (with the nearest name), for a ball that moves away from the wall, and for more than
+    one ball.
 
     Examples
     --------

@@ -104,10 +104,8 @@ def domenech(
     -------
     Scattering
 
-    Raises
-    ------
-    CaromError
-        For a tangential restitution other than 0, an angle not between -pi/2 and pi/2, or a striking ball at rest.
+    Raises CaromError for a tangential restitution other than 0, an angle not between -pi/2 and pi/2, or a striking ball at
+    rest.
 
     Examples
     --------

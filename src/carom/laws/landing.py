@@ -256,10 +256,7 @@ def settle(
     Settled
         Flight, landing and rolling state, of shape (...).
 
-    Raises
-    ------
-    CaromError
-        For a negative gravity or height, and for shapes that do not broadcast.
+    Raises CaromError for a negative gravity or height, and for shapes that do not broadcast.
 
     Examples
     --------

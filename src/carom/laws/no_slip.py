@@ -94,10 +94,7 @@ def no_slip(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0)) -> St
     State
         After the wall, shape (...).
 
-    Raises
-    ------
-    CaromError
-        If a ball moves away from the wall, or a normal has zero length.
+    Raises CaromError if a ball moves away from the wall, or a normal has zero length.
 
     Examples
     --------

@@ -260,10 +260,7 @@ def collide(
     -------
     Collision
 
-    Raises
-    ------
-    CaromError
-        If the balls move apart, a normal has zero length, or the law is not one of a single contact.
+    Raises CaromError if the balls move apart, a normal has zero length, or the law is not one of a single contact.
 
     Examples
     --------

@@ -39,12 +39,8 @@ def plot_orbit(found: Orbit, which: Any = None) -> Figure:
     Returns
     -------
     Figure
-        A Matplotlib figure.
 
-    Raises
-    ------
-    CaromError
-        An orbit without a bounce.
+    Raises CaromError: an orbit without a bounce.
 
     Examples
     --------
@@ -250,7 +246,6 @@ def plot_lyapunov(found: Lyapunov) -> Figure:
     Returns
     -------
     Figure
-        A Matplotlib figure.
 
     Examples
     --------

@@ -47,10 +47,7 @@ def compare(comparison: laws_compared.Comparison | Meeting | None = None, **sett
     matplotlib.figure.Figure
         A notebook shows it, and :func:`carom.plot.save` writes it. Laws without a prediction are listed in the figure.
 
-    Raises
-    ------
-    CaromError
-        For bad settings, or if Matplotlib is not installed.
+    Raises CaromError for bad settings, or if Matplotlib is not installed.
 
     Examples
     --------

@@ -39,10 +39,7 @@ def figures(folder: str | os.PathLike[str] = ".") -> list[Path]:
     list of Path
         The files written.
 
-    Raises
-    ------
-    CaromError
-        Matplotlib is missing, or the folder cannot be created.
+    Raises CaromError: Matplotlib is missing, or the folder cannot be created.
 
     Examples
     --------
@@ -158,7 +155,6 @@ def setting() -> Figure:
     Returns
     -------
     Figure
-        A Matplotlib figure.
 
     Examples
     --------
@@ -230,7 +226,6 @@ def collision() -> Figure:
     Returns
     -------
     Figure
-        A Matplotlib figure.
 
     Examples
     --------
@@ -291,7 +286,6 @@ def incidence_and_reflection() -> Figure:
     Returns
     -------
     Figure
-        A Matplotlib figure.
 
     Examples
     --------

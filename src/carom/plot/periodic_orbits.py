@@ -37,12 +37,8 @@ def plot_periodic(found: Sequence[PeriodicOrbit]) -> Figure:
     Returns
     -------
     Figure
-        A Matplotlib figure.
 
-    Raises
-    ------
-    CaromError
-        No orbit.
+    Raises CaromError: no orbit.
 
     Examples
     --------
@@ -101,7 +97,6 @@ def plot_branch(branch: OrbitBranch, name: str = "parameter") -> Figure:
     Returns
     -------
     Figure
-        A Matplotlib figure.
 
     Examples
     --------
@@ -154,7 +149,6 @@ def plot_manifolds(curves: Sequence[Manifold]) -> Figure:
     Returns
     -------
     Figure
-        A Matplotlib figure.
 
     Examples
     --------

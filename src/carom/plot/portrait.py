@@ -97,7 +97,6 @@ def plot_portrait(found: Orbit) -> Figure:
     Returns
     -------
     Figure
-        A Matplotlib figure.
 
     Examples
     --------
@@ -139,12 +138,8 @@ def plot_boundary(found: Orbit) -> Figure:
     Returns
     -------
     Figure
-        A Matplotlib figure.
 
-    Raises
-    ------
-    CaromError
-        For an orbit in a sphere.
+    Raises CaromError for an orbit in a sphere.
 
     Examples
     --------

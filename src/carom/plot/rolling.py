@@ -36,12 +36,8 @@ def plot_roll(run: RollingRun) -> Figure:
     Returns
     -------
     Figure
-        A Matplotlib figure.
 
-    Raises
-    ------
-    CaromError
-        A run that is not in three dimensions.
+    Raises CaromError: a run that is not in three dimensions.
 
     Examples
     --------
@@ -85,7 +81,6 @@ def plot_putts(found: Putts) -> Figure:
     Returns
     -------
     Figure
-        A Matplotlib figure.
 
     Examples
     --------

@@ -23,19 +23,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 __all__ = [
-    "GREY",
-    "INK",
-    "PALE",
-    "arrow",
-    "law_styles",
-    "literal",
-    "new_figure",
-    "require_matplotlib",
-    "require_writable",
-    "save",
-    "spread_apart",
-    "style",
-]
+    "GREY", "INK", "PALE", "arrow", "law_styles", "literal", "new_figure", "require_matplotlib", "require_writable", "save",
+    "spread_apart", "style",
+]  # fmt: skip
 
 # Metadata of a file, by kind: without dates or other content that differs between runs.
 METADATA: dict[str, dict[str, str | None]] = {
@@ -72,10 +62,7 @@ def require_writable(path: str | os.PathLike[str]) -> None:
     -------
     None
 
-    Raises
-    ------
-    CaromError
-        For another ending, a folder that does not exist, or missing permission.
+    Raises CaromError for another ending, a folder that does not exist, or missing permission.
 
     Examples
     --------
@@ -138,10 +125,7 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> None:
     -------
     None
 
-    Raises
-    ------
-    CaromError
-        If the file cannot be written.
+    Raises CaromError if the file cannot be written.
 
     Examples
     --------

@@ -70,10 +70,7 @@ def plot_trajectory(
     -------
     matplotlib.figure.Figure
 
-    Raises
-    ------
-    CaromError
-        For an unknown ball, a file that cannot be written, or if Matplotlib is missing.
+    Raises CaromError for an unknown ball, a file that cannot be written, or if Matplotlib is missing.
 
     Examples
     --------

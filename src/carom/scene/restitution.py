@@ -11,16 +11,8 @@ from carom.core.motion.restitution import CONSTANT, EXPONENTIAL, POLYNOMIAL, POW
 from carom.scene.schema import Coefficient, Components, Model, Number, PositiveNumber, Share, Vector
 
 __all__ = [
-    "Bounce",
-    "Constant",
-    "Exponential",
-    "FasterThanNothing",
-    "Han2005",
-    "Polynomial",
-    "Power",
-    "Restitution",
-    "Viscoelastic",
-]
+    "Bounce", "Constant", "Exponential", "FasterThanNothing", "Han2005", "Polynomial", "Power", "Restitution", "Viscoelastic",
+]  # fmt: skip
 
 FasterThanNothing = Annotated[float, BeforeValidator(Number("a speed in m/s, > 0", "m/s", least=0, above=True))]
 

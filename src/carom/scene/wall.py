@@ -38,19 +38,9 @@ from carom.scene.schema import (
 )
 
 __all__ = [
-    "CUSHION",
-    "VANISHES",
-    "ContactParameters",
-    "LawChoice",
-    "PairLawChoice",
-    "Pocket",
-    "ShapeKernels",
-    "WallShape",
-    "always",
-    "contact",
-    "law_name",
-    "permitted_law",
-]
+    "CUSHION", "VANISHES", "ContactParameters", "LawChoice", "PairLawChoice", "Pocket", "ShapeKernels", "WallShape", "always",
+    "contact", "law_name", "permitted_law",
+]  # fmt: skip
 
 # Contact times, s: estimates. No measurement of a cushion's was found.
 HARD, CUSHION = 3e-4, 3e-3

@@ -12,15 +12,8 @@ from carom.errors import CaromError
 from carom.tracks.track import Track
 
 __all__ = [
-    "TrackEvent",
-    "WallLine",
-    "find_events",
-    "find_walls",
-    "position_at",
-    "turning_points",
-    "wall_of_text",
-    "wall_through",
-]
+    "TrackEvent", "WallLine", "find_events", "find_walls", "position_at", "turning_points", "wall_of_text", "wall_through",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 TURN_TIME_S = 0.06  # within which a ball has to turn visibly

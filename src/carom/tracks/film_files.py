@@ -159,10 +159,7 @@ def measure_films(
     MeasuredFilms
         Whether balls hop off the wall is decided by all films together where they decide it.
 
-    Raises
-    ------
-    CaromError
-        With the faults of all files; for settings as :func:`carom.tracks.measure`, with the notes of reading.
+    Raises CaromError with the faults of all files; for settings as :func:`carom.tracks.measure`, with the notes of reading.
     """
     found = read_films(paths, calibration, format)
     settings = settings or Settings()
@@ -230,10 +227,7 @@ def measure_tracks(
     MeasuredFilms
         ``found.rebounds()`` is their table, which :func:`carom.fit` and :func:`carom.predict` take.
 
-    Raises
-    ------
-    CaromError
-        With the faults of all arguments, or of all files.
+    Raises CaromError with the faults of all arguments, or of all files.
 
     Examples
     --------
@@ -288,10 +282,7 @@ def rebounds_of_films(
     Rebounds
         Of several films, the column ``film`` has their names.
 
-    Raises
-    ------
-    CaromError
-        As :func:`measure_films`, and if no film has a contact that can be measured.
+    Raises CaromError as :func:`measure_films`, and if no film has a contact that can be measured.
 
     Examples
     --------
@@ -341,10 +332,7 @@ def tracks_of_films(
     Measured
         With the notes of reading.
 
-    Raises
-    ------
-    CaromError
-        As :func:`measure_films`, and where no track has the given names.
+    Raises CaromError as :func:`measure_films`, and where no track has the given names.
     """
     films = MeasuredFilms(read_films(paths, calibration), ())
     with noting(films.reading_notes):
@@ -396,10 +384,7 @@ def rebounds_of_files(
     -------
     Rebounds
 
-    Raises
-    ------
-    CaromError
-        With all problems of the files.
+    Raises CaromError with all problems of the files.
     """
     if are_films(paths):
         return rebounds_of_films(paths, calibration, settings, stage=stage or "best", balls=balls, progress=progress)

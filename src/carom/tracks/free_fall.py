@@ -11,13 +11,8 @@ from carom.laws.results import GRAVITY
 from carom.tracks.track import Track
 
 __all__ = [
-    "MIN_FALLING_SHARE",
-    "axis_points_down",
-    "constant_acceleration",
-    "falling_share",
-    "likely_unit",
-    "what_would_give",
-]
+    "MIN_FALLING_SHARE", "axis_points_down", "constant_acceleration", "falling_share", "likely_unit", "what_would_give",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 # Pieces of a track that fall alike, if it was filmed from the side: most others hold a contact.

@@ -120,10 +120,8 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, progress:
     Measured
         Walls, events, contacts, noise and floor.
 
-    Raises
-    ------
-    CaromError
-        For settings out of range, tracks with three coordinates, an unknown radius where balls may meet, and without SciPy.
+    Raises CaromError for settings out of range, tracks with three coordinates, an unknown radius where balls may meet, and
+    without SciPy.
 
     Examples
     --------

@@ -103,10 +103,7 @@ def write_carom_tracks(source: str | Path, out: str | Path) -> WrittenTracks:
     -------
     WrittenTracks
 
-    Raises
-    ------
-    CaromError
-        For a file that cannot be read, of another layout, or with another first shot; nothing is written then.
+    Raises CaromError for a file that cannot be read, of another layout, or with another first shot; nothing is written then.
 
     Examples
     --------

@@ -27,16 +27,9 @@ from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel
 from carom.gas.edmd.calendar import I64, U64
 
 __all__ = [
-    "close_cycle",
-    "layer_of",
-    "note_carried_heat",
-    "note_change",
-    "note_crossing",
-    "note_flight",
-    "note_pair",
-    "note_passed_heat",
-    "note_turning",
-]
+    "close_cycle", "layer_of", "note_carried_heat", "note_change", "note_crossing", "note_flight", "note_pair",
+    "note_passed_heat", "note_turning",
+]  # fmt: skip
 
 
 @hot_kernel

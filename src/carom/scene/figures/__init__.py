@@ -12,18 +12,8 @@ from carom.scene.figures.outline import OutlineFigure
 from carom.scene.figures.pieces import ArcPiece, EllipsePiece, ParallelPiece, Piece, SegmentPiece
 
 __all__ = [
-    "FIGURES",
-    "AnyFigure",
-    "ArcPiece",
-    "CellFigure",
-    "EllipsePiece",
-    "Figure",
-    "OutlineFigure",
-    "ParallelPiece",
-    "Piece",
-    "PlaneFigure",
-    "SegmentPiece",
-    "figure",
-]
+    "FIGURES", "AnyFigure", "ArcPiece", "CellFigure", "EllipsePiece", "Figure", "OutlineFigure", "ParallelPiece", "Piece",
+    "PlaneFigure", "SegmentPiece", "figure",
+]  # fmt: skip
 
 modules_of(__name__, __path__)

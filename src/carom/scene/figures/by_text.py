@@ -46,10 +46,7 @@ def figure(what: str | Mapping[str, Any] | Figure | PathLike[str], /, **sizes: A
     -------
     Figure
 
-    Raises
-    ------
-    CaromError
-        One line per problem.
+    Raises CaromError, one line per problem.
 
     Examples
     --------
