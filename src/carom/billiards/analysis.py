@@ -161,9 +161,7 @@ def section(
 
     Returns
     -------
-    Section
-
-    Raises CaromError: a force that is not parallel to the line, a magnetic field.
+    Section. Raises CaromError: a force that is not parallel to the line, a magnetic field.
 
     Examples
     --------
@@ -332,9 +330,7 @@ def uniformity(
 
     Returns
     -------
-    Uniformity
-
-    Raises CaromError: a table that is open, or has a force.
+    Uniformity. Raises CaromError: a table that is open, or has a force.
 
     Examples
     --------

@@ -44,9 +44,7 @@ def codes(table: Table, period: int) -> list[str]:
 
     Returns
     -------
-    list of str
-
-    Raises CaromError: more than a million words to go through.
+    list of str. Raises CaromError: more than a million words to go through.
 
     Examples
     --------

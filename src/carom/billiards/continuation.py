@@ -128,9 +128,7 @@ def continue_orbit(
 
     Returns
     -------
-    OrbitBranch
-
-    Raises CaromError: the orbit is none at ``start``, a change of something else.
+    OrbitBranch. Raises CaromError: the orbit is none at ``start``, a change of something else.
 
     Examples
     --------

@@ -136,9 +136,7 @@ def orbit(
 
     Returns
     -------
-    OrbitResult
-
-    Raises CaromError, one line per problem, all problems at once.
+    OrbitResult. Raises CaromError, one line per problem, all problems at once.
 
     Examples
     --------

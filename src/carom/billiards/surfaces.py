@@ -217,10 +217,8 @@ def cylinder(section: Any, ball: float, inside: bool = True, **sizes: Any) -> Ro
 
     Returns
     -------
-    RollingSurface
-
-    Raises CaromError: a figure with corners, or not of one closed curve in the plane; a ball that does not reach each point of
-    it.
+    RollingSurface. Raises CaromError: a figure with corners, or not of one closed curve in the plane; a ball that does not
+    reach each point of it.
 
     Examples
     --------

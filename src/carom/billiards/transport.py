@@ -55,9 +55,7 @@ def mean_flight(table: Table, *, ball: Ball | None = None, law: Any = "no-slip",
 
     Returns
     -------
-    MeanFlight
-
-    Raises CaromError: an open table, a table under a force across its walls.
+    MeanFlight. Raises CaromError: an open table, a table under a force across its walls.
 
     Examples
     --------
@@ -128,9 +126,7 @@ def corridors(table: Table, *, ball: Ball | None = None) -> list[Corridor]:
 
     Returns
     -------
-    list of Corridor
-
-    Raises CaromError: a table that is not periodic.
+    list of Corridor. Raises CaromError: a table that is not periodic.
 
     Examples
     --------
@@ -247,10 +243,8 @@ def diffusion(
 
     Returns
     -------
-    Diffusion
-
-    Raises CaromError: a table that is not periodic, a force, a law that loses energy, fewer than two windows in the bounces,
-    one orbit.
+    Diffusion. Raises CaromError: a table that is not periodic, a force, a law that loses energy, fewer than two windows in the
+    bounces, one orbit.
 
     Examples
     --------
@@ -360,9 +354,7 @@ def recurrence(found: Orbit, visits: Sequence[Sequence[float]] | NDArray[np.bool
 
     Returns
     -------
-    Recurrence
-
-    Raises CaromError: intervals that are none, an array of another shape, orbits that ended early.
+    Recurrence. Raises CaromError: intervals that are none, an array of another shape, orbits that ended early.
 
     Examples
     --------

@@ -8,14 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from carom.cli.common import require_outputs, wrote
-from carom.cli.options import (
-    BALL,
-    WALL,
-    option,
-    parse_assignments,
-    parse_number,
-    shared,
-)
+from carom.cli.options import BALL, WALL, option, parse_assignments, parse_number, shared
 from carom.cli.progress import working
 from carom.cli.streams import note, say_json
 from carom.errors import CaromError, FaultList

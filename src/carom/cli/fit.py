@@ -44,8 +44,7 @@ def fit(
     files: Annotated[
         list[Path],
         typer.Argument(
-            metavar="FILE",
-            help="A table of rebounds (CSV, Parquet), one or more tracks, or a set of carom datasets.",
+            metavar="FILE", help="A table of rebounds (CSV, Parquet), one or more tracks, or a set of carom datasets."
         ),
     ],
     radius: Annotated[float | None, shared("radius", default="the radius of a set that comes with carom")] = None,

@@ -11,12 +11,7 @@ from rich.text import Text
 
 from carom.cli.common import write_files, wrote
 from carom.cli.console import out
-from carom.cli.gas_output import (
-    LINE_INTERVAL,
-    Progress,
-    no_diffusion,
-    print_tables,
-)
+from carom.cli.gas_output import LINE_INTERVAL, Progress, no_diffusion, print_tables
 from carom.cli.interrupts import say_interrupted
 from carom.cli.streams import json_text, say_json
 from carom.errors import FaultList

@@ -36,8 +36,7 @@ def judge(
     friction: Annotated[float, typer.Option(help="Largest friction between balls that counts as possible.")] = 1.0,
     floor_friction: Annotated[float, typer.Option(help="Largest friction of the floor that counts as possible.")] = 1.0,
     slope: Annotated[
-        str | None,
-        typer.Option(metavar="X,Y", help="How far the floor falls per metre along x and y. Default: level."),
+        str | None, typer.Option(metavar="X,Y", help="How far the floor falls per metre along x and y. Default: level.")
     ] = None,
     noise: Annotated[
         float | None,

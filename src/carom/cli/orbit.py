@@ -38,7 +38,7 @@ def orbit(
         str | None,
         typer.Argument(
             help="A figure, with sizes or without: circle, stadium:straight=2,radius=1, polygon:points=[[0,0],[2,0],[0,1]];"
-            " or cylinder:NAME, a cylinder along z over a figure in the plane. An unknown name is answered with all names.",
+            " or cylinder:NAME, a cylinder along z over a figure in the plane. An unknown name is answered with all names."
         ),
     ] = None,
     bounces: Annotated[

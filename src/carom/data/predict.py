@@ -116,9 +116,7 @@ def predict_table(
 
     Returns
     -------
-    PredictSummary
-
-    Raises CaromError for a table that cannot be read, and with ``strict`` for rows without an answer.
+    PredictSummary. Raises CaromError for a table that cannot be read, and with ``strict`` for rows without an answer.
 
     Examples
     --------

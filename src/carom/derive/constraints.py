@@ -98,9 +98,7 @@ def contact_at(name: str, point: Any, frame: Any, axes: Sequence[Any], **surface
 
     Returns
     -------
-    Contact
-
-    Raises CaromError for another number of axes, or axes that are not orthonormal.
+    Contact. Raises CaromError for another number of axes, or axes that are not orthonormal.
 
     Examples
     --------

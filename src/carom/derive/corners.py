@@ -78,9 +78,7 @@ def corner_jump(motion: ImpulsiveMotion) -> Jump:
 
     Returns
     -------
-    Jump
-
-    Raises CaromError: another number of instant constraints, or constraints that allow no motion across the surface.
+    Jump. Raises CaromError: another number of instant constraints, or constraints that allow no motion across the surface.
 
     Examples
     --------

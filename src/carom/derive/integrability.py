@@ -14,15 +14,7 @@ from typing import Any
 
 import sympy as sp
 
-from carom.derive.linear import (
-    Expr,
-    Matrix,
-    independent_rows,
-    is_zero,
-    null_basis,
-    reduce_trig,
-    tidy,
-)
+from carom.derive.linear import Expr, Matrix, independent_rows, is_zero, null_basis, reduce_trig, tidy
 from carom.derive.system import constraint_row, make_speeds, named_constraints
 from carom.errors import CaromError
 

@@ -152,23 +152,23 @@ def follow(g: Matrix, start: Sequence[Number], e: Number, mu: Number, hypothesis
     return Percussion(velocity, impulse, tuple(p for p in phases if p.end > p.start), run.p_c, change)
 
 
-def _stop_at_once(g: Matrix, run: _Run) -> None:
-    """End the slip at once: with infinite friction it ends before the normal impulse has grown."""
+def _stopped_at_once(g: Matrix, run: _Run) -> bool:
+    """End the slip at once, as infinite friction does before the normal impulse has grown; return whether the bodies part then."""
     pull = -(g[1:, 1:].inv() * sp.Matrix(run.ut))
     run.un = run.un + (g[0, 1:] * pull)[0]
     run.rt = list(pull)
     run.ut = [u * 0 for u in run.ut]
+    if run.un >= 0:
+        run.p_c = run.p
+    return bool(run.un >= 0)
 
 
 def _in_plane(g: Matrix, run: _Run, mu: Number) -> list[Phase]:
     """Follow the impact in the plane by Routh's diagram: slip, then stick or reversed slip."""
     nn, nt, tt = g[0, 0], g[0, 1], g[1, 1]
     phases: list[Phase] = []
-    if mu == sp.oo:
-        _stop_at_once(g, run)
-        if run.un >= 0:
-            run.p_c = run.p
-            return phases
+    if mu == sp.oo and _stopped_at_once(g, run):
+        return phases
     if run.ut[0] != 0:
         side = sp.sign(run.ut[0])
         rate, slip = nn - mu * side * nt, nt - mu * side * tt
@@ -198,11 +198,8 @@ _STEP = 0.01  # of the slip's own decay; RK4 leaves about 1e-9 of the slip
 def _in_space(g: Matrix, run: _Run, mu: Number) -> list[Phase]:
     """Follow the impact in space: integrate the hodograph of the slip, then stick or straight slip."""
     phases: list[Phase] = []
-    if mu == sp.oo:
-        _stop_at_once(g, run)
-        if run.un >= 0:
-            run.p_c = run.p
-            return phases
+    if mu == sp.oo and _stopped_at_once(g, run):
+        return phases
     for name in ("e", "first", "p", "un", "work"):
         setattr(run, name, float(getattr(run, name)))
     run.ut, run.rt = [float(u) for u in run.ut], [float(r) for r in run.rt]

@@ -11,16 +11,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from carom.derive.linear import (
-    Expr,
-    Matrix,
-    bound_columns,
-    independent_rows,
-    is_zero,
-    null_basis,
-    solve_linear,
-    tidy,
-)
+from carom.derive.linear import Expr, Matrix, bound_columns, independent_rows, is_zero, null_basis, solve_linear, tidy
 from carom.derive.system import ConstraintRow
 from carom.errors import CaromError
 

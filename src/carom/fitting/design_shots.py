@@ -76,9 +76,7 @@ def design(
 
     Returns
     -------
-    Plan
-
-    Raises CaromError, one line per problem.
+    Plan. Raises CaromError, one line per problem.
 
     Examples
     --------

@@ -129,9 +129,7 @@ def choose_forms(
 
     Returns
     -------
-    FormChoice
-
-    Raises CaromError where spins were not measured.
+    FormChoice. Raises CaromError where spins were not measured.
 
     Examples
     --------

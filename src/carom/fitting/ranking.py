@@ -69,19 +69,7 @@ def step_callback(progress: Progress | None) -> Say:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Ranking(RankedLaws[Fit]):
-    """All laws, best first, and the verdict; made by :func:`fit_laws`.
-
-    Examples
-    --------
-    >>> from carom.data.rebounds import make_rebounds
-    >>> from carom.fitting import Setting, fit_laws
-    >>> v = [1.0, 2.0, 3.0, 4.0]
-    >>> columns = {"v_n_in": v, "v_t_in": v, "spin_in": [0.0] * 4, "v_n_out": [0.81, 1.59, 2.42, 3.18],
-    ...            "v_t_out": [0.71, 1.43, 2.15, 2.85], "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02}
-    >>> ranking = fit_laws(make_rebounds("planar", columns), Setting(radius=0.02), ["sticking", "mirror"], bootstrap=0)
-    >>> [one.fit.law.name for one in ranking.ranked], ranking.against
-    (['sticking', 'mirror'], 'mirror')
-    """
+    """All laws, best first, and the verdict; made by :func:`fit_laws`."""
 
     adequacy: Adequacy
     """Whether the best law describes the data at all, by tests of it alone."""
@@ -219,6 +207,8 @@ def fit_laws(
     >>> ranking = fit_laws(make_rebounds("planar", columns), Setting(radius=0.02), ["sticking", "mirror"], bootstrap=0)
     >>> ranking.best.law.name, ranking.fits
     ('sticking', True)
+    >>> [one.fit.law.name for one in ranking.ranked], ranking.against
+    (['sticking', 'mirror'], 'mirror')
     """
     require_library("scipy", "fit")
     require_type("fit_laws", "rebounds", rebounds, Rebounds)

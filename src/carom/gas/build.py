@@ -128,9 +128,7 @@ def load_gas(path: str | Path) -> GasScene:
 
     Returns
     -------
-    GasScene
-
-    Raises CaromError, one line per problem: where, what was expected, what was found, what to do.
+    GasScene. Raises CaromError, one line per problem: where, what was expected, what was found, what to do.
 
     Examples
     --------

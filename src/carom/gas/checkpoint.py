@@ -45,10 +45,6 @@ def save_checkpoint(session: Session, path: str | Path) -> None:
     path : str or Path
         An existing file is replaced atomically.
 
-    Returns
-    -------
-    None
-
     Raises CaromError if the file cannot be written; a previous one is then left unchanged.
 
     Examples
@@ -127,9 +123,7 @@ def load_checkpoint(
 
     Returns
     -------
-    Session
-
-    Raises CaromError for a file that is missing, damaged, not a checkpoint, of another format, or of another scene.
+    Session. Raises CaromError for a file that is missing, damaged, not a checkpoint, of another format, or of another scene.
 
     Examples
     --------

@@ -20,15 +20,7 @@ from carom.gas.drives import drive_faults
 from carom.gas.edmd.gas_records import ELLIPSE, MAX_BALLS
 from carom.gas.faces import JOINT_OVERLAP
 from carom.gas.initial import DENSEST
-from carom.gas.schema import (
-    AnyContainer,
-    GasContact,
-    GasDrive,
-    GasSettings,
-    GasSpecies,
-    GasThermostat,
-    volume_of_balls,
-)
+from carom.gas.schema import AnyContainer, GasContact, GasDrive, GasSettings, GasSpecies, GasThermostat, volume_of_balls
 from carom.gas.size_distributions import RadiiDistribution
 from carom.gas.sizes import LONGEST_SIDE
 from carom.gas.species import shear_faults

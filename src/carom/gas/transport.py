@@ -68,9 +68,7 @@ def viscosity(gas: Gas, windows: int = 2000, *, progress: Progress | None = None
 
     Returns
     -------
-    Coefficient
-
-    Raises CaromError for a gas with walls, or whose energy changes, and for too few windows.
+    Coefficient. Raises CaromError for a gas with walls, or whose energy changes, and for too few windows.
 
     Examples
     --------
@@ -99,9 +97,7 @@ def transport_coefficients(gas: Gas, windows: int = 2000, *, progress: Progress 
 
     Returns
     -------
-    TransportCoefficients
-
-    Raises CaromError as :func:`viscosity` does.
+    TransportCoefficients. Raises CaromError as :func:`viscosity` does.
 
     Examples
     --------
@@ -139,9 +135,7 @@ def sheared_viscosity(
 
     Returns
     -------
-    Coefficient
-
-    Raises CaromError for a gas without a shear rate, too few collisions or blocks, and as :meth:`Gas.run` does.
+    Coefficient. Raises CaromError for a gas without a shear rate, too few collisions or blocks, and as :meth:`Gas.run` does.
 
     Examples
     --------

@@ -24,10 +24,8 @@ def function(scene: Scene, wrt: str | Iterable[str], of: str = "final.position")
 
     Parameters
     ----------
-    scene : Scene
-    wrt : paths, as for ``run.sensitivity``
+    scene, wrt, of : as of :func:`carom.interop.jax.function`
         ``function.columns`` has the names of the p numbers, ``function.start`` their values in the scene.
-    of : "final.position", "final.velocity" or "final.spin"
 
     Returns
     -------

@@ -94,9 +94,7 @@ def incoming(
 
     Returns
     -------
-    Meeting
-
-    Raises CaromError, one line per problem, all problems at once.
+    Meeting. Raises CaromError, one line per problem, all problems at once.
 
     Examples
     --------

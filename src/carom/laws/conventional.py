@@ -22,17 +22,7 @@ from numpy.typing import ArrayLike
 from carom.bodies import Ball, State
 from carom.core.jit.kernel import Vec, kernel
 from carom.errors import CaromError
-from carom.laws.law import (
-    PAPER,
-    ROLLING_WALL,
-    Answer,
-    Card,
-    FitSpec,
-    Law,
-    Meeting,
-    holds_everywhere,
-    respond,
-)
+from carom.laws.law import PAPER, ROLLING_WALL, Answer, Card, FitSpec, Law, Meeting, holds_everywhere, respond
 from carom.laws.reflect import reflect
 from carom.laws.results import PAPER_WALL
 from carom.laws.rules import (

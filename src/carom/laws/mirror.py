@@ -8,17 +8,7 @@ from numpy.typing import ArrayLike
 from carom.bodies import Ball, State, Surface
 from carom.core.contact import contact, slip_velocity
 from carom.core.jit.kernel import Vec, kernel
-from carom.laws.law import (
-    MIRROR_WALL,
-    PAPER,
-    Answer,
-    Card,
-    FitSpec,
-    Law,
-    Meeting,
-    approaches,
-    respond,
-)
+from carom.laws.law import MIRROR_WALL, PAPER, Answer, Card, FitSpec, Law, Meeting, approaches, respond
 from carom.laws.reflect import reflect
 from carom.laws.results import PAPER_WALL
 from carom.laws.rules import (

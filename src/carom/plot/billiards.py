@@ -36,10 +36,6 @@ def plot_orbit(found: Orbit, which: Any = None) -> Figure:
     which : int or tuple, optional
         Index of one of many orbits. Default: the first.
 
-    Returns
-    -------
-    Figure
-
     Raises CaromError: an orbit without a bounce.
 
     Examples
@@ -242,10 +238,6 @@ def plot_lyapunov(found: Lyapunov) -> Figure:
     ----------
     found : Lyapunov
         From :func:`carom.billiards.lyapunov`; for several orbits the mean is drawn, with a band of one standard deviation.
-
-    Returns
-    -------
-    Figure
 
     Examples
     --------

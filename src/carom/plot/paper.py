@@ -152,10 +152,6 @@ def _room(view: ParallelProjection, a: float, wide: tuple[float, float], deep: f
 def setting() -> Figure:
     """Draw Figure 1: ball, floor and wall, the frame, the contact points A and B, the Euler angles of (1).
 
-    Returns
-    -------
-    Figure
-
     Examples
     --------
     >>> from carom import plot
@@ -223,10 +219,6 @@ def _euler(view: ParallelProjection, c: Array) -> None:
 def collision() -> Figure:
     """Draw Figure 2: the impulse R of the wall at B, its components by (31), and the friction cone (29).
 
-    Returns
-    -------
-    Figure
-
     Examples
     --------
     >>> from carom import plot
@@ -282,10 +274,6 @@ def _hull(rim: Array, tip: Array) -> Array:
 
 def incidence_and_reflection() -> Figure:
     """Draw Figure 3: incidence at 45 degrees, reflection at arctan 39/31 = 51.5 (two-step) and arctan 5/9 = 29.1 (conventional).
-
-    Returns
-    -------
-    Figure
 
     Examples
     --------

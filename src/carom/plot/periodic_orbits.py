@@ -34,10 +34,6 @@ def plot_periodic(found: Sequence[PeriodicOrbit]) -> Figure:
     found : PeriodicOrbits, or several PeriodicOrbit
         The first 24 are drawn.
 
-    Returns
-    -------
-    Figure
-
     Raises CaromError: no orbit.
 
     Examples
@@ -94,10 +90,6 @@ def plot_branch(branch: OrbitBranch, name: str = "parameter") -> Figure:
     name : str
         Of the parameter, with its unit.
 
-    Returns
-    -------
-    Figure
-
     Examples
     --------
     >>> from carom import billiards, plot
@@ -145,10 +137,6 @@ def plot_manifolds(curves: Sequence[Manifold]) -> Figure:
     ----------
     curves : several Manifold
         Of one table, from `carom.billiards.manifold`.
-
-    Returns
-    -------
-    Figure
 
     Examples
     --------

@@ -94,10 +94,6 @@ def plot_portrait(found: Orbit) -> Figure:
     found : Orbit
         One orbit or many.
 
-    Returns
-    -------
-    Figure
-
     Examples
     --------
     >>> from carom import billiards, plot
@@ -134,10 +130,6 @@ def plot_boundary(found: Orbit) -> Figure:
     ----------
     found : Orbit
         One orbit or many, in a table in the plane or a cylinder over one.
-
-    Returns
-    -------
-    Figure
 
     Raises CaromError for an orbit in a sphere.
 

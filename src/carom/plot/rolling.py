@@ -33,10 +33,6 @@ def plot_roll(run: RollingRun) -> Figure:
     run : RollingRun
         In space.
 
-    Returns
-    -------
-    Figure
-
     Raises CaromError: a run that is not in three dimensions.
 
     Examples
@@ -77,10 +73,6 @@ def plot_putts(found: Putts) -> Figure:
     ----------
     found : Putts
         From `carom.billiards.putts`, of at least two speeds and two offsets.
-
-    Returns
-    -------
-    Figure
 
     Examples
     --------

@@ -38,10 +38,6 @@ METADATA: dict[str, dict[str, str | None]] = {
 def require_matplotlib() -> None:
     """Raise CaromError if Matplotlib (the extra ``plot``) is not installed.
 
-    Returns
-    -------
-    None
-
     Examples
     --------
     >>> from carom import plot
@@ -57,10 +53,6 @@ def require_writable(path: str | os.PathLike[str]) -> None:
     ----------
     path : str or path
         Name of a figure, .svg, .pdf or .png.
-
-    Returns
-    -------
-    None
 
     Raises CaromError for another ending, a folder that does not exist, or missing permission.
 
@@ -120,10 +112,6 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> None:
         A Matplotlib figure, such as the functions of this package return.
     path : str or path
         The ending determines the format.
-
-    Returns
-    -------
-    None
 
     Raises CaromError if the file cannot be written.
 

@@ -66,10 +66,6 @@ def plot_trajectory(
     title : str, optional
         Default: a description of the scene.
 
-    Returns
-    -------
-    matplotlib.figure.Figure
-
     Raises CaromError for an unknown ball, a file that cannot be written, or if Matplotlib is missing.
 
     Examples

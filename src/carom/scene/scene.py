@@ -50,16 +50,7 @@ from carom.scene.scene_rules import (
     stiffness_faults,
     wall_faults,
 )
-from carom.scene.schema import (
-    Acceleration,
-    Components,
-    Count,
-    Model,
-    Number,
-    Time,
-    raise_faults,
-    refused,
-)
+from carom.scene.schema import Acceleration, Components, Count, Model, Number, Time, raise_faults, refused
 from carom.scene.shapes import AnyWall
 from carom.scene.wall import LawChoice, WallShape, law_name
 

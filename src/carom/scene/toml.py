@@ -34,9 +34,7 @@ def load_scene(path: str | Path, *, allow_own_laws: bool = False) -> Scene:
 
     Returns
     -------
-    Scene
-
-    Raises CaromError with one line for each problem: where, what was expected, what was found, how to fix it.
+    Scene. Raises CaromError with one line for each problem: where, what was expected, what was found, how to fix it.
 
     Examples
     --------
@@ -90,9 +88,7 @@ def save_scene(scene: Scene, path: str | Path) -> Path:
 
     Returns
     -------
-    Path
-
-    Raises CaromError, one line, for a place that cannot be written to, and for a carom.Law, which a file cannot hold.
+    Path. Raises CaromError, one line, for a place that cannot be written to, and for a carom.Law, which a file cannot hold.
 
     Examples
     --------

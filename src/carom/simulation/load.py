@@ -36,9 +36,7 @@ def load_trajectory(path: str | Path, *, allow_own_laws: bool = False) -> Trajec
 
     Returns
     -------
-    Trajectory
-
-    Raises CaromError, one line, for a file that is missing, damaged, of another kind, or of a newer format.
+    Trajectory. Raises CaromError, one line, for a file that is missing, damaged, of another kind, or of a newer format.
 
     Examples
     --------

@@ -22,15 +22,7 @@ from carom.errors import shown, suggestion
 from carom.laws.registry import laws
 from carom.public.renamed import warn_of_rename
 from carom.scene.figures import AnyFigure, figure
-from carom.scene.schema import (
-    Friction,
-    Model,
-    Number,
-    Share,
-    Spring,
-    refused,
-    with_faults_of_part,
-)
+from carom.scene.schema import Friction, Model, Number, Share, Spring, refused, with_faults_of_part
 from carom.scene.wall import permitted_law
 from carom.sweeps.outcomes import Outcome, require_outcomes
 from carom.sweeps.points import PointByPoint

@@ -50,9 +50,7 @@ def load_sweep(path: str | Path, store: Any = None, *, allow_own_laws: bool = Fa
 
     Returns
     -------
-    Sweep
-
-    Raises CaromError, one line per problem.
+    Sweep. Raises CaromError, one line per problem.
 
     Examples
     --------

@@ -64,18 +64,7 @@ class WallLine:
 
 @dataclass(frozen=True)
 class TrackEvent:
-    """An event of a ball between two of its frames.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> from carom.tracks import Settings, Track, measure
-    >>> t = np.arange(40) / 100
-    >>> ball = Track("ball", t, np.stack([np.abs(0.2 - t), 0.1 * t], axis=-1))
-    >>> found = measure([ball], Settings(view="above", noise=1e-4)).events["", "ball"]
-    >>> [(event.kind, event.what) for event in found]
-    [('start', ''), ('wall', 'left'), ('end', '')]
-    """
+    """An event of a ball between two of its frames."""
 
     kind: str
     """wall, ball, gap, onset, start, end; turn: a bounce away from all walls."""

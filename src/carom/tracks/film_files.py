@@ -382,9 +382,7 @@ def rebounds_of_files(
 
     Returns
     -------
-    Rebounds
-
-    Raises CaromError with all problems of the files.
+    Rebounds. Raises CaromError with all problems of the files.
     """
     if are_films(paths):
         return rebounds_of_films(paths, calibration, settings, stage=stage or "best", balls=balls, progress=progress)

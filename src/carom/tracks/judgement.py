@@ -127,9 +127,8 @@ def judge(
 
     Returns
     -------
-    Judgement
-
-    Raises CaromError, all problems at once, for columns that are missing or are no numbers, and numbers out of range.
+    Judgement. Raises CaromError, all problems at once, for columns that are missing or are no numbers, and numbers out of
+    range.
 
     Examples
     --------

@@ -53,6 +53,8 @@ class Measured:
     >>> found = measure([ball], Settings(view="above", noise=1e-4))
     >>> [wall.name for wall in found.walls], len(found.contacts)
     (['left'], 1)
+    >>> [(event.kind, event.what) for event in found.events["", "ball"]]
+    [('start', ''), ('wall', 'left'), ('end', '')]
     """
 
     tracks: tuple[Track, ...]

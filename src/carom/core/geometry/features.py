@@ -20,13 +20,7 @@ from typing import Any
 import numpy as np
 
 from carom.core.geometry.circles import call_rim, rim_gap, rim_gap_derivatives, rim_normal
-from carom.core.geometry.curve_features import (
-    curve_bend,
-    curve_gap,
-    curve_hit,
-    curve_is_far,
-    curve_normal,
-)
+from carom.core.geometry.curve_features import curve_bend, curve_gap, curve_hit, curve_is_far, curve_normal
 from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel, vector
 from carom.core.roots.first_root import hit2, hit4, next_hit4
 

@@ -208,22 +208,21 @@ def after(jump: Jump, symbols: tuple[Expr, ...]) -> dict[Expr, Expr]:
     return dict(zip(symbols, jump.after.values(), strict=True))
 
 
+def _facts(motion: ImpulsiveMotion, jump: Jump) -> dict[Expr, Expr]:
+    impulses = {Rx: jump.impulses["B.n"], Ry: jump.impulses["B.t1"], Rz: jump.impulses["B.t2"]}
+    return after(jump, FIRST) | impulses | motion.pre_relations
+
+
 @cache
 def first_facts() -> dict[Expr, Expr]:
     """Return the state just after the first impact, its impulses, and the relations of rolling before it."""
-    motion, jump = first_impact()
-    facts = after(jump, FIRST)
-    facts |= {Rx: jump.impulses["B.n"], Ry: jump.impulses["B.t1"], Rz: jump.impulses["B.t2"]}
-    return facts | motion.pre_relations
+    return _facts(*first_impact())
 
 
 @cache
 def sliding_facts() -> dict[Expr, Expr]:
     """Return the same outside the friction cone, where B slides throughout and the impulse lies on the cone."""
-    motion, jump = sliding_impact()
-    facts = after(jump, FIRST)
-    facts |= {Rx: jump.impulses["B.n"], Ry: jump.impulses["B.t1"], Rz: jump.impulses["B.t2"]}
-    return facts | motion.pre_relations
+    return _facts(*sliding_impact())
 
 
 # The two cases of the first impact; what rests on (30) holds in the first only

@@ -10,24 +10,7 @@ from carom.derive.integrability import frobenius
 from carom.derive.linear import Expr, tidy
 from carom.derive.paper import model as k
 from carom.derive.paper.ledger import Branch, Entry, Step
-from carom.derive.paper.model import (
-    ATTITUDE,
-    I,
-    a,
-    c,
-    d,
-    dphi,
-    dpsi,
-    dtheta,
-    dx,
-    dy,
-    dz,
-    eq,
-    m,
-    phi,
-    psi,
-    theta,
-)
+from carom.derive.paper.model import ATTITUDE, I, a, c, d, dphi, dpsi, dtheta, dx, dy, dz, eq, m, phi, psi, theta
 
 SIN, COS = sp.sin, sp.cos
 

@@ -44,9 +44,7 @@ def figure(what: str | Mapping[str, Any] | Figure | PathLike[str], /, **sizes: A
 
     Returns
     -------
-    Figure
-
-    Raises CaromError, one line per problem.
+    Figure. Raises CaromError, one line per problem.
 
     Examples
     --------

@@ -15,17 +15,7 @@ from carom.core.jit.kernel import cross, dot, kernel
 from carom.errors import shown
 from carom.formatting import format_length
 from carom.public.renamed import renamed_attribute
-from carom.scene.feature_builders import (
-    UP,
-    frame,
-    minus,
-    point_along,
-    put,
-    put_corner,
-    put_line,
-    put_plane,
-    unit,
-)
+from carom.scene.feature_builders import UP, frame, minus, point_along, put, put_corner, put_line, put_plane, unit
 from carom.scene.ruled import FaultText, format_vector, put_fault
 from carom.scene.schema import Angle, Direction, Flag, Point, Size, Sizes, Vector, refused
 from carom.scene.wall import Outline, ShapeKernels, WallShape
@@ -126,8 +116,7 @@ class Strip(WallShape):
     point : 3 lengths, m: a point of the first plane
     normal : 3 numbers: its normal, towards the second plane
     width : m: distance of the planes
-    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
-        of :class:`Plane`
+    restitution, friction, ..., law, name : the fields of every wall, as of :class:`Plane`
 
     Raises CaromError, one line per problem.
 
@@ -218,8 +207,7 @@ class Wedge(WallShape):
     from_angle, to_angle : degrees: the opening, counterclockwise from one to the other as seen against the axis, from x (from y, if
         the axis is along x). An opening of more than 180 degrees has an edge; one of 360 is a half-plane that begins at the line
     angle : degrees, in place of to_angle: the opening; without from_angle as much on both sides, as of the figure of this name
-    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
-        of :class:`Plane`
+    restitution, friction, ..., law, name : the fields of every wall, as of :class:`Plane`
 
     Raises CaromError, one line per problem.
 
@@ -367,8 +355,7 @@ class Box(WallShape):
     corner : 3 lengths, m: the lowest corner in x, y and z
     size : 3 lengths, m: along x, y and z
     inside : whether the balls are inside; default: outside
-    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
-        of :class:`Plane`
+    restitution, friction, ..., law, name : the fields of every wall, as of :class:`Plane`
 
     Raises CaromError, one line per problem.
 

@@ -101,8 +101,7 @@ class Cylinder(WallShape):
     inside : whether it is a tube with the balls inside; default: a pillar
     height : m, along the axis; default: infinite. A pillar is closed by two discs; a tube is open and thin, and is met from outside
         as well
-    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
-        of :class:`Plane`
+    restitution, friction, ..., law, name : the fields of every wall, as of :class:`Plane`
 
     Raises CaromError, one line per problem.
 
@@ -197,8 +196,7 @@ class Sphere(WallShape):
     center : 3 lengths, m
     radius : m
     inside : whether the balls are inside; default: outside
-    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
-        of :class:`Plane`
+    restitution, friction, ..., law, name : the fields of every wall, as of :class:`Plane`
 
     Raises CaromError, one line per problem.
 
@@ -271,8 +269,7 @@ class Arc(Standing):
     radius : m
     from_angle, to_angle : degrees from x: the arc, counterclockwise from one to the other
     low, height : m: the heights between which it stands; default: infinitely low and high
-    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
-        of :class:`Plane`
+    restitution, friction, ..., law, name : the fields of every wall, as of :class:`Plane`
 
     Raises CaromError, one line per problem.
 
@@ -359,8 +356,7 @@ class Stadium(StadiumSizes, WallShape):
     radius : m: of the half circles
     center : 2 lengths, m, as seen from above; default: the origin
     angle : degrees from x: direction of the straight walls; default: 0
-    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
-        of :class:`Plane`
+    restitution, friction, ..., law, name : the fields of every wall, as of :class:`Plane`
 
     Raises CaromError, one line per problem.
 

@@ -65,8 +65,7 @@ class Segment(Standing):
     ----------
     start, end : 2 lengths, m, as seen from above
     low, height : m: the heights between which it stands; default: infinitely low and high
-    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
-        of :class:`Plane`
+    restitution, friction, ..., law, name : the fields of every wall, as of :class:`Plane`
 
     Raises CaromError, one line per problem.
 
@@ -180,8 +179,7 @@ class Polygon(Standing):
     points : at least 3 times 2 lengths, m, as seen from above
     closed : whether a wall leads from the last point to the first; default: yes
     low, height : m: the heights between which they stand; default: infinitely low and high
-    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
-        of :class:`Plane`
+    restitution, friction, ..., law, name : the fields of every wall, as of :class:`Plane`
 
     Raises CaromError, one line per problem: sides that cross, too.
 

@@ -241,8 +241,7 @@ class Table(WallShape):
     height : m: the cushions' upper edge; default: infinite, so that no ball leaves the table
     corner_pockets, side_pockets : Pockets, optional: in the corners, and in the middle of the longer sides. A ball whose centre
         passes a pocket's edge, below the cushions' upper edge, falls: an event ``pocketed``; it is followed no further
-    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
-        of :class:`Plane`
+    restitution, friction, ..., law, name : the fields of every wall, as of :class:`Plane`
 
     Raises CaromError, one line per problem.
 

@@ -21,14 +21,7 @@ from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL,
 from carom.laws.two_step import UNDEFINED
 from carom.laws.wall_and_floor.solver import JAM, STALL
 from carom.simulation.cluster import collide_cluster, overlaps_at_wall
-from carom.simulation.contacts.contact import (
-    DONE,
-    ContactKind,
-    Outcome,
-    leave,
-    leave_cluster,
-    without_impulse,
-)
+from carom.simulation.contacts.contact import DONE, ContactKind, Outcome, leave, leave_cluster, without_impulse
 from carom.simulation.motion import is_on_floor, write_vector
 from carom.simulation.phrases import at, speed
 from carom.simulation.records import NO_REGIME, WALL

@@ -7,7 +7,7 @@ import re
 import numpy as np
 
 from carom.errors import CaromError
-from carom.tracks.formats.text_table import Calibration, require_calibration, split_rows
+from carom.tracks.formats.text_table import IN_PIXELS, Calibration, require_calibration, split_rows
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
@@ -23,13 +23,7 @@ def matches(text: str) -> bool:
 
 def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     """Read one track per body part; positions with a low likelihood are missing."""
-    require_calibration(
-        name,
-        PROGRAM,
-        calibration,
-        scale="since its positions are in pixels",
-        rate="since it has frame numbers but no times",
-    )
+    require_calibration(name, PROGRAM, calibration, **IN_PIXELS)
     table = split_rows(name, text, ",")
     titles: dict[str, list[str]] = {}
     first = 0

@@ -7,7 +7,7 @@ import re
 import numpy as np
 
 from carom.errors import CaromError
-from carom.tracks.formats.text_table import Calibration, first_rows, require_calibration, split_rows
+from carom.tracks.formats.text_table import IN_PIXELS, Calibration, first_rows, require_calibration, split_rows
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
@@ -25,13 +25,7 @@ def matches(text: str) -> bool:
 
 def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     """Read one track per object; objects beyond the 75th are in blocks of their own, one below the other."""
-    require_calibration(
-        name,
-        PROGRAM,
-        calibration,
-        scale="since its positions are in pixels",
-        rate="since it has frame numbers but no times",
-    )
+    require_calibration(name, PROGRAM, calibration, **IN_PIXELS)
     table = split_rows(name, text, "\t" if "\t" in text else None)
     starts = [i for i, row in enumerate(table.rows) if row[0].strip() == "Frame"]
     tracks: list[Track] = []

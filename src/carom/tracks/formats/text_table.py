@@ -235,6 +235,10 @@ def require_sizes(
         faults.add(label, wanted, got, "leave the cell empty where there is none")
 
 
+# Why a program's files need a scale and a frame rate, where they have pixels and frame numbers.
+IN_PIXELS = {"scale": "since its positions are in pixels", "rate": "since it has frame numbers but no times"}
+
+
 def require_calibration(
     name: str, program: str, calibration: Calibration, scale: str | None = None, rate: str | None = None
 ) -> None:

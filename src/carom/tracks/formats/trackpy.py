@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from carom.tracks.formats.headers import ROW_NUMBERS, numbers_rows
-from carom.tracks.formats.text_table import Calibration, first_rows, require_calibration, split_rows
+from carom.tracks.formats.text_table import IN_PIXELS, Calibration, first_rows, require_calibration, split_rows
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
@@ -23,13 +23,7 @@ def matches(text: str) -> bool:
 
 def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     """Read one track per particle."""
-    require_calibration(
-        name,
-        PROGRAM,
-        calibration,
-        scale="since its positions are in pixels",
-        rate="since it has frame numbers but no times",
-    )
+    require_calibration(name, PROGRAM, calibration, **IN_PIXELS)
     table = split_rows(name, text)
     header = [cell.strip() for cell in table.rows[0]]
     x, y, frame = (table.column(header.index(one), 1, one) for one in ("x", "y", "frame"))
