@@ -336,17 +336,7 @@ POINTS_PER_CURVE = 41
 
 @dataclass(frozen=True, eq=False)
 class PathAfterWall:
-    """Path of the centre after the wall, relative to its position at the wall; z is relative to a ball on the floor.
-
-    Examples
-    --------
-    >>> import carom
-    >>> from carom import plot
-    >>> meeting = carom.incoming()
-    >>> path = plot.path_after_wall(meeting, carom.LAWS["mirror"].answer(meeting))
-    >>> path.pieces, path.end.tolist()
-    ((), [0.0, 0.0, 0.0])
-    """
+    """Path of the centre after the wall, relative to its position at the wall; z is relative to a ball on the floor."""
 
     pieces: tuple[tuple[str, Array], ...]
     """("flight" | "slide", points (N, 3), m), one after the other."""

@@ -301,6 +301,15 @@ def _laws(ranking: Ranking) -> str:
     return table_of_laws(ranking, ("ΔBIC", "weight", "chi² / dof", "CV log score"), cells)
 
 
+def write_page(path: str | Path, about: str, decisive: bool, body: Sequence[str]) -> Path:
+    """Write the HTML page of a fit atomically; its parts are HTML, and what it is about is text."""
+    from carom.files import write_text
+
+    colour = "#009E73" if decisive else "#E69F00"
+    write_text(Path(path), PAGE.format(title=f"carom fit: {html.escape(about)}", colour=colour, body="\n".join(body)))
+    return Path(path)
+
+
 def listed(title: str, lines: list[str]) -> str:
     items = "".join(f"<li>{html.escape(line)}</li>" for line in lines)
     return f"<h2>{title}</h2><ul>{items}</ul>" if lines else ""
@@ -317,9 +326,7 @@ def _table(fit: Fit) -> str:
 def write_report(ranking: Ranking, path: str | Path) -> Path:
     """Write the HTML report atomically: verdict, figures, table, unconstrained parameters, outliers."""
     from carom import __version__
-    from carom.files import write_text
 
-    path = Path(path)
     setting, best = ranking.best.problem.setting, ranking.best
     source = Path(best.problem.rebounds.source).name
     body = [
@@ -337,13 +344,7 @@ def write_report(ranking: Ranking, path: str | Path) -> Path:
         f" the same of BIC, {min(one.fit.bic for one in ranking.ranked):.1f}. Lower is better; weight and CV log score"
         " (cross-validation, per row left out): higher is better.</footer>",
     ]  # fmt: skip
-    text = PAGE.format(
-        title=f"carom fit: {html.escape(source)}",
-        colour="#009E73" if ranking.decisive else "#E69F00",
-        body="\n".join(body),
-    )
-    write_text(path, text)
-    return path
+    return write_page(path, source, ranking.decisive, body)
 
 
 if TYPE_CHECKING:

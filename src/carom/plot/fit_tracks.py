@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from carom.fitting.result import with_error_bar
-from carom.plot.fit import PAGE, SHOWN, listed, svg, table_of_laws
+from carom.plot.fit import SHOWN, listed, svg, table_of_laws, write_page
 from carom.plot.style import GREY, INK, law_styles, literal, new_figure, style
 
 if TYPE_CHECKING:
@@ -139,15 +139,13 @@ def _laws(ranking: TrackRanking) -> str:
 def write_track_report(ranking: TrackRanking, source: str, path: str | Path) -> Path:
     """Write the HTML report atomically: verdict, figure, table, unconstrained parameters."""
     from carom import __version__
-    from carom.files import write_text
 
-    path, best = Path(path), ranking.best
-    name = html.escape(Path(source).name)
+    best, name = ranking.best, Path(source).name
     tracks = best.frames.segments
     contacts = sum(len(one.contacts) for one in tracks)
     ball = f"{1e3 * best.model.setting.radius:.4g} mm, moment of inertia {best.model.setting.kappa:.4g} m a²"
     body = [
-        f"<h1>Which law follows {name}?</h1>",
+        f"<h1>Which law follows {html.escape(name)}?</h1>",
         f'<p class="verdict">{html.escape(ranking.verdict)}</p>',
         f"<p>{len(tracks)} track segments, {contacts} contacts, {int(best.frames.count.sum()):,} frames; each segment is simulated"
         f" from its own start. Ball of radius {ball}.</p>",
@@ -157,8 +155,4 @@ def write_track_report(ranking: TrackRanking, source: str, path: str | Path) -> 
         f"<footer>carom {__version__}. {ranking.aicc_note} wall_left, ...: position at which"
         " the ball's centre is reflected, m.</footer>",
     ]  # fmt: skip
-    text = PAGE.format(
-        title=f"carom fit: {name}", colour="#009E73" if ranking.decisive else "#E69F00", body="\n".join(body)
-    )
-    write_text(path, text)
-    return path
+    return write_page(path, name, ranking.decisive, body)

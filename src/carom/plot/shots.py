@@ -11,7 +11,7 @@ import numpy as np
 
 from carom.fitting.result import with_error_bar
 from carom.formatting import called_ball
-from carom.plot.fit import PAGE, SHOWN, listed, svg, table_of_laws
+from carom.plot.fit import SHOWN, listed, svg, table_of_laws, write_page
 from carom.plot.fit_tracks import BALLS
 from carom.plot.style import GREY, INK, literal, new_figure, style
 
@@ -291,19 +291,15 @@ def _legend_of_marks() -> str:
 def write_shots_report(ranking: ShotsRanking, source: str, path: str | Path) -> Path:
     """Write the HTML report atomically: verdict, sentences, all shots, each shot, the laws."""
     from carom import __version__
-    from carom.files import write_text
 
-    path, best = Path(path), ranking.best
-    name = html.escape(Path(source).name)
+    best, name = ranking.best, Path(source).name
     order = sorted(best.shots, key=lambda one: -one.rms)
     body = [
-        f"<h1>Whole shots: {name}</h1>", f'<p class="verdict">{html.escape(ranking.verdict)}</p>',
+        f"<h1>Whole shots: {html.escape(name)}</h1>", f'<p class="verdict">{html.escape(ranking.verdict)}</p>',
         *(f"<p>{html.escape(line)}</p>" for line in best.describe()), *_all_shots(best),
         "<h2>The laws, best first</h2>", _laws(ranking), "<h2>The table</h2>", _numbers(ranking),
         listed("Other forms", [one.describe() for one in ranking.forms]), "<h2>The shots, the farthest from the film first</h2>",
         _legend_of_marks(), *map(_shot, order), listed("Notes", list(ranking.notes)),
         f"<footer>carom {__version__}. {ranking.aicc_note}</footer>",
     ]  # fmt: skip
-    colour = "#009E73" if ranking.decisive else "#E69F00"
-    write_text(path, PAGE.format(title=f"carom fit: {name}", colour=colour, body="\n".join(body)))
-    return path
+    return write_page(path, name, ranking.decisive, body)

@@ -202,8 +202,8 @@ class Sphere(WallShape):
 
     Examples
     --------
-    >>> import carom
-    >>> carom.scene.Sphere(center=(0, 0, 0), radius=1, inside=True).describe()
+    >>> from carom.scene import Sphere
+    >>> Sphere(center=(0, 0, 0), radius=1, inside=True).describe()
     'a sphere of radius 1 m at (0, 0, 0), balls inside'
     """
 

@@ -71,8 +71,8 @@ class Segment(Standing):
 
     Examples
     --------
-    >>> import carom
-    >>> carom.scene.Segment(start=(0, 0), end=(1, 0), height="40 mm").height
+    >>> from carom.scene import Segment
+    >>> Segment(start=(0, 0), end=(1, 0), height="40 mm").height
     0.04
     """
 
