@@ -91,9 +91,7 @@ class ContactFitter:
             for i, event in enumerate(events[track.group, track.name])
             if event.kind == "wall"
         ]
-        prior = self._prior()
-        known = [prior] * len(jobs)
-        together = pool_floor if self.view == "above" else pool_gravity
+        known = [prior := self._prior()] * len(jobs)
         found: list[TrackContact] | None = None
         number, rounds = 0, ROUNDS
         while number < rounds:
@@ -104,12 +102,14 @@ class ContactFitter:
                 rounds = MAX_ROUNDS  # with frames weighted anew
             number += 1
             if number < rounds:
-                owners = [(one.group, one.track) for one in found]
                 hopping = with_hops(found, self.settings.hops, doubtful=False)
                 fits = [one.fit for one in hopping]
+                if self.view != "above":
+                    self.floor = pool_gravity(fits)
+                    continue
                 # a ball that slides where rolling is assumed, or rolls where sliding is, would bias the estimate of the floor
-                usable = [_determines_floor(one) for one in hopping]
-                self.floor, known = together(fits, owners, known, prior, self.settings.gravity, usable)
+                usable, owners = [_determines_floor(one) for one in hopping], [(one.group, one.track) for one in found]
+                self.floor, known = pool_floor(fits, owners, known, prior, self.settings.gravity, usable)
         found = self._with_error_of_correlation(found or [])
         done = [self._checked(one) for one in with_hops(found, self.settings.hops)]
         if self.view == "above":

@@ -184,19 +184,9 @@ def _values_and_variances(alone: dict[int, tuple[float, float]]) -> tuple[list[f
     return [one[0] for one in alone.values()], [one[1] for one in alone.values()]
 
 
-def pool_gravity(
-    fits: Sequence[ContactFit | None],
-    owners: Sequence[tuple[str, str]],
-    priors: Sequence[Prior],
-    prior: Prior,
-    gravity: float,
-    usable: Sequence[bool],
-) -> tuple[dict[str, WithError], list[Prior]]:
-    """Estimate gravity, m/s^2, from all parabolas; the priors of the fits stay as they are. Parameters as in :func:`pool_floor`."""
+def pool_gravity(fits: Sequence[ContactFit | None]) -> dict[str, WithError]:
+    """Estimate gravity, m/s^2, from all parabolas."""
     good = [fit for fit in fits if fit is not None]
     size = [float(np.hypot(fit["mu_g"], fit["c_g"])) for fit in good]
     mean, variance, between = robust_mean(size, [max(fit.error("mu_g"), 1e-9) ** 2 for fit in good])
-    del gravity, owners, priors, usable
-    return ({"gravity": WithError(mean, float(np.sqrt(variance + between / max(len(good), 1))))} if good else {}), [
-        prior
-    ] * len(fits)
+    return {"gravity": WithError(mean, float(np.sqrt(variance + between / max(len(good), 1))))} if good else {}
