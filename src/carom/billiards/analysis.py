@@ -94,7 +94,7 @@ def caustics(found: Orbit, centre: Sequence[float] = (0.0, 0.0)) -> Caustics:
     Returns
     -------
     Caustics, NaN where there is no such flight. CaromError if an acceleration bends the flights.
-    In a magnetic field the distance of a flight is that of its circle from the centre.
+    In a magnetic field the distance of a flight is the distance of its circle from the centre.
 
     Examples
     --------
@@ -275,7 +275,7 @@ def drift(found: Orbit, axis: int | None = None) -> Drift:
 def _scatter(u: Array, x: Array) -> tuple[float, float]:
     """Return standard errors of the mean velocity and of the acceleration of coordinates x over times u from 0 to 1.
 
-    Mean velocities of parts of the orbit scatter about a straight line in time. The acceleration is that of a parabola through the
+    Mean velocities of parts of the orbit scatter about a straight line in time. The acceleration follows from a parabola through the
     coordinates, whose variance is 10/7 of the variance of the line's slope where velocities are independent.
     """
     if len(u) < 2 * DRIFT_PARTS:

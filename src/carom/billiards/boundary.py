@@ -23,7 +23,7 @@ INF = math.inf
 
 
 class Face(NamedTuple):
-    """A straight wall, or a plane one in space; its fields are those of :data:`carom.billiards.table_records.PIECES`."""
+    """A straight wall, or a plane one in space; its fields are named as in :data:`carom.billiards.table_records.PIECES`."""
 
     normal: tuple[float, float, float]
     """Towards the ball."""

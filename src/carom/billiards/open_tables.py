@@ -38,7 +38,7 @@ class EscapeDecay(NamedTuple):
     """Of t^-exponent."""
     exponent_error: float
     log_odds: float
-    """Natural logarithm of the likelihood of the exponential over that of the power law."""
+    """Natural logarithm of the ratio of likelihoods, exponential over power law."""
     after: float
     """Time, s, or number of bounces: only later escapes count."""
     until: float

@@ -1,4 +1,4 @@
-"""What a ball touches of a curved wall: stretches of panels, and circles around reflex corners, joined at corners.
+"""Stretches of a curved wall that a ball can touch: runs of panels, and circles around reflex corners, joined at corners.
 
 A ball that is larger than a radius of curvature, or than a neck, does not touch all of the wall: the parallel curve crosses itself,
 and what lies beyond the crossing is nearer than the radius to another part of the wall. The crossings P(t1) = P(t2) are corners.
@@ -112,7 +112,7 @@ class ParallelCurve:
         return float(self.wall.loops[self.loop[k]].rows[self.panel[k], HALF])
 
     def parts(self, begin: WallPlace, end: WallPlace, *, whole: bool = False) -> list[Stretch | Bend]:
-        """Return what lies between two places, divided at corners of the wall; ``whole``: all around."""
+        """Return the wall between two places, divided at corners of the wall; ``whole``: all around."""
         found: list[Stretch | Bend] = []
         k, low, panels, first = begin.element, begin.w, list[int](), -1.0
         while True:

@@ -296,7 +296,7 @@ class _Proof:
         return ""
 
     def _is_free(self, x: Sequence[Interval], d: Sequence[Interval], ends: tuple[int, int]) -> bool:
-        """Return whether a flight from x by d meets no wall but those of its ends."""
+        """Return whether a flight from x by d meets no wall but the two at its ends."""
         shape, (i, j) = self.shape, ends
         begins, stops = self.numbers[i], self.numbers[j]
         for k, face in enumerate(shape.faces):

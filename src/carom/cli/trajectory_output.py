@@ -56,7 +56,7 @@ def show(run: Trajectory, times: list[float], most: int | None) -> None:
 
 
 def show_sensitivity(found: Any) -> None:
-    """Print what matters: how far each ball's final place moves when a number changes by 1 %."""
+    """Print the sensitivity: how far each ball's final place moves when a number changes by 1 %."""
     head, rows = found.table()
     table = _new(
         [(name, k == 0) for k, name in enumerate(["changed by 1 %", "value", *(f"{name}, mm" for name in head[2:])])]

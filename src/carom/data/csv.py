@@ -67,7 +67,7 @@ class NumberedLines:
         return line
 
     def take(self, count: int) -> list[str]:
-        """Return up to so many lines at once: those that were pushed back, then those of the file."""
+        """Return up to so many lines at once: first the lines that were pushed back, then the lines of the file."""
         taken = [self.pushed.popleft() for _ in range(min(count, len(self.pushed)))]
         taken += itertools.islice(self.file, count - len(taken))
         self.number += len(taken)

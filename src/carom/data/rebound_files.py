@@ -225,7 +225,7 @@ def _directions(alone: NDArray[np.bool_] | None, kind: Kind, faults: FaultList) 
 
 
 def _errors_of(header: str, errors: Errors | None, rows: Sequence[str], faults: FaultList) -> Errors | None:
-    """Return the error bars of cells, else that of the header; none, with a fault, where one is infinite."""
+    """Return the error bars of cells, else the error bar of the header; none, with a fault, where one is infinite."""
     if errors is None and (shared := header_error(header)) is not None:
         errors = np.full(len(rows), shared[0]), np.full(len(rows), shared[1])
     if errors is None or not (endless := np.isinf(errors[0])).any():

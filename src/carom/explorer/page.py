@@ -257,7 +257,7 @@ def _main_laws() -> list[Law]:
 
 
 def _offered(others: Iterable[str]) -> list[str]:
-    """Return the laws of which the page has cards: those of carom compare, and others."""
+    """Return the laws of which the page has cards: the laws of carom compare, and others."""
     wanted = {*(law.name for law in _main_laws()), *others}
     return [name for name in _compiled() if name in wanted]
 

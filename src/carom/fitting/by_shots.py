@@ -32,7 +32,7 @@ class NearerShots(NamedTuple):
 
     @property
     def support(self) -> float:
-        """What this counts on the scale of odds."""
+        """Weight of this difference on the scale of odds."""
         if self.chance > HINT or self.closer[0] <= self.closer[1] / 2:
             return 0.0
         return LEANS if self.chance > SURE else DECIDED

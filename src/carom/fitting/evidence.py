@@ -84,7 +84,7 @@ class RankedLaws(Generic[OneFit]):
     notes: tuple[str, ...]
 
     def __repr__(self) -> str:
-        """Return one line: the laws, best first, and how far each law's AICc is above that of the best."""
+        """Return one line: the laws, best first, and how far each law's AICc is above the lowest."""
         others = [f"{one.fit.law.name} {one.fit.aicc - self.best.aicc:+.1f}" for one in self.ranked[1:]]
         return f"<{type(self).__name__}: AICc {', '.join([f'{self.best.law.name} {self.best.aicc:.1f}', *others])}>"
 

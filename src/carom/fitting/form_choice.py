@@ -83,7 +83,7 @@ class FormChoice:
 
     @property
     def best(self) -> TriedForm:
-        """What was chosen last."""
+        """The latest choice."""
         return self.tried[self.chosen[-1]]
 
     @property

@@ -191,7 +191,7 @@ class FitModel:
         return replace(self, problem=replace(self.problem, vy=self._residuals(p)[1]), profiled=False)
 
     def deviances(self, p: Array) -> Array:
-        """Return the deviance (B,) at each of p (B, K), that of shared errors included."""
+        """Return the deviance (B,) at each of p (B, K), shared errors included."""
         rows = self.evaluate(p, derivatives=False).deviance
         return np.asarray(rows.sum(axis=1) + np.square(p[:, NUMBERS:]).sum(axis=1))
 

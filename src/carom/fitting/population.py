@@ -94,7 +94,7 @@ class Population:
         return said.at(impacts(one.fit.model.problem, before))
 
     def _new(self, model: VaryingModel) -> Predictive:
-        """Return what is known of a surface before it was measured."""
+        """Return the prior of a surface that has not been measured."""
         m = model.parts["smooth"].stop
         variance = np.square(self.width[:m]) * (1 + 1 / len(self.surfaces))
         # (the mean of a scatter that is known to a factor exp(width) is larger than the scatter of the mean's logarithm)

@@ -1,4 +1,4 @@
-"""What a fitted law predicts: mean and covariance of the state after the wall, regions, and the score of rows held out.
+"""Predictions of a fitted law: mean and covariance of the state after the wall, regions, and the score of rows held out.
 
 The covariance of a prediction is S + G C G': the scatter of rebounds (and their error bars), and the covariance C of the fitted
 numbers through the derivatives G. Where the scatter was estimated from few rows, S is enlarged by n/(n - k), and the prediction is
@@ -153,7 +153,7 @@ class Predictive:
 
 
 def predictive_of(fit: Any, weights: Array | None = None) -> Predictive:
-    """Return what a fit (:class:`carom.fitting.Fit`, or a :class:`VaryingFit`) predicts with: numbers, covariance, scatter."""
+    """Return parameters, covariance and scatter of a fit (:class:`carom.fitting.Fit`, or a :class:`VaryingFit`) for its predictions."""
     if isinstance(fit, VaryingFit):
         weights = np.ones(len(fit.model.problem.x)) if weights is None else weights
         return Predictive(fit.model, fit.q, fit.covariance, fit.dof, weights)

@@ -92,7 +92,7 @@ class Fit:
 
     @property
     def k(self) -> int:
-        """Number of adjusted parameters, with those of a mixture of spins."""
+        """Number of adjusted parameters, with the parameters of a mixture of spins."""
         return len(self.names) + len(self.scatter) + self.prior_parameters
 
     @property

@@ -150,7 +150,7 @@ class VaryingModel:
         return p
 
     def basis(self, one: Smooth, x: Array) -> Array:
-        """Return the splines (N, K) of a parameter at impacts x; those of the rows are kept."""
+        """Return the splines (N, K) of a parameter at impacts x; the splines at the rows are kept."""
         known = self._bases
         key = (one.parameter, len(x))
         if x is not self.problem.x or key not in known:

@@ -101,7 +101,7 @@ def _order_by_species(scene: GasScene, start: InitialState, path: Path) -> Any:
 
 @contextmanager
 def _faults_of(scene: GasScene) -> Iterator[None]:
-    """Raise the faults of a gas as those of its scene."""
+    """Raise the faults of a gas as faults of its scene."""
     try:
         yield
     except CaromError as error:

@@ -180,7 +180,7 @@ def contacts_by_names(faults: FaultList, contacts: Contacts, names: Sequence[str
 
 
 def _wrong_contacts(contacts: Any) -> str | None:
-    """Return what is neither a surface nor a mapping of pairs of names to surfaces; None if nothing is."""
+    """Return the first entry that is no surface, or not under a pair of names; None if all are valid."""
     if isinstance(contacts, Surface | GasSurface):
         return None
     if not isinstance(contacts, Mapping):

@@ -117,7 +117,7 @@ def _component_histograms(motions: Any, bodies: Any, axes: int, scale: Any, velo
 
 @hot_kernel
 def _nearest_image(r: float, side: float, periodic: bool) -> float:
-    """Return a coordinate difference, that of the nearest images if the axis is periodic."""
+    """Return a coordinate difference, between nearest images if the axis is periodic."""
     if not periodic:
         return r
     if r > side / 2:

@@ -173,7 +173,7 @@ class UprightContainer(FigureContainer):
 
 
 def _container_of(kind: type[Figure]) -> type[GasContainer]:
-    """Return the class of containers in a figure: its fields are those of the figure and of a container."""
+    """Return the class of containers in a figure: it has the fields of the figure and of a container."""
     base = UprightContainer if issubclass(kind, PlaneFigure) else FigureContainer
     name = f"{kind.__name__.removesuffix('Figure')}Container"
     metaclass: Any = type(base)

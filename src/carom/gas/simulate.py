@@ -97,7 +97,7 @@ def simulate_gas(
     equilibrate : int, optional
         Number of collisions before; default: the scene's, or 40 per ball.
     from_time : float or str, optional
-        Of a scene: simulated time before which nothing is measured; all means are then those of the time after it.
+        Of a scene: simulated time before which nothing is measured; all means are then over the time after it.
     progress : callable(done, total, text), optional
         Of a scene: called some ten times per second with the number of collisions so far, and of all (NaN: not known).
 

@@ -209,7 +209,7 @@ def _shear_record(
 
 
 def shear_faults(container: Container, gravity: Any, rate: float, thermal_speed: float) -> list[Fault]:
-    """Return what is against a shear rate in a container, of a gas with a thermal speed along an axis (0: at rest)."""
+    """Return the faults of a shear rate in a container, of a gas with a thermal speed along an axis (0: at rest)."""
     found = FaultList()
     if container.faces or not all(container.periodic):
         got = f"walls {', '.join(container.names)}"

@@ -51,7 +51,7 @@ class Case(NamedTuple):
 
 
 class Predicted(NamedTuple):
-    """What a law has answered: the state after the wall, the required friction of wall and floor."""
+    """The answer of a law: the state after the wall, the required friction of wall and floor."""
 
     v: Vec
     w: Vec

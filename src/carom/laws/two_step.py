@@ -274,7 +274,7 @@ def require_defined(undefined: Any) -> None:
 
 
 def answer_two_step(meeting: Meeting, order: FloorContact | None = None) -> Answer:
-    """Return the two-step law's answer, with its steps; ``order`` of wall and floor: default that of the meeting."""
+    """Return the two-step law's answer, with its steps; ``order`` of wall and floor: by default as in the meeting."""
     m = meeting
     if m.ball.planar:  # no floor: a single contact
         after = respond(contact_kernel, m)

@@ -360,7 +360,7 @@ def _displacement(axes: Any, session: Session, measures: Measures) -> None:
 
 
 def _flow(axes: Any, session: Session, _measures: Measures) -> None:
-    """Plot the mean velocity of a sheared gas in layers, and that of the images' flow."""
+    """Plot the mean velocity of a sheared gas in layers, and the flow of its images."""
     layers = session.result.averages.layers
     assert layers is not None
     middle, rate = (layers.edges[1:] + layers.edges[:-1]) / 2, session.scene.shear_rate

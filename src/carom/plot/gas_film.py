@@ -120,7 +120,7 @@ def _check(session: Session, kind: str, frames: Any, interval: Any, fps: Any) ->
 
 @dataclass(frozen=True)
 class _Reel:
-    """What a film shows: places (F, N, 2), which do not jump at periodic borders, angles (F, N), and walls that move."""
+    """Content of a film: places (F, N, 2), which do not jump at periodic borders, angles (F, N), and walls that move."""
 
     container: Container
     pair: list[int]

@@ -115,7 +115,7 @@ def _with(v: Vector, k: int, x: float) -> Vector:
 
 @kernel
 def _last_digit(x: float) -> float:
-    """Return what the last digit of a number from 0 to 1 counts, as ``math.ulp``."""
+    """Return the unit in the last place of a number from 0 to 1, as ``math.ulp``."""
     power = 1.0
     while power > abs(x) and power > 5e-324:
         power = power / 2

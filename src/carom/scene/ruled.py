@@ -138,7 +138,7 @@ def fault_rows(report: Report, numbers: tuple[float, ...]) -> list[list[float]]:
 
 
 def about(asked: Any, function: Any, numbers: tuple[float, ...]) -> Any:
-    """Return what a cached function says of a kernel and numbers; of many numbers it is computed anew."""
+    """Return the value of a cached function for a kernel and numbers; for many numbers it is computed anew."""
     return asked(function, numbers) if len(numbers) < LONG else asked.__wrapped__(function, numbers)
 
 

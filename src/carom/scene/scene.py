@@ -186,7 +186,7 @@ class Scene(Model):
 
     @property
     def given_laws(self) -> tuple[str | Law, ...]:
-        """Return every law as it was given, each once: the run's, those of walls, that of pairs."""
+        """Return every law as it was given, each once: of the run, of walls, of pairs."""
         return tuple(dict.fromkeys((self.run.law, *self.wall_laws, self.ball_contact.law)))
 
     @functools.cached_property
@@ -231,7 +231,7 @@ class Scene(Model):
 
     @property
     def called_laws(self) -> tuple[Law, ...]:
-        """The laws that the event loop calls by their address: each once, in the order of the walls, then that of pairs."""
+        """The laws that the event loop calls by their address: each once, in the order of the walls, then the law of pairs."""
         called = [law for law in self.laws if law.response == CALLED_WALL]
         return tuple(dict.fromkeys(called if self.pair_law.one_contact else [*called, self.pair_law]))
 

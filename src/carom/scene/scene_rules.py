@@ -85,7 +85,7 @@ SCENE_FAULTS = (
 ) = range(len(SCENE_FAULTS))  # fmt: skip
 
 NEEDED = {"restitution": "a number from 0 to 1, or a form", "friction": "a number >= 0 (inf: never slips)"}
-"""What a wall is expected to have where its law needs it."""
+"""The parameter that a wall's law needs."""
 LAW_FAULTS = {
     "needed": FaultText("{at:s}.{name:s}", "{expected:s}", "nothing", "the law {law:s} reads it; {others:s} do not need it"),
     "unmet": FaultText("{at:s}", "{expected:s}, for the law {law:s}", "{got:s}"),

@@ -97,7 +97,7 @@ def _law_of_pairs(value: Any, info: ValidationInfo) -> str | Law:
 
 
 def _one_of(known: list[str], value: Any, info: ValidationInfo) -> str | Law:
-    """Validate a law that is one of those known, or a custom one."""
+    """Validate a known law, or a custom one."""
     expected = f"one of {', '.join(known)}, or file.py:name"
     if isinstance(value, Law):
         if value.kernel is None:

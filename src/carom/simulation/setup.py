@@ -27,7 +27,7 @@ class SceneArrays(NamedTuple):
     features: NDArray[np.void]
     """(F,) of FEATURES."""
     balls: NDArray[np.void]
-    """(B,) of BALLS, at the start; those of a scene are read-only."""
+    """(B,) of BALLS, at the start; read-only where they belong to a scene."""
     users: NDArray[np.int64]
     """Addresses of laws that are not compiled in, in the order of ``scene.called_laws``."""
 

@@ -173,7 +173,7 @@ def weigh_correlations(fits: Sequence[tuple[Hashable, FittedFrames]], interval: 
 def averaging_error(
     fit: FittedFrames, used: Correlation, likely: Sequence[LikelyCorrelation], interval: float
 ) -> Array:
-    """Return what the covariance (p, p) of fitted parameters lacks, since the correlation is not known.
+    """Return the part of the covariance (p, p) of fitted parameters that comes from the unknown correlation.
 
     The mean over all correlations, less the covariance for the one that was ``used`` as the weights of the frames.
     """

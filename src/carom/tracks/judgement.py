@@ -64,7 +64,7 @@ class Violation:
 
 @dataclass
 class Judgement:
-    """What :func:`judge` finds."""
+    """Result of :func:`judge`."""
 
     noise: float
     """Standard deviation of a coordinate in a frame, m."""

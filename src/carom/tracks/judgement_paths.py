@@ -147,7 +147,7 @@ def read_paths(
 def _columns(path: Path, notes: list[str]) -> Columns:
     """Return the columns of a file; of JSON, frames as ``save_frames`` writes them, with arrays (frame, ball, axis).
 
-    Any other file of tracks is read as such, with its units.
+    Any other file of tracks is read as tracks, with its units.
     """
     if path.suffix.lower() != ".json":
         columns = {} if path.suffix.lower() == ".msgpack" else read_columns(path)[0]

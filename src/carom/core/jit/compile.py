@@ -129,7 +129,7 @@ def named_tuple_type(kind: type, *items: Any) -> NamedTupleOf:
 
 
 class Signature(NamedTuple):
-    """What a function returns and takes, each described as for :func:`numba_type`."""
+    """Types of a function's result and arguments, each described as for :func:`numba_type`."""
 
     returns: Any
     arguments: tuple[Any, ...]

@@ -32,7 +32,7 @@ class ArgumentWriter(NamedTuple):
     kinds: list[Any]
     """Of C."""
     write: Callable[[Any, list[Any]], None]
-    """Add what stands for a value to a list; MismatchError where it is of another kind."""
+    """Add the description of a value to a list; MismatchError where it is of another kind."""
 
 
 def argument_writers(kinds: Sequence[Any], dtypes: Sequence[Any], fixed: bool) -> list[ArgumentWriter]:
@@ -114,7 +114,7 @@ def _record_writer(dtype: Any) -> ArgumentWriter:
 
 
 class ValueReader:
-    """What a loop returns, in a buffer of ``size`` bytes."""
+    """Result of a loop, in a buffer of ``size`` bytes."""
 
     def __init__(self, kind: Any) -> None:
         self._kind = kind

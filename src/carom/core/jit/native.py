@@ -65,7 +65,7 @@ class LoopSource(NamedTuple):
     options: dict[str, Any]
     """Numba's."""
     compile_here: Callable[[], Any]
-    """Return what Numba makes of it."""
+    """Return Numba's compiled version of it."""
     takes: str | None = None
     """Text of what its signature says (:func:`carom.core.jit.marshal.kinds_text`), if it has one."""
     plain: tuple[int, int] | None = None
@@ -186,7 +186,7 @@ class NativeLoop:
         return None
 
     def numbas(self) -> Any:
-        """Return what Numba makes of the function, here."""
+        """Return the function as Numba compiles it on this machine."""
         if self._numbas is None:
             self._numbas = self.source.compile_here()
         return self._numbas
@@ -209,7 +209,7 @@ class NativeLoop:
 
     @property
     def _numba_type_(self) -> Any:
-        """What Numba takes this for where it compiles a caller."""
+        """Numba's type of this loop in a compiled caller."""
         from numba import typeof
 
         return typeof(self.numbas())

@@ -208,7 +208,7 @@ class BuiltLoop(NativeLoop):
         self.codes.append(self._build.add(self._key, self.source, made, arguments, returns))
 
     def numbas(self) -> Any:
-        """Return what callers that are built link in."""
+        """Return the code that callers link when they are built."""
         if not self._dispatchers:  # (its code is current, a caller's is not)
             for prepare in self.source.needs:
                 prepare()
@@ -247,7 +247,7 @@ def part_range() -> Any:
 
 
 def _optimised(name: str, source: LoopSource, dispatcher: Any, kinds: Sequence[Any]) -> dict[str, Any]:
-    """Return what the index says of a loop's code, and its bitcode."""
+    """Return the entry of the index for a loop, and its bitcode."""
     import llvmlite.binding as llvm
 
     entry = f"carom_{name}"

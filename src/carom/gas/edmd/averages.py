@@ -248,7 +248,7 @@ def note_passed_heat(
 ) -> None:
     """Add the energy that the first of two balls gains from the second (half of the difference of their gains) times the distance.
 
-    The arguments are those of :func:`note_pair`.
+    The arguments are as for :func:`note_pair`.
     """
     if heat is None:
         return

@@ -333,7 +333,7 @@ def _collisions(one: Any) -> int:
 
 
 def averages_until(arrays: GasArrays, time: float) -> Averages:
-    """Return what means over time are made of, with the integrals until a time not before the last event, as copies."""
+    """Return the sums for means over time, with the integrals until a time not before the last event, as copies."""
     one, found = arrays.system[0], Averages(*(part.copy() for part in arrays.averages))
     now = (time - one["base"]) - one["rest"]
     shear = arrays.shear if len(arrays.shear) else None

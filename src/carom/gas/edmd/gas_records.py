@@ -288,7 +288,7 @@ class Materials(NamedTuple):
 
 
 class Averages(NamedTuple):
-    """What means over time are made of: of the whole gas, of each species, of each in each layer."""
+    """Sums for means over time: of the whole gas, of each species, of each in each layer."""
 
     whole: NDArray[np.void]
     flows: NDArray[np.void]

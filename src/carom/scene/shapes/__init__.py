@@ -29,7 +29,7 @@ FIRST = (Plane, Segment, Polygon, Table, Box, Strip, Wedge, Cylinder, Arc, Spher
 
 
 def _found() -> dict[str, type[WallShape]]:
-    """Return the shapes by name: in the order in which messages list them, then those of further files."""
+    """Return the shapes by name: in the order in which messages list them, then the shapes of further files."""
     others: list[Any] = [x for one in modules_of(__name__, __path__) for x in vars(one).values() if isinstance(x, type)]
     walls = [one for one in others if issubclass(one, WallShape) and "shape" in one.model_fields]
     own = {one.model_fields["shape"].default: one for one in dict.fromkeys((*FIRST, *walls))}

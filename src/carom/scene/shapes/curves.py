@@ -219,7 +219,7 @@ class CurveWallShape(CurvedWallShape):
 
 
 def _wall_of(kind: type[PlaneFigure]) -> type[FigureWall]:
-    """Return the class of walls of a figure: its fields are the sizes of the figure and those of a wall."""
+    """Return the class of walls of a figure: its fields are the sizes of the figure and the fields of a wall."""
     fields: dict[str, Any] = {name: (info.annotation, info) for name, info in kind.model_fields.items()}
     name = f"{kind.__name__.removesuffix('Figure')}Wall"
     base = (

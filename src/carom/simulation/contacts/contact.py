@@ -35,9 +35,9 @@ class ContactKind:
     meet: Callable[..., Outcome]
     """``meet(world, features, balls, i, who, users)``: ball i, which is at the event, meets number ``who``: a feature or a ball."""
     met: int = NOTHING
-    """What the log's ``other`` is the number of: WALL, BALL, POCKETED_EVENT, or NOTHING."""
+    """Kind of the body whose number is the log's ``other``: WALL, BALL, POCKETED_EVENT, or NOTHING."""
     noun: str = ""
-    """What is met, where contacts are counted; empty where they are not."""
+    """Name under which contacts are counted; empty where they are not."""
     clause: str = ""
     """Text that follows the noun."""
     sentence: Callable[[RunRecord, Any, Any], str] | None = None

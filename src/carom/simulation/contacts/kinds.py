@@ -30,7 +30,7 @@ def partner_names(scene: Scene, met: int) -> tuple[str, ...] | None:
 
 @kernel
 def met_at(kind: int) -> int:
-    """Return what a ball meets at an event of a kind: ``met`` of its kind of contact."""
+    """Return the body that a ball meets at an event of a kind: ``met`` of its kind of contact."""
     if kind in (WALL, LEFT_EVENT):
         return WALL
     return kind if kind in (BALL, POCKETED_EVENT) else NOTHING

@@ -67,7 +67,7 @@ def _beside(run: Any, column: Column, by: float) -> Array:
 
 
 def warn_of_switches(run: Any, passages: Passages) -> None:
-    """Warn of events that are exactly at a switch, where derivatives are those of one side."""
+    """Warn of events that are exactly at a switch, where derivatives are one-sided."""
     log, first = run.log, len(run.scene.balls)
     required, friction = passages.values["required"], passages.values["friction"]
     border = np.flatnonzero((required >= (1 - EXACT) * friction) & (required <= (1 + EXACT) * friction))
