@@ -275,7 +275,7 @@ def drift(found: Orbit, axis: int | None = None) -> Drift:
 def _scatter(u: Array, x: Array) -> tuple[float, float]:
     """Return standard errors of the mean velocity and of the acceleration of coordinates x over times u from 0 to 1.
 
-    Mean velocities of parts of the orbit scatter about a straight line in time. The acceleration follows from a parabola through the
+    Mean velocities of parts of the orbit scatter about a straight line in time. Their acceleration is from a parabola through the
     coordinates, whose variance is 10/7 of the variance of the line's slope where velocities are independent.
     """
     if len(u) < 2 * DRIFT_PARTS:

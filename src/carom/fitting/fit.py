@@ -135,7 +135,7 @@ def _bottom_of_kink(model: FitModel, p: Array, most: int) -> tuple[Array, float]
 
 
 def _search(model: FitModel) -> Array:
-    """Return starting points (B, K): the points of a grid, and the results of a fit of constants where parameters depend on the impact.
+    """Return starting points (B, K): a grid, and the results of a fit of constants where parameters depend on the impact.
 
     Where spins are carried along chains of contacts, the search takes them as independent, which is quick.
     """
@@ -275,7 +275,7 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
 
 
 def place_near(law: FittedLaw, problem: Problem, p: Array) -> Array:
-    """Return numbers (K,) where descents from p (K,), and from the starts of a search, end; of a tabulated law by its coarse table."""
+    """Return numbers (K,) where descents end, from p (K,) and from starts of a search; of a tabulated law by its coarse table."""
     model = model_of(law, problem)
     model = model.using(None if problem.carried else coarse_table(model))
     own, starts = model.without_shared(), np.vstack([_search(model.without_shared()), p])

@@ -142,7 +142,7 @@ def fit_curve(
 
 
 def _features(curve: GasCurve, values: dict[str, Array]) -> Array:
-    """Return the features by which curves are compared: the coefficients of polynomials of the logarithm of time, of the logarithm of each."""
+    """Return the features by which curves are compared: coefficients of polynomials in ln t, of the logarithm of each."""
     u = np.log1p((curve.t - curve.t[0]) / max(float(np.diff(curve.t).min()), 1e-300))
     shapes = min(SHAPES, len(u) - 1)
     design = np.polynomial.legendre.legvander(2 * u / u[-1] - 1, max(shapes - 1, 0))

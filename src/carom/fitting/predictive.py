@@ -153,7 +153,7 @@ class Predictive:
 
 
 def predictive_of(fit: Any, weights: Array | None = None) -> Predictive:
-    """Return parameters, covariance and scatter of a fit (:class:`carom.fitting.Fit`, or a :class:`VaryingFit`) for its predictions."""
+    """Return what predictions need of a :class:`carom.fitting.Fit` or :class:`VaryingFit`: numbers, covariance, scatter."""
     if isinstance(fit, VaryingFit):
         weights = np.ones(len(fit.model.problem.x)) if weights is None else weights
         return Predictive(fit.model, fit.q, fit.covariance, fit.dof, weights)

@@ -100,7 +100,7 @@ class Ranking(RankedLaws[Fit]):
         return decisive(self.fits, self.odds) and not (self.swayed or self.coverage.narrow or self.held_back)
 
     def predict(self, before: Any) -> Prediction:
-        """Return the predictions of the best law (:meth:`carom.fitting.Fit.predict`), with the functions that were chosen, if any."""
+        """Return the predictions of the best law (:meth:`carom.fitting.Fit.predict`), with the chosen functions, if any."""
         return (self.forms[0] if self.forms else self.best).predict(before)
 
     def with_forms(self, progress: Progress | None = None) -> Ranking:

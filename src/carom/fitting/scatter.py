@@ -80,7 +80,7 @@ def with_contact_scatter(model: FitModel, search: Search, descend: Descend, near
         return replace(model, problem=replace(plain, vy=plain.vy + np.square(s * unit)))
 
     def deviance(p: Array) -> Callable[[float], float]:
-        """Return the deviance with numbers p as a function of log s: the derivatives of the law are taken with respect to p alone."""
+        """Return the deviance with numbers p as a function of log s: derivatives of the law are with respect to p alone."""
         moved = _moved_by_errors(model, p)
         without = log_determinants(model, moved).sum()
 

@@ -53,7 +53,7 @@ def evaluate_components(likelihood: LikelihoodModel, every: Array, components: i
 
 
 def mixture_deviances(deviance: Array, log_share: Array) -> tuple[Array, Array]:
-    """Return the rows' deviances (B, N), and their probabilities (B, C, N) of each component, from the likelihoods of the components."""
+    """Return the rows' deviances (B, N), and their probabilities (B, C, N) of each component, from the components' likelihoods."""
     logs = log_share[:, :, None] - deviance / 2
     top = logs.max(axis=1, keepdims=True)
     total = top[:, 0] + np.log(np.exp(logs - top).sum(axis=1))

@@ -92,7 +92,7 @@ def with_marginal_errors(fit: Fit, extra: float = 0.0) -> Fit:
     """Correct estimates if unmeasured spins are integrated over: an unbiased prior width, and the friction's error by its profile.
 
     The prior's width is the scatter of few spins, and its maximum-likelihood value is too small on average: for n normal numbers
-    about a fitted mean, with sum of squares S, it is the root of S/n, whereas the root of S/(n - 3/2) is unbiased (about a given mean,
+    about a fitted mean, with sum of squares S, it is sqrt(S/n), whereas sqrt(S/(n - 3/2)) is unbiased (about a given mean,
     n - 1/2). The friction is the edge of a scatter, and the deviance has a kink for each row at that edge, so its curvature
     between two kinks does not represent its rise across them. ``fit.numbers`` are not changed; ``extra``: the part of the
     deviance that does not depend on the rows.

@@ -305,7 +305,7 @@ def collide(
 
 
 def _loop_of(law: Law, surface: Surface, stiffness_ratio: ArrayLike) -> tuple[Any, Any, list[Any]]:
-    """Return the functions that evaluate a law for one pair and for rows, and the numbers of the contact, with those that it holds fixed."""
+    """Return the functions that evaluate a law for one pair and for rows, and the contact's numbers, fixed ones included."""
     e, mu, last = (law.pinned.get(name, getattr(surface, name)) for name in ON_WALL)
     if law.one_contact:
         mu, drop, rate = law.slip_friction or (mu, 0.0, 0.0)

@@ -233,7 +233,7 @@ def _mean_velocity(balls: Any, count: int) -> Vec:
 
 @kernel
 def _energies(balls: Any, count: int, mean: Vec) -> tuple[float, float, float]:
-    """Return twice the energy of the balls that were touched, less the energy of their centre of mass: before, after, of spins after."""
+    """Return twice the energy of the balls that were touched, less the centre of mass's: before, after, of spins after."""
     before, after, spins = 0.0, 0.0, 0.0
     for p in range(count):
         one = balls[balls[p].touched]
