@@ -83,6 +83,25 @@ def test_the_nearest_start_of_a_linear_problem_is_that_of_least_squares() -> Non
         assert minimum.value[n] == pytest.approx(np.square(matrix[:, free] @ best - right).sum(), rel=1e-8)
 
 
+def test_a_held_number_disturbs_no_descent() -> None:
+    """An information of 0 beside large ones is lost in their rounding: a step of all numbers would be wrong by up to its size."""
+    rng, n = np.random.default_rng(4), 400
+    size = np.array([1e3, 1e3, 1e4, 1e4, 0.0, 0.0, 1e1])
+    slope, seen = rng.normal(size=(n, 40, 7)) * size, rng.normal(size=(n, 40))
+    free, begin = size > 0, rng.normal(size=(n, 7)) / np.where(size > 0, size, 1.0)
+
+    def residual(which: np.ndarray, at: np.ndarray, derivatives: bool) -> tuple[np.ndarray, np.ndarray | None]:
+        gap = np.einsum("nmk,nk->nm", slope[which], at) - seen[which]
+        return gap, slope[which] if derivatives else None
+
+    scale, none = np.tile(1.0 * free, (n, 1)), np.zeros((n, 7))
+    _found, minimum = nearest_starts(
+        residual, begin, scale, none, np.zeros((n, 7, 7)), steps=4, tolerance=1e-9, dof=np.full(n, 40.0), joint=False
+    )
+    best = [np.linalg.lstsq(x[:, free], y, rcond=None)[1][0] for x, y in zip(slope, seen, strict=True)]
+    assert minimum.value == pytest.approx(np.array(best), rel=1e-6)
+
+
 def test_starts_are_projected_out() -> None:
     rng = np.random.default_rng(3)
     size = np.array([1.0, 1e-4, 1e3, 1.0])

@@ -18,13 +18,21 @@ from numpy.typing import NDArray
 from carom.fitting.laws import FittedLaw
 
 __all__ = [
-    "DECIDED", "LEANS", "UNLIKELY", "Evidence", "OneFit", "Ranked", "RankedLaws", "decisive", "odds_in_words", "verdict_words",
-    "weigh", "widened",
+    "DECIDED", "LEANS", "UNLIKELY", "Evidence", "OneFit", "Ranked", "RankedLaws", "akaike", "decisive", "odds_in_words",
+    "verdict_words", "weigh", "widened",
 ]  # fmt: skip
 
 DECIDED, LEANS = 20.0, 3.0  # odds
 UNLIKELY = 1e-3  # probability of a chi^2 below which a law does not fit
 MOST_LOG_ODDS = 700.0
+
+
+def akaike(deviance: float, k: float, n: int, *, corrected: bool = True) -> float:
+    """Return Akaike's criterion of k numbers fitted to n, with the correction for few data (Hurvich & Tsai, Biometrika 76, 297
+    (1989)), which known errors do not need; infinite where there are too few data."""
+    if n <= k + 1:
+        return math.inf
+    return deviance + 2 * k + (2 * k * (k + 1) / (n - k - 1) if corrected else 0.0)
 
 
 class FittedModel(Protocol):

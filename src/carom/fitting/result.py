@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from carom.bodies import Surface
 from carom.fitting.data import Problem
+from carom.fitting.evidence import akaike
 from carom.fitting.laws import FittedLaw
 from carom.fitting.likelihood import TabulatedLaw
 from carom.fitting.model import STEPS, FitModel, feels_spins, model_of, predict_law
@@ -105,10 +106,7 @@ class Fit:
     def aicc(self) -> float:
         """Akaike's criterion: chi^2 + 2 k where errors are known, which needs no correction for few data; where the scatter is
         estimated, that of Hurvich & Tsai (Biometrika 76, 297 (1989)). Infinite where there are too few data."""
-        n, k = self.problem.count, self.k
-        if n <= k + 1:
-            return math.inf
-        return self.deviance + 2 * k + (2 * k * (k + 1) / (n - k - 1) if self.scatter else 0.0)
+        return akaike(self.deviance, self.k, self.problem.count, corrected=bool(self.scatter))
 
     @property
     def bic(self) -> float:

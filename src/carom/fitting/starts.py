@@ -108,7 +108,9 @@ def nearest_starts(
             return value, u, u
         slope, prior = slope * scale[which][:, None], rows[which] * scale[which][:, None]
         score = -np.einsum("nmk,nm->nk", slope, gap) - np.einsum("nrk,nr->nk", prior, off)
-        return value, score, np.swapaxes(slope, 1, 2) @ slope + np.swapaxes(prior, 1, 2) @ prior
+        # (1 for a held number: a 0 is lost in the rounding of the others, and the matrix taken for an indefinite one)
+        held = (scale[which] == 0)[:, :, None] * np.eye(begin.shape[1])
+        return value, score, np.swapaxes(slope, 1, 2) @ slope + np.swapaxes(prior, 1, 2) @ prior + held
 
     far = np.full(begin.shape[1], np.inf)
     found = minimize(evaluate, np.zeros_like(begin), -far, far, steps=steps, tolerance=tolerance, dof=dof, joint=joint)

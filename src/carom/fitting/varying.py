@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.fitting.data import Problem
+from carom.fitting.evidence import akaike
 from carom.fitting.laws import FittedLaw
 from carom.fitting.likelihood import predictions
 from carom.fitting.model import FitModel, model_of
@@ -318,10 +319,7 @@ class VaryingFit:
     @property
     def aicc(self) -> float:
         """As of :class:`carom.fitting.Fit`, with the effective number."""
-        n, k = self.model.problem.count, self.k
-        if n <= k + 1:
-            return math.inf
-        return self.deviance + 2 * k + (2 * k * (k + 1) / (n - k - 1) if len(self.model.scattered) else 0.0)
+        return akaike(self.deviance, self.k, self.model.problem.count, corrected=len(self.model.scattered) > 0)
 
     @property
     def dof(self) -> float:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from carom.bodies import Ball
 from carom.errors import CaromError
 from carom.fitting.by_shots import RankedByShots
+from carom.fitting.evidence import akaike
 from carom.fitting.laws import FittedLaw
 from carom.fitting.result import Estimate, common_dict, with_error_bar
 from carom.fitting.shots.film import FilmedEvent, FilmedShot
@@ -37,9 +38,8 @@ FAILED = 0.1  # m: a shot whose distance (rms) is larger is not followed
 
 
 def criterion(deviance: float, k: int, n: int) -> float:
-    """Return Akaike's criterion for few data (Hurvich & Tsai 1989) of k numbers fitted to n; without its correction where n is too
-    small for it."""
-    return deviance + 2 * k + (2 * k * (k + 1) / (n - k - 1) if n > k + 1 else 0.0)
+    """Return Akaike's criterion of k numbers fitted to n; without the correction for few data where n is too small for it."""
+    return akaike(deviance, k, n) if n > k + 1 else deviance + 2 * k
 
 
 class EventMatch(NamedTuple):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -10,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.evidence import UNLIKELY
+from carom.fitting.evidence import UNLIKELY, akaike
 from carom.fitting.laws import FittedLaw
 from carom.fitting.result import Estimate, common_dict
 from carom.fitting.tracks.model import TrackModel
@@ -89,8 +88,7 @@ class TrackFit:
         """chi^2 + 2 k with known noise; else Akaike's criterion for few data (Hurvich & Tsai 1989), with the scatters counted."""
         if self.known:
             return self.deviance + 2 * self.k
-        k, n = self.k + len(self.q), self.count
-        return self.deviance + 2 * k + 2 * k * (k + 1) / (n - k - 1) if n > k + 1 else math.inf
+        return akaike(self.deviance, self.k + len(self.q), self.count)
 
     @property
     def follows(self) -> bool:
