@@ -55,7 +55,10 @@ class Ball:
     planar : bool
         Whether it is a disc in the plane (:func:`Disc`).
 
-    Raises CaromError, one line per problem. (A warning: numbers that look like mm or g.)
+    Raises
+    ------
+    CaromError
+        One line per problem. (A warning: numbers that look like mm or g.)
 
     Examples
     --------
@@ -187,7 +190,10 @@ class Surface:
 
     Arrays broadcast with the states that meet the surface.
 
-    Raises CaromError, one line per problem.
+    Raises
+    ------
+    CaromError
+        One line per problem.
 
     Examples
     --------
@@ -239,7 +245,10 @@ class State:
 
     The arrays are copies. Two states are equal if all their velocities and spins are (NaN equals NaN).
 
-    Raises CaromError for other shapes, for what is not a finite number.
+    Raises
+    ------
+    CaromError
+        For other shapes, for what is not a finite number.
 
     Examples
     --------
@@ -336,7 +345,10 @@ def rolling(ball: Ball, velocity: ArrayLike = (-1.0, 1.0), spin_z: ArrayLike = 0
     State
         With omega_x = -v_y/a and omega_y = v_x/a, the paper's (27).
 
-    Raises CaromError for a vertical velocity, a disc, other shapes, and what is not a finite number.
+    Raises
+    ------
+    CaromError
+        For a vertical velocity, a disc, other shapes, and what is not a finite number.
 
     Examples
     --------

@@ -29,9 +29,20 @@ from carom.errors import CaromError, Fault, MissingLibraryError, did_you_mean
 from carom.formatting import escape_controls, format_bytes
 
 __all__ = [
-    "TextEncoding", "as_path", "atomic_file", "atomic_path", "cannot_write", "import_optional", "install_command", "read_text",
-    "require_library", "require_unpacked_size", "require_writable", "text_encoding", "write_text",
-]  # fmt: skip
+    "TextEncoding",
+    "as_path",
+    "atomic_file",
+    "atomic_path",
+    "cannot_write",
+    "import_optional",
+    "install_command",
+    "read_text",
+    "require_library",
+    "require_unpacked_size",
+    "require_writable",
+    "text_encoding",
+    "write_text",
+]
 
 
 # --- optional libraries --------------------------------------------------------------------------------------------

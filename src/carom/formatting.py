@@ -13,9 +13,17 @@ from typing import Any, SupportsFloat
 import numpy as np
 
 __all__ = [
-    "called_ball", "counted", "escape_controls", "format_bytes", "format_length", "format_number", "format_time",
-    "format_uncertain", "html_table", "json_value",
-]  # fmt: skip
+    "called_ball",
+    "counted",
+    "escape_controls",
+    "format_bytes",
+    "format_length",
+    "format_number",
+    "format_time",
+    "format_uncertain",
+    "html_table",
+    "json_value",
+]
 
 # What steers a terminal and is no text: C0 without tab and new line, C1, line separators, changes of the writing direction, and
 # the halves of characters that stand for bytes of a file's name.

@@ -161,7 +161,12 @@ def section(
 
     Returns
     -------
-    Section. Raises CaromError: a force that is not parallel to the line, a magnetic field.
+    Section
+
+    Raises
+    ------
+    CaromError
+        A force that is not parallel to the line, a magnetic field.
 
     Examples
     --------
@@ -330,7 +335,12 @@ def uniformity(
 
     Returns
     -------
-    Uniformity. Raises CaromError: a table that is open, or has a force.
+    Uniformity
+
+    Raises
+    ------
+    CaromError
+        A table that is open, or has a force.
 
     Examples
     --------

@@ -46,7 +46,10 @@ def rotation_number(found: Orbit) -> RotationNumber:
     RotationNumber
         NaN for orbits that ended early.
 
-    Raises CaromError: a table without a boundary of finite length, or too few bounces.
+    Raises
+    ------
+    CaromError
+        A table without a boundary of finite length, or too few bounces.
 
     Examples
     --------

@@ -44,7 +44,12 @@ def codes(table: Table, period: int) -> list[str]:
 
     Returns
     -------
-    list of str. Raises CaromError: more than a million words to go through.
+    list of str
+
+    Raises
+    ------
+    CaromError
+        More than a million words to go through.
 
     Examples
     --------
@@ -88,7 +93,10 @@ def proved_complete(found: Iterable[Any], period: int) -> bool:
     bool
         False where nothing is proved: an orbit that is not verified, a code without an orbit (a disc may stand in its way).
 
-    Raises CaromError: a table with other walls, or another law.
+    Raises
+    ------
+    CaromError
+        A table with other walls, or another law.
 
     Examples
     --------

@@ -128,7 +128,12 @@ def continue_orbit(
 
     Returns
     -------
-    OrbitBranch. Raises CaromError: the orbit is none at ``start``, a change of something else.
+    OrbitBranch
+
+    Raises
+    ------
+    CaromError
+        The orbit is none at ``start``, a change of something else.
 
     Examples
     --------

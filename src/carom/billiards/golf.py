@@ -81,7 +81,10 @@ def putt(
     RollingRun
         It ends with "bottom" (caught), "away", or "duration" after 20 s in which the ball goes round.
 
-    Raises CaromError: a speed that is not positive, an offset that misses the hole.
+    Raises
+    ------
+    CaromError
+        A speed that is not positive, an offset that misses the hole.
 
     Examples
     --------

@@ -68,7 +68,10 @@ def manifold(found: PeriodicOrbit, kind: str = "unstable", *, length: float = 3.
     Manifold
         Points of both branches.
 
-    Raises CaromError: an orbit that is not hyperbolic, or a table with a force.
+    Raises
+    ------
+    CaromError
+        An orbit that is not hyperbolic, or a table with a force.
 
     Examples
     --------

@@ -159,8 +159,13 @@ def escape(
 
     Returns
     -------
-    Escape. Raises CaromError, one line per problem: holes that are no intervals, longer than their wall, beyond it, or across
-    two walls; holes in a sphere.
+    Escape
+
+    Raises
+    ------
+    CaromError
+        One line per problem: holes that are no intervals, longer than their wall, beyond it, or across two walls; holes in a
+        sphere.
 
     Examples
     --------

@@ -136,7 +136,12 @@ def orbit(
 
     Returns
     -------
-    OrbitResult. Raises CaromError, one line per problem, all problems at once.
+    OrbitResult
+
+    Raises
+    ------
+    CaromError
+        One line per problem, all problems at once.
 
     Examples
     --------

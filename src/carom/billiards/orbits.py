@@ -207,8 +207,11 @@ def orbit(
     Orbit
         The bounces, each with the state just after it.
 
-    Raises CaromError, one line per problem: a start outside the table or at rest, a law that does not fit the table or the
-    ball, more bounces than fit in 4 GB.
+    Raises
+    ------
+    CaromError
+        One line per problem: a start outside the table or at rest, a law that does not fit the table or the ball, more bounces
+        than fit in 4 GB.
 
     Examples
     --------
@@ -372,7 +375,10 @@ def reverse(found: Orbit) -> tuple[Orbit, Array]:
     tuple
         The reversed Orbit, and the distance (..., B) of each of its bounces from the original one, m.
 
-    Raises CaromError: the law loses energy, or an orbit ended early.
+    Raises
+    ------
+    CaromError
+        The law loses energy, or an orbit ended early.
 
     Examples
     --------

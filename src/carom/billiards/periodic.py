@@ -84,8 +84,12 @@ def periodic_orbits(
 
     Returns
     -------
-    PeriodicOrbits. Raises CaromError: a law that loses energy, a custom law (its derivative is not known), a table without a
-    closed boundary or in space.
+    PeriodicOrbits
+
+    Raises
+    ------
+    CaromError
+        A law that loses energy, a custom law (its derivative is not known), a table without a closed boundary or in space.
 
     Examples
     --------
@@ -140,7 +144,12 @@ def refine_orbit(
 
     Returns
     -------
-    PeriodicOrbit. Raises CaromError: Newton's method does not lead to an orbit that closes.
+    PeriodicOrbit
+
+    Raises
+    ------
+    CaromError
+        Newton's method does not lead to an orbit that closes.
 
     Examples
     --------

@@ -62,7 +62,10 @@ def pocket_rim(
         About the pocket's middle. It ends with "bottom" (it falls), "away" (it comes out: its centre is two radii from the middle),
         or "duration" after 20 s.
 
-    Raises CaromError: a pocket that the scene lacks, a ball that is not at its edge, flies or slides.
+    Raises
+    ------
+    CaromError
+        A pocket that the scene lacks, a ball that is not at its edge, flies or slides.
 
     Examples
     --------

@@ -158,7 +158,10 @@ def roll(
     RollingRun
         States at any time, and the events.
 
-    Raises CaromError, one line per problem: a ball that does not touch the surface, a velocity that is not along it.
+    Raises
+    ------
+    CaromError
+        One line per problem: a ball that does not touch the surface, a velocity that is not along it.
     """
     down = -GRAVITY * np.eye(surface.dimension)[-1]
     faults = FaultList("roll")

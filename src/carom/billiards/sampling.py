@@ -70,7 +70,10 @@ def starts(
     Start
         Arrays (count, ...).
 
-    Raises CaromError: a wedge without such a force, an energy with which no ball reaches a wall, too many starts.
+    Raises
+    ------
+    CaromError
+        A wedge without such a force, an energy with which no ball reaches a wall, too many starts.
 
     Examples
     --------

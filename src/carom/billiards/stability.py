@@ -209,7 +209,10 @@ def tangent_map(
     TangentMap
         The matrix in the frames of the two walls.
 
-    Raises CaromError: an orbit that ends before, a law without a known derivative.
+    Raises
+    ------
+    CaromError
+        An orbit that ends before, a law without a known derivative.
 
     Examples
     --------

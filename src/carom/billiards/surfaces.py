@@ -24,9 +24,19 @@ from carom.errors import CaromError, Fault, FaultList
 from carom.scene.figures import PlaneFigure, figure
 
 __all__ = [
-    "RollingSurface", "SmoothPiece", "bowl", "cylinder", "dome", "ellipsoid", "hole", "pipe", "plane", "plate", "sheets",
+    "RollingSurface",
+    "SmoothPiece",
+    "bowl",
+    "cylinder",
+    "dome",
+    "ellipsoid",
+    "hole",
+    "pipe",
+    "plane",
+    "plate",
+    "sheets",
     "torus",
-]  # fmt: skip
+]
 
 Array = NDArray[np.float64]
 NEWTON, CLOSE = 60, 4e-16
@@ -217,8 +227,12 @@ def cylinder(section: Any, ball: float, inside: bool = True, **sizes: Any) -> Ro
 
     Returns
     -------
-    RollingSurface. Raises CaromError: a figure with corners, or not of one closed curve in the plane; a ball that does not
-    reach each point of it.
+    RollingSurface
+
+    Raises
+    ------
+    CaromError
+        A figure with corners, or not of one closed curve in the plane; a ball that does not reach each point of it.
 
     Examples
     --------

@@ -141,7 +141,12 @@ def words(found: Orbit, longest: int, symbols: str | None = None) -> Words:
 
     Returns
     -------
-    Words. Raises CaromError: a number of letters that is not the number of walls; more than 52 walls.
+    Words
+
+    Raises
+    ------
+    CaromError
+        A number of letters that is not the number of walls; more than 52 walls.
 
     Examples
     --------

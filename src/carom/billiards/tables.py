@@ -183,7 +183,12 @@ def in_magnetic_field(table: Table, magnetic_field: float) -> Table:
 
     Returns
     -------
-    Table. Raises CaromError: a table in space, one with an acceleration, a field that is not a finite number.
+    Table
+
+    Raises
+    ------
+    CaromError
+        A table in space, one with an acceleration, a field that is not a finite number.
 
     Examples
     --------

@@ -55,7 +55,12 @@ def mean_flight(table: Table, *, ball: Ball | None = None, law: Any = "no-slip",
 
     Returns
     -------
-    MeanFlight. Raises CaromError: an open table, a table under a force across its walls.
+    MeanFlight
+
+    Raises
+    ------
+    CaromError
+        An open table, a table under a force across its walls.
 
     Examples
     --------
@@ -126,7 +131,12 @@ def corridors(table: Table, *, ball: Ball | None = None) -> list[Corridor]:
 
     Returns
     -------
-    list of Corridor. Raises CaromError: a table that is not periodic.
+    list of Corridor
+
+    Raises
+    ------
+    CaromError
+        A table that is not periodic.
 
     Examples
     --------
@@ -243,8 +253,12 @@ def diffusion(
 
     Returns
     -------
-    Diffusion. Raises CaromError: a table that is not periodic, a force, a law that loses energy, fewer than two windows in the
-    bounces, one orbit.
+    Diffusion
+
+    Raises
+    ------
+    CaromError
+        A table that is not periodic, a force, a law that loses energy, fewer than two windows in the bounces, one orbit.
 
     Examples
     --------
@@ -354,7 +368,12 @@ def recurrence(found: Orbit, visits: Sequence[Sequence[float]] | NDArray[np.bool
 
     Returns
     -------
-    Recurrence. Raises CaromError: intervals that are none, an array of another shape, orbits that ended early.
+    Recurrence
+
+    Raises
+    ------
+    CaromError
+        Intervals that are none, an array of another shape, orbits that ended early.
 
     Examples
     --------

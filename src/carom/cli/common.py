@@ -10,7 +10,15 @@ from carom.cli.streams import note, say_json
 from carom.errors import Fault, FaultList, collected, noting
 from carom.files import require_library, require_writable
 
-__all__ = ["noting", "require_outputs", "tell", "tick", "write_files", "write_report_page", "wrote"]
+__all__ = [
+    "noting",
+    "require_outputs",
+    "tell",
+    "tick",
+    "write_files",
+    "write_report_page",
+    "wrote",
+]
 
 if TYPE_CHECKING:
     from rich.console import Console

@@ -17,7 +17,14 @@ from carom.cli.streams import json_text
 from carom.formatting import counted, format_number
 from carom.gas.report import UNITS_NOTE, report
 
-__all__ = ["LINE_INTERVAL", "Progress", "as_json", "no_diffusion", "print_tables", "show"]
+__all__ = [
+    "LINE_INTERVAL",
+    "Progress",
+    "as_json",
+    "no_diffusion",
+    "print_tables",
+    "show",
+]
 
 if TYPE_CHECKING:
     from carom.gas.scene import GasScene

@@ -12,9 +12,25 @@ import typer
 from carom.errors import CaromError, FaultList
 
 __all__ = [
-    "BALL", "FLOOR", "OUTPUT", "REBOUNDS", "RUN", "TRACK", "WALL", "comma_separated", "option", "parse_assignments",
-    "parse_bounds", "parse_length", "parse_number", "parse_pair", "parse_whole", "parse_with_unit", "quantity", "shared",
-]  # fmt: skip
+    "BALL",
+    "FLOOR",
+    "OUTPUT",
+    "REBOUNDS",
+    "RUN",
+    "TRACK",
+    "WALL",
+    "comma_separated",
+    "option",
+    "parse_assignments",
+    "parse_bounds",
+    "parse_length",
+    "parse_number",
+    "parse_pair",
+    "parse_whole",
+    "parse_with_unit",
+    "quantity",
+    "shared",
+]
 
 # Headings in the help, for options of all commands.
 BALL, WALL, FLOOR, RUN, OUTPUT = "Ball", "Wall", "Floor", "Run", "Output"

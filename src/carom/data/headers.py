@@ -16,9 +16,19 @@ from carom.core.units import UNITS, Unit, unit_named
 from carom.errors import Fault
 
 __all__ = [
-    "BRACKETS", "OLD_COLUMNS", "STATE_COLUMNS", "STATE_NAMES", "WRITTEN_COLUMNS", "ColumnNames", "Heading", "header_with_unit",
-    "missing_unit", "parse_header", "with_units_below", "without_unit",
-]  # fmt: skip
+    "BRACKETS",
+    "OLD_COLUMNS",
+    "STATE_COLUMNS",
+    "STATE_NAMES",
+    "WRITTEN_COLUMNS",
+    "ColumnNames",
+    "Heading",
+    "header_with_unit",
+    "missing_unit",
+    "parse_header",
+    "with_units_below",
+    "without_unit",
+]
 
 # The columns of a table of incoming states: name -> dimension, and other names of the same quantity.
 STATE_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {

@@ -15,8 +15,15 @@ from carom.errors import CaromError, Fault, FaultList, did_you_mean, near_name, 
 from carom.laws.law import LIKE_SOLIDS, SURFACES, Law, Meeting
 
 __all__ = [
-    "DEFAULTS", "PARAMETERS", "InputColumn", "OutputColumn", "PredictSettings", "TablePlan", "make_plan", "unread",
-]  # fmt: skip
+    "DEFAULTS",
+    "PARAMETERS",
+    "InputColumn",
+    "OutputColumn",
+    "PredictSettings",
+    "TablePlan",
+    "make_plan",
+    "unread",
+]
 
 SpinRule = Literal["rolling", "none"]
 

@@ -116,7 +116,12 @@ def predict_table(
 
     Returns
     -------
-    PredictSummary. Raises CaromError for a table that cannot be read, and with ``strict`` for rows without an answer.
+    PredictSummary
+
+    Raises
+    ------
+    CaromError
+        For a table that cannot be read, and with ``strict`` for rows without an answer.
 
     Examples
     --------
@@ -315,8 +320,11 @@ def predict(
     PredictSummary
         ``found["v_n_out"]`` is a column (N,), ``found.columns`` all of them, unless they were written to a file.
 
-    Raises CaromError, one line per problem: a table that cannot be read, numbers that are out of range or that the law does not
-    read, and with ``strict`` rows without a prediction.
+    Raises
+    ------
+    CaromError
+        One line per problem: a table that cannot be read, numbers that are out of range or that the law does not read, and with
+        ``strict`` rows without a prediction.
 
     Examples
     --------

@@ -40,7 +40,10 @@ def compile_jump(jump: Jump, speeds: Speeds, arguments: Sequence[Expr] | None = 
         ``jump.impulses``; the arguments are numbers or arrays that broadcast. ``f.arguments`` lists them, ``f.kernel`` is the
         compiled scalar function. Impulses that rigid bodies leave undetermined (``jump.free_impulses``) are set to zero.
 
-    Raises CaromError where ``arguments`` lacks a symbol that the jump contains.
+    Raises
+    ------
+    CaromError
+        Where ``arguments`` lacks a symbol that the jump contains.
     """
     open_split = dict.fromkeys(jump.free_impulses, sp.S.Zero)
     outputs = [jump.after[u] for u in speeds.names]

@@ -35,7 +35,10 @@ class Contact:
     hypothesis : str
         What e relates: "newton" (velocities), "poisson" (impulses) or "stronge" (work).
 
-    Raises CaromError: a value outside its range, more than two tangents, an unknown hypothesis; one line for each.
+    Raises
+    ------
+    CaromError
+        A value outside its range, more than two tangents, an unknown hypothesis; one line for each.
 
     Examples
     --------
@@ -98,7 +101,12 @@ def contact_at(name: str, point: Any, frame: Any, axes: Sequence[Any], **surface
 
     Returns
     -------
-    Contact. Raises CaromError for another number of axes, or axes that are not orthonormal.
+    Contact
+
+    Raises
+    ------
+    CaromError
+        For another number of axes, or axes that are not orthonormal.
 
     Examples
     --------

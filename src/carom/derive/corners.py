@@ -45,7 +45,10 @@ def corner_conditions(motion: ImpulsiveMotion) -> list[Any]:
         In the symbols ``motion.speeds.after`` and ``motion.speeds.before``: the momenta along the virtual displacements, the
         constraints that go on, the energy.
 
-    Raises CaromError: no instant constraint, or several of which one moves.
+    Raises
+    ------
+    CaromError
+        No instant constraint, or several of which one moves.
 
     Examples
     --------
@@ -78,7 +81,12 @@ def corner_jump(motion: ImpulsiveMotion) -> Jump:
 
     Returns
     -------
-    Jump. Raises CaromError: another number of instant constraints, or constraints that allow no motion across the surface.
+    Jump
+
+    Raises
+    ------
+    CaromError
+        Another number of instant constraints, or constraints that allow no motion across the surface.
 
     Examples
     --------

@@ -69,8 +69,11 @@ class ImpulsiveMotion:
     forcelist, bodies, frame : optional
         Accepted and ignored, so that the arguments of a ``LagrangesMethod`` can be passed on unchanged.
 
-    Raises CaromError: a constraint that is not linear in the speeds, an unknown symbol, a singular mass matrix, constraints
-    that contradict each other; the message names the constraint.
+    Raises
+    ------
+    CaromError
+        A constraint that is not linear in the speeds, an unknown symbol, a singular mass matrix, constraints that contradict each
+        other; the message names the constraint.
 
     Examples
     --------

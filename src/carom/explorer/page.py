@@ -103,8 +103,11 @@ def explore(
     ExplorerPage
         Jupyter and marimo show it; ``save("page.html")`` writes one file that needs no network.
 
-    Raises CaromError for a scene that is too large or has a law of its own code, an unknown law, data that are no rebounds, and
-    for a film without a scene, of several shots, or of more balls than the scene has.
+    Raises
+    ------
+    CaromError
+        For a scene that is too large or has a law of its own code, an unknown law, data that are no rebounds, and for a film
+        without a scene, of several shots, or of more balls than the scene has.
 
     Examples
     --------

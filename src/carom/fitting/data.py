@@ -33,7 +33,18 @@ FEW_ROWS, SAME_ANGLE, SAME_SPEED = 12, 3.0, 1.3  # rows; degrees; ratio of the f
 
 @dataclass(frozen=True)
 class Problem:
-    """N rebounds as arrays, with variances and the assumptions of the fit; made by :func:`make_problem`."""
+    """N rebounds as arrays, with variances and the assumptions of the fit; made by :func:`make_problem`.
+
+    Examples
+    --------
+    >>> from carom.data.rebounds import make_rebounds
+    >>> from carom.fitting import Setting, make_problem
+    >>> columns = {"v_n_in": [1.0, 2.0, 3.0], "v_t_in": [1.0] * 3, "spin_in": [0.0] * 3, "v_n_out": [0.8, 1.6, 2.4]}
+    >>> columns |= {"v_t_out": [0.7, 0.8, 0.9], "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02}
+    >>> problem, _notes = make_problem(make_rebounds("planar", columns), Setting(radius=0.02))
+    >>> problem.select([0, 2]).x[:, 0], problem.count
+    (array([1., 3.]), 6)
+    """
 
     rebounds: Rebounds
     setting: Setting
@@ -121,8 +132,8 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
     >>> columns = {"v_n_in": [1.0, 2.0, 3.0], "v_t_in": [1.0] * 3, "spin_in": [0.0] * 3, "v_n_out": [0.8, 1.6, 2.4]}
     >>> columns |= {"v_t_out": [0.7, 0.8, 0.9], "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02}
     >>> problem, notes = make_problem(make_rebounds("planar", columns), Setting(radius=0.02))
-    >>> problem.count, problem.select([0, 2]).x[:, 0]
-    (6, array([1., 3.]))
+    >>> problem.count
+    6
     """
     names = COLUMNS[rebounds.kind]
     x = np.stack([rebounds[name] for name in names[:3]], axis=-1)

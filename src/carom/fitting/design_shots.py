@@ -76,7 +76,12 @@ def design(
 
     Returns
     -------
-    Plan. Raises CaromError, one line per problem.
+    Plan
+
+    Raises
+    ------
+    CaromError
+        One line per problem.
 
     Examples
     --------

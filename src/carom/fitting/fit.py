@@ -237,8 +237,6 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     >>> fit = fit_law(FITTED[0], problem)
     >>> f"{fit.law.name}: e = {fit.estimates['restitution'].value:.3f}"
     'mirror: e = 0.799'
-    >>> fit.names, fit.dof, fit.predicted().shape
-    (('restitution',), 7, (4, 3))
     """
     model = model_of(law, problem)
     coarse = None if problem.carried else coarse_table(model)

@@ -143,8 +143,12 @@ def fit(
 
     Returns
     -------
-    Ranking, with ``whole`` TrackRanking, with ``shot`` ShotsRanking, with ``by`` a RankingsBy: a Ranking for each value. Raises
-    CaromError, one line per problem.
+    Ranking, with ``whole`` TrackRanking, with ``shot`` ShotsRanking, with ``by`` a RankingsBy: a Ranking for each value
+
+    Raises
+    ------
+    CaromError
+        One line per problem.
 
     Examples
     --------

@@ -129,7 +129,12 @@ def choose_forms(
 
     Returns
     -------
-    FormChoice. Raises CaromError where spins were not measured.
+    FormChoice
+
+    Raises
+    ------
+    CaromError
+        Where spins were not measured.
 
     Examples
     --------

@@ -28,8 +28,11 @@ def friction_used(fit: Fit) -> NDArray[np.float64]:
     (N,) impulse along the wall over friction times the normal impulse, both as the law predicts them; NaN where the law has no
     friction, 0 where its friction is infinite. A spin that was not measured is taken at the mean of its distribution.
 
-    Raises CaromError for balls on a table, where part of the impulse along the wall is that of the floor, and for a friction
-    that depends on the impact.
+    Raises
+    ------
+    CaromError
+        For balls on a table, where part of the impulse along the wall is that of the floor, and for a friction that depends on the
+        impact.
 
     Examples
     --------

@@ -156,8 +156,12 @@ def fit_population(
 
     Returns
     -------
-    Population. Raises CaromError for fewer than two surfaces, surfaces of fewer than three rows, and spins that were not
-    measured.
+    Population
+
+    Raises
+    ------
+    CaromError
+        For fewer than two surfaces, surfaces of fewer than three rows, and spins that were not measured.
 
     Examples
     --------

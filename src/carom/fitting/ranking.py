@@ -69,7 +69,19 @@ def step_callback(progress: Progress | None) -> Say:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Ranking(RankedLaws[Fit]):
-    """All laws, best first, and the verdict; made by :func:`fit_laws`."""
+    """All laws, best first, and the verdict; made by :func:`fit_laws`.
+
+    Examples
+    --------
+    >>> from carom.data.rebounds import make_rebounds
+    >>> from carom.fitting import Setting, fit_laws
+    >>> v = [1.0, 2.0, 3.0, 4.0]
+    >>> columns = {"v_n_in": v, "v_t_in": v, "spin_in": [0.0] * 4, "v_n_out": [0.81, 1.59, 2.42, 3.18],
+    ...            "v_t_out": [0.71, 1.43, 2.15, 2.85], "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02}
+    >>> ranking = fit_laws(make_rebounds("planar", columns), Setting(radius=0.02), ["sticking", "mirror"], bootstrap=0)
+    >>> [one.fit.law.name for one in ranking.ranked], ranking.against
+    (['sticking', 'mirror'], 'mirror')
+    """
 
     adequacy: Adequacy
     """Whether the best law describes the data at all, by tests of it alone."""
@@ -195,7 +207,10 @@ def fit_laws(
     Ranking
         All laws, best first, with a verdict; its notes say which rows were left out, and what was assumed.
 
-    Raises CaromError for tables and settings that cannot be fitted, one line per problem.
+    Raises
+    ------
+    CaromError
+        For tables and settings that cannot be fitted, one line per problem.
 
     Examples
     --------
@@ -207,8 +222,6 @@ def fit_laws(
     >>> ranking = fit_laws(make_rebounds("planar", columns), Setting(radius=0.02), ["sticking", "mirror"], bootstrap=0)
     >>> ranking.best.law.name, ranking.fits
     ('sticking', True)
-    >>> [one.fit.law.name for one in ranking.ranked], ranking.against
-    (['sticking', 'mirror'], 'mirror')
     """
     require_library("scipy", "fit")
     require_type("fit_laws", "rebounds", rebounds, Rebounds)

@@ -60,7 +60,20 @@ class Estimate:
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """A law fitted to rebounds; made by :func:`fit_law`. ``aicc`` is infinite if there are too few measured numbers for it."""
+    """A law fitted to rebounds; made by :func:`fit_law`. ``aicc`` is infinite if there are too few measured numbers for it.
+
+    Examples
+    --------
+    >>> from carom.data.rebounds import make_rebounds
+    >>> from carom.fitting import FITTED, Setting, fit_law, make_problem
+    >>> v = [1.0, 2.0, 3.0, 4.0]
+    >>> columns = {"v_n_in": v, "v_t_in": v, "spin_in": [0.0] * 4, "v_n_out": [0.81, 1.59, 2.42, 3.18], "v_t_out": v,
+    ...            "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02}
+    >>> problem, _notes = make_problem(make_rebounds("planar", columns), Setting(radius=0.02))
+    >>> fit = fit_law(FITTED[0], problem)
+    >>> fit.names, fit.dof, fit.predicted().shape
+    (('restitution',), 7, (4, 3))
+    """
 
     law: FittedLaw
     problem: Problem

@@ -60,7 +60,10 @@ def usable_rows(
     setting : Setting
         With the prior of spins and the height of the contact.
 
-    Raises CaromError, one line per problem.
+    Raises
+    ------
+    CaromError
+        One line per problem.
 
     Examples
     --------

@@ -45,7 +45,14 @@ def save_checkpoint(session: Session, path: str | Path) -> None:
     path : str or Path
         An existing file is replaced atomically.
 
-    Raises CaromError if the file cannot be written; a previous one is then left unchanged.
+    Returns
+    -------
+    None
+
+    Raises
+    ------
+    CaromError
+        If the file cannot be written; a previous one is then left unchanged.
 
     Examples
     --------
@@ -123,7 +130,12 @@ def load_checkpoint(
 
     Returns
     -------
-    Session. Raises CaromError for a file that is missing, damaged, not a checkpoint, of another format, or of another scene.
+    Session
+
+    Raises
+    ------
+    CaromError
+        For a file that is missing, damaged, not a checkpoint, of another format, or of another scene.
 
     Examples
     --------

@@ -24,9 +24,17 @@ from carom.scene.figures import FIGURES, Figure, PlaneFigure, figure
 from carom.scene.figures.solids import CylinderFigure, SphereFigure
 
 __all__ = [
-    "BOXES", "SHAPES", "WALLS", "Container", "WallNumbers", "as_container", "container", "container_figures", "in_figure",
+    "BOXES",
+    "SHAPES",
+    "WALLS",
+    "Container",
+    "WallNumbers",
+    "as_container",
+    "container",
+    "container_figures",
+    "in_figure",
     "wall_name",
-]  # fmt: skip
+]
 
 Array = NDArray[np.float64]
 

@@ -67,7 +67,12 @@ def diffusion_coefficients(
 
     Returns
     -------
-    DiffusionCoefficients. Raises CaromError for a gas with walls, a shear or whose energy changes, and for too few looks.
+    DiffusionCoefficients
+
+    Raises
+    ------
+    CaromError
+        For a gas with walls, a shear or whose energy changes, and for too few looks.
 
     Notes
     -----

@@ -90,8 +90,13 @@ def simulate_ensemble(
 
     Returns
     -------
-    Ensemble. Raises CaromError for a scene whose members would all be the same, and as :class:`Session` does, with the member's
-    seed. Where gases end early, it is an EndedEarlyError that holds the ensemble: each of them counts up to its end.
+    Ensemble
+
+    Raises
+    ------
+    CaromError
+        For a scene whose members would all be the same, and as :class:`Session` does, with the member's seed. Where gases end
+        early, it is an EndedEarlyError that holds the ensemble: each of them counts up to its end.
 
     Examples
     --------

@@ -48,7 +48,12 @@ def enskog(density: Any, diameter: Any = 1.0, mass: Any = 1.0, temperature: Any 
 
     Returns
     -------
-    Enskog. Raises CaromError for numbers that are not > 0, and spheres that do not fit.
+    Enskog
+
+    Raises
+    ------
+    CaromError
+        For numbers that are not > 0, and spheres that do not fit.
 
     Notes
     -----

@@ -61,7 +61,10 @@ def lattice(count: int, side: Sequence[float] | Container, radius: float = 0.0) 
     array (count, 3)
         m; of the sites, ``count`` are used, spread evenly.
 
-    Raises CaromError if the container has too few sites.
+    Raises
+    ------
+    CaromError
+        If the container has too few sites.
 
     Examples
     --------
@@ -175,7 +178,10 @@ def scattered(
         m. Random sequential addition reaches a packing fraction of 0.38 (discs: 0.55), and is slow well below it;
         :func:`carom.gas.dense` reaches higher ones.
 
-    Raises CaromError if the balls do not fit.
+    Raises
+    ------
+    CaromError
+        If the balls do not fit.
 
     Examples
     --------
@@ -301,7 +307,10 @@ def dense(
         m. Equal spheres reach a packing fraction of about 0.64 before they jam, discs and mixtures more; the densest take
         longest.
 
-    Raises CaromError if the balls cannot fit, or no packing was found.
+    Raises
+    ------
+    CaromError
+        If the balls cannot fit, or no packing was found.
 
     After Lubachevsky & Stillinger, J. Stat. Phys. 60, 561 (1990), doi:10.1007/BF01025983.
 

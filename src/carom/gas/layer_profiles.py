@@ -46,7 +46,12 @@ def layer_profiles(
 
     Returns
     -------
-    LayerProfiles. Raises CaromError for a gas without layers, too few collisions or blocks, and as :meth:`Gas.run` does.
+    LayerProfiles
+
+    Raises
+    ------
+    CaromError
+        For a gas without layers, too few collisions or blocks, and as :meth:`Gas.run` does.
 
     Examples
     --------

@@ -22,8 +22,14 @@ from carom.gas.histograms import add_component_histograms, add_pair_histograms, 
 from carom.gas.spatial_profiles import Profile, Profiles, layers, volume_within
 
 __all__ = [
-    "MAX_FOLLOWED", "SERIES", "Displacement", "Distribution", "Measures", "PairCorrelation", "mean_square_displacement",
-]  # fmt: skip
+    "MAX_FOLLOWED",
+    "SERIES",
+    "Displacement",
+    "Distribution",
+    "Measures",
+    "PairCorrelation",
+    "mean_square_displacement",
+]
 
 Array = NDArray[np.float64]
 BIN_WIDTH, BINS = 0.1, 120  # of the components, in standard deviations

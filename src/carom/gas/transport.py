@@ -68,7 +68,12 @@ def viscosity(gas: Gas, windows: int = 2000, *, progress: Progress | None = None
 
     Returns
     -------
-    Coefficient. Raises CaromError for a gas with walls, or whose energy changes, and for too few windows.
+    Coefficient
+
+    Raises
+    ------
+    CaromError
+        For a gas with walls, or whose energy changes, and for too few windows.
 
     Examples
     --------
@@ -135,7 +140,12 @@ def sheared_viscosity(
 
     Returns
     -------
-    Coefficient. Raises CaromError for a gas without a shear rate, too few collisions or blocks, and as :meth:`Gas.run` does.
+    Coefficient
+
+    Raises
+    ------
+    CaromError
+        For a gas without a shear rate, too few collisions or blocks, and as :meth:`Gas.run` does.
 
     Examples
     --------

@@ -94,7 +94,12 @@ def incoming(
 
     Returns
     -------
-    Meeting. Raises CaromError, one line per problem, all problems at once.
+    Meeting
+
+    Raises
+    ------
+    CaromError
+        One line per problem, all problems at once.
 
     Examples
     --------
@@ -313,8 +318,10 @@ def compare(
     Comparison
         A law whose conditions do not hold for this ball is listed too, without numbers and with the reason.
 
-    Raises CaromError for an unknown law (with the nearest name), for a ball that moves away from the wall, and for more than
-    one ball.
+    Raises
+    ------
+    CaromError
+        For an unknown law (with the nearest name), for a ball that moves away from the wall, and for more than one ball.
 
     Examples
     --------

@@ -72,7 +72,10 @@ def impact(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), surfac
     Impact
         State after the contact, impulse (N s), required friction and regime, of shape (...).
 
-    Raises CaromError if a ball moves away from the surface, or a normal has zero length.
+    Raises
+    ------
+    CaromError
+        If a ball moves away from the surface, or a normal has zero length.
 
     Examples
     --------
@@ -118,7 +121,10 @@ def impact_into(
     None
         The result is in ``out``.
 
-    Raises CaromError if an array of ``out`` has another shape or is not contiguous, for several normals, or one of zero length.
+    Raises
+    ------
+    CaromError
+        If an array of ``out`` has another shape or is not contiguous, for several normals, or one of zero length.
 
     Examples
     --------

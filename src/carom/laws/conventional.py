@@ -120,7 +120,10 @@ def conventional(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), 
     State
         The rolling state after the wall, shape (...).
 
-    Raises CaromError if a hypothesis fails: the ball slips on the floor, the wall is not vertical, or ``restitution`` is not 1.
+    Raises
+    ------
+    CaromError
+        If a hypothesis fails: the ball slips on the floor, the wall is not vertical, or ``restitution`` is not 1.
 
     Examples
     --------

@@ -102,8 +102,12 @@ def domenech(
 
     Returns
     -------
-    Scattering. Raises CaromError for a tangential restitution other than 0, an angle not between -pi/2 and pi/2, or a striking
-    ball at rest.
+    Scattering
+
+    Raises
+    ------
+    CaromError
+        For a tangential restitution other than 0, an angle not between -pi/2 and pi/2, or a striking ball at rest.
 
     Examples
     --------

@@ -256,7 +256,10 @@ def settle(
     Settled
         Flight, landing and rolling state, of shape (...).
 
-    Raises CaromError for a negative gravity or height, and for shapes that do not broadcast.
+    Raises
+    ------
+    CaromError
+        For a negative gravity or height, and for shapes that do not broadcast.
 
     Examples
     --------

@@ -71,7 +71,10 @@ def mirror(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), surfac
     State
         After the wall, shape (...).
 
-    Raises CaromError if a ball moves away from the wall, or a normal has zero length.
+    Raises
+    ------
+    CaromError
+        If a ball moves away from the wall, or a normal has zero length.
 
     Examples
     --------

@@ -88,12 +88,16 @@ def no_slip(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0)) -> St
     State
         After the wall, shape (...).
 
-    Raises CaromError if a ball moves away from the wall, or a normal has zero length.
+    Raises
+    ------
+    CaromError
+        If a ball moves away from the wall, or a normal has zero length.
 
     Examples
     --------
-    >>> from carom import Disc, State, no_slip
-    >>> after = no_slip(Disc(radius=1.0, mass=1.0), State((-1.0, 1.0, 0.0), (0.0, 0.0, 0.0)))
+    >>> import carom
+    >>> disc = carom.Disc(radius=1.0, mass=1.0)
+    >>> after = carom.no_slip(disc, carom.State((-1.0, 1.0, 0.0), (0.0, 0.0, 0.0)))
     >>> after.velocity.round(4).tolist(), after.spin.round(4).tolist()
     ([1.0, 0.3333, 0.0], [0.0, 0.0, 1.3333])
     """

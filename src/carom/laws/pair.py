@@ -258,7 +258,12 @@ def collide(
 
     Returns
     -------
-    Collision. Raises CaromError if the balls move apart, a normal has zero length, or the law is not one of a single contact.
+    Collision
+
+    Raises
+    ------
+    CaromError
+        If the balls move apart, a normal has zero length, or the law is not one of a single contact.
 
     Examples
     --------

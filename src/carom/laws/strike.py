@@ -224,7 +224,10 @@ def strike(
         The state of the ball, the impulse, squirt, and whether the tip slips. Jump shots and masse need nothing else:
         a ball that is struck downwards meets the floor of a scene at once, and curves as it slides.
 
-    Raises CaromError, one line per problem, as for a tip that misses the ball.
+    Raises
+    ------
+    CaromError
+        One line per problem, as for a tip that misses the ball.
 
     Notes
     -----

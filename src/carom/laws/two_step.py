@@ -226,8 +226,11 @@ def two_step(
     TwoStep
         Wall contact, flight, landing and rolling state, of shape (...).
 
-    Raises CaromError if a ball moves away from the wall or down through the floor, or if a wall with tangential restitution
-    presses a ball on the floor (no law covers both contacts at once; use ``floor_contact="after"``).
+    Raises
+    ------
+    CaromError
+        If a ball moves away from the wall or down through the floor, or if a wall with tangential restitution presses a
+        ball on the floor (no law covers both contacts at once; use ``floor_contact="after"``).
 
     Examples
     --------

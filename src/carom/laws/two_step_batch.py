@@ -264,8 +264,11 @@ def two_step_into(
     None
         The results are in ``out`` and ``why``.
 
-    Raises CaromError if ``why`` or an array of ``out`` has another shape or type, is not contiguous, or shares its memory with
-    ``state``; for several normals; for an invalid normal, gravity or height.
+    Raises
+    ------
+    CaromError
+        If ``why`` or an array of ``out`` has another shape or type, is not contiguous, or shares its memory with ``state``; for
+        several normals; for an invalid normal, gravity or height.
 
     Examples
     --------

@@ -80,8 +80,11 @@ def animate(
     pathlib.Path
         The file written.
 
-    Raises CaromError for times outside the run, another ending, a missing library (Matplotlib; for .mp4 also ffmpeg), or a file
-    that cannot be written.
+    Raises
+    ------
+    CaromError
+        For times outside the run, another ending, a missing library (Matplotlib; for .mp4 also ffmpeg), or a file that cannot
+        be written.
 
     Examples
     --------

@@ -36,7 +36,15 @@ def plot_orbit(found: Orbit, which: Any = None) -> Figure:
     which : int or tuple, optional
         Index of one of many orbits. Default: the first.
 
-    Raises CaromError: an orbit without a bounce.
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
+    Raises
+    ------
+    CaromError
+        An orbit without a bounce.
 
     Examples
     --------
@@ -238,6 +246,11 @@ def plot_lyapunov(found: Lyapunov) -> Figure:
     ----------
     found : Lyapunov
         From :func:`carom.billiards.lyapunov`; for several orbits the mean is drawn, with a band of one standard deviation.
+
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
 
     Examples
     --------

@@ -47,7 +47,10 @@ def compare(comparison: laws_compared.Comparison | Meeting | None = None, **sett
     matplotlib.figure.Figure
         A notebook shows it, and :func:`carom.plot.save` writes it. Laws without a prediction are listed in the figure.
 
-    Raises CaromError for bad settings, or if Matplotlib is not installed.
+    Raises
+    ------
+    CaromError
+        For bad settings, or if Matplotlib is not installed.
 
     Examples
     --------
@@ -336,7 +339,17 @@ POINTS_PER_CURVE = 41
 
 @dataclass(frozen=True, eq=False)
 class PathAfterWall:
-    """Path of the centre after the wall, relative to its position at the wall; z is relative to a ball on the floor."""
+    """Path of the centre after the wall, relative to its position at the wall; z is relative to a ball on the floor.
+
+    Examples
+    --------
+    >>> import carom
+    >>> from carom import plot
+    >>> meeting = carom.incoming()
+    >>> path = plot.path_after_wall(meeting, carom.LAWS["mirror"].answer(meeting))
+    >>> path.pieces, path.end.tolist()
+    ((), [0.0, 0.0, 0.0])
+    """
 
     pieces: tuple[tuple[str, Array], ...]
     """("flight" | "slide", points (N, 3), m), one after the other."""

@@ -55,7 +55,10 @@ def plot_gas(session: Session, file: str | os.PathLike[str] | None = None, *, ti
         spin, in units of their standard deviation; temperatures over time; g(r) for each pair of species; and the mean square
         displacement or, where there are walls, the mean number density along gravity or between them.
 
-    Raises CaromError for a file that cannot be written, a session without samples, or if Matplotlib is missing.
+    Raises
+    ------
+    CaromError
+        For a file that cannot be written, a session without samples, or if Matplotlib is missing.
 
     Examples
     --------

@@ -52,7 +52,10 @@ def plot_ensemble(
         g(r) for each pair of species, the mean square displacement or, between walls, the number density; and the pressure of each
         member.
 
-    Raises CaromError for a file that cannot be written, an ensemble without samples, or if Matplotlib is missing.
+    Raises
+    ------
+    CaromError
+        For a file that cannot be written, an ensemble without samples, or if Matplotlib is missing.
 
     Examples
     --------

@@ -69,8 +69,11 @@ def animate_gas(
     pathlib.Path
         The file written.
 
-    Raises CaromError for another ending, too many balls, numbers out of range, a missing library (Matplotlib; for .mp4 also
-    ffmpeg), or a file that cannot be written.
+    Raises
+    ------
+    CaromError
+        For another ending, too many balls, numbers out of range, a missing library (Matplotlib; for .mp4 also ffmpeg), or a file
+        that cannot be written.
 
     Examples
     --------

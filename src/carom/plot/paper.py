@@ -39,7 +39,10 @@ def figures(folder: str | os.PathLike[str] = ".") -> list[Path]:
     list of Path
         The files written.
 
-    Raises CaromError: Matplotlib is missing, or the folder cannot be created.
+    Raises
+    ------
+    CaromError
+        Matplotlib is missing, or the folder cannot be created.
 
     Examples
     --------
@@ -152,6 +155,11 @@ def _room(view: ParallelProjection, a: float, wide: tuple[float, float], deep: f
 def setting() -> Figure:
     """Draw Figure 1: ball, floor and wall, the frame, the contact points A and B, the Euler angles of (1).
 
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
     Examples
     --------
     >>> from carom import plot
@@ -219,6 +227,11 @@ def _euler(view: ParallelProjection, c: Array) -> None:
 def collision() -> Figure:
     """Draw Figure 2: the impulse R of the wall at B, its components by (31), and the friction cone (29).
 
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
     Examples
     --------
     >>> from carom import plot
@@ -274,6 +287,11 @@ def _hull(rim: Array, tip: Array) -> Array:
 
 def incidence_and_reflection() -> Figure:
     """Draw Figure 3: incidence at 45 degrees, reflection at arctan 39/31 = 51.5 (two-step) and arctan 5/9 = 29.1 (conventional).
+
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
 
     Examples
     --------

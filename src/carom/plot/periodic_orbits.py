@@ -34,7 +34,15 @@ def plot_periodic(found: Sequence[PeriodicOrbit]) -> Figure:
     found : PeriodicOrbits, or several PeriodicOrbit
         The first 24 are drawn.
 
-    Raises CaromError: no orbit.
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
+    Raises
+    ------
+    CaromError
+        No orbit.
 
     Examples
     --------
@@ -90,6 +98,11 @@ def plot_branch(branch: OrbitBranch, name: str = "parameter") -> Figure:
     name : str
         Of the parameter, with its unit.
 
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
     Examples
     --------
     >>> from carom import billiards, plot
@@ -137,6 +150,11 @@ def plot_manifolds(curves: Sequence[Manifold]) -> Figure:
     ----------
     curves : several Manifold
         Of one table, from `carom.billiards.manifold`.
+
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
 
     Examples
     --------

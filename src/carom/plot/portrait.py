@@ -94,6 +94,11 @@ def plot_portrait(found: Orbit) -> Figure:
     found : Orbit
         One orbit or many.
 
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
     Examples
     --------
     >>> from carom import billiards, plot
@@ -131,7 +136,15 @@ def plot_boundary(found: Orbit) -> Figure:
     found : Orbit
         One orbit or many, in a table in the plane or a cylinder over one.
 
-    Raises CaromError for an orbit in a sphere.
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
+    Raises
+    ------
+    CaromError
+        For an orbit in a sphere.
 
     Examples
     --------

@@ -33,7 +33,15 @@ def plot_roll(run: RollingRun) -> Figure:
     run : RollingRun
         In space.
 
-    Raises CaromError: a run that is not in three dimensions.
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
+    Raises
+    ------
+    CaromError
+        A run that is not in three dimensions.
 
     Examples
     --------
@@ -73,6 +81,11 @@ def plot_putts(found: Putts) -> Figure:
     ----------
     found : Putts
         From `carom.billiards.putts`, of at least two speeds and two offsets.
+
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
 
     Examples
     --------

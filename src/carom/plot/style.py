@@ -23,9 +23,19 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 __all__ = [
-    "GREY", "INK", "PALE", "arrow", "law_styles", "literal", "new_figure", "require_matplotlib", "require_writable", "save",
-    "spread_apart", "style",
-]  # fmt: skip
+    "GREY",
+    "INK",
+    "PALE",
+    "arrow",
+    "law_styles",
+    "literal",
+    "new_figure",
+    "require_matplotlib",
+    "require_writable",
+    "save",
+    "spread_apart",
+    "style",
+]
 
 # Metadata of a file, by kind: without dates or other content that differs between runs.
 METADATA: dict[str, dict[str, str | None]] = {
@@ -37,6 +47,10 @@ METADATA: dict[str, dict[str, str | None]] = {
 
 def require_matplotlib() -> None:
     """Raise CaromError if Matplotlib (the extra ``plot``) is not installed.
+
+    Returns
+    -------
+    None
 
     Examples
     --------
@@ -54,7 +68,14 @@ def require_writable(path: str | os.PathLike[str]) -> None:
     path : str or path
         Name of a figure, .svg, .pdf or .png.
 
-    Raises CaromError for another ending, a folder that does not exist, or missing permission.
+    Returns
+    -------
+    None
+
+    Raises
+    ------
+    CaromError
+        For another ending, a folder that does not exist, or missing permission.
 
     Examples
     --------
@@ -113,7 +134,14 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> None:
     path : str or path
         The ending determines the format.
 
-    Raises CaromError if the file cannot be written.
+    Returns
+    -------
+    None
+
+    Raises
+    ------
+    CaromError
+        If the file cannot be written.
 
     Examples
     --------

@@ -34,6 +34,10 @@ def plot_tracks(measured: Measured) -> Figure:
     measured : Measured
         From :func:`carom.tracks.measure`.
 
+    Returns
+    -------
+    matplotlib.figure.Figure
+
     Examples
     --------
     >>> import numpy as np

@@ -66,7 +66,14 @@ def plot_trajectory(
     title : str, optional
         Default: a description of the scene.
 
-    Raises CaromError for an unknown ball, a file that cannot be written, or if Matplotlib is missing.
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Raises
+    ------
+    CaromError
+        For an unknown ball, a file that cannot be written, or if Matplotlib is missing.
 
     Examples
     --------

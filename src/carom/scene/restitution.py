@@ -11,8 +11,16 @@ from carom.core.motion.restitution import CONSTANT, EXPONENTIAL, POLYNOMIAL, POW
 from carom.scene.schema import Coefficient, Components, Model, Number, PositiveNumber, Share, Vector
 
 __all__ = [
-    "Bounce", "Constant", "Exponential", "FasterThanNothing", "Han2005", "Polynomial", "Power", "Restitution", "Viscoelastic",
-]  # fmt: skip
+    "Bounce",
+    "Constant",
+    "Exponential",
+    "FasterThanNothing",
+    "Han2005",
+    "Polynomial",
+    "Power",
+    "Restitution",
+    "Viscoelastic",
+]
 
 FasterThanNothing = Annotated[float, BeforeValidator(Number("a speed in m/s, > 0", "m/s", least=0, above=True))]
 

@@ -32,11 +32,39 @@ from carom.public.callers import called_from_outside
 from carom.public.renamed import with_new_names
 
 __all__ = [
-    "Acceleration", "Angle", "Coefficient", "Components", "Direction", "Extent", "Flag", "Friction", "Length", "Mass", "Model",
-    "Modulus", "NotNegative", "Number", "Place", "Point", "PoissonRatio", "PositiveNumber", "Share", "Size", "Sizes", "Speed",
-    "Spin", "Spring", "Time", "Vector", "faults_of", "from_file", "raise_faults", "refused", "runs_own_laws",
+    "Acceleration",
+    "Angle",
+    "Coefficient",
+    "Components",
+    "Direction",
+    "Extent",
+    "Flag",
+    "Friction",
+    "Length",
+    "Mass",
+    "Model",
+    "Modulus",
+    "NotNegative",
+    "Number",
+    "Place",
+    "Point",
+    "PoissonRatio",
+    "PositiveNumber",
+    "Share",
+    "Size",
+    "Sizes",
+    "Speed",
+    "Spin",
+    "Spring",
+    "Time",
+    "Vector",
+    "faults_of",
+    "from_file",
+    "raise_faults",
+    "refused",
+    "runs_own_laws",
     "with_faults_of_part",
-]  # fmt: skip
+]
 
 EXPECTED = {
     "tuple_type": "a list",

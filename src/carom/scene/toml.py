@@ -17,7 +17,14 @@ from carom.scene.scene import Scene
 from carom.scene.schema import Model, from_file
 from carom.scene.toml_files import parse_toml, read_toml
 
-__all__ = ["load_scene", "new_scene", "plain_table", "require_named_laws", "save_scene", "scene_text"]
+__all__ = [
+    "load_scene",
+    "new_scene",
+    "plain_table",
+    "require_named_laws",
+    "save_scene",
+    "scene_text",
+]
 
 
 def load_scene(path: str | Path, *, allow_own_laws: bool = False) -> Scene:

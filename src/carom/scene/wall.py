@@ -38,9 +38,19 @@ from carom.scene.schema import (
 )
 
 __all__ = [
-    "CUSHION", "VANISHES", "ContactParameters", "LawChoice", "PairLawChoice", "Pocket", "ShapeKernels", "WallShape", "always",
-    "contact", "law_name", "permitted_law",
-]  # fmt: skip
+    "CUSHION",
+    "VANISHES",
+    "ContactParameters",
+    "LawChoice",
+    "PairLawChoice",
+    "Pocket",
+    "ShapeKernels",
+    "WallShape",
+    "always",
+    "contact",
+    "law_name",
+    "permitted_law",
+]
 
 # Contact times, s: estimates. No measurement of a cushion's was found.
 HARD, CUSHION = 3e-4, 3e-3

@@ -19,7 +19,15 @@ from carom.simulation.loop import finish, run
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.wall_and_floor import PART, register_joint_impact
 
-__all__ = ["ENGINE_RUN", "Engine", "compiled_before", "compiled_engine", "is_loaded", "loops_of", "plain_engine"]
+__all__ = [
+    "ENGINE_RUN",
+    "Engine",
+    "compiled_before",
+    "compiled_engine",
+    "is_loaded",
+    "loops_of",
+    "plain_engine",
+]
 
 
 class Engine(NamedTuple):

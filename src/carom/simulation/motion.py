@@ -34,9 +34,23 @@ from carom.core.motion.tilt import (
 )
 
 __all__ = [
-    "acceleration_in", "accelerations_of", "begin_phase", "error_ahead", "has_no_parabola", "is_on_floor", "is_turned_downhill",
-    "lean", "motion_in", "move_by", "on_floor_with", "phase_on_floor", "slows_down", "state_after", "state_at", "write_vector",
-]  # fmt: skip
+    "acceleration_in",
+    "accelerations_of",
+    "begin_phase",
+    "error_ahead",
+    "has_no_parabola",
+    "is_on_floor",
+    "is_turned_downhill",
+    "lean",
+    "motion_in",
+    "move_by",
+    "on_floor_with",
+    "phase_on_floor",
+    "slows_down",
+    "state_after",
+    "state_at",
+    "write_vector",
+]
 
 STILL = 1e-12  # of the radius: a ball that moved by less is where it was
 

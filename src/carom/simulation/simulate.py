@@ -129,8 +129,10 @@ def simulate_many(
     ManyRuns
         Bitwise identical whatever the number of cores.
 
-    Raises CaromError for initial states that overlap a wall or another ball, for unknown kinds, and for events that would fill
-    8 GB.
+    Raises
+    ------
+    CaromError
+        For initial states that overlap a wall or another ball, for unknown kinds, and for events that would fill 8 GB.
 
     Examples
     --------

@@ -51,13 +51,16 @@ class Trajectory:
     Examples
     --------
     >>> import carom
-    >>> run = carom.simulate(carom.new_scene())
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0), velocity=(-2, 1), rolling=True)
+    >>> scene = carom.Scene(floor=carom.Floor(friction=0.2), walls=[wall], balls=[ball], run=carom.Run(duration=2))
+    >>> run = carom.simulate(scene)
     >>> run
-    <Trajectory: 1 ball, 10 events, 9.18184 s, nothing more happens>
+    <Trajectory: 1 ball, 3 events, 2 s, duration>
     >>> run.phase(0.0).tolist(), run.final_phase
-    (['rolling'], ['rest'])
+    (['rolling'], ['rolling'])
     >>> run.at([0.0, 2.0]).position.round(3)[:, 0, 0]
-    array([-0.71 , -0.494])
+    array([1.   , 1.772])
     """
 
     def __init__(

@@ -43,7 +43,19 @@ SAMPLE_PLACES = 16  # where these points lie, spread over the space
 
 
 class Sweep:
-    """A sweep: made by :func:`carom.sweep`."""
+    """A sweep: made by :func:`carom.sweep`.
+
+    Examples
+    --------
+    >>> import numpy as np, carom
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0, 0))
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    >>> scene = carom.Scene(gravity=0, walls=[wall], balls=[ball], run=carom.Run(duration=2))
+    >>> space = carom.Space(scene, {"balls.0.velocity": carom.polar(2.0, np.linspace(120, 240, 5)), "walls.*.friction": [0.1, 0.3]})
+    >>> ds = carom.sweep(space, keep=["final.velocity", "events.wall.count"]).run()
+    >>> ds["events.wall.count"].sel(friction=0.3).values
+    array([1, 1, 1, 1, 1])
+    """
 
     def __init__(self, space: Space, keep: tuple[str, ...], store: Store | None, blocks: Blocks) -> None:
         self.space = space

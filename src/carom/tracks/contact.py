@@ -16,9 +16,16 @@ from carom.tracks.free_motion import VelocityJump
 from carom.tracks.least_squares import ContactFit, Prior
 
 __all__ = [
-    "BALL_RADIUS", "MAX_RADIUS_M", "RENAMED", "HopVerdict", "Settings", "TrackContact", "TrackedSpin", "View",
+    "BALL_RADIUS",
+    "MAX_RADIUS_M",
+    "RENAMED",
+    "HopVerdict",
+    "Settings",
+    "TrackContact",
+    "TrackedSpin",
+    "View",
     "motion_before_resolved",
-]  # fmt: skip
+]
 
 View = Literal["above", "side"]
 HopVerdict = Literal["none", "seen", "possible"]

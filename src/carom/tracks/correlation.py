@@ -17,9 +17,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
-    "WHITE", "Correlation", "FittedFrames", "FrameGroups", "LikelyCorrelation", "averaging_error", "estimate_correlation",
-    "nearest_frames", "weigh_correlations", "whitening",
-]  # fmt: skip
+    "WHITE",
+    "Correlation",
+    "FittedFrames",
+    "FrameGroups",
+    "LikelyCorrelation",
+    "averaging_error",
+    "estimate_correlation",
+    "nearest_frames",
+    "weigh_correlations",
+    "whitening",
+]
 
 Array = NDArray[np.float64]
 FADES, SHARES = (0.3, 0.5, 0.65, 0.8, 0.87, 0.92, 0.95, 0.98), (1.0, 0.85, 0.7, 0.5, 0.3)

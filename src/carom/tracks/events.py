@@ -12,8 +12,15 @@ from carom.errors import CaromError
 from carom.tracks.track import Track
 
 __all__ = [
-    "TrackEvent", "WallLine", "find_events", "find_walls", "position_at", "turning_points", "wall_of_text", "wall_through",
-]  # fmt: skip
+    "TrackEvent",
+    "WallLine",
+    "find_events",
+    "find_walls",
+    "position_at",
+    "turning_points",
+    "wall_of_text",
+    "wall_through",
+]
 
 Array = NDArray[np.float64]
 TURN_TIME_S = 0.06  # within which a ball has to turn visibly
@@ -64,7 +71,18 @@ class WallLine:
 
 @dataclass(frozen=True)
 class TrackEvent:
-    """An event of a ball between two of its frames."""
+    """An event of a ball between two of its frames.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.tracks import Settings, Track, measure
+    >>> t = np.arange(40) / 100
+    >>> ball = Track("ball", t, np.stack([np.abs(0.2 - t), 0.1 * t], axis=-1))
+    >>> found = measure([ball], Settings(view="above", noise=1e-4)).events["", "ball"]
+    >>> [(event.kind, event.what) for event in found]
+    [('start', ''), ('wall', 'left'), ('end', '')]
+    """
 
     kind: str
     """wall, ball, gap, onset, start, end; turn: a bounce away from all walls."""

@@ -159,7 +159,10 @@ def measure_films(
     MeasuredFilms
         Whether balls hop off the wall is decided by all films together where they decide it.
 
-    Raises CaromError with the faults of all files; for settings as :func:`carom.tracks.measure`, with the notes of reading.
+    Raises
+    ------
+    CaromError
+        With the faults of all files; for settings as :func:`carom.tracks.measure`, with the notes of reading.
     """
     found = read_films(paths, calibration, format)
     settings = settings or Settings()
@@ -227,7 +230,10 @@ def measure_tracks(
     MeasuredFilms
         ``found.rebounds()`` is their table, which :func:`carom.fit` and :func:`carom.predict` take.
 
-    Raises CaromError with the faults of all arguments, or of all files.
+    Raises
+    ------
+    CaromError
+        With the faults of all arguments, or of all files.
 
     Examples
     --------
@@ -282,7 +288,10 @@ def rebounds_of_films(
     Rebounds
         Of several films, the column ``film`` has their names.
 
-    Raises CaromError as :func:`measure_films`, and if no film has a contact that can be measured.
+    Raises
+    ------
+    CaromError
+        As :func:`measure_films`, and if no film has a contact that can be measured.
 
     Examples
     --------
@@ -332,7 +341,10 @@ def tracks_of_films(
     Measured
         With the notes of reading.
 
-    Raises CaromError as :func:`measure_films`, and where no track has the given names.
+    Raises
+    ------
+    CaromError
+        As :func:`measure_films`, and where no track has the given names.
     """
     films = MeasuredFilms(read_films(paths, calibration), ())
     with noting(films.reading_notes):
@@ -382,7 +394,12 @@ def rebounds_of_files(
 
     Returns
     -------
-    Rebounds. Raises CaromError with all problems of the files.
+    Rebounds
+
+    Raises
+    ------
+    CaromError
+        With all problems of the files.
     """
     if are_films(paths):
         return rebounds_of_films(paths, calibration, settings, stage=stage or "best", balls=balls, progress=progress)

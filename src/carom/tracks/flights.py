@@ -15,7 +15,14 @@ from numpy.typing import NDArray
 from carom.tracks.events import find_events, frames_per_side, turning_points
 from carom.tracks.track import Track
 
-__all__ = ["STILL_AIR", "Air", "Flights", "air_and_notes", "fit_flights", "flight_path"]
+__all__ = [
+    "STILL_AIR",
+    "Air",
+    "Flights",
+    "air_and_notes",
+    "fit_flights",
+    "flight_path",
+]
 
 Array = NDArray[np.float64]
 STEP_S = 0.05  # of the integration; a ball that turns at the top within one is off by some micrometres

@@ -12,9 +12,15 @@ from carom.public.renamed import warn_of_rename
 from carom.tracks.least_squares import ContactFit, Prior
 
 __all__ = [
-    "RENAMED_FLOOR", "FloorEstimates", "RobustMean", "WithError", "pool_floor", "pool_gravity", "robust_mean",
+    "RENAMED_FLOOR",
+    "FloorEstimates",
+    "RobustMean",
+    "WithError",
+    "pool_floor",
+    "pool_gravity",
+    "robust_mean",
     "shared_fraction",
-]  # fmt: skip
+]
 
 # Number of contacts above which the weight of one contact in the mean of all is negligible.
 MAX_LEAVE_ONE_OUT = 400

@@ -11,8 +11,13 @@ from carom.laws.results import GRAVITY
 from carom.tracks.track import Track
 
 __all__ = [
-    "MIN_FALLING_SHARE", "axis_points_down", "constant_acceleration", "falling_share", "likely_unit", "what_would_give",
-]  # fmt: skip
+    "MIN_FALLING_SHARE",
+    "axis_points_down",
+    "constant_acceleration",
+    "falling_share",
+    "likely_unit",
+    "what_would_give",
+]
 
 Array = NDArray[np.float64]
 # Pieces of a track that fall alike, if it was filmed from the side: most others hold a contact.
@@ -107,7 +112,18 @@ def axis_points_down(tracks: Sequence[Track], gravity: float) -> float:
 
 
 def likely_unit(tracks: Sequence[Track]) -> tuple[str, float]:
-    """Return the unit in which lengths read as m probably are (cm, mm, in; empty: m), and the acceleration of the fall, m/s^2."""
+    """Return the unit in which lengths read as m probably are (cm, mm, in; empty: m), and the acceleration of the fall, m/s^2.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.tracks import Track
+    >>> from carom.tracks.free_fall import likely_unit
+    >>> t = np.arange(80) / 200
+    >>> ball = Track("ball", t, 100 * np.stack([t, 1.0 + 2 * t - 9.80665 / 2 * t**2], axis=-1))
+    >>> likely_unit([ball])[0]
+    'cm'
+    """
     fall = abs(constant_acceleration(tracks))
     found, rises = pieces(tracks)
     for unit, ratio in UNITS.items():

@@ -17,9 +17,16 @@ from numpy.typing import NDArray
 from carom.tracks.correlation import FittedFrames
 
 __all__ = [
-    "AT_CONTACT", "OUTPUTS", "ContactFit", "Prior", "central_differences", "contact_fit", "solve", "starting_values",
+    "AT_CONTACT",
+    "OUTPUTS",
+    "ContactFit",
+    "Prior",
+    "central_differences",
+    "contact_fit",
+    "solve",
+    "starting_values",
     "unresolved_time",
-]  # fmt: skip
+]
 
 Array = NDArray[np.float64]
 Model = Callable[[Array], Array]

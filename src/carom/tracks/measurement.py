@@ -53,8 +53,6 @@ class Measured:
     >>> found = measure([ball], Settings(view="above", noise=1e-4))
     >>> [wall.name for wall in found.walls], len(found.contacts)
     (['left'], 1)
-    >>> [(event.kind, event.what) for event in found.events["", "ball"]]
-    [('start', ''), ('wall', 'left'), ('end', '')]
     """
 
     tracks: tuple[Track, ...]
@@ -122,8 +120,10 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, progress:
     Measured
         Walls, events, contacts, noise and floor.
 
-    Raises CaromError for settings out of range, tracks with three coordinates, an unknown radius where balls may meet, and
-    without SciPy.
+    Raises
+    ------
+    CaromError
+        For settings out of range, tracks with three coordinates, an unknown radius where balls may meet, and without SciPy.
 
     Examples
     --------

@@ -96,7 +96,10 @@ def measure_pairs(measured: Measured) -> tuple[PairContact, ...]:
         One for each time at which two balls come so close that they may touch, and one of them then moves otherwise; in order of
         shots and times.
 
-    Raises CaromError for a film from the side, or without the radius.
+    Raises
+    ------
+    CaromError
+        For a film from the side, or without the radius.
 
     Examples
     --------
@@ -397,7 +400,10 @@ def pair_rebounds(contacts: Sequence[PairContact], radius: float) -> Rebounds:
         Extra columns: shot, striking, struck, contact, t (s), covariance_v_n, covariance_v_t, and plane, the angle (degrees) of
         the slip from the horizontal.
 
-    Raises CaromError if none could be measured, with the most frequent reason.
+    Raises
+    ------
+    CaromError
+        If none could be measured, with the most frequent reason.
 
     Examples
     --------

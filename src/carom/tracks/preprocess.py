@@ -14,9 +14,16 @@ from carom.tracks.free_fall import MIN_FALLING_SHARE, constant_acceleration, fal
 from carom.tracks.track import Track
 
 __all__ = [
-    "MIN_INTERVAL_S", "CameraClock", "camera_clock", "guess_view", "initial_noise", "on_camera_clock", "position_noise",
-    "rounding_step", "without_outliers",
-]  # fmt: skip
+    "MIN_INTERVAL_S",
+    "CameraClock",
+    "camera_clock",
+    "guess_view",
+    "initial_noise",
+    "on_camera_clock",
+    "position_noise",
+    "rounding_step",
+    "without_outliers",
+]
 
 Array = NDArray[np.float64]
 MIN_INTERVAL_S = 1e-9  # between two frames: no camera is faster

@@ -47,9 +47,17 @@ MESSAGE_PACK = ".msgpack"
 OF_REBOUNDS = ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in")  # columns
 
 __all__ = [
-    "FORMATS", "Format", "TrackFile", "film_of", "format_of", "got_instead", "is_table_of_rebounds", "read_tracks",
-    "require_text", "track_text",
-]  # fmt: skip
+    "FORMATS",
+    "Format",
+    "TrackFile",
+    "film_of",
+    "format_of",
+    "got_instead",
+    "is_table_of_rebounds",
+    "read_tracks",
+    "require_text",
+    "track_text",
+]
 
 MIN_POSITIONS = 9  # fewer cannot hold a contact
 # Beyond these a number is damaged, or its unit wrong.
@@ -126,8 +134,10 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
     TrackFile
         Tracks in SI units, the format, and notes.
 
-    Raises CaromError, one line per problem: an unknown format, cells that are not numbers, decreasing times, missing columns by
-    name.
+    Raises
+    ------
+    CaromError
+        One line per problem: an unknown format, cells that are not numbers, decreasing times, missing columns by name.
 
     Examples
     --------

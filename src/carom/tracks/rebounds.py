@@ -99,7 +99,10 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
         use; of a table also the slips on the floor (velocity less rolling, m/s, with the axes and signs of v_n and v_t)
         with their errors, and the floor as estimated from the film.
 
-    Raises CaromError if no contact could be measured, with the most frequent reason.
+    Raises
+    ------
+    CaromError
+        If no contact could be measured, with the most frequent reason.
 
     Examples
     --------

@@ -19,8 +19,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
-    "TableMotion", "hop_slide_roll", "hop_slide_roll_derivatives", "landed", "slide_then_roll", "slide_then_roll_derivatives",
-]  # fmt: skip
+    "TableMotion",
+    "hop_slide_roll",
+    "hop_slide_roll_derivatives",
+    "landed",
+    "slide_then_roll",
+    "slide_then_roll_derivatives",
+]
 
 Array = NDArray[np.float64]
 TINY = 1e-12

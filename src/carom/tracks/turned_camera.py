@@ -61,6 +61,17 @@ def sharp_turns(tracks: Sequence[Track], events: dict[tuple[str, str], list[Trac
     """Return where balls turn by more than 30 degrees, far in time from other balls, gaps and the track's ends.
 
     The velocities before and after are slopes of straight lines through the frames of 60 ms, and through three at least.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.tracks import Track
+    >>> from carom.tracks.turned_camera import sharp_turns
+    >>> t = np.arange(40) / 100
+    >>> ball = Track("ball", t, np.stack([np.abs(0.2 - t), 0.5 * t], axis=-1))
+    >>> turns = sharp_turns([ball], {("", "ball"): []}, 0.01)
+    >>> turns.place.round(2).tolist(), turns.change.round(2).tolist()
+    ([[0.01, 0.1]], [[2.0, 0.0]])
     """
     found = []
     for track in tracks:

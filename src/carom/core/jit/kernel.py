@@ -14,9 +14,26 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 __all__ = [
-    "DERIVED", "HOT", "KERNELS", "ON_GPU", "PLAIN", "Vec", "carries_slopes", "cross", "derived_by", "dot", "hot_kernel",
-    "kept_kernel", "kernel", "only_slopes", "prange", "root_of", "steepest", "vector", "without_slopes",
-]  # fmt: skip
+    "DERIVED",
+    "HOT",
+    "KERNELS",
+    "ON_GPU",
+    "PLAIN",
+    "Vec",
+    "carries_slopes",
+    "cross",
+    "derived_by",
+    "dot",
+    "hot_kernel",
+    "kept_kernel",
+    "kernel",
+    "only_slopes",
+    "prange",
+    "root_of",
+    "steepest",
+    "vector",
+    "without_slopes",
+]
 
 Vec = tuple[float, float, float]
 Function = TypeVar("Function", bound=Callable[..., Any])

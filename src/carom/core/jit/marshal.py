@@ -12,9 +12,15 @@ from typing import Any, NamedTuple
 import numpy as np
 
 __all__ = [
-    "ArgumentWriter", "MismatchError", "ValueReader", "argument_writers", "dtype_of", "dtype_text", "kinds_text",
+    "ArgumentWriter",
+    "MismatchError",
+    "ValueReader",
+    "argument_writers",
+    "dtype_of",
+    "dtype_text",
+    "kinds_text",
     "value_reader",
-]  # fmt: skip
+]
 
 # Where NumPy keeps an array's address and shape: after what all objects of Python begin with (16 bytes, or 32 without a lock).
 HEAD = object.__basicsize__

@@ -22,8 +22,15 @@ from carom.core.motion.phases import REST, ROLLING, SLIDING, acts
 from carom.core.motion.rolling import UP
 
 __all__ = [
-    "LEVEL", "Lean", "advance_on_slope", "course_error", "is_tilted", "lean_of", "phase_on_slope", "slope_acceleration",
-]  # fmt: skip
+    "LEVEL",
+    "Lean",
+    "advance_on_slope",
+    "course_error",
+    "is_tilted",
+    "lean_of",
+    "phase_on_slope",
+    "slope_acceleration",
+]
 
 # F (x, y), m, and q; q is 0 for a ball whose acceleration is constant
 Lean = tuple[float, float, float, float]

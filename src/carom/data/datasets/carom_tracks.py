@@ -101,8 +101,12 @@ def write_carom_tracks(source: str | Path, out: str | Path) -> WrittenTracks:
 
     Returns
     -------
-    WrittenTracks. Raises CaromError for a file that cannot be read, of another layout, or with another first shot; nothing is
-    written then.
+    WrittenTracks
+
+    Raises
+    ------
+    CaromError
+        For a file that cannot be read, of another layout, or with another first shot; nothing is written then.
 
     Examples
     --------

@@ -112,8 +112,10 @@ def fit_shots(
     ShotsRanking
         ``best.estimates``, ``best.shots`` (start, distances, events that only film or model have), ``describe()``.
 
-    Raises CaromError, one line per problem: no stroke, a film that begins in the middle of a shot, films of different tables,
-    an unknown path.
+    Raises
+    ------
+    CaromError
+        One line per problem: no stroke, a film that begins in the middle of a shot, films of different tables, an unknown path.
 
     Examples
     --------

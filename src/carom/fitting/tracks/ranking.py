@@ -99,7 +99,10 @@ def fit_tracks(
     TrackRanking
         All laws, best first, with a verdict.
 
-    Raises CaromError if no track can be simulated, or for an invalid setting, one line per problem.
+    Raises
+    ------
+    CaromError
+        If no track can be simulated, or for an invalid setting, one line per problem.
 
     Examples
     --------

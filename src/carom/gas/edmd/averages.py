@@ -27,9 +27,16 @@ from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel
 from carom.gas.edmd.calendar import I64, U64
 
 __all__ = [
-    "close_cycle", "layer_of", "note_carried_heat", "note_change", "note_crossing", "note_flight", "note_pair",
-    "note_passed_heat", "note_turning",
-]  # fmt: skip
+    "close_cycle",
+    "layer_of",
+    "note_carried_heat",
+    "note_change",
+    "note_crossing",
+    "note_flight",
+    "note_pair",
+    "note_passed_heat",
+    "note_turning",
+]
 
 
 @hot_kernel

@@ -52,8 +52,11 @@ def engine(
     pooltool.physics.PhysicsEngine, or pooltool.evolution.SimulationEngine (main)
         pooltool's default models in everything else.
 
-    Raises CaromError for an unknown law or surface; for flights where pooltool has none; without pooltool
-    (MissingLibraryError). During a run: where the law has no answer.
+    Raises
+    ------
+    CaromError
+        For an unknown law or surface; for flights where pooltool has none; without pooltool (MissingLibraryError). During a run:
+        where the law has no answer.
 
     Examples
     --------
@@ -95,7 +98,10 @@ def register() -> None:
     least_bounce). Load such a file by ``Resolver.load(path)`` after ``register()``. Keep it out of pooltool's own folder
     of settings: pooltool reads that one while it is imported, before anything can be registered, and moves it away as malformed.
 
-    Raises CaromError: without pooltool 0.6 (MissingLibraryError).
+    Raises
+    ------
+    CaromError
+        Without pooltool 0.6 (MissingLibraryError).
 
     Examples
     --------

@@ -60,8 +60,11 @@ def read(path: str | Path) -> list[PooltoolShot]:
     list of PooltoolShot
         One for a System.
 
-    Raises CaromError for what is not such a file, or one of another version, whose fields are others: where, what was expected,
-    what was found, what to do.
+    Raises
+    ------
+    CaromError
+        For what is not such a file, or one of another version, whose fields are others: where, what was expected, what was found,
+        what to do.
 
     Examples
     --------

@@ -53,7 +53,10 @@ def to_system(run: Trajectory, dt: float = 0.01) -> System:
         In pooltool's frame (a corner of the table at the origin, the longer side along y), with the balls' histories. Its
         list of events has only the start and the end.
 
-    Raises CaromError for other scenes, and without pooltool 0.6 (MissingLibraryError).
+    Raises
+    ------
+    CaromError
+        For other scenes, and without pooltool 0.6 (MissingLibraryError).
 
     Examples
     --------

@@ -12,8 +12,18 @@ from carom.scene.figures.outline import OutlineFigure
 from carom.scene.figures.pieces import ArcPiece, EllipsePiece, ParallelPiece, Piece, SegmentPiece
 
 __all__ = [
-    "FIGURES", "AnyFigure", "ArcPiece", "CellFigure", "EllipsePiece", "Figure", "OutlineFigure", "ParallelPiece", "Piece",
-    "PlaneFigure", "SegmentPiece", "figure",
-]  # fmt: skip
+    "FIGURES",
+    "AnyFigure",
+    "ArcPiece",
+    "CellFigure",
+    "EllipsePiece",
+    "Figure",
+    "OutlineFigure",
+    "ParallelPiece",
+    "Piece",
+    "PlaneFigure",
+    "SegmentPiece",
+    "figure",
+]
 
 modules_of(__name__, __path__)

@@ -44,7 +44,12 @@ def figure(what: str | Mapping[str, Any] | Figure | PathLike[str], /, **sizes: A
 
     Returns
     -------
-    Figure. Raises CaromError, one line per problem.
+    Figure
+
+    Raises
+    ------
+    CaromError
+        One line per problem.
 
     Examples
     --------

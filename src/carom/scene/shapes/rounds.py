@@ -196,14 +196,15 @@ class Sphere(WallShape):
     center : 3 lengths, m
     radius : m
     inside : whether the balls are inside; default: outside
-    restitution, friction, ..., law, name : the fields of every wall, as of :class:`Plane`
+    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
+        of :class:`Plane`
 
     Raises CaromError, one line per problem.
 
     Examples
     --------
-    >>> from carom.scene import Sphere
-    >>> Sphere(center=(0, 0, 0), radius=1, inside=True).describe()
+    >>> import carom
+    >>> carom.scene.Sphere(center=(0, 0, 0), radius=1, inside=True).describe()
     'a sphere of radius 1 m at (0, 0, 0), balls inside'
     """
 

@@ -65,14 +65,15 @@ class Segment(Standing):
     ----------
     start, end : 2 lengths, m, as seen from above
     low, height : m: the heights between which it stands; default: infinitely low and high
-    restitution, friction, ..., law, name : the fields of every wall, as of :class:`Plane`
+    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, yield_time, law, name : fields of every wall, as
+        of :class:`Plane`
 
     Raises CaromError, one line per problem.
 
     Examples
     --------
-    >>> from carom.scene import Segment
-    >>> Segment(start=(0, 0), end=(1, 0), height="40 mm").height
+    >>> import carom
+    >>> carom.scene.Segment(start=(0, 0), end=(1, 0), height="40 mm").height
     0.04
     """
 

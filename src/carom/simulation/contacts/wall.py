@@ -32,8 +32,14 @@ if TYPE_CHECKING:
     from carom.simulation.run_record import RunRecord
 
 __all__ = [
-    "REFUSED_ROLLING", "REFUSED_STALL", "REFUSED_UNDEFINED", "WALL_CONTACT", "cushion_side", "meet_wall", "wall_normal",
-]  # fmt: skip
+    "REFUSED_ROLLING",
+    "REFUSED_STALL",
+    "REFUSED_UNDEFINED",
+    "WALL_CONTACT",
+    "cushion_side",
+    "meet_wall",
+    "wall_normal",
+]
 
 REFUSED_ROLLING, REFUSED_UNDEFINED, REFUSED_STALL = 1, 2, 3
 REFUSALS = {

@@ -92,8 +92,11 @@ def sensitivities(
     ManySensitivities
         Bitwise identical whatever the number of cores.
 
-    Raises CaromError for paths as ``run.sensitivity`` does, for initial states as ``simulate_many`` does, for runs of more than
-    262,144 rows of the log, and for a law that takes no dual numbers.
+    Raises
+    ------
+    CaromError
+        For paths as ``run.sensitivity`` does, for initial states as ``simulate_many`` does, for runs of more than 262,144 rows
+        of the log, and for a law that takes no dual numbers.
 
     Examples
     --------
