@@ -14,7 +14,7 @@ from carom.fitting.shots import LawErrors, compare_forms, drawn_films, fit_of_so
 from carom.fitting.shots.film import filmed_shots
 from carom.fitting.shots.followed import belief_of_start, followed
 from carom.fitting.shots.forms import FORMS, searched_together
-from carom.fitting.shots.joint import PUBLISHED, Published, likely_widths
+from carom.fitting.shots.joint import PRIOR_WIDTH, TablePrior, likely_widths
 from carom.fitting.shots.search import SearchSettings, descend, search_start
 from carom.fitting.shots.start import residuals
 from carom.fitting.shots.table import FREE, TERMS, TableModel, begun, scene_of_films
@@ -168,9 +168,9 @@ def test_a_number_that_one_shot_does_not_tell_stays_near_that_of_the_table():
     tracks, scenes = drawn_films(1, seed=3, until=0.6)
     best = carom.fit_shots(tracks, scenes[0], seed=1).best
     for one in best.model.shared:
-        assert abs(best.estimates[one.name].value - one.value) < 1.5 * PUBLISHED * one.scale, one.name
+        assert abs(best.estimates[one.name].value - one.value) < 1.5 * PRIOR_WIDTH * one.scale, one.name
     assert best.shots[0].followed
-    known = Published(np.array([0.8, 2.0]), np.array([0.02, 0.5]), 0.03)
+    known = TablePrior(np.array([0.8, 2.0]), np.array([0.02, 0.5]), 0.03)
     at = np.array([0.85, 1.0])
     score, half = known.information(at)
     for k in range(2):

@@ -23,7 +23,7 @@ from carom.fitting.shots.film import Films, filmed_shots, require_on_table
 from carom.fitting.shots.forms import compare_forms, searched_together
 from carom.fitting.shots.joint import (
     FEWEST,
-    PUBLISHED,
+    PRIOR_WIDTH,
     WIDTH,
     JointFit,
     ScatterFit,
@@ -236,7 +236,7 @@ def _fit_law(
     def searched(part: float, share: float, events: int | None, turn: int) -> list[ShotStart]:
         table, found = model.at(values), []
         of_its_own = few and len(values) > 0
-        own = PUBLISHED * np.array([one.scale for one in model.shared]) if of_its_own else widths
+        own = PRIOR_WIDTH * np.array([one.scale for one in model.shared]) if of_its_own else widths
         for i, shot in enumerate(films.shots):
             tell(part + share * i / len(films.shots), f"{shot.name or 'film'}: start")
             last = None if events is None else frames_of_events(shot, events)

@@ -36,7 +36,7 @@ from carom.fitting.table_numbers import TableNumbers
 
 __all__ = [
     "FEWEST",
-    "PUBLISHED",
+    "PRIOR_WIDTH",
     "WIDTH",
     "Information",
     "JointFit",
@@ -63,9 +63,7 @@ SCATTER_ROUNDS, LOOSE_ROUNDS = 5, 3
 WIDTH_ROUNDS = 4  # of 300, after which widths stand still, some are 0 that later frames contradict (docs, whole shots)
 WIDTH = 0.5  # of usual changes: the scatter between shots with which its search begins
 SETTLED = 0.2  # error bars of the means, and shares of the widths, below which a round ends the search
-PUBLISHED = (
-    4.0  # usual changes: the width about the table's own numbers, to which few shots are drawn that do not tell them
-)
+PRIOR_WIDTH = 4.0  # usual changes: of the prior of few shots about the numbers of the table that is given
 FOLLOWED = 1.3  # ratio of the median distance to the noise, up to which the frames' noise alone gives the errors
 FEWEST = 5  # shots for errors from their scatter
 LEAST_WIDTH, MOST_WIDTH = 0.02, 5.0  # of a scatter between shots, in usual changes of a number
@@ -105,29 +103,29 @@ def _objective(starts: Sequence[ShotStart], frames: Sequence[int], found: Sequen
     return float(sum(np.log(_mean_square(one, n, got)) for one, n, got in zip(starts, frames, found, strict=True)))
 
 
-class Published(NamedTuple):
-    """What is known of the shared numbers (P,) beside the films: normal about those of the table that is given."""
+class TablePrior(NamedTuple):
+    """Prior of the shared numbers (P,) of few shots: normal about the numbers of the table that is given."""
 
     middle: Array
     scale: Array
-    """Usual changes; the widths are :data:`PUBLISHED` of them."""
+    """Usual changes; the widths are :data:`PRIOR_WIDTH` of them."""
     weight: float
     """Of a squared width, where each shot counts by the logarithm of its mean square."""
 
     def cost(self, values: Array) -> float:
         """Return what is added to the objective of :func:`fit_shared`."""
-        return float(self.weight * np.square((values - self.middle) / self.scale / PUBLISHED).sum())
+        return float(self.weight * np.square((values - self.middle) / self.scale / PRIOR_WIDTH).sum())
 
     def information(self, values: Array) -> tuple[Array, Array]:
         """Return -1/2 of the gradient (P,) of the cost, and 1/2 of its curvature (P, P), by changes in units of the scale."""
-        each = self.weight / PUBLISHED**2
+        each = self.weight / PRIOR_WIDTH**2
         return each * (self.middle - values) / self.scale, each * np.eye(len(values))
 
     @classmethod
     def of(
         cls, table: TableNumbers, starts: Sequence[ShotStart], frames: Sequence[int], found: Sequence[Refined]
-    ) -> Published:
-        """Return it for some shots: residuals that are correlated with their neighbours count as one."""
+    ) -> TablePrior:
+        """Return the prior for some shots: residuals that are correlated with their neighbours count as one."""
         middle, scale = (np.array([getattr(one, name) for one in table.shared]) for name in ("value", "scale"))
         total = 0.0
         for one, n, got in zip(starts, frames, found, strict=True):
@@ -384,7 +382,7 @@ def fit_shared(
     damping = 1e-2
     for step in range(STEPS):
         tell((1 + step / STEPS) / 2)
-        known = Published.of(table, mine, ends, got) if len(starts) < FEWEST else Published(values, scale, 0.0)
+        known = TablePrior.of(table, mine, ends, got) if len(starts) < FEWEST else TablePrior(values, scale, 0.0)
         here = _objective(mine, ends, got) + known.cost(values)
         said = information_of_shots(table, mine, ends, got)
         follows, (scores, matrices) = said.follows, said.weighted(weights_of_shots(mine, ends, got))
