@@ -124,5 +124,6 @@ def _scatter(values: Array, variances: Array) -> tuple[float, float, float]:
     weight = 1 / variances
     mean = (weight * values).sum() / weight.sum()
     q, n = float((weight * np.square(values - mean)).sum()), len(values)
-    tau2 = max(q - (n - 1), 0.0) / float(weight.sum() - np.square(weight).sum() / weight.sum())
+    # (the sum of weights less that of their squares over it, by products: the difference is 0 where one group is far more exact)
+    tau2 = max(q - (n - 1), 0.0) * float(weight.sum() / (2 * np.triu(np.outer(weight, weight), 1).sum()))
     return float(chdtrc(n - 1, q)), tau2, float((1 / (variances + tau2)).sum() ** -0.5)
