@@ -296,8 +296,7 @@ class _Search:
                 old,
             ]
             found = self._descended(settings, frames, kept, np.concatenate(tries), descents)
-            # (on a table that is the same for all shots, it may be the table that is wrong)
-            if many or self.widths is None or rms(table, shot, found[0][0], frames) < NEAR:
+            if many or rms(table, shot, found[0][0], frames) < NEAR:
                 break
         return found
 
