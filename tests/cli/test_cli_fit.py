@@ -496,3 +496,13 @@ def test_other_forms_of_whole_shots_are_told(capsys):
     free = ["floor.rolling_resistance", "floor.rolling_drag"]
     show_shots(carom.fit_shots(tracks, scenes[0], free=free, forms=True))
     assert "cloth: rolling resistance without drag: AICc " in capsys.readouterr().out
+
+
+def test_a_file_of_the_program_that_ends_early_is_no_interrupt(monkeypatch):
+    def ends_early(*_args, **_named):
+        raise EOFError("marshal data too short")
+
+    monkeypatch.setattr("carom.fitting.fit_files.fit", ends_early)
+    monkeypatch.setattr(sys, "argv", ["carom", "fit", "kharaz2001"])
+    with pytest.raises(EOFError, match="marshal data too short"):
+        cli.main()
