@@ -17,6 +17,7 @@ from carom.fitting.shots import drawn_films
 from carom.fitting.shots.film import filmed_shots
 from carom.tracks import Calibration, Track, read_tracks
 from carom.tracks.exchanged import with_one_name, with_own_names
+from carom.tracks.film_tracks import films_of
 from carom.tracks.formats.tailuge import UNIT
 
 RADIUS = 0.03075
@@ -211,6 +212,30 @@ def test_a_ball_that_goes_on_under_another_name_is_one_ball(films: list[Track]) 
         other = Track("9", t[-1] + late + t, x[-1] + [away, 0.0] + 0 * x, group="shot 1")
         assert len(with_one_name([parts[0], other], notes)) == 2
     assert len(notes) == 2
+
+
+@pytest.mark.parametrize("several", [False, True], ids=["one file", "two"])
+def test_notes_of_reading_are_of_the_chosen_shots(several: bool, tmp_path: Path) -> None:
+    t = np.arange(80) * 0.02
+    rows = {
+        shot: [
+            f"{shot},1,{at:.2f},{x:.4f},0.5"
+            for at, x in zip(t, jumping(Track("1", t, np.c_[0.2 * t, 0 * t])).position[:, 0], strict=True)
+        ]
+        for shot in ("s1", "s11")
+    }
+    files = [rows["s1"], rows["s11"]] if several else [[*rows["s1"], *rows["s11"]]]
+    paths = [tmp_path / f"{'ab'[k]}.csv" for k in range(len(files))]
+    for path, lines in zip(paths, files, strict=True):
+        path.write_text("\n".join(["shot,ball,t,x (m),y (m)", *lines]))
+    for name, start in (
+        (("a s1", "a: s1 1: "), ("b s11", "b: s11 1: ")) if several else (("s1", "s1 1: "), ("s11", "s11 1: "))
+    ):
+        tracks, notes = films_of(paths, where=f"shot={name}")
+        assert [track.group for track in tracks] == [name]
+        assert len([note for note in notes if "the ball jumps" in note]) == 1
+        assert any(note.startswith(f"{start}the ball jumps") for note in notes)
+    assert len([note for note in films_of(paths)[1] if "the ball jumps" in note]) == 2
 
 
 def test_balls_that_collide_keep_their_names(films: list[Track]) -> None:

@@ -108,7 +108,8 @@ def _run(asked: list[bool]) -> int:
     except KeyboardInterrupt:
         return _interrupted()
     except Exception as error:  # usage errors: Typer's own classes have no public name in all its versions
-        if isinstance(error.__cause__, EOFError):  # (Typer aborts there as at Ctrl-C; a file that ends early is a fault)
+        # (Typer aborts there, as at Ctrl-C; a file of the program that ends early is a fault)
+        if isinstance(error.__cause__, EOFError):
             raise error.__cause__ from None
         # (what Typer makes of Ctrl-C, and what becomes of an import in the middle of which it comes)
         if type(error).__name__ == "Abort" or asked:

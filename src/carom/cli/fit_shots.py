@@ -49,4 +49,8 @@ def show_shots(ranking: ShotsRanking) -> None:
 
 
 def _errors(fit: ShotsFit) -> str:
-    return "from the scatter of shots." if fit.by_shots else "from the noise of the frames."
+    return (
+        "from the scatter of shots."
+        if fit.by_shots
+        else "from the residuals of the frames, of which correlated ones count as one."
+    )

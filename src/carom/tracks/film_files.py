@@ -348,23 +348,25 @@ def tracks_of_films(
     """
     films = MeasuredFilms(read_films(paths, calibration), ())
     with noting(films.reading_notes):
-        kept = chosen_tracks(films, where)
+        kept, notes = chosen_tracks(films, where)
         measured = measure(
             kept, settings, lambda done, total: progress(done, max(total, 1), "contacts") if progress else None
         )
-    return replace(measured, notes=(*films.reading_notes, *measured.notes))
+    return replace(measured, notes=(*notes, *measured.notes))
 
 
-def chosen_tracks(films: MeasuredFilms, where: Where) -> list[Track]:
-    """Return the tracks that enter: each film is a shot, or has several."""
-    tracks = [
-        replace(track, group=f"{name} {track.group}".strip())
-        for name, film in zip(films.names, films.files, strict=True)
-        for track in film.tracks
-    ]
+def chosen_tracks(films: MeasuredFilms, where: Where) -> tuple[list[Track], list[str]]:
+    """Return the tracks that enter, where each film is a shot or has several, and the notes of reading that concern them."""
+    tracks, said = [], []
+    for name, film in zip(films.names, films.files, strict=True):
+        for track in film.tracks:
+            tracks.append(replace(track, group=f"{name} {track.group}".strip()))
+            said.append(": ".join(filter(None, (name, f"{track.group} {track.name}".strip()))) + ": ")
     names = {"shot": [one.group for one in tracks], "ball": [one.name for one in tracks]}
-    chosen = rows_where(names, where, len(tracks), "the name of a shot or ball")
-    return [track for track, keep in zip(tracks, chosen.tolist(), strict=True) if keep]
+    chosen = rows_where(names, where, len(tracks), "the name of a shot or ball").tolist()
+    left_out = tuple(start for start, keep in zip(said, chosen, strict=True) if not keep)
+    notes = [note for note in films.reading_notes if not note.startswith(left_out)]
+    return [track for track, keep in zip(tracks, chosen, strict=True) if keep], notes
 
 
 def rebounds_of_files(

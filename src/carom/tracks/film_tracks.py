@@ -24,4 +24,4 @@ def films_of(
     found = read_films([film_of(one, number + 1, calibration) for number, one in enumerate(each)], calibration)
     films = MeasuredFilms(found, ())
     with noting(films.reading_notes):
-        return chosen_tracks(films, where), films.reading_notes
+        return chosen_tracks(films, where)

@@ -125,13 +125,20 @@ class TablePrior(NamedTuple):
     def of(
         cls, table: TableNumbers, starts: Sequence[ShotStart], frames: Sequence[int], found: Sequence[Refined]
     ) -> TablePrior:
-        """Return the prior for some shots: residuals that are correlated with their neighbours count as one."""
+        """Return the prior for some shots."""
         middle, scale = (np.array([getattr(one, name) for one in table.shared]) for name in ("value", "scale"))
-        total = 0.0
-        for one, n, got in zip(starts, frames, found, strict=True):
-            gap = residuals(table, one.shot, got.start[None], n).gap[0]
-            total += len(gap) / correlation(gap, one.shot, n)
-        return cls(middle, scale, len(starts) / total)
+        return cls(middle, scale, len(starts) / float(_uncorrelated(table, starts, frames, found).sum()))
+
+
+def _uncorrelated(
+    table: TableNumbers, starts: Sequence[ShotStart], frames: Sequence[int], found: Sequence[Refined]
+) -> Array:
+    """Return how many independent residuals each shot has (N,): those that are correlated with their neighbours count as one."""
+    counts = []
+    for one, n, got in zip(starts, frames, found, strict=True):
+        gap = residuals(table, one.shot, got.start[None], n).gap[0]
+        counts.append(len(gap) / correlation(gap, one.shot, n))
+    return np.array(counts)
 
 
 def _mean_square(start: ShotStart, frames: int, found: Refined) -> float:
@@ -219,8 +226,8 @@ def covariance_of_shared(
     if by_shots:
         covariance = covariance_by_shot(matrices.sum(axis=0) + 1e-12 * np.eye(len(scale)), scores, matrices)
     else:
-        # (each shot's information is that of its frames over its mean square)
-        each = np.array([2 * one.shot.known[:n].sum() for one, n in zip(some, ends, strict=True)])
+        # (each shot's information is that of its independent residuals over its mean square)
+        each = _uncorrelated(table, some, ends, got)
         covariance = np.linalg.inv((matrices * each[:, None, None]).sum(axis=0) + 1e-9 * np.eye(len(scale)))
     return covariance * scale[:, None] * scale, by_shots
 
