@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +26,6 @@ from carom.fitting.shots.joint import (
     PRIOR_WIDTH,
     WIDTH,
     JointFit,
-    ScatterFit,
     covariance_of_shared,
     deviance_of,
     fit_scatter,
@@ -53,7 +52,7 @@ __all__ = ["fit_of_some", "fit_shots"]
 Array = NDArray[np.float64]
 DURATION = 60.0  # s: no shot takes longer
 JOINT = (3, 4, 6)  # events up to which the shared numbers are fitted, one after the other
-AGAIN = 1  # times that this is done once more, with a wider search, while a shot of few is not followed
+AGAIN = 2  # times that few shots are fitted once more with other draws, while one is not followed; at last by a wider search
 KEPT = 12  # starts of earlier searches that are tried again
 LAW = "two-step"
 
@@ -219,71 +218,102 @@ def _model(
     return model
 
 
+@dataclass(frozen=True, eq=False)
+class _Together:
+    """The fit of one law's shared numbers to all shots, with the starts that go with them."""
+
+    model: TableModel
+    films: Films
+    seed: int
+    tell: Callable[[float, str], None]
+
+    @property
+    def few(self) -> bool:
+        """Whether the shots are too few for errors from their scatter."""
+        return len(self.films.shots) < FEWEST
+
+    def searched(
+        self, values: Array, starts: Sequence[ShotStart | None], part: float, share: float, events: int | None = None,
+        widths: Array | None = None, turn: int = 0,
+    ) -> list[ShotStart]:  # fmt: skip
+        """Search a start for each shot, on a table with such numbers, up to so many events."""
+        table, found = self.model.at(values), []
+        own = self.few and len(values) > 0
+        widths = PRIOR_WIDTH * np.array([one.scale for one in self.model.shared]) if own else widths
+        for i, (shot, old) in enumerate(zip(self.films.shots, starts, strict=True)):
+            self.tell(part + share * i / len(self.films.shots), f"{shot.name or 'film'}: start")
+            last = None if events is None else frames_of_events(shot, events)
+            rng = np.random.default_rng([self.seed, i, turn if self.few else events or 0])
+            before, wider = old.pool[-KEPT:] if old else (), not own or turn == AGAIN
+            found.append(
+                search_start(table, shot, self.films.noise, rng, SearchSettings(), before, last, widths, wider)
+            )
+        return found
+
+    def fitted(self, values: Array, starts: Sequence[ShotStart], part: float, share: float, events: int) -> JointFit:
+        """Fit the numbers up to so many events of each shot."""
+        frames = [frames_of_events(one, events) for one in self.films.shots]
+        tell = functools.partial(_said, self.tell, part, share)
+        return fit_shared(self.model, values, starts, frames, self.films.noise, tell)
+
+    def of_few(self, values: Array) -> tuple[JointFit, list[ShotStart]]:
+        """Fit to all events; while a shot is not followed, once more with other draws: a wrong table holds its shots astray."""
+        none, share, ends = [None] * len(self.films.shots), 0.6 / (1 + AGAIN), list[tuple[JointFit, list[ShotStart]]]()
+        for turn in range(1 + AGAIN):
+            own = self.searched(values, none, turn * share, share / 2, self.events, turn=turn)
+            middle, starts = one_table(self.model, values, own)
+            found = self.fitted(middle, starts, turn * share, share, self.events)
+            ends.append((found, starts))
+            if not _lost(self.model.at(found.values), found, self.films):
+                break
+        return min(ends, key=lambda end: (end[0].frames.count(0), end[0].objective))
+
+    def of_many(self, values: Array) -> tuple[JointFit, list[ShotStart]]:
+        """Fit to the first events of all shots, then to more."""
+        starts, share = list[ShotStart](), 0.6 / len(JOINT)
+        for turn, events in enumerate(JOINT):
+            if turn == 0 or events > 4:
+                old: Sequence[ShotStart | None] = starts or [None] * len(self.films.shots)
+                starts = self.searched(values, old, turn * share, share / 2, max(events, 4))
+            found = self.fitted(values, starts, turn * share, share, events)
+            values = found.values
+        return found, starts
+
+    @property
+    def events(self) -> int:
+        """Number of events up to which the numbers are fitted at last."""
+        return max(len(shot.events) for shot in self.films.shots) if self.few else JOINT[-1]
+
+
 def _fit_law(
     model: TableModel, law: FittedLaw, films: Films, seed: int, tell: Callable[[float, str], None]
 ) -> ShotsFit:
     """Fit one law: starts up to the first events, shared numbers there, and so on; then all shots to rest."""
-    values = np.array([one.value for one in model.shared])
-    settings = SearchSettings()
-    starts: list[ShotStart | None] = [None] * len(films.shots)
-    most = max(len(shot.events) for shot in films.shots)
-    few = len(films.shots) < FEWEST
-    rounds = [most] * (1 + AGAIN) if few else [*JOINT]
-    fitted: JointFit | None = None
-    scattered: ScatterFit | None = None
-    widths: Array | None = None
-
-    def searched(part: float, share: float, events: int | None, turn: int) -> list[ShotStart]:
-        table, found = model.at(values), []
-        of_its_own = few and len(values) > 0
-        own = PRIOR_WIDTH * np.array([one.scale for one in model.shared]) if of_its_own else widths
-        for i, shot in enumerate(films.shots):
-            tell(part + share * i / len(films.shots), f"{shot.name or 'film'}: start")
-            last = None if events is None else frames_of_events(shot, events)
-            rng = np.random.default_rng([seed, i, turn if few else events or 0])
-            wider = not of_its_own or turn > 0
-            old = starts[i]
-            before = old.pool[-KEPT:] if old else ()
-            found.append(search_start(table, shot, films.noise, rng, settings, before, last, own, wider))
-        return found
-
-    for turn, events in enumerate(rounds if len(values) else ()):
-        if rounds[turn - 1] == events and fitted is not None and not _lost(model.at(values), fitted, films):
-            break
-        part, share = 0.6 * turn / len(rounds), 0.6 / len(rounds)
-        if turn == 0 or events > 4:
-            starts = [*searched(part, share / 2, max(events, 4), turn)]
-        if few:
-            values, starts = one_table(model, values, [one for one in starts if one is not None])
-        ready = [one for one in starts if one is not None]
-        frames = [frames_of_events(one, events) for one in films.shots]
-        fitted = fit_shared(
-            model, values, ready, frames, films.noise,
-            functools.partial(_said, tell, part, share),
-        )  # fmt: skip
+    together = _Together(model, films, seed, tell)
+    values, widths = np.array([one.value for one in model.shared]), None
+    frames = [frames_of_events(one, together.events) for one in films.shots]
+    if not len(values):
+        ready = together.searched(values, [None] * len(films.shots), 0.7, 0.3)
+        covariance, by_shots = np.zeros((0, 0)), False
+    else:
+        fitted, ready = (together.of_few if together.few else together.of_many)(values)
         values = fitted.values
-    ready = [one for one in starts if one is not None]
-    frames = [frames_of_events(one, rounds[-1]) for one in films.shots]
-    if fitted is not None:
         covariance, by_shots = covariance_of_shared(model.at(values), fitted, ready, films.noise)
-        squares = mean_squares(model.at(values), ready, frames)
-        likelihood = deviance_of(squares, ready, frames, films.noise)
-        if len(ready) >= FEWEST:
-            begin = WIDTH * np.array([one.scale for one in model.shared])
-            scattered = fit_scatter(
-                model, values, ready, frames, begin, films.noise, functools.partial(_said, tell, 0.6, 0.1)
-            )
-            starts, values, widths = [*scattered.starts], scattered.values, scattered.widths
-            covariance, by_shots = scattered.covariance, True
-    final = ready if few and fitted is not None else searched(0.7, 0.3, None, 0)
+    likelihood = deviance_of(mean_squares(model.at(values), ready, frames), ready, frames, films.noise)
+    final = ready
+    if len(values) and not together.few:
+        begin = WIDTH * np.array([one.scale for one in model.shared])
+        scattered = fit_scatter(
+            model, values, ready, frames, begin, films.noise, functools.partial(_said, tell, 0.6, 0.1)
+        )
+        ready, values, widths = scattered.starts, scattered.values, scattered.widths
+        covariance, by_shots = scattered.covariance, True
+        final = together.searched(values, ready, 0.7, 0.3, widths=widths)
     table = model.at(values)
     shots = tuple(_fitted(table, model, one) for one in final)
-    if fitted is None:
-        ready, covariance, by_shots = final, np.zeros((0, 0)), False
-        likelihood = deviance_of(mean_squares(table, ready, frames), ready, frames, films.noise)
     return ShotsFit(
-        law, table.scene, shots, _estimates(model, values, covariance), covariance, *likelihood, rounds[-1], films.noise, by_shots,
-        model=model, widths=widths, starts=tuple(ready),
+        law, table.scene, shots, _estimates(model, values, covariance), covariance, *likelihood, together.events, films.noise,
+        by_shots, model=model, widths=widths, starts=tuple(ready),
     )  # fmt: skip
 
 

@@ -350,11 +350,11 @@ def _loosened(
     return found.values
 
 
-def one_table(model: TableModel, values: Array, starts: Sequence[ShotStart]) -> tuple[Array, list[ShotStart | None]]:
+def one_table(model: TableModel, values: Array, starts: Sequence[ShotStart]) -> tuple[Array, list[ShotStart]]:
     """Return the mean (P,) of the tables on which shots start, each on its own, and the starts without them."""
     low, high = (np.array([getattr(one, name) for one in model.shared]) for name in ("low", "high"))
     by = np.mean([one.best[max(one.best)][-len(values) :] for one in starts], axis=0)
-    found = list[ShotStart | None]()
+    found = list[ShotStart]()
     for one in starts:
         k = start_size(len(one.shot.balls))
         prior = StartPrior(one.prior.center[:k], one.prior.rows[:k, :k])
