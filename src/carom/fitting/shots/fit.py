@@ -260,13 +260,14 @@ class _Together:
         """Fit to all events; while a shot is not followed, once more with other draws: a wrong table holds its shots astray."""
         none, share, ends = [None] * len(self.films.shots), 0.6 / (1 + AGAIN), list[tuple[JointFit, list[ShotStart]]]()
         for turn in range(1 + AGAIN):
-            own = self.searched(values, none, turn * share, share / 2, self.events, turn=turn)
+            old = none if turn < AGAIN else min(ends, key=_farness)[1]
+            own = self.searched(values, old, turn * share, share / 2, self.events, turn=turn)
             middle, starts = one_table(self.model, values, own)
             found = self.fitted(middle, starts, turn * share, share, self.events)
             ends.append((found, starts))
             if not _lost(self.model.at(found.values), found, self.films):
                 break
-        return min(ends, key=lambda end: (end[0].frames.count(0), end[0].objective))
+        return min(ends, key=_farness)
 
     def of_many(self, values: Array) -> tuple[JointFit, list[ShotStart]]:
         """Fit to the first events of all shots, then to more."""
@@ -315,6 +316,11 @@ def _fit_law(
         law, table.scene, shots, _estimates(model, values, covariance), covariance, *likelihood, together.events, films.noise,
         by_shots, model=model, widths=widths, starts=tuple(ready),
     )  # fmt: skip
+
+
+def _farness(end: tuple[JointFit, object]) -> tuple[int, float]:
+    """Return the number of shots that are left out, and the objective of the others."""
+    return end[0].frames.count(0), end[0].objective
 
 
 def _lost(table: TableNumbers, fitted: JointFit, films: Films) -> bool:
