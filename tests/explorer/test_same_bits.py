@@ -88,7 +88,9 @@ def tables(seed: int) -> list[carom.Scene]:
     """Return a shot on each real table, and one on low cushions, with a limit of time."""
     run = {"duration": 6, "max_events": EVENTS}
     low = shot("pool-8ft", seed, 3, wall={"height": 0.04, "center": (0.1, -0.2)}, run=run)
-    return [low, *(shot(name, seed, 3, run=run) for name in presets())]
+    sides = {"right": {"restitution": 0.7, "friction": 0.1}, "top": {"restitution": {"form": "han-2005"}}}
+    own = [shot(name, seed, 3, wall={"sides": sides}, run=run) for name in ("carom", "pool-9ft")]
+    return [low, *own, *(shot(name, seed, 3, run=run) for name in presets())]
 
 
 @pytest.fixture(scope="module")

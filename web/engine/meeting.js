@@ -2,7 +2,8 @@
 
 /** @import { Scene, Vec } from "../state/types.js" */
 /** @import { Module } from "./module.js" */
-import { contactOf, pullOf, setUp } from "../scene/setup.js";
+import { contactOf, pullOf, setUp, surfaceAt } from "../scene/setup.js";
+import { featuresOf } from "../scene/shapes.js";
 import { follow } from "./run.js";
 
 /**
@@ -64,7 +65,8 @@ export function firstMeeting(module, scene) {
   const out = memory.take(40);
   module.call("meet", 0, features + met * layout.records.features.bytes, 1, one, 1, out, 5);
   const [nx, ny, nz, approach, e] = memory.numbers(out, 5);
-  const [wall, { radius, mass }] = [scene.walls[number], scene.balls[0]];
+  const first = made.features.findIndex((feature) => feature.wall === number);
+  const [wall, { radius, mass }] = [surfaceAt(scene.walls[number], featuresOf(scene.walls[number])[met - first].pocket, layout), scene.balls[0]];
   const { mu, beta } = contactOf(wall, layout);
   return {
     given: { e: wall.restitution !== null, mu: wall.friction !== null },

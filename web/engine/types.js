@@ -70,6 +70,7 @@
  * @property {Record<string, RecordLayout>} records
  * @property {string[]} functions
  * @property {Record<string, number>} features
+ * @property {number} first_cushion what stands in the column of pockets of a feature of cushion 0; of cushion k it is less by k
  * @property {Record<string, number>} gates
  * @property {string[]} kinds
  * @property {string[]} phases

@@ -9,7 +9,7 @@ import { extended, fill, filled, general, repr } from "../engine/text.js";
 import { length } from "../state/vectors.js";
 import { fieldFaults } from "./fields.js";
 import { placeAt } from "./shapes.js";
-import { centerOf, contactModulus, kappaOf, lawOf, pairLawOf, pairStiffness, setUp } from "./setup.js";
+import { centerOf, contactModulus, kappaOf, lawOf, ownSurfaces, pairLawOf, pairStiffness, setUp } from "./setup.js";
 
 const COLUMNS = 7; // of rows of faults
 
@@ -60,7 +60,9 @@ function lawFaults(module, scene) {
       const [law, at] = [lawOf(scene, wall, layout), `walls[${i}]`];
       const missing = law.needed.filter(({ name }) => wall[name] === null).map((values) => filled(layout.law_faults.needed, { at, ...values }));
       const vertical = (/** @type {number} */ z) => placeAt(wall, [0, 0, z]).vertical;
-      return [...missing, ...conditionFaults(module, scene, wall, law, at, { shape: at, floor: wall.law ? `${at}.law` : "run.law" }, wall.stiffness_ratio, vertical)];
+      const own = Object.entries(ownSurfaces(wall)).flatMap(([part, one]) =>
+        conditionFaults(module, scene, one, law, `${at}.${part}`, {}, one.stiffness_ratio, vertical).filter((text) => text.startsWith(`${at}.${part}.restitution`)));
+      return [...missing, ...conditionFaults(module, scene, wall, law, at, { shape: at, floor: wall.law ? `${at}.law` : "run.law" }, wall.stiffness_ratio, vertical), ...own];
     }),
     ...conditionFaults(module, scene, { ...pair, shape: "" }, pairLawOf(scene, layout), "ball_contact", {}, pairStiffness(pair)),
   ];

@@ -97,6 +97,18 @@ export function surfaceOf(scene, wall, law, layout) {
   return contact;
 }
 
+/** The walls with the surfaces of the parts that differ from a wall, by their paths in it. @param {Wall} wall @returns {Record<string, Wall>} */
+export function ownSurfaces(wall) {
+  const sides = Object.entries(wall.sides ?? {}).filter(([, side]) => side && ((side.restitution ?? null) !== null || (side.friction ?? null) !== null));
+  return Object.fromEntries(sides.map(([name, side]) => [`sides.${name}`, { ...wall, restitution: side.restitution ?? wall.restitution, friction: side.friction ?? wall.friction }]));
+}
+
+/** The wall with the surface of a feature: its cushion's where that differs. @param {Wall} wall @param {number} pocket of the feature @param {Layout} layout @returns {Wall} */
+export function surfaceAt(wall, pocket, layout) {
+  const names = Object.keys(layout.fields.sides?.fields ?? {});
+  return ownSurfaces(wall)[`sides.${names[layout.first_cushion - pocket]}`] ?? wall;
+}
+
 /** E* of the contacts of two balls, Pa; 0 where they are resolved one pair after the other. @param {Scene["ball_contact"]} pair */
 export const contactModulus = ({ young, poisson, overlap }) => (overlap ? extended(young) / (2 * (1 - poisson * poisson)) : 0);
 
@@ -131,12 +143,13 @@ export function setUp(scene, layout, address) {
   let pockets = 0; // of the walls before
   const features = scene.walls.flatMap((wall, i) => {
     const law = found[i];
-    const { form, p, mu, beta } = surfaceOf(scene, wall, law, layout);
     const number = law.response + (law.response === layout.responses.called ? called.indexOf(law) : 0);
     const { leaves, falls, goes_on: goesOn } = layout.gates;
-    const surface = { wall: i, form, e: p, mu, beta, contact_time: wall.contact_time, yield_time: wall.yield_time, law: number };
+    const common = { wall: i, contact_time: wall.contact_time, yield_time: wall.yield_time, law: number };
     const gate = placeAt(wall, [0, 0, 0]).encloses ? leaves : goesOn;
     return featuresOf(wall).map(({ pocket, ...one }) => {
+      const { form, p, mu, beta } = surfaceOf(scene, surfaceAt(wall, pocket, layout), law, layout);
+      const surface = { ...common, form, e: p, mu, beta };
       if (pocket >= 0) return { ...one, ...surface, ends: falls, at: pockets++ };
       return { ...one, ...surface, ends: gate, at: one.kind === layout.features.rim ? address : 0 };
     });

@@ -18,7 +18,7 @@ import { extended, filled } from "../engine/text.js";
  * @property {number} hi1
  * @property {number} lo2
  * @property {number} hi2
- * @property {number} pocket place of the pocket whose edge it is, among those of its shape; -1 for none
+ * @property {number} pocket place of the pocket whose edge it is, among those of its shape; -1 for none, layout.first_cushion - k for a part of cushion k
  */
 
 const COLUMNS = 17;

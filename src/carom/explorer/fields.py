@@ -21,11 +21,14 @@ from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, 
 from carom.scene.scene import GRAVITY, Run, Scene
 from carom.scene.schema import EXPECTED, Acceleration, Components, Model, Number, Whole
 from carom.scene.shapes import PAGE_SHAPES
+from carom.scene.sides import Side, Sides
 
 __all__ = ["scene_fields"]
 
 FORMS = (Constant, Polynomial, Han2005, Power, Viscoelastic, Exponential)
-NAMED: dict[str, type[Model]] = {**PARTS, "ball_contact": BallContact, "run": Run, "pockets": Pockets}
+NAMED: dict[str, type[Model]] = {
+    **PARTS, "ball_contact": BallContact, "run": Run, "pockets": Pockets, "side": Side, "sides": Sides,
+}  # fmt: skip
 
 
 def scene_fields() -> dict[str, Any]:
@@ -57,7 +60,7 @@ def _part(model: type[Model], rules: str | None = None, **own: Any) -> dict[str,
     return {"kind": "part", "what": "a table of fields", "fields": fields, "rules": rules}
 
 
-def _field(model: type[Model], name: str, info: FieldInfo) -> dict[str, Any]:
+def _field(model: type[Model], name: str, info: FieldInfo) -> dict[str, Any]:  # noqa: PLR0911  (one return a kind)
     if name == "inertia":
         return {**_number(KAPPA), "words": ["solid", "hollow"]}
     if name == "gravity":
@@ -68,6 +71,8 @@ def _field(model: type[Model], name: str, info: FieldInfo) -> dict[str, Any]:
         known = laws_of_pairs() if model is BallContact else [one.name for one in laws().values() if one.kernel]
         what = f"one of {', '.join(known)}, or file.py:name"
         return {"kind": "choice", "what": what, "values": known, "optional": info.default is None}
+    if name == "sides" or model is Sides:
+        return {"of": "sides" if name == "sides" else "side", "optional": True}
     if name == "preset":
         values = list(presets())
         return {"kind": "choice", "what": f"one of {', '.join(values)}", "values": values, "optional": True}

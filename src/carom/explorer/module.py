@@ -27,6 +27,7 @@ from carom.laws.registry import laws
 from carom.laws.results import REGIME_NAMES
 from carom.laws.two_step import answer_two_step
 from carom.laws.wall_and_floor.solver import LEAST_FIRM
+from carom.scene.feature_builders import FIRST_CUSHION
 from carom.scene.restitution import Han2005
 from carom.scene.ruled import Ruled, number_fields
 from carom.scene.scene import needed_faults
@@ -75,6 +76,7 @@ def _described() -> dict[str, Any]:
         },
         "functions": [entry.name for entry in entries()],
         "features": {"face": FACE, "over": OVER, "line": LINE, "point": POINT, "rim": RIM},
+        "first_cushion": FIRST_CUSHION,
         "gates": {"goes_on": GOES_ON, "leaves": LEAVES, "falls": FALLS},
         "kinds": list(SEEN),
         "phases": list(PHASES),

@@ -16,8 +16,8 @@ def scene_dict(scene: Scene) -> dict[str, Any]:
 
     Nothing is left to be inferred from other fields but the spin of a ball that rolls, which follows from its velocity (27) with
     ``spin_z``: every ``inertia`` is a number, every position has three (a rack has become positions), and a ball that does not roll
-    has a ``spin``. What is not there is None: a floor, a name, a limit of the run, a wall's own law or a surface's number that its
-    law does not read.
+    has a ``spin``. The sides of a table are there only where they differ. What is not there is None: a floor, a name, a limit of
+    the run, a wall's own law or a surface's number that its law does not read.
 
     Examples
     --------
@@ -30,6 +30,9 @@ def scene_dict(scene: Scene) -> dict[str, Any]:
     """
     found = plain_model(scene)
     del found["rack"]
+    for entry, wall in zip(found["walls"], scene.walls, strict=True):
+        if "sides" in entry and not wall.own_surfaces:
+            del entry["sides"]
     for entry, ball in zip(found["balls"], scene.balls, strict=True):
         entry["inertia"] = float(ball.ball.kappa)
         if entry.pop("strike") is not None:

@@ -22,8 +22,8 @@ from carom.scene.schema import Vector
 
 __all__ = [
     "COLUMNS", "Feature", "Flat", "across", "built", "circle", "frame", "length_2d", "minus", "point_along", "put", "put_corner",
-    "put_cushion", "put_disc", "put_edges", "put_ends", "put_line", "put_plane", "put_post", "put_rim", "put_rims", "put_round",
-    "put_round_cushion", "put_standing", "put_upright", "side_of", "unit",
+    "put_cushion", "put_disc", "put_edges", "put_ends", "put_line", "put_number", "put_plane", "put_post", "put_rim",
+    "put_rims", "put_round", "put_round_cushion", "put_standing", "put_upright", "side_of", "unit",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -34,6 +34,7 @@ X: Vector = (1.0, 0.0, 0.0)
 FEW_DIGITS, NEAR, COARSE = 8, 4e-15, 0.01
 COLUMNS = 17  # of a feature as a row of numbers
 ROOM = 64  # rows for the features of a wall, at first
+POCKET, FIRST_CUSHION = 16, -2  # the column of pockets; what stands there of cushion 0
 
 
 class Feature(NamedTuple):
@@ -50,7 +51,12 @@ class Feature(NamedTuple):
     lo2: float
     hi2: float
     pocket: int
-    """Place of the pocket whose edge it is, of ``pocket_places`` of its shape; -1 for none."""
+    """Place of the pocket whose edge it is, of ``pocket_places`` of its shape; -1 for none, -2 - k for a part of cushion k."""
+
+    @property
+    def cushion(self) -> int:
+        """Return the number of the cushion that it is a part of; -1 for none."""
+        return max(-1, FIRST_CUSHION - self.pocket)
 
     @property
     def at(self) -> int:
@@ -330,6 +336,14 @@ def put_cushion(x: float, y: float, x2: float, y2: float, low: float, high: floa
         i = put_standing(FACE, x2, y2, x, y, low, high, i, out)
     i = put_edges(x, y, x2, y2, low, high, i, out)
     return put_standing(OVER, x2, y2, x, y, high, math.inf, i, out) if high < math.inf else i
+
+
+@kernel
+def put_number(cushion: int, first: int, i: int, out: Array) -> int:
+    """Write which cushion the features from row ``first`` on are parts of."""
+    for row in range(first, min(i, out.shape[0])):
+        out[row, POCKET] = FIRST_CUSHION - cushion
+    return i
 
 
 @kernel

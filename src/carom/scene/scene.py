@@ -244,15 +244,17 @@ class Scene(Model):
         rows: list[tuple[Any, ...]] = []
         pockets = 0  # of the features before
         for i, (wall, law) in enumerate(zip(self.walls, self.laws, strict=True)):
-            number, contact = law.response, wall.contact_of(law)
+            number, contacts = law.response, wall.contacts_of(law)
             if number == CALLED_WALL:
                 number += self.called_laws.index(law)
             if law.last == "floor_friction":
-                contact = contact._replace(beta=0.0 if self.floor is None else self.floor.contact.mu)
+                mu = 0.0 if self.floor is None else self.floor.contact.mu
+                contacts = tuple(one._replace(beta=mu) for one in contacts)
             gate = LEAVES if wall.encloses else GOES_ON
-            for *shape, pocket in wall.features():
+            for feature in wall.features():
+                *shape, pocket = feature
                 times, ends = (wall.contact_time, wall.yield_time), (gate, 0) if pocket < 0 else (FALLS, pockets)
-                rows.append((*shape, i, *contact, *times, number, *ends))
+                rows.append((*shape, i, *contacts[feature.cushion], *times, number, *ends))
                 pockets += pocket >= 0
         found = np.array(rows, dtype=FEATURES)
         found["at"][found["kind"] == CURVE] = arc_address(compiled=False)
@@ -389,6 +391,9 @@ def _law_faults(scene: Scene) -> list[Fault]:
         found += [filled(LAW_FAULTS["needed"], {"at": at, **values}) for values in missing]
         places = {"shape": at, "floor": f"{at}.law" if wall.law else "run.law"}
         found += _condition_faults(scene, wall, law, at, places, wall.stiffness_ratio, wall.vertical)
+        for part, own in wall.own_surfaces.items():
+            faults = _condition_faults(scene, own, law, f"{at}.{part}", {}, own.stiffness_ratio, own.vertical)
+            found += [fault for fault in faults if fault.field.endswith(".restitution")]
     pair = scene.ball_contact
     return [*found, *_condition_faults(scene, pair, scene.pair_law, "ball_contact", {}, pair.tangential_stiffness)]
 

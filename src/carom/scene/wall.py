@@ -278,6 +278,15 @@ class WallShape(Ruled):
         return contact(e, mu, self.tangential_restitution).under(law, self.stiffness_ratio)
 
     @property
+    def own_surfaces(self) -> dict[str, WallShape]:
+        """Return walls with the surfaces of the parts that differ from it, by their paths in it."""
+        return {}
+
+    def contacts_of(self, law: Law) -> tuple[ContactParameters, ...]:
+        """Return the surfaces of its cushions as numbers under a law, by their numbers, and last that of all else."""
+        return (self.contact_of(law),)
+
+    @property
     def encloses(self) -> bool:
         """Return whether it surrounds the balls, so that the run of a ball that clears it ends."""
         return bool(self.kernels.encloses(self.numbers))

@@ -14,12 +14,14 @@ from pydantic import model_validator
 from carom.core.geometry.features import FACE, OVER
 from carom.core.jit.kernel import Vec, kept_kernel, kernel
 from carom.formatting import format_length
-from carom.scene.feature_builders import Flat, length_2d, put_cushion, put_edges, put_standing
+from carom.laws.law import Law
+from carom.scene.feature_builders import Flat, length_2d, put_cushion, put_edges, put_number, put_standing
 from carom.scene.pockets import Jaw, Pockets, is_free, jaw_at, jaw_line, put_jaw, put_pocket
 from carom.scene.presets import preset_fault, presets, wall_fields
 from carom.scene.ruled import FaultText, put_fault
 from carom.scene.schema import ContactTime, Extent, Place, Size, raise_faults
-from carom.scene.wall import CUSHION, Outline, Pocket, ShapeKernels, WallShape
+from carom.scene.sides import Sides
+from carom.scene.wall import CUSHION, ContactParameters, Outline, Pocket, ShapeKernels, WallShape
 
 __all__ = ["Table"]
 
@@ -112,9 +114,10 @@ def _table_features(p: Numbers, out: Any) -> int:
     if not _any_pocket(p):
         for k in range(4):
             (x, y), (u, v) = _corner_of(p, k), _corner_of(p, (k + 1) % 4)
+            first = i
             if low < high:
                 i = put_standing(FACE, u, v, x, y, low, high, i, out)
-            i = put_edges(x, y, u, v, low, high, i, out)
+            i = put_number(k, first, put_edges(x, y, u, v, low, high, i, out), out)
         if high < math.inf:
             for k in range(4):
                 (x, y), (u, v) = _corner_of(p, k), _corner_of(p, (k + 1) % 4)
@@ -123,12 +126,13 @@ def _table_features(p: Numbers, out: Any) -> int:
     for place in range(8):
         if place % 2 == 0 or _has_pocket(p, place):
             (x, y), (u, v) = _nose(p, place)
-            i = put_cushion(x, y, u, v, low, high, i, out)
+            i = put_number(place // 2, i, put_cushion(x, y, u, v, low, high, i, out), out)
     for place in range(8):
         if _has_pocket(p, place):
             _at, before, after = _mouth(p, place)
-            i = put_jaw(before, low, high, i, out)
-            i = put_jaw(after, low, high, i, out)
+            # (the one before a corner is that of the side before)
+            i = put_number((place + 7) % 8 // 2, i, put_jaw(before, low, high, i, out), out)
+            i = put_number(place // 2, i, put_jaw(after, low, high, i, out), out)
     for place in range(8):
         if _has_pocket(p, place):
             (x, y), _before, _after = _mouth(p, place)
@@ -241,6 +245,8 @@ class Table(WallShape):
     height : m: the cushions' upper edge; default: infinite, so that no ball leaves the table
     corner_pockets, side_pockets : Pockets, optional: in the corners, and in the middle of the longer sides. A ball whose centre
         passes a pocket's edge, below the cushions' upper edge, falls: an event ``pocketed``; it is followed no further
+    sides : Sides, optional: cushions that differ, by name: left, right, bottom, top, each with a restitution or a friction of
+        its own. Default: those of the table
     restitution, friction, ..., law, name : the fields of every wall, as of :class:`Plane`
 
     Raises CaromError, one line per problem.
@@ -284,6 +290,7 @@ class Table(WallShape):
     height: Extent = math.inf
     corner_pockets: Pockets | None = None
     side_pockets: Pockets | None = None
+    sides: Sides = Sides()
     contact_time: ContactTime = CUSHION
 
     @model_validator(mode="before")
@@ -300,6 +307,27 @@ class Table(WallShape):
             if isinstance(own, dict) and known is not None:
                 filled[part] = {**known, **own}
         return filled
+
+    @classmethod
+    def ruled_fields(cls) -> tuple[str, ...]:
+        """Return the names of the fields of its shape; the surfaces of its sides are none."""
+        return tuple(name for name in super().ruled_fields() if name != "sides")
+
+    @property
+    def own_surfaces(self) -> dict[str, WallShape]:
+        """Return tables with the surfaces of the cushions that differ, by their paths."""
+        found: dict[str, WallShape] = {}
+        for name, side in self.sides:
+            own = {field: value for field, value in side if value is not None}
+            if own:
+                found[f"sides.{name}"] = self.model_copy(update=own)
+        return found
+
+    def contacts_of(self, law: Law) -> tuple[ContactParameters, ...]:
+        """Return the surfaces of its four cushions as numbers under a law, and last that of all else."""
+        every, own = self.contact_of(law), self.own_surfaces
+        four = [own[at].contact_of(law) if (at := f"sides.{name}") in own else every for name, _side in self.sides]
+        return (*four, every)
 
     @property
     def _layout(self) -> Layout:
