@@ -391,3 +391,30 @@ def test_a_contact_of_which_no_frame_shows_the_balls_together_is_an_event():
     assert found.low < first.t + 0.02
     assert found.high > first.t
     assert found.high - found.low < 0.05
+
+
+def test_a_cushion_that_differs_is_found():
+    path = "walls.0.sides.right.restitution"
+    tracks, scenes = drawn_films(2, seed=5, until=2.5, numbers={path: 0.75})
+    table = carom.replaced(scenes[0], {path: None})
+    found = carom.fit_shots(tracks, table, free=["walls.0.restitution", path], seed=1).best.estimates
+    for name, true in (("walls.0.restitution", 0.85), (path, 0.75)):
+        assert abs(found[name].value - true) < 4 * found[name].stderr, name
+        assert found[name].stderr < 0.02, name
+    # one number for all cushions, and in its place four
+    alike = carom.fit_shots(tracks, table, free=["walls.0.restitution"], seed=1).best
+    form = next(one for one in FORMS if one.name == "cushions that differ")
+    (compared,) = compare_forms(alike, [form])
+    assert compared.aicc < -20
+    assert compared.numbers[path] == pytest.approx(0.75, abs=0.005)
+    others = [e for name, e in compared.numbers.items() if name != path]
+    assert others == pytest.approx([0.85] * 3, abs=0.01)
+
+
+def test_a_law_that_holds_the_friction_holds_that_of_a_cushion_too(films):
+    tracks, scenes = films
+    table = carom.replaced(scenes[0], {"walls.0.nose_height": None})
+    free = ["walls.0.restitution", "walls.0.sides.right.friction"]
+    best = carom.fit_shots(tracks[:3], table, free=free, laws=["mirror"], seed=1).best
+    assert list(best.estimates) == ["walls.0.restitution"]
+    assert best.scene.walls[0].sides.right.friction == 0.0

@@ -37,7 +37,7 @@ from carom.fitting.shots.joint import (
 from carom.fitting.shots.result import FittedShot, ShotsFit, ShotsRanking
 from carom.fitting.shots.search import FAILED, SearchSettings, ShotStart, refined, rms, search_start
 from carom.fitting.shots.start import FIRST_PLACE, SPIN, VELOCITY, distances, start_size
-from carom.fitting.shots.table import FREE, TableModel, begun, scene_of_films, table_of, with_balls
+from carom.fitting.shots.table import FREE, TableModel, begun, of_table, scene_of_films, table_of, with_balls
 from carom.fitting.table_numbers import TableNumbers
 from carom.formatting import counted
 from carom.laws.registry import one_or_several
@@ -201,10 +201,10 @@ def _model(
     held = {"walls.0.friction": law.pinned.get("friction"), "walls.0.restitution": law.pinned.get("restitution")}
     if not engine.surface:
         held = {"walls.0.friction": None, "walls.0.restitution": None}
-        changes |= held
     else:
         held = {path: value for path, value in held.items() if value is not None}
-        changes |= held
+    held |= {path: held[of_table(path)] for path in paths if of_table(path) in held}
+    changes |= held
     model = TableModel(replaced(scene, changes), tuple(path for path in paths if path not in held), bound)
     strange = [name for name in bound if name not in {one.name for one in model.shared}]
     if strange and not held:

@@ -48,15 +48,21 @@ def _by_speed(scene: Scene) -> dict[str, Any]:
     return {"walls.0.restitution": {"form": "polynomial", "coefficients": [float(e), 0.0, 0.0]}}
 
 
+def _by_side(scene: Scene) -> dict[str, Any]:
+    return dict.fromkeys(OWN, path_match(scene, "walls.0.restitution").values[0])
+
+
 def _constant(_scene: Scene) -> dict[str, Any]:
     return dict.fromkeys(RATES, 0.0)
 
 
 RATES = ("floor.rolling_drag", "floor.spin_drag")
 COEFFICIENTS = tuple(f"walls.0.restitution.coefficients.{k}" for k in range(2))
+OWN = tuple(f"walls.0.sides.{name}.restitution" for name in ("bottom", "right", "top", "left"))
 FORMS = (
     ChangedForm("cushion", "does not yield", lambda _s: {"walls.0.yield_time": 0.0}, ("walls.0.yield_time",)),
     ChangedForm("cushion", "restitution c0 + c1 v", _by_speed, ("walls.0.restitution",), COEFFICIENTS),
+    ChangedForm("cushion", "cushions that differ", _by_side, ("walls.0.restitution",), OWN),
     ChangedForm("cloth", "rolling resistance without drag", lambda _s: {"floor.rolling_drag": 0.0}, ("floor.rolling_drag",)),
     ChangedForm("cloth", "constant loss of spin", lambda _s: {"floor.spin_drag": 0.0}, ("floor.spin_drag",)),
     ChangedForm(
@@ -188,7 +194,7 @@ def compare_forms(
         if set(form.without) <= set(fit.model.paths):
             paths = tuple(path for path in fit.model.paths if path not in form.without)
             chosen.append(form)
-            tried.append(first(form.change, (*paths, *form.more)))
+            tried.append(first(form.change, tuple(dict.fromkeys((*paths, *form.more)))))
     if not chosen:
         return ()
     tried.append(first(lambda _scene: {}, fit.model.paths))

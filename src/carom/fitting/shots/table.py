@@ -28,6 +28,7 @@ __all__ = [
     "TERMS",
     "TableModel",
     "begun",
+    "of_table",
     "scene_of_films",
     "table_of",
     "with_balls",
@@ -182,7 +183,8 @@ def scene_of_films(
 
 def begun(scene: Scene, free: Sequence[str]) -> tuple[Scene, tuple[str, ...]]:
     """Return the scene from which a search begins, and the paths of ``free``: of a term at zero a usual value (there it has no
-    derivative on one side), of the two laws of the loss of spin the one that the scene has.
+    derivative on one side), of a cushion's number that it has from the table the table's, of the two laws of the loss of spin the
+    one that the scene has.
     """
     paths = list(dict.fromkeys(free))
     other = {"floor.spin_damping": "floor.spin_drag", "floor.spin_drag": "floor.spin_damping"}
@@ -192,7 +194,18 @@ def begun(scene: Scene, free: Sequence[str]) -> tuple[Scene, tuple[str, ...]]:
             paths.remove(path)
     starts = TERMS | {"floor.spin_damping": 0.1}
     zero = {path: x for path, x in starts.items() if path in paths and path_match(scene, path).values[0] == 0}
-    return (replaced(scene, zero) if zero else scene), tuple(paths)
+    own = {path: path_match(scene, of_table(path)).values[0] for path in paths if _taken_from_table(scene, path)}
+    return (replaced(scene, zero | own) if zero or own else scene), tuple(paths)
+
+
+def of_table(path: str) -> str:
+    """Return the path of the table's number in the place of that of one of its cushions; other paths as they are."""
+    wall, found, rest = path.partition(".sides.")
+    return f"{wall}.{rest.partition('.')[2]}" if found else path
+
+
+def _taken_from_table(scene: Scene, path: str) -> bool:
+    return of_table(path) != path and path_match(scene, path).values[0] is None
 
 
 def _fields(scene: Scene) -> dict[str, Any]:
