@@ -4,24 +4,25 @@ from __future__ import annotations
 
 import carom
 
+CAROM_TABLE = {
+    "shape": "table",
+    "length": 2.84,
+    "width": 1.42,
+    "nose_height": 0.037,
+    "restitution": 0.85,
+    "friction": 0.2,
+}
+
 
 def table_scene(**run: object) -> carom.Scene:
     """Three balls on a carom table, the first one rolling."""
-    table = {
-        "shape": "table",
-        "length": 2.84,
-        "width": 1.42,
-        "nose_height": 0.037,
-        "restitution": 0.85,
-        "friction": 0.2,
-    }
     places = {"white": (-0.71, -0.3), "yellow": (0.3, 0.2), "red": (0.71, 0.0)}
     balls = [carom.SceneBall(radius=0.03075, mass=0.21, position=place, name=name) for name, place in places.items()]
     balls[0] = balls[0].model_copy(update={"rolling": True, "velocity": (1.0, 0.0, 0.0)})
     floor = carom.Floor(restitution=0.5, friction=0.2, rolling_resistance=0.01, spin_friction=0.0127)
     return carom.Scene(
         floor=floor,
-        walls=[table],
+        walls=[CAROM_TABLE],
         balls=balls,
         ball_contact=carom.BallContact(restitution=0.95, friction=0.06),
         run=carom.Run(**{"duration": 6.0, **run}),

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from reference.sweep_scenes import CAROM_TABLE
 
 import carom
 from carom.core.geometry.features import FALLS
@@ -19,18 +20,10 @@ REST, RUBBING = 0.7, 0.11
 
 
 def on_table(velocity: tuple[float, float] = (3.0, 0.6), **fields: Any) -> carom.Scene:
-    table = {
-        "shape": "table",
-        "length": 2.84,
-        "width": 1.42,
-        "nose_height": 0.037,
-        "restitution": 0.85,
-        "friction": 0.2,
-    }
     ball = {"radius": 0.03075, "mass": 0.21, "position": (0.1, 0.05), "velocity": velocity, "rolling": True}
     return carom.Scene(
         floor={"friction": 0.2, "rolling_resistance": 0.006},
-        walls=[table | fields],
+        walls=[CAROM_TABLE | fields],
         balls=[ball],
         run={"duration": 1.0},
     )
