@@ -1,17 +1,19 @@
 """Settings for all tests: where compiled loops are kept, and how Hypothesis searches."""
 
 import contextlib
+import functools
 import gc
 import importlib
 import os
 import sys
 import time
-from collections.abc import Generator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
 from reference.exploring import EXPLORE
+from reference.forking import Forked, forking
 
 # Compiled loops stay between runs, in the folder that pytest keeps anyway; carom itself adds the hash of its sources,
 # so that a changed kernel is never answered by an old loop. Set before carom is imported by any test.
@@ -39,6 +41,27 @@ def no_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     """No test depends on the caller's terminal (nor on the width that a driver of a browser writes into the environment)."""
     for name in ("COLUMNS", "LINES", "FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE"):
         monkeypatch.delenv(name, raising=False)
+
+
+@pytest.fixture(autouse=True, scope="session")
+def one_command() -> None:
+    """Have Typer's runner make the command once, as carom itself does, and not at each of a hundred calls."""
+    if (testing := sys.modules.get("typer.testing")) is not None:
+        testing._get_command = functools.cache(testing._get_command)
+
+
+@pytest.fixture(scope="session")
+def forked() -> Iterator[Forked]:
+    """Carom, and Python with carom, in processes of their own: forked from one that has imported what most verbs import.
+
+    It has also imported the libraries of files: a process that cannot write large files (test_full_disk) would compile them anew.
+    It has imported neither SciPy nor Matplotlib, which some processes must find missing.
+    """
+    with forking(
+        "carom.laws.comparison", "pydantic.main", "pydantic.types", "carom.scene.plausible", "rich.table",
+        "carom.simulation.simulate", "carom.gas.session", "h5netcdf", "xarray", "pyarrow.parquet", "gsd.hoomd",
+    ) as run:  # fmt: skip
+        yield run
 
 
 def _all_tests(config: pytest.Config) -> bool:

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from reference.forking import Forked
 
 from carom import files
 from carom.cli import main
@@ -151,6 +152,8 @@ def test_fit_without_scipy_is_one_line(monkeypatch, capsys):
 BASE = """
 import sys
 
+sys.argv = ["carom", *WORDS]
+
 class Base:
 
     def find_spec(self, name, path=None, target=None):
@@ -178,15 +181,13 @@ main()
         ),
     ],
 )
-def test_the_base_install_names_the_extra(words: list[str], said: str, tmp_path: Path) -> None:
-    done = subprocess.run(
-        [sys.executable, "-c", BASE, *words], cwd=tmp_path, capture_output=True, text=True, check=False, timeout=300
-    )
-    assert (done.returncode, done.stdout, done.stderr.splitlines()) == (2, "", [said])
+def test_the_base_install_names_the_extra(words: list[str], said: str, tmp_path: Path, forked: Forked) -> None:
+    code, out, err = forked(tmp_path, "-c", BASE.replace("WORDS", repr(words)))
+    assert (code, out, err.splitlines()) == (2, "", [said])
 
 
-def test_pictures_need_no_scipy():
+def test_pictures_need_no_scipy(tmp_path: Path, forked: Forked) -> None:
     """Matplotlib alone is what the extra of pictures installs."""
     code = "import sys; sys.modules['scipy'] = None; from carom import plot; print(all(getattr(plot, one) for one in plot.__all__))"
-    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
-    assert (ran.stdout.strip(), ran.stderr) == ("True", "")
+    ended, out, err = forked(tmp_path, "-c", code)
+    assert (ended, out.strip(), err) == (0, "True", "")

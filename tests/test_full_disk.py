@@ -6,14 +6,13 @@ command runs in a process of its own: a library that ends the process would end 
 
 from __future__ import annotations
 
-import contextlib
 import json
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from reference.forking import forking
+from reference.forking import Forked
 from reference.gases import ROUGH
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs limits of processes")
@@ -42,22 +41,15 @@ max_events = 60
 Limited = Callable[..., tuple[int, str, list[str]]]
 
 
-@contextlib.contextmanager
-def limiting(*libraries: str, **environment: str) -> Iterator[Limited]:
-    """Run carom in a folder where no file can be larger than some size: exit code, standard output, lines of standard error."""
-    with forking("carom.simulation.simulate", "carom.gas.session", *libraries, **environment) as run:
-
-        def limited(folder: Path, size: int, *words: str) -> tuple[int, str, list[str]]:
-            code, out, err = run(folder, *words, size=size)
-            return code, out, err.splitlines()
-
-        yield limited
-
-
 @pytest.fixture(scope="module")
-def limited() -> Iterator[Limited]:
-    with limiting("h5netcdf", "xarray", "pyarrow.parquet", "gsd.hoomd") as run:
-        yield run
+def limited(forked: Forked) -> Limited:
+    """Run carom in a folder where no file can be larger than some size: exit code, standard output, lines of standard error."""
+
+    def limited(folder: Path, size: int, *words: str, **environment: str) -> tuple[int, str, list[str]]:
+        code, out, err = forked(folder, *words, size=size, **environment)
+        return code, out, err.splitlines()
+
+    return limited
 
 
 def room(name: str) -> str:
@@ -122,16 +114,16 @@ def test_snapshots_that_do_not_fit_lose_nothing_else(size: int, folder: Path, li
         assert "written: gas.gsd" not in err
 
 
-def test_a_cache_that_cannot_be_written_costs_time_only(folder: Path) -> None:
+def test_a_cache_that_cannot_be_written_costs_time_only(folder: Path, limited: Limited) -> None:
     """What is compiled is not kept, and used."""
     (folder / "shots.csv").write_text("speed,incidence_deg\n" + "1,45\n" * 500)
     (folder / "none").write_text("a file, and no folder")
     words = ("predict", "shots.csv", "--law", "mirror", "--out", "out.csv", "--json")
     for cache, size in (("cache", 300), ("none", 10**9)):
-        with limiting(CAROM_CACHE=str(folder / cache)) as run:
-            code, out, err = run(folder, size, *words)
+        code, out, err = limited(folder, size, *words, CAROM_CACHE=str(folder / cache))
         faults = [line for line in err if line.startswith("carom:") or "Error" in line]
         assert faults == ([] if size > 300 else [room("out.csv")])  # (the table does not fit either)
         assert (code, bool(out)) == ((0, True) if size > 300 else (2, False))
+        assert (folder / cache).is_dir() == (cache == "cache")  # (it is the cache of this process)
     assert len((folder / "out.csv").read_text().splitlines()) == 501
     assert all(path.stat().st_size <= 300 for path in folder.glob("cache/**/*") if path.is_file())

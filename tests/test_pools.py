@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import functools
 import importlib.util
 import os
 import pickle
@@ -29,9 +30,14 @@ def scenes(law: Any = "two-step") -> list[carom.Scene]:
     return [carom.replaced(first, {"balls.0.velocity": (-2, y)}) for y in (0.5, 1.0, 1.5)]
 
 
+@functools.cache
+def spawned() -> ProcessPoolExecutor:
+    """One pool for all tests: each process imports carom."""
+    return ProcessPoolExecutor(1, mp_context=get_context("spawn"))
+
+
 def processes(given: Sequence[Any]) -> list[Any]:
-    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
-        return list(pool.map(carom.simulate, given))
+    return list(spawned().map(carom.simulate, given))
 
 
 def joblib(given: Sequence[Any]) -> list[Any]:
@@ -44,7 +50,7 @@ def dask(given: Sequence[Any]) -> list[Any]:
     import dask
 
     return list(
-        dask.compute(*(dask.delayed(carom.simulate)(one) for one in given), scheduler="processes", num_workers=2)
+        dask.compute(*(dask.delayed(carom.simulate)(one) for one in given), scheduler="processes", num_workers=1)
     )
 
 

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import os
 import re
 import subprocess
-import sys
 import tomllib
 from pathlib import Path
 
 import pytest
 from reference.exploring import tried
+from reference.forking import Forked
 
 import carom
 
@@ -83,27 +82,30 @@ def readme_lines(*begin: str) -> list[str]:
     return [line for line in lines if line.startswith(begin)]
 
 
-def test_commands_of_the_readme_on_films_and_aiming_run(tmp_path: Path) -> None:
+def words_of(line: str, folder: Path) -> list[str]:
+    """The words that a shell in a folder makes of a line."""
+    said = subprocess.run(
+        ["bash", "-c", f"carom() {{ printf '%s\\0' \"$@\"; }}; {line}"],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return said.stdout.split("\0")[:-1]
+
+
+def test_commands_of_the_readme_on_films_and_aiming_run(tmp_path: Path, forked: Forked) -> None:
     pytest.importorskip("scipy")
     (tmp_path / "docs").symlink_to(ROOT / "docs")
     lines = readme_lines(
         "carom tracks", "carom fit rebounds.csv", "carom aim", "carom simulate docs/scenes/carom_table.toml --sens"
     )
     assert len(lines) == 6
-    path = os.pathsep.join([str(ROOT / "src"), os.environ.get("PYTHONPATH", "")])
     for line in lines:
         laws = tried(" --laws two-step-paper,mirror", "")  # (fitted surfaces beside unknown spins take ten seconds)
         fewer = {"carom aim": " --starts 256", "carom fit": f"{laws} --no-profiles --bootstrap 0"}.get(line[:9], "")
-        command = line.partition("  #")[0].replace("carom", f"{sys.executable} -m carom", 1) + fewer
-        done = subprocess.run(
-            ["bash", "-c", command],
-            cwd=tmp_path,
-            capture_output=True,
-            text=True,
-            check=False,
-            env={**os.environ, "PYTHONPATH": path},
-        )
-        assert done.returncode == 0, (line, done.stderr)
+        code, _out, err = forked(tmp_path, *words_of(line.partition("  #")[0] + fewer, tmp_path))
+        assert code == 0, (line, err)
     assert {"films", "film.svg", "rebounds.csv", "shots.svg"} < {path.name for path in tmp_path.iterdir()}
 
 

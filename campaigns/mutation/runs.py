@@ -76,9 +76,8 @@ class Copy:
                 alone = {name: row for name, row in first.items() if row["passed"] and "*" not in row["reached"]}
                 again = self._record(part, plain=True, tests=limits(alone), reach=False)  # in another order
                 alone = {name: row for name, row in alone.items() if again[name]["passed"]}
-                found = self._record(
-                    part, plain=False, tests=dict.fromkeys(first.keys() - alone.keys(), COMPILED_LIMIT)
-                )
+                rest = dict.fromkeys(first.keys() - alone.keys(), COMPILED_LIMIT)
+                found = self._record(part, plain=False, tests=rest) if rest else {}
                 if bad := [name for name, row in found.items() if not row["passed"]] or not first:
                     raise NotGreenError(f"{part}: tests fail without a mutant: {bad}")
                 kept.write_text(json.dumps([alone, found]))

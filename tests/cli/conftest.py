@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from subprocess import CompletedProcess
 from typing import Protocol
 
 import pytest
-from reference.forking import forking
+from reference.forking import Forked
 
 
 class Command(Protocol):
@@ -17,14 +16,11 @@ class Command(Protocol):
 
 
 @pytest.fixture(scope="session")
-def carom_command(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Command]:
+def carom_command(tmp_path_factory: pytest.TempPathFactory, forked: Forked) -> Command:
     """The real command, whose output is no terminal."""
     folder = tmp_path_factory.mktemp("command")
-    with forking(
-        "carom.laws.comparison", "pydantic.main", "pydantic.types", "carom.scene.plausible", "rich.table"
-    ) as run:
 
-        def command(*words: str, **environment: str) -> CompletedProcess[str]:
-            return CompletedProcess(words, *run(folder, *words, **environment))
+    def command(*words: str, **environment: str) -> CompletedProcess[str]:
+        return CompletedProcess(words, *forked(folder, *words, **environment))
 
-        yield command
+    return command

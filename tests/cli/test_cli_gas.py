@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
+import functools
 import json
-import os
 import re
 import signal
-import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
+from reference.forking import Forked
 from reference.gases import MIXED, ROUGH
 from typer.testing import CliRunner
 
-import carom
 from carom.cli import app, main
 from carom.gas.build import load_gas
 from carom.gas.session import Session
@@ -60,12 +60,10 @@ def refusal(capsys, monkeypatch, *words: str) -> list[str]:
     return [line.removeprefix("carom: ") for line in lines]
 
 
-def process(*words: str, code: tuple[str, ...] = ("-m", "carom")) -> subprocess.Popen[str]:
-    source = Path(carom.__file__).parents[1]
-    return subprocess.Popen(
-        [sys.executable, *code, "gas", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-        env={**os.environ, "PYTHONPATH": str(source)},
-    )  # fmt: skip
+@functools.cache
+def whole_long_run():
+    """What the long run says that nothing stops."""
+    return answer("long.toml")
 
 
 HIT = """
@@ -73,7 +71,7 @@ import os, signal, sys
 from carom.cli import main
 from carom.gas import checkpoint, snapshots
 
-where, call, which = sys.argv.pop(1), int(sys.argv.pop(1)), int(sys.argv.pop(1))
+(where, call, which), sys.argv = SIGNAL, ["carom", "gas", *WORDS]
 room, name = {"a checkpoint": (checkpoint.os, "fsync"), "a frame": (snapshots.Snapshots, "write")}[where]
 before, calls = getattr(room, name), []
 
@@ -89,11 +87,18 @@ main()
 """
 
 
-def struck(where: str, call: int, which: signal.Signals, *words: str) -> tuple[int, str, str]:
+Struck = Callable[..., tuple[int, str, str]]
+
+
+@pytest.fixture
+def struck(folder: Path, forked: Forked) -> Struck:
     """A run that gets a signal while it writes ``where`` for so many times: always at the same event."""
-    running = process(*words, code=("-c", HIT, where, str(call), str(int(which))))
-    out, err = running.communicate(timeout=120)
-    return running.returncode, out, err
+
+    def run(where: str, call: int, which: signal.Signals, *words: str) -> tuple[int, str, str]:
+        code = HIT.replace("SIGNAL", repr((where, call, int(which)))).replace("WORDS", repr(words))
+        return forked(folder, "-c", code)
+
+    return run
 
 
 # --- what it says --------------------------------------------------------------------------------------------------
@@ -254,7 +259,7 @@ def test_a_gas_that_collapses_is_told(folder, capsys, monkeypatch):
 
 
 @pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_ends_it_with_a_checkpoint(folder, which):
+def test_a_signal_ends_it_with_a_checkpoint(folder, struck, which):
     keep = ("--checkpoint", "c.npz", "--checkpoint-every", "20000 events")
     code, out, err = struck("a checkpoint", 2, which, "long.toml", "--json", *keep)
     assert code == 128 + which
@@ -262,20 +267,20 @@ def test_a_signal_ends_it_with_a_checkpoint(folder, which):
     last = err.splitlines()[-1]
     assert last.startswith("carom: stopped after ")
     assert last.endswith("resume with: carom gas long.toml --resume c.npz")
-    assert answer("long.toml", "--resume", "c.npz") == answer("long.toml")
+    assert answer("long.toml", "--resume", "c.npz") == whole_long_run()
 
 
-def test_a_signal_without_a_checkpoint_asked_for_makes_one(folder):
+def test_a_signal_without_a_checkpoint_asked_for_makes_one(folder, struck):
     code, _out, err = struck("a frame", 3, signal.SIGINT, "long.toml", "--snapshots", "s.gsd", "--every", "1000 events")
     assert code == 130
     again = "resume with: carom gas long.toml --resume long.checkpoint.npz --snapshots s.gsd --every '1000 events'"
     assert err.splitlines()[-1].endswith(again)
-    assert answer("--resume", "long.checkpoint.npz") == answer("long.toml")
+    assert answer("--resume", "long.checkpoint.npz") == whole_long_run()
 
 
 # in the middle of its fourth checkpoint, and between two of them
 @pytest.mark.parametrize(("where", "call"), [("a checkpoint", 4), ("a frame", 20)])
-def test_a_killed_run_goes_on_with_the_same_bits(folder, where, call):
+def test_a_killed_run_goes_on_with_the_same_bits(folder, struck, where, call):
     import gsd.hoomd
 
     options = ("--snapshots", "s.gsd", "--every", "0.6")
@@ -370,9 +375,8 @@ def test_files_that_a_resumed_run_does_not_name_again_are_said(folder):
     assert np.diff(steps).tolist() == [200] * 15
 
 
-def test_progress_goes_to_standard_error(folder):
-    running = process("rough.toml", "--json")
-    out, err = running.communicate(timeout=120)
+def test_progress_goes_to_standard_error(folder, forked):
+    _code, out, err = forked(folder, "gas", "rough.toml", "--json")
     assert set(KEYS) < set(json.loads(out))
     assert "equilibrating: 200 balls" in err
     assert "measuring: 200 balls" in err

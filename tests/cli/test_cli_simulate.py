@@ -6,7 +6,6 @@ import csv
 import io
 import json
 import os
-import subprocess
 import sys
 import time
 from pathlib import Path
@@ -14,6 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from reference.forking import Forked
 from reference.scene_file import EXAMPLE
 from typer.testing import CliRunner
 
@@ -551,7 +551,8 @@ import os, signal, sys
 import carom.simulation.simulate
 from carom.cli import main
 
-follow, swallowed, said = carom.simulation.simulate.simulate, sys.argv.pop(1) == "swallowed", []
+follow, swallowed, said = carom.simulation.simulate.simulate, HOW == "swallowed", []
+sys.argv = ["carom", "simulate", "box.toml", "--max-events", "3000000", "--table", "events.csv"]
 
 
 def told(scene, progress):
@@ -575,14 +576,10 @@ main()
 
 # swallowed: as Python does with what is raised while it clears away what the compiling has left
 @pytest.mark.parametrize("how", ["raised", "swallowed"])
-def test_ctrl_c_ends_with_130_and_leaves_nothing(scenes: Path, how: str) -> None:
-    done = subprocess.run(
-        [sys.executable, "-c", CHILD, how, "simulate", "box.toml", "--max-events", "3000000", "--table", "events.csv"],
-        capture_output=True, text=True, timeout=300, check=False,
-    )  # fmt: skip
-    assert done.returncode == 130
-    assert done.stdout == ""
-    assert done.stderr.endswith("carom: interrupted; nothing was written\n")
+def test_ctrl_c_ends_with_130_and_leaves_nothing(scenes: Path, how: str, forked: Forked) -> None:
+    code, out, err = forked(scenes, "-c", CHILD.replace("HOW", repr(how)))
+    assert (code, out) == (130, "")
+    assert err.endswith("carom: interrupted; nothing was written\n")
     assert sorted(path.name for path in scenes.iterdir()) == ["box.toml", "design.toml", "pair.toml"]
 
 

@@ -440,7 +440,7 @@ def test_rows_near_the_edge_are_as_likely_to_slide_as_they_are():
     fit = fit_law(law("sliding"), make_problem(rebounds, SETTING)[0])
     blur, (dn, dt, z) = (
         0.03,
-        np.meshgrid(np.linspace(-4, 4, 33), np.linspace(-4, 4, 33), np.linspace(-5, 5, 501), indexing="ij"),
+        np.meshgrid(np.linspace(-4, 4, 17), np.linspace(-4, 4, 17), np.linspace(-5, 5, 251), indexing="ij"),
     )
     far = np.exp(-(dn**2 + dt**2 + z**2) / 2).ravel()
     found, plain = np.zeros((2, 2))

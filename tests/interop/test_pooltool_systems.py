@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import importlib.util
-import subprocess
 import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from reference.forking import Forked
 
 import carom
 from carom.interop.pooltool import engine, read, to_system
@@ -62,13 +62,14 @@ def test_a_bad_step_is_one_line() -> None:
         (["play", "--cushion", "x"], "law: expected"),
     ],
 )  # fmt: skip
-def test_play_says_what_is_wrong_and_ends_with_2(arguments: list[str], said: str) -> None:
-    done = subprocess.run(
-        [sys.executable, "-m", "carom.interop.pooltool", *arguments], capture_output=True, text=True, check=False
-    )
-    assert done.returncode == 2
-    assert done.stderr.startswith(said)
-    assert done.stderr.count("\n") == 1
+def test_play_says_what_is_wrong_and_ends_with_2(
+    arguments: list[str], said: str, tmp_path: Path, forked: Forked
+) -> None:
+    code = f"import runpy, sys; sys.argv = ['play', *{arguments}]; runpy.run_module('carom.interop.pooltool', run_name='__main__')"
+    ended, _out, err = forked(tmp_path, "-c", code)
+    assert ended == 2
+    assert err.startswith(said)
+    assert err.count("\n") == 1
 
 
 # --- in pooltool ------------------------------------------------------------------------------------------------------

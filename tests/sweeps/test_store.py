@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import json
-import os
 import signal
-import subprocess
 import sys
-import time
 from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray
 from reference.exploring import tried
+from reference.forking import Forked
 from reference.sweep_scenes import table_scene
 
 import carom
@@ -90,33 +89,30 @@ def test_parts_of_an_array_of_jobs_make_the_whole(tmp_path: Path) -> None:
 
 
 PROGRAM = """
-import sys, carom
+import os, signal, sys, threading
+sys.path[:0] = PATHS
+import carom
 from test_store import KEEP, space
+left = BLOCKS
 def tell(done, total):
-    print(done, flush=True)
-carom.sweep(space(), KEEP, store=sys.argv[1], block=4).run(progress=tell)
+    global left
+    left -= 1
+    if left == 0:
+        threading.Timer(SECONDS, os.kill, (os.getpid(), signal.SIGKILL)).start()
+carom.sweep(space(), KEEP, store=STORE, block=8).run(progress=tell)
 """
 
 
-def test_killed_and_gone_on_with(tmp_path: Path) -> None:
-    carom.sweep(space(), KEEP, store=tmp_path / "whole.zarr", block=4).run()
+def test_killed_and_gone_on_with(tmp_path: Path, forked: Forked) -> None:
+    carom.sweep(space(), KEEP, store=tmp_path / "whole.zarr", block=8).run()
     store = tmp_path / "killed.zarr"
-    paths = [str(Path(__file__).parent), str(Path(__file__).parents[1]), *sys.path]
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(paths)}
     for kill in tried((0, 2), (0, 1, 2)):
-        process = subprocess.Popen(
-            [sys.executable, "-c", PROGRAM, str(store)],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            env=environment,
-        )
-        assert process.stdout is not None
-        for _line in range(3 + 4 * kill):
-            process.stdout.readline()
-        time.sleep(0.003 * kill)
-        process.send_signal(signal.SIGKILL)
-        process.wait()
-        process.stdout.close()
+        words = {
+            "PATHS": [str(Path(__file__).parent), str(Path(__file__).parents[1])], "STORE": str(store),
+            "BLOCKS": 3 + 4 * kill, "SECONDS": 0.003 * kill,
+        }  # fmt: skip
+        program = functools.reduce(lambda text, name: text.replace(name, repr(words[name])), words, PROGRAM)
+        assert forked(tmp_path, "-c", program)[0] == -signal.SIGKILL
     made = carom.sweep(store)
     assert 0 < len(made.missing()) < made.blocks.number
     made.run()

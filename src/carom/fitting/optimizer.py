@@ -76,7 +76,9 @@ def minimize(
             gained[down], now[down], failures[down] = now[down] - then[better], then[better], 0
             p[down], u[down], h[down] = tried[down], score[better], information[better]
             damping[down] = np.maximum(damping[down] / 10, 1e-9)
-        up = np.setdiff1d(alive, down)
+        gained_nothing = np.ones(count, bool)
+        gained_nothing[down] = False
+        up = alive[gained_nothing[alive]]
         failures[up] += 1
         damping[up] = np.maximum(damping[up] * 8, 1e-4)
         alive = alive[(gained[alive] >= enough(alive)) & (failures[alive] <= MAX_FAILURES) & np.isfinite(now[alive])]

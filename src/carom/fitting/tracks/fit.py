@@ -11,12 +11,12 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.setting import Setting
-from carom.fitting.tracks.errors import with_errors
 from carom.fitting.tracks.model import WALL_RANGE, TrackModel, side_of
 from carom.fitting.tracks.objective import (
     SIDESPIN,
@@ -34,7 +34,7 @@ from carom.fitting.tracks.result import TrackFit
 from carom.tracks.events import WallLine
 from carom.tracks.measurement import Measured
 
-__all__ = ["finish", "fit_windows", "starting_numbers", "with_best_sidespins"]
+__all__ = ["SearchEnd", "finish", "fit_windows", "starting_numbers", "with_best_sidespins"]
 
 Array = NDArray[np.float64]
 SLIDE_GAIN = (
@@ -51,6 +51,14 @@ SPIN_WIDTH, SLIP_WIDTH = (
 POSITION_SCALE, LEAST_SPEED = 1e-2, 0.1  # m, m/s
 LINE_FRAMES = 8
 FAST = 0.2  # m/s towards a wall: slower contacts do not determine the restitution
+
+
+class SearchEnd(NamedTuple):
+    """Where one search has ended. Error bars cost as much as the search; only the best end is given them."""
+
+    fit: TrackFit
+    """Without error bars (:func:`carom.fitting.tracks.errors.with_errors`)."""
+    settled: BestStarts
 
 
 def starting_numbers(measured: Measured) -> dict[str, float]:
@@ -141,7 +149,7 @@ def _before_first_contact(
 
 def fit_windows(
     model: TrackModel, frames: SegmentArrays, least_noise: float, tell: Callable[[float], None]
-) -> TrackFit:
+) -> SearchEnd:
     """Search once from the law's starting values: the frames before the first contact, then those before the second, and so on."""
     numbers = {name: parameter.value for name, parameter in model.free.items()}
     noise = frames.sigma
@@ -159,7 +167,7 @@ def fit_windows(
 def finish(
     model: TrackModel, frames: SegmentArrays, starts: Starts, q: Array, numbers: dict[str, float], least_noise: float,
     tell: Callable[[], None],
-) -> TrackFit:  # fmt: skip
+) -> SearchEnd:  # fmt: skip
     """Descend to the nearest minimum, in turn trying sidespins again and fitting all parameters."""
     noise = np.full(len(q), model.setting.noise or least_noise)
     least = math.inf
@@ -233,8 +241,8 @@ def _evaluated(
     numbers: dict[str, float],
     settled: BestStarts,
     noise: float,
-) -> TrackFit:
-    """Return the fit with its error bars, and sentences on parameters that are not identifiable."""
+) -> SearchEnd:
+    """Return the fit at a place, without error bars."""
     gap = settled.gap.reshape(len(settled.q), -1, 2) * frames.sigma[:, None, None]
     gap[np.arange(gap.shape[1]) >= frames.count[:, None]] = np.nan
     k, given = len(model.free) + effective_numbers(settled, starts), model.setting.noise
@@ -242,4 +250,4 @@ def _evaluated(
         model, frames, starts, settled.q, numbers, {}, np.zeros((0, 0)), gap, float(settled.cost.sum()), k,
         2 * float(frames.count.sum()) - k, given or noise, given is not None,
     )  # fmt: skip
-    return with_errors(fit, settled)
+    return SearchEnd(fit, settled)

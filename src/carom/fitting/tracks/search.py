@@ -19,8 +19,8 @@ from carom.errors import CaromError
 from carom.fitting.optimizer import cross_kinks
 from carom.fitting.profile_likelihood import LEVELS, half_width
 from carom.fitting.result import scaled
-from carom.fitting.tracks.errors import ambiguous, held_rises
-from carom.fitting.tracks.fit import finish, fit_windows, with_best_sidespins
+from carom.fitting.tracks.errors import ambiguous, held_rises, with_errors
+from carom.fitting.tracks.fit import SearchEnd, finish, fit_windows, with_best_sidespins
 from carom.fitting.tracks.model import TrackModel
 from carom.fitting.tracks.objective import Array, Numbers, SegmentArrays, descend
 from carom.fitting.tracks.result import TrackFit
@@ -52,21 +52,22 @@ def fit_track_law(
 
     best = fit_windows(model, frames, noise, partial(part, 0))
     if "friction" not in model.free:
-        return best
+        return with_errors(*best)
     parameter = model.free["friction"]
     for turn, friction in enumerate(NEW_STARTS, 1):
-        if best.follows:
+        if best.fit.follows:
             break
         inside = replace(parameter, value=min(max(friction, parameter.low), parameter.high))
         other = fit_windows(replace(model, free=model.free | {"friction": inside}), frames, noise, partial(part, turn))
-        if other.deviance < best.deviance:
+        if other.fit.deviance < best.fit.deviance:
             best = other
-    best, others = _across_kinks(model, replace(best, model=model), noise)
-    return _with_friction_profile(best, others) if best.follows or best.design_effect > 1 else best
+    best, others = _across_kinks(model, best._replace(fit=replace(best.fit, model=model)), noise)
+    fit = with_errors(*best)
+    return _with_friction_profile(fit, others) if fit.follows or fit.design_effect > 1 else fit
 
 
-def _across_kinks(model: TrackModel, best: TrackFit, noise: float) -> tuple[TrackFit, list[tuple[float, float]]]:
-    """Continue the search beyond kinks. Return the best fit, and other frictions, each with its chi^2, of the last round.
+def _across_kinks(model: TrackModel, best: SearchEnd, noise: float) -> tuple[SearchEnd, list[tuple[float, float]]]:
+    """Continue the search beyond kinks. Return the best end, and other frictions, each with its chi^2, of the last round.
 
     Widely spread frictions are tried too, with the walls at the measured contacts: first, and again if the law does not follow the
     frames.
@@ -74,19 +75,21 @@ def _across_kinks(model: TrackModel, best: TrackFit, noise: float) -> tuple[Trac
     walls = {name: one.value for name, one in model.free.items() if name.startswith("wall_")}
     seen: list[tuple[float, float]] = []
 
-    def explore(best: TrackFit, nearby: list[float], everywhere: list[float]) -> TrackFit:
+    def explore(end: SearchEnd, nearby: list[float], everywhere: list[float]) -> SearchEnd:
+        best = end.fit
         held = [_hold(model, best, friction, best.numbers) for friction in nearby]
         held += [_hold(model, best, friction, best.numbers | walls) for friction in everywhere]
         freed = sorted(_other_minima(best, held) if best.follows else held, key=lambda one: one.chi2)[:FREED]
         others = [finish(model, best.frames, best.starts, one.q, one.numbers, noise, lambda: None) for one in freed]
         seen[:] = [(one.numbers["friction"], one.chi2) for one in held]
         # (by deviance: each has scatters, and so a chi^2, of its own)
-        seen.extend((fit.numbers["friction"], best.chi2 + fit.deviance - best.deviance) for fit in others)
-        return min([best, *others], key=lambda fit: fit.deviance)
+        seen.extend((fit.numbers["friction"], best.chi2 + fit.deviance - best.deviance) for fit, _settled in others)
+        return min([end, *others], key=lambda one: one.fit.deviance)
 
     best = cross_kinks(
-        best, lambda fit: fit.numbers["friction"], lambda fit: fit.deviance, explore, lambda fit: not fit.follows
-    )
+        best, lambda end: end.fit.numbers["friction"], lambda end: end.fit.deviance, explore,
+        lambda end: not end.fit.follows,
+    )  # fmt: skip
     return best, seen
 
 
