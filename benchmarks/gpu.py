@@ -25,6 +25,7 @@ from carom.core.jit.threads import thread_count
 from carom.laws.contact import contact_rows
 
 IMPACTS = usually(10_000_000, 1_000)
+BLOCKS = {"cores": 65_536, "cuda": 1_000_000}  # points of a block
 SHOTS = int(sys.argv[1]) if len(sys.argv) > 1 else usually(1_000_000, 100)
 
 
@@ -74,10 +75,10 @@ def shots() -> None:
     side = max(int(np.sqrt(SHOTS)), 1)
     space = carom.Space(table(), {"balls.0.velocity": carom.polar(np.linspace(0.5, 5, side), np.linspace(0, 90, side))})
     times, results = {}, {}
-    for place in ("cores", "cuda"):
+    for place, block in BLOCKS.items():
         for run in ("first", "again"):
             begin = time.perf_counter()
-            results[place] = carom.sweep(space, KEEP).run(on=place)
+            results[place] = carom.sweep(space, KEEP, block=block).run(on=place)
             times[place, run] = time.perf_counter() - begin
     for place, name in (("cores", f"{thread_count()} cores"), ("cuda", "the GPU")):
         print(f"shots: {space.size / times[place, 'again']:,.0f}/s on {name} (first run {times[place, 'first']:.1f} s)")

@@ -32,7 +32,8 @@ from carom.simulation.run_many import LOOP, many_on_gpu
 
 # Instructions of NVIDIA's assembly (PTX).
 ROUNDED, CONTRACTIBLE = [r"(?:mul|add)\.rn\.f64"], [r"(?:mul|add)\.f64"]
-BYTEWISE = [r"(?:ld|st)(?:\.global|\.local)?\.[us]8"]
+# (bytes of the stack, ld.local, are truth values that functions return)
+BYTEWISE = [r"ld(?:\.global)?\.[us]8"]
 
 
 def spaces() -> Iterator[tuple[str, carom.Space, list[str]]]:
@@ -125,7 +126,7 @@ def moved(balls: Any, t: float) -> None:
 
 
 def assemble() -> None:
-    """Write of every loop how often its assembly rounds a product or sum by itself, may fuse two, or reads or writes a byte."""
+    """Write of each loop what the linker gets, how often its assembly rounds an operation, may fuse two, reads a byte; its MB."""
     rows, vectors, numbers = [array_of(float, 2)] * 4, array_of(float, 2), array_of(float)
     codes = array_of(np.dtype(np.int8))
     loops: list[tuple[cuda.CudaLoop, list[Any]]] = [
@@ -139,7 +140,9 @@ def assemble() -> None:
     for loop, taken in tried([loops[1], loops[3]], loops):
         text = assembly(loop, taken)
         counts = [sum(len(re.findall(one, text)) for one in ones) for ones in (ROUNDED, CONTRACTIBLE, BYTEWISE)]
-        sys.stdout.write(f"{loop.name}: {' '.join(map(str, counts))}\n")
+        # (what the linker is to optimise is compiled again by it, and products and sums are fused then)
+        handed = "LLVM" if loop._kernel.targetoptions["lto"] else "assembly"
+        sys.stdout.write(f"{loop.name}: {handed} {' '.join(map(str, counts))} {len(text) / 1e6:.2f}\n")
 
 
 def assembly(loop: cuda.CudaLoop, taken: list[Any]) -> str:

@@ -45,12 +45,17 @@ def test_assembly_rounds_every_product_by_itself() -> None:
     lines = program("assemble").splitlines()
     assert len(lines) == tried(2, 5)  # a loop over numbers and one over records; the long ones take half a minute
     for line in lines:
-        name, numbers = line.split(": ")
-        counts = dict(zip(("rounded", "contractible", "bytewise"), map(int, numbers.split()), strict=True))
+        name, found = line.split(": ")
+        handed, *numbers, size = found.split()
+        counts = dict(zip(("rounded", "contractible", "bytewise"), map(int, numbers), strict=True))
+        # (what the linker gets in another form it compiles again, with products and sums fused)
+        assert handed == "assembly", name
+        # (10 MB, and minutes to compile, where NVVM copies functions into all their callers)
+        assert float(size) < 5, name
         assert counts["rounded"] > 10, name
         assert counts["contractible"] == 0, name
-        # (a code of a regime has one byte; numbers of records must not be read so)
-        assert counts["bytewise"] <= 2, name
+        # (so numbers of records are read whose alignment is not known)
+        assert counts["bytewise"] == 0, name
 
 
 @pytest.fixture

@@ -21,13 +21,15 @@ import numpy as np
 
 from carom.core.jit.cache import cache_folder
 from carom.core.jit.compile import numba_signature
-from carom.core.jit.kernel import KERNELS, ON_GPU
+from carom.core.jit.kernel import HOT, KERNELS, ON_GPU
 from carom.core.jit.pointers import answer_at
 
 __all__ = ["CudaLoop", "aligned", "computes_on_gpu", "computing_on_gpu", "grid_range", "on_device", "ptx", "why_no_gpu"]
 
 THREADS = 128  # of a block
 MOST_THREADS = 1 << 20  # of a grid: what is more is taken in strides
+# Longer functions are called, not copied into their callers: the instructions are Numba's, before any of them is optimised away.
+LONGEST_COPIED = 300
 
 # The module of numba-cuda, once it is asked for: a global, so that its simulator can stand in for it.
 cuda: Any = None
@@ -95,7 +97,8 @@ def _register(*functions: Any) -> None:
         if function not in _registered and function is not grid_range:
             _registered.add(function)
             other = ON_GPU.get(function, function) if function is not answer_at else _no_answer
-            extending.overload(function, strict=False)(lambda *_types, other=other: other)
+            options = {"forceinline": function in HOT}
+            extending.overload(function, jit_options=options, strict=False)(lambda *_types, other=other: other)
 
 
 def _no_answer(address: int, numbers: Any) -> Any:
@@ -105,21 +108,45 @@ def _no_answer(address: int, numbers: Any) -> Any:
 
 
 @contextmanager
-def _rounded_one_by_one() -> Iterator[None]:
-    """Have NVVM leave products and sums apart, in what is compiled meanwhile."""
-    from numba.cuda.cudadrv import nvvm
+def _compiling() -> Iterator[None]:
+    """Have numba-cuda leave products and sums apart, and compile every function once, in what is compiled meanwhile."""
+    from numba.cuda.codegen import CUDACodeLibrary
+    from numba.cuda.cudadrv.nvvm import CompilationUnit
 
-    unit = nvvm.CompilationUnit
-    make = unit.__init__
-
-    def without_contraction(self: Any, options: dict[str, Any]) -> None:
-        make(self, {**options, "fma": False})
-
-    unit.__init__ = without_contraction
+    make, add = CompilationUnit.__init__, CUDACodeLibrary.add_ir_module
+    changed: list[tuple[Any, str, Any]] = [
+        (CompilationUnit, "__init__", lambda self, options: make(self, {**options, "fma": False})),
+        (CUDACodeLibrary, "add_ir_module", lambda self, module: add(self, _with_calls(module))),
+        (CUDACodeLibrary, "modules", property(_modules_once)),
+    ]
+    before = [vars(kind)[name] for kind, name, _ours in changed]
+    for kind, name, ours in changed:
+        setattr(kind, name, ours)
     try:
         yield
     finally:
-        unit.__init__ = make
+        for (kind, name, _ours), theirs in zip(changed, before, strict=True):
+            setattr(kind, name, theirs)
+
+
+def _with_calls(module: Any) -> Any:
+    """Have the long functions of an LLVM module called: NVVM copies them into all callers (five times the size)."""
+    for function in module.functions:
+        size = sum(len(block.instructions) for block in function.blocks)
+        if size > LONGEST_COPIED and "alwaysinline" not in function.attributes:
+            function.attributes.add("noinline")
+    return module
+
+
+def _modules_once(library: Any) -> list[Any]:
+    """Return the modules of a library and of all that it calls (numba-cuda's are as many as there are chains of calls)."""
+    found, left = {}, [library]
+    while left:
+        one = left.pop()
+        if one not in found:
+            found[one] = one._module
+            left.extend(one._linking_libraries)
+    return list(found.values())
 
 
 @contextmanager
@@ -167,8 +194,9 @@ class CudaLoop:
         if _simulated():
             return cuda.jit(self._loop)
         with _cached():
-            # (linked as PTX: the linker would contract what it compiles itself)
-            return cuda.jit(cache=self._loop.__closure__ is None, lto=False)(self._loop)
+            # (linked as PTX: the linker would contract what it compiles itself. The loop is an argument, as numba-cuda forgets
+            # ``lto`` where ``jit`` is a decorator with options.)
+            return cuda.jit(self._loop, cache=self._loop.__closure__ is None, lto=False)
 
     def on(self, threads: int, *arguments: Any) -> None:
         """Run the loop by so many threads; arrays lie on the GPU (:func:`on_device`)."""
@@ -177,7 +205,7 @@ class CudaLoop:
         if _simulated():
             self._kernel[grid, block](*arguments)
             return
-        with _cached(), _rounded_one_by_one():
+        with _cached(), _compiling():
             self._kernel[grid, block](*arguments)
 
     def __call__(self, *arguments: Any) -> None:
@@ -210,7 +238,7 @@ def ptx(loop: CudaLoop, signature: Any, capability: tuple[int, int] = (8, 0)) ->
     before = dispatcher.get_current_device
     dispatcher.get_current_device = lambda: SimpleNamespace(compute_capability=capability)
     try:
-        with _rounded_one_by_one():
+        with _compiling():
             kinds = numba_signature(signature)
             text, _returns = cuda.compile(loop._loop, kinds, device=False, abi="numba", cc=capability)
     finally:
