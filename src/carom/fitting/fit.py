@@ -407,9 +407,11 @@ class _Subject:
         p[self.places[i]] = value
         return float(self.model.row_deviances(p)[0].sum()) - self.base
 
-    def refit_rises(self, i: int, values: Array) -> tuple[Array, Array]:
+    def refit_rises(self, i: int, values: Array, start: Array | None = None) -> tuple[Array, Array]:
         """Return the profile above its minimum, and the parameters there."""
         p = np.tile(self.fit.numbers, (len(values), 1))
+        if start is not None:
+            p[:, self.places] = start
         p[:, self.places[i]] = values
         found, deviance = refit(self.fit, self.fit.problem, p=p, hold=self.names[i])
         return deviance - self.base - self.shared, found[:, self.places]

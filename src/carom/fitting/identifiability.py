@@ -35,7 +35,8 @@ SLIP_RETURN = ("tangential_restitution", "stiffness_ratio")
 NEARER = 0.4  # of a step: 2 error bars where the step is 5
 ALONG = np.array([-8.0, -4.0, -2.0, 2.0, 4.0, 8.0])  # steps along a valley
 BISECTIONS = 20
-CONFIRMING = 2.0 ** -np.arange(8)  # of a weak direction's step: where the profile is evaluated before it is believed
+OUTWARDS = (0.25, 0.5, 1.0)  # of the distance to where a profile should have risen: the points on the way there
+CONFIRMING = 2.0 ** -np.arange(8)  # of that distance: where a profile is evaluated for its width
 
 
 class Subject(Protocol):
@@ -55,9 +56,9 @@ class Subject(Protocol):
     def rise(self, i: int, value: float) -> float:
         """Return the rise of the deviance with parameter i at a value and the other parameters held."""
 
-    def refit_rises(self, i: int, values: Array) -> tuple[Array, Array]:
+    def refit_rises(self, i: int, values: Array, start: Array | None = None) -> tuple[Array, Array]:
         """Return the rise of the deviance (m,) with parameter i held at values (m,) and all else fitted, and the parameters
-        (m, k) there."""
+        (m, k) there. The fits begin at the minimum, or at parameters ``start`` (m, k)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,19 +78,24 @@ def parameter_ranges(parameters: Sequence[Parameter], values: Array) -> Array:
 
 
 def identify(subject: Subject) -> Identified:
-    """Compute covariance and estimates, and find the parameters that the data do not identify."""
+    """Compute covariance and estimates, and find the parameters that the data do not identify.
+
+    A weak curvature, or parameters that compensate for each other near the minimum, only suggest that; the profile decides.
+    """
     names, parameters, values = list(subject.names), subject.parameters, subject.values
     k, ranges = len(names), parameter_ranges(parameters, values)
     low, high = (np.array([getattr(p, end) for p in parameters]) for end in ("low", "high"))
     bound = (values <= low + 1e-9 * ranges) | (values >= high - 1e-9 * ranges)
     covariance, sentences, concerned = np.full((k, k), np.nan), [], np.zeros(k, bool)
+    profiles = _Profiles(subject, ranges)
 
     def involve(which: Mask) -> None:
-        concerned[which] = True
-        sentences.append(_sentence(subject, [names[i] for i in np.flatnonzero(which)]))
+        which = which & np.array([bool(one) and not profiles.rises(i) for i, one in enumerate(which)])
+        if which.any():
+            concerned[which] = True
+            sentences.append(_sentence(subject, profiles, [names[i] for i in np.flatnonzero(which)]))
 
     if k:
-        subject.information = _confirmed(subject, ranges)
         strength, direction, inner = _directions(subject.information, ranges)
         bars = np.sqrt(np.diag(inner)) / ranges
         for column in direction[:, ~(strength > 1 / UNIDENTIFIED_STDERR**2)].T:
@@ -104,6 +110,7 @@ def identify(subject: Subject) -> Identified:
                 involve(together)
     inside = np.flatnonzero(~bound & ~concerned)
     if len(inside):
+        subject.information = _completed(subject.information, profiles, ranges, inside)
         covariance[np.ix_(inside, inside)] = subject.covariance(inside)
         for i in inside.tolist():
             if concerned[i] or not (flat := _flat_side(subject, i, math.sqrt(covariance[i, i]))):
@@ -115,46 +122,98 @@ def identify(subject: Subject) -> Identified:
             along[i] = True
             if along.sum() > 1:
                 involve(along)
-            else:
+            elif not profiles.rises(i):
                 concerned[i] = True
                 sentences.append(f"{subject.label}: {names[i]}: {flat}")
-            covariance[along, :] = covariance[:, along] = np.nan
-    estimates = {}
-    for i, name in enumerate(names):
-        if concerned[i]:
-            estimates[name] = Estimate(None, None, NOT_IDENTIFIABLE)
-        elif bound[i]:
-            which_end = "lower" if values[i] <= low[i] + 1e-9 * ranges[i] else "upper"
-            value = float(values[i]) if abs(values[i]) > 1e-9 * ranges[i] else 0.0
-            estimates[name] = Estimate(value, None, f"at its {which_end} bound, {value:g}")
-        else:
-            estimates[name] = Estimate(float(values[i]), float(math.sqrt(covariance[i, i])))
+            covariance[concerned, :] = covariance[:, concerned] = np.nan
+        for i in profiles.widths:
+            if i in inside and not concerned[i]:
+                by = max(profiles.width(i) / math.sqrt(covariance[i, i]), 1.0)
+                covariance[i, :] *= by
+                covariance[:, i] *= by
+    estimates = _estimates(subject, covariance, bound, concerned)
     untold = tuple(names[i] for i in np.flatnonzero(concerned))
     return Identified(covariance, estimates, tuple(dict.fromkeys(sentences)), untold)
 
 
-def _confirmed(subject: Subject, ranges: Array) -> Array:
-    """Return the information, with the profile's information along directions where the curvature is weak and the profile steep.
+def _estimates(subject: Subject, covariance: Array, bound: Mask, concerned: Mask) -> dict[str, Estimate]:
+    """Return the estimates, without a value where a parameter is not identifiable, without an error bar at a bound."""
+    values, parameters = subject.values, subject.parameters
+    ranges = parameter_ranges(parameters, values)
+    estimates = {}
+    for i, name in enumerate(subject.names):
+        if concerned[i]:
+            estimates[name] = Estimate(None, None, NOT_IDENTIFIABLE)
+        elif bound[i]:
+            which_end = "lower" if values[i] <= parameters[i].low + 1e-9 * ranges[i] else "upper"
+            value = float(values[i]) if abs(values[i]) > 1e-9 * ranges[i] else 0.0
+            estimates[name] = Estimate(value, None, f"at its {which_end} bound, {value:g}")
+        else:
+            estimates[name] = Estimate(float(values[i]), float(math.sqrt(covariance[i, i])))
+    return estimates
 
-    At a kink, where a contact changes between sticking and sliding, the curvature says nothing about the slopes to both sides.
-    Whether they are steep is tested with all else held, which costs little, and only then with all else fitted.
-    """
-    information = subject.information.copy()
-    strength, direction, _inner = _directions(information, ranges)
-    for column in direction[:, ~(strength > 1 / UNIDENTIFIED_STDERR**2)].T:
-        i = int(np.argmax(np.abs(column)))
-        best, parameter, step = float(subject.values[i]), subject.parameters[i], UNIDENTIFIED_STDERR * ranges[i]
-        ends = np.clip(best + step * np.array([-1, 1]), parameter.low, parameter.high).tolist()
-        if any(abs(end - best) < step / 4 or subject.rise(i, end) < FLAT_RISE for end in ends):
-            continue
-        far = np.array([best + (end - best) * CONFIRMING for end in ends])
-        rises = subject.refit_rises(i, far.ravel())[0].reshape(far.shape)
-        if (rises[:, 0] < FLAT_RISE).any():
-            continue
-        # where the profile has risen by 1 on the wider side, from the outermost point that is below
-        width = max(map(_width, np.abs(far - best), rises))
-        along = column / ranges / (np.abs(column[i]) / ranges[i])
-        information += np.outer(along, along) / width**2
+
+class _Profiles:
+    """Profiles of single parameters, evaluated when they are first asked for."""
+
+    def __init__(self, subject: Subject, ranges: Array) -> None:
+        self.subject, self.ranges = subject, ranges
+        self.known: dict[int, bool] = {}
+        self.widths: dict[int, float] = {}
+
+    def ends(self, i: int) -> list[float]:
+        """Return the values to both sides at which a profile should have risen; none where a bound is near."""
+        best, parameter = float(self.subject.values[i]), self.subject.parameters[i]
+        step = UNIDENTIFIED_STDERR * self.ranges[i]
+        ends: list[float] = np.clip(best + step * np.array([-1, 1]), parameter.low, parameter.high).tolist()
+        return [end for end in ends if abs(end - best) >= step / 4]
+
+    def rises_alone(self, i: int) -> bool:
+        """Return whether the deviance rises to all sides with all else held, which costs little."""
+        return all(self.subject.rise(i, end) >= FLAT_RISE for end in self.ends(i))
+
+    def rises(self, i: int) -> bool:
+        """Return whether the deviance rises to all sides with all else fitted, and near enough: the data identify the parameter.
+
+        At a kink, where a contact changes between sticking and sliding, and beside a bound, the curvature says nothing about that.
+        A number that is never negative, such as a friction, has to be known better than to half of itself.
+        """
+        if i not in self.known:
+            best, ends = float(self.subject.values[i]), np.array(self.ends(i))
+            self.known[i] = self.rises_alone(i)
+            rises, found = np.full(len(ends), np.inf), None
+            for share in (
+                OUTWARDS if self.known[i] else ()
+            ):  # along the valley: a fit that begins far away may end elsewhere
+                rises, found = self.subject.refit_rises(i, best + share * (ends - best), found)
+            self.known[i] = self.known[i] and bool((rises >= FLAT_RISE).all())
+            low = self.subject.parameters[i].low
+            if self.known[i] and low >= 0 and best > low + 1e-9 * self.ranges[i]:
+                self.known[i] = self.width(i) < UNIDENTIFIED_STDERR * best
+        return self.known[i]
+
+    def width(self, i: int) -> float:
+        """Return the distance at which a profile has risen by 1, on the wider side."""
+        if i not in self.widths:
+            best = float(self.subject.values[i])
+            far = np.array([best + (end - best) * CONFIRMING for end in self.ends(i)])
+            rises = self.subject.refit_rises(i, far.ravel())[0].reshape(far.shape)
+            self.widths[i] = max(map(_width, np.abs(far - best), rises))
+        return self.widths[i]
+
+
+def _completed(information: Array, profiles: _Profiles, ranges: Array, inside: NDArray[np.int64]) -> Array:
+    """Return the information with that of profiles in directions of some parameters in which the curvature is weak."""
+    both = np.ix_(inside, inside)
+    strength, direction, _inner = _directions(information[both], ranges[inside])
+    for m in np.flatnonzero(~(strength > 1 / UNIDENTIFIED_STDERR**2)):
+        i = int(np.argmax(np.abs(direction[:, m])))
+        if profiles.rises(int(inside[i])):
+            share = direction[i, m] * ranges[inside[i]] / profiles.width(int(inside[i]))
+            change = max(share**2 - strength[m], 0.0)
+            along = direction[:, m] / ranges[inside]
+            information = information.copy()
+            information[both] += change * np.outer(along, along)
     return information
 
 
@@ -254,17 +313,9 @@ def _limit(subject: Subject, i: int, sign: int) -> float:
     return (inside + outside) / 2
 
 
-def _sentence(subject: Subject, names: list[str]) -> str:
+def _sentence(subject: Subject, profiles: _Profiles, names: list[str]) -> str:
     """Return a sentence about parameters that the data do not identify."""
     said, values = f"{subject.label}: {' and '.join(names)}: ", dict(zip(subject.names, subject.values, strict=True))
-    if (
-        names == ["friction"]
-        and subject.rise(i := subject.names.index("friction"), subject.parameters[i].low) >= ONE_SIDED
-    ):
-        limit = _limit(subject, i, -1)
-        return f"{said}no contact slides throughout, so only a lower limit is identifiable: {limit:.3g} or more (95 %)"
-    if len(names) == 1 and names[0] in SLIP_RETURN:
-        return f"{said}every contact slides throughout, so no measurement depends on it; film steeper hits"
     if sorted(names) == ["friction", "restitution"]:
         i = list(subject.names).index("friction")
         if subject.rise(i, subject.parameters[i].high) < FLAT_RISE:
@@ -277,4 +328,15 @@ def _sentence(subject: Subject, names: list[str]) -> str:
         return f"{said}sliding contacts identify only the product friction (1 + restitution) = {product:.4g}"
     if len(names) > 1:
         return f"{said}only a combination of them is identifiable, not each value; measure more (spin, other angles), or fix one"
-    return f"{said}these data hardly depend on it"
+    i = subject.names.index(names[0])
+    if profiles.rises_alone(i):
+        return f"{said}other parameters compensate for it; measure more (spin, other angles), or fix one"
+    if names == ["friction"] and subject.rise(i, subject.parameters[i].low) >= ONE_SIDED:
+        limit = _limit(subject, i, -1)
+        return f"{said}no contact slides throughout, so only a lower limit is identifiable: {limit:.3g} or more (95 %)"
+    said += (
+        "every contact slides throughout, so no measurement depends on it; film steeper hits"
+        if (names[0] in SLIP_RETURN)
+        else "these data hardly depend on it"
+    )
+    return said

@@ -81,18 +81,18 @@ class _Subject:
         table = fit.model.table({**fit.numbers, self.names[i]: value})
         return float(settle(table, fit.frames, fit.starts, fit.q, FOLLOWING_STEPS).cost.sum()) - fit.chi2
 
-    def refit_rises(self, i: int, values: Array) -> tuple[Array, Array]:
+    def refit_rises(self, i: int, values: Array, start: Array | None = None) -> tuple[Array, Array]:
         """Return the profile above its minimum, and the shared parameters there."""
-        return held_rises(self.fit, self.names[i], values)
+        return held_rises(self.fit, self.names[i], values, start)
 
 
-def held_rises(fit: TrackFit, name: str, values: Array) -> tuple[Array, Array]:
-    """Return the rise of chi^2 (m,) with a parameter held at values (m,) and all else fitted, and the parameters (m, P)."""
+def held_rises(fit: TrackFit, name: str, values: Array, start: Array | None = None) -> tuple[Array, Array]:
+    """Return the rise of chi^2 (m,) with a parameter held at values (m,) and all else fitted, from the minimum or from parameters
+    ``start`` (m, P), and the parameters (m, P) there."""
     rises, found = [], []
-    for value in values.tolist():
-        numbers, settled = descend(
-            fit.model.holding(name, value), fit.frames, fit.starts, fit.q, fit.numbers, lambda: None
-        )
+    for j, value in enumerate(values.tolist()):
+        begin = fit.numbers if start is None else fit.numbers | dict(zip(fit.names, start[j].tolist(), strict=True))
+        numbers, settled = descend(fit.model.holding(name, value), fit.frames, fit.starts, fit.q, begin, lambda: None)
         rises.append(float(settled.cost.sum()) - fit.chi2)
         found.append([(numbers | {name: value})[other] for other in fit.names])
     return np.array(rises), np.array(found)
