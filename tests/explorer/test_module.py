@@ -6,6 +6,7 @@ import json
 import math
 import subprocess
 import sys
+from typing import Any
 
 import pytest
 
@@ -13,8 +14,11 @@ from carom.core.jit import webassembly
 from carom.core.jit.compile import numba_signature, signature
 from carom.core.jit.kernel_hash import kernel_hash
 from carom.core.jit.lowering import LoweringError, linked_dispatcher, llvm_text
+from carom.explorer import build, fields
 from carom.explorer.build import MAX_BYTES
 from carom.explorer.module import ASSETS, description, engine_bytes, engine_layout, version
+from carom.scene.schema import Model
+from carom.scene.sides import Side, Sides
 
 
 def test_the_module_is_of_todays_kernels() -> None:
@@ -92,3 +96,29 @@ def test_the_version_does_not_depend_on_what_was_imported() -> None:
     code = "import carom.scene as s; s.SceneBall, s.Floor; from carom.explorer.module import version; print(version())"
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert ran.stdout.strip() == description()["version"]
+
+
+def test_a_missing_ziglang_is_said_first_in_one_line(monkeypatch: pytest.MonkeyPatch, capsys: Any) -> None:
+    """It was said after all kernels had been compiled, without the command that installs it."""
+    monkeypatch.setattr(webassembly, "find_spec", lambda _name: None)
+    monkeypatch.setattr(build, "entries", lambda: pytest.fail("kernels are compiled before"))
+    assert build.main() == 2
+    said = capsys.readouterr().err
+    assert said == "carom: make wasm: expected ziglang, got none; run python -m pip install -e '.[wasm]'\n"
+
+
+class Rim(Model):
+    friction: float | None = None
+
+
+class Rims(Model):
+    inner: Rim = Rim()
+    outer: Rim | None = None
+
+
+def test_parts_within_shapes_are_found_by_their_type() -> None:
+    assert list(dict.fromkeys(fields._within(tuple[Rims, ...] | None))) == [Rim, Rims]
+    found = fields._field(Rims, "inner", Rims.model_fields["inner"])
+    assert found["optional"]  # it says nothing
+    assert fields.NAMED["sides"] is Sides
+    assert fields.NAMED["side"] is Side

@@ -49,6 +49,20 @@ def test_what_pooltool_cannot_show_is_one_line(walls: list[Any], more: Any, said
     assert len(caught.value.faults) == 1
 
 
+def test_cushions_with_surfaces_of_their_own_are_said_in_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    """They were left out without a word."""
+    monkeypatch.setitem(sys.modules, "pooltool", None)
+    own = {"right": {"restitution": 0.7}, "top": {"friction": 0.1}}
+    run = a_run([{**TABLE, "sides": own}], [carom.SceneBall(**BALL, position=(0.5, 0.1))])
+    with (
+        pytest.warns(
+            UserWarning, match=r"^to_system: run: sides.right, sides.top of the table are left out.*pooltool has one"
+        ),
+        pytest.raises(carom.CaromError, match="pooltool"),
+    ):
+        to_system(run)
+
+
 def test_a_bad_step_is_one_line() -> None:
     run = a_run([TABLE], [carom.SceneBall(**BALL, position=(0.5, 0.1))])
     with pytest.raises(carom.CaromError, match="to_system: dt: expected a time in s, > 0, got 0"):

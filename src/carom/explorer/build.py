@@ -35,8 +35,14 @@ def build() -> tuple[bytes, str, str]:
         build_module,
         libm_licence,
         plain_signature,
+        require_tools,
         tool_versions,
     )
+
+    try:
+        require_tools()
+    except WebAssemblyError as error:  # (before the kernels are compiled, which takes a minute)
+        raise CaromError(str(error)) from None
 
     # (in the engine's own loop another process compiles this part)
     kernel(joint_impact)

@@ -5,6 +5,7 @@ Read from the models of :mod:`carom.scene`, so that a bound and a text stand in 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from types import UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
@@ -15,20 +16,38 @@ from carom.formatting import json_value
 from carom.laws.registry import laws, laws_of_pairs
 from carom.scene.ball import KAPPA
 from carom.scene.ball_contact import RUBBING, BallContact
-from carom.scene.pockets import Pockets
 from carom.scene.presets import presets
 from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, Power, Viscoelastic
 from carom.scene.scene import GRAVITY, Run, Scene
 from carom.scene.schema import EXPECTED, Acceleration, Components, Model, Number, Whole
 from carom.scene.shapes import PAGE_SHAPES
-from carom.scene.sides import Side, Sides
 
 __all__ = ["scene_fields"]
 
 FORMS = (Constant, Polynomial, Han2005, Power, Viscoelastic, Exponential)
+
+
+def _within(annotation: Any) -> Iterator[type[Model]]:
+    """Yield the models that a field's type names, and those within them first; the forms of a restitution are none."""
+    if isinstance(annotation, type) and issubclass(annotation, Model) and annotation not in FORMS:
+        for info in annotation.model_fields.values():
+            yield from _within(info.annotation)
+        yield annotation
+    for one in get_args(annotation):
+        yield from _within(one)
+
+
 NAMED: dict[str, type[Model]] = {
-    **PARTS, "ball_contact": BallContact, "run": Run, "pockets": Pockets, "side": Side, "sides": Sides,
-}  # fmt: skip
+    **PARTS,
+    "ball_contact": BallContact,
+    "run": Run,
+    **{
+        part.__name__.lower(): part
+        for shape in PAGE_SHAPES.values()
+        for info in shape.model_fields.values()
+        for part in _within(info.annotation)
+    },
+}
 
 
 def scene_fields() -> dict[str, Any]:
@@ -60,7 +79,7 @@ def _part(model: type[Model], rules: str | None = None, **own: Any) -> dict[str,
     return {"kind": "part", "what": "a table of fields", "fields": fields, "rules": rules}
 
 
-def _field(model: type[Model], name: str, info: FieldInfo) -> dict[str, Any]:  # noqa: PLR0911  (one return a kind)
+def _field(model: type[Model], name: str, info: FieldInfo) -> dict[str, Any]:
     if name == "inertia":
         return {**_number(KAPPA), "words": ["solid", "hollow"]}
     if name == "gravity":
@@ -71,12 +90,16 @@ def _field(model: type[Model], name: str, info: FieldInfo) -> dict[str, Any]:  #
         known = laws_of_pairs() if model is BallContact else [one.name for one in laws().values() if one.kernel]
         what = f"one of {', '.join(known)}, or file.py:name"
         return {"kind": "choice", "what": what, "values": known, "optional": info.default is None}
-    if name == "sides" or model is Sides:
-        return {"of": "sides" if name == "sides" else "side", "optional": True}
     if name == "preset":
         values = list(presets())
         return {"kind": "choice", "what": f"one of {', '.join(values)}", "values": values, "optional": True}
-    return _described(info.annotation, list(info.metadata))
+    optional = {"optional": True} if isinstance(info.default, Model) and _says_nothing(info.default) else {}
+    return {**_described(info.annotation, list(info.metadata)), **optional}
+
+
+def _says_nothing(part: Model) -> bool:
+    """Return whether a part has no value of its own in any field: then it may be left out, as the sides of a table."""
+    return all(value is None or (isinstance(value, Model) and _says_nothing(value)) for _name, value in part)
 
 
 def _number(number: Number) -> dict[str, Any]:

@@ -135,6 +135,16 @@ class Model(BaseModel):
         except ValidationError as error:
             raise CaromError(*faults_of(type(self).__name__, error, type(self))) from None
 
+    def __setstate__(self, state: dict[Any, Any]) -> None:
+        """Restore a pickle; fields that carom did not have when it was written have their defaults."""
+        found = state["__dict__"]
+        fields = {
+            name: found[name] if name in found else info.get_default(call_default_factory=True)
+            for name, info in type(self).model_fields.items()
+            if name in found or not info.is_required()
+        }
+        super().__setstate__({**state, "__dict__": {**fields, **found}})
+
     # Inside another model pydantic makes this one itself, and gathers its faults with all the others.
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
 

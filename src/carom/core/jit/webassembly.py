@@ -19,8 +19,17 @@ from typing import Any, NamedTuple
 from carom.core.jit.compile import numba_signature, register_kernels
 from carom.core.jit.lowering import CFunction, LoweringError, linked_dispatcher, llvm_text, whole_module, with_entry
 
-__all__ = ["Export", "WebAssemblyError", "build_module", "libm_licence", "plain_signature", "tool_versions"]
+__all__ = [
+    "Export",
+    "WebAssemblyError",
+    "build_module",
+    "libm_licence",
+    "plain_signature",
+    "require_tools",
+    "tool_versions",
+]
 
+INSTALL = "python -m pip install -e '.[wasm]'"  # in a clone, where make wasm runs
 TRIPLE = "wasm32-unknown-unknown"
 LAYOUT = "e-m:e-p:32:32-p10:8:8-p20:8:8-i64:64-i128:128-n32:64-S128-ni:1:10:20"
 STACK_BYTES = 1 << 18
@@ -50,6 +59,11 @@ class Export(NamedTuple):
     function: Callable[..., Any]
     signature: Any
     by_address: bool = False
+
+
+def require_tools() -> None:
+    """Raise WebAssemblyError where ziglang is missing, or is one that cannot build a module."""
+    _math_folder()
 
 
 def plain_signature(numbers: int) -> Any:
@@ -149,12 +163,10 @@ def _zig(*arguments: str) -> None:
 def _math_folder() -> Path:
     found = find_spec("ziglang")
     if found is None or found.origin is None:
-        raise WebAssemblyError("make wasm: expected ziglang, got none; install carom's extra wasm")
+        raise WebAssemblyError(f"make wasm: expected ziglang, got none; run {INSTALL}")
     folder = Path(found.origin).parent / "lib" / "libc" / "musl" / "src" / "math"
     if not (folder / "exp.c").is_file():
-        raise WebAssemblyError(
-            "make wasm: expected a ziglang with musl's libm (0.13), got another; install carom's extra wasm"
-        )
+        raise WebAssemblyError(f"make wasm: expected a ziglang with musl's libm (0.13), got another; run {INSTALL}")
     return folder
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -51,7 +52,8 @@ def to_system(run: Trajectory, dt: float = 0.01) -> System:
     -------
     pooltool.System
         In pooltool's frame (a corner of the table at the origin, the longer side along y), with the balls' histories. Its
-        list of events has only the start and the end.
+        list of events has only the start and the end. Cushions with surfaces of their own are in the run, and not in the
+        System's numbers, which a warning says.
 
     Raises
     ------
@@ -95,7 +97,7 @@ def to_system(run: Trajectory, dt: float = 0.01) -> System:
 
 
 def _table(scene: Scene) -> Table:
-    """Return the scene's table. CaromError for what pooltool cannot show."""
+    """Return the scene's table, with a warning where its cushions differ. CaromError for what pooltool cannot show."""
     if len(scene.walls) != 1 or not isinstance(scene.walls[0], Table):
         raise CaromError(
             f"to_system: run: expected a scene with one wall, of shape 'table', got {scene.describe()}; pooltool shows tables only"
@@ -107,6 +109,9 @@ def _table(scene: Scene) -> Table:
         raise CaromError(
             "to_system: run: expected a table with six pockets or none, got one with some; pooltool has no others"
         )
+    if own := table.own_surfaces:
+        said = f"to_system: run: {', '.join(own)} of the table are left out of the System's numbers, and the run is shown as it is"
+        warnings.warn(f"{said}; pooltool has one surface for all cushions", stacklevel=3)
     return table
 
 
