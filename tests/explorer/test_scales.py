@@ -53,6 +53,33 @@ def test_a_scene_of_any_size_is_drawn_like_one_of_a_metre(
         assert drawn.std() > 0.7 * usual.std()
 
 
+@pytest.mark.parametrize("size", [(1280, 720), (390, 844)])
+def test_no_label_of_a_plot_lies_where_curves_run(open_page: Any, size: tuple[int, int]) -> None:
+    """ "time, s" stood above the axis at the right, where the height or the energy may run."""
+    page = open_page(size=size)
+    boxes = page.evaluate(
+        """() => {
+            const box = ({ x, y, width, height }) => ({ x, y, width, height });
+            return [...document.querySelectorAll(".plot svg")].map((plot) => ({
+                lines: [...plot.querySelectorAll(".grid, .axis")].map((one) => box(one.getBBox())),
+                words: [...plot.querySelectorAll("text")].map((one) => ({ text: one.textContent, box: box(one.getBBox()) })),
+            }));
+        }"""
+    )
+    assert len(boxes) == 2
+    for plot in boxes:
+        lines = [box for box in plot["lines"] if box["width"] > 100]
+        left, right = min(box["x"] for box in lines), max(box["x"] + box["width"] for box in lines)
+        low = max(box["y"] for box in lines)
+        assert len(plot["words"]) > 5
+        for word in plot["words"]:
+            box = word["box"]
+            title = box["x"] == pytest.approx(left, abs=2)
+            beside = box["x"] + box["width"] <= left
+            assert title or beside or box["y"] >= low - 1, word["text"]
+            assert box["x"] + box["width"] < right + 12, word["text"]
+
+
 WRONG = [
     ("run(null)", "scene: expected a table of fields, got nothing"),
     ("run(null, 'mirror')", "scene: expected a table of fields, got nothing"),

@@ -113,6 +113,17 @@ NO_END: list[dict[str, float]] = [
 ]  # fmt: skip
 
 
+def test_head_on_the_laws_differ_in_speed_and_the_picture_says_so():
+    """All paths lie on one line, and six laws were named with 0.0 degrees each."""
+    texts = [text.get_text() for text in plot.compare(angle_deg=0.0).axes[0].texts]
+    assert any("no law turns the ball" in one for one in texts)
+    assert {"two-step  0.633 m/s", "no-slip  0.837 m/s", "mirror  1 m/s"} <= set(texts)
+    for turned in ({"angle_deg": 1.0}, {"angle_deg": 0.0, "spin_z": 5.0}):  # sidespin turns it
+        texts = [text.get_text() for text in plot.compare(**turned).axes[0].texts]
+        assert "from above" in texts
+        assert not any("m/s" in one for one in texts)
+
+
 @pytest.mark.parametrize("given", NO_END)
 def test_balls_that_never_roll_are_drawn(given: dict[str, float], tmp_path: Path) -> None:
     plot.save(plot.compare(**given), tmp_path / "a.svg")

@@ -12,10 +12,10 @@ const MARGIN = { left: 38, right: 10, top: 20, bottom: 26 };
 /** @param {number} x */
 const tidy = (x) => String(Number(x.toPrecision(6))).replace("-", "−");
 
-/** Axes, grid and curves of one plot. @param {{x: number, y: number, width: number, height: number}} area
+/** Axes and grid of one plot. Units are at the ticks: within the area a label would lie on curves. Without `xUnit` there are no ticks below. @param {{x: number, y: number, width: number, height: number}} area
  * @param {import("d3-scale").ScaleLinear<number, number>} sx @param {import("d3-scale").ScaleLinear<number, number>} sy
- * @param {{xLabel?: string, title: string, xUnit?: string, yTicks?: number, yFormat?: (value: number) => string}} words */
-function axes(area, sx, sy, { xLabel, title, xUnit = "", yTicks = 4, yFormat = tidy }) {
+ * @param {{title: string, xUnit?: string, yTicks?: number, yFormat?: (value: number) => string}} words */
+function axes(area, sx, sy, { title, xUnit, yTicks = 4, yFormat = tidy }) {
   const group = svg("g", { class: "axes" });
   for (const value of sy.ticks(yTicks)) {
     const y = sy(value);
@@ -24,13 +24,12 @@ function axes(area, sx, sy, { xLabel, title, xUnit = "", yTicks = 4, yFormat = t
   }
   const bottom = area.y + area.height;
   group.append(svg("path", { class: "axis", d: `M${area.x} ${bottom}H${area.x + area.width}` }));
-  if (xLabel !== undefined) {
+  if (xUnit !== undefined) {
     for (const value of sx.ticks(Math.max(3, area.width / 70))) {
       const x = sx(value);
       group.append(svg("path", { class: "axis", d: `M${x} ${bottom}v4` }));
       group.append(svg("text", { x, y: bottom + 15, "text-anchor": "middle" }, tidy(value) + xUnit));
     }
-    if (xLabel) group.append(svg("text", { class: "label", x: area.x + area.width, y: bottom - 5, "text-anchor": "end" }, xLabel));
   }
   group.append(svg("text", { class: "title", x: area.x, y: area.y - 7 }, title));
   return group;
@@ -78,7 +77,7 @@ export function anglePlot(host) {
       const here = incidence === null ? [] : [svg("path", { class: "cursor", d: `M${sx(incidence)} ${area.y}V${area.y + area.height}` })];
       const dots = incidence === null ? [] : now.map(({ colour, y }) => svg("circle", { class: "now", cx: sx(incidence).toFixed(1), cy: sy(y).toFixed(1), r: 3.4, fill: colour }));
       root.replaceChildren(
-        axes(area, sx, sy, { title: "reflection against incidence", xLabel: "from the wall’s normal", xUnit: "°", yFormat: (y) => `${tidy(y)}°` }),
+        axes(area, sx, sy, { title: "reflection against incidence, from the wall’s normal", xUnit: "°", yFormat: (y) => `${tidy(y)}°` }),
         svg("path", { class: "same", d: `M${sx(0)} ${sy(0)}L${sx(90)} ${sy(90)}` }),
         ...marks, ...paths(curves, sx, sy), ...here, ...dots,
         ...(missing ? [svg("text", { class: "missing", x: area.x + area.width / 2, y: area.y + area.height / 2, "text-anchor": "middle" }, missing)] : []),
@@ -122,13 +121,13 @@ export function timePlot(host, seek) {
       const sx = scaleLinear([span.from, span.until], [area.x, area.x + area.width]);
       const peak = Math.max(1, ...energy.flatMap(({ points }) => points.map(([, y]) => y)));
       const se = scaleLinear([0, peak * 1.02], [top.y + top.height, top.y]);
-      const children = [axes(top, sx, se, { title: "energy kept", yTicks: both ? 2 : 4, yFormat: (y) => `${tidy(100 * y)} %`, ...(both ? {} : { xLabel: "time, s" }) }), ...paths(energy, sx, se)];
+      const children = [axes(top, sx, se, { title: "energy kept over time", yTicks: both ? 2 : 4, yFormat: (y) => `${tidy(100 * y)} %`, ...(both ? {} : { xUnit: " s" }) }), ...paths(energy, sx, se)];
       if (both) {
         const low = { ...area, y: top.y + top.height + 24, height: area.height - top.height - 24 };
         const long = most > 500;
         const sh = scaleLinear([0, most * 1.05], [low.y + low.height, low.y]);
         const format = (/** @type {number} */ y) => tidy(long ? y / 1000 : y);
-        children.push(axes(low, sx, sh, { title: `${words}, ${long ? "m" : "mm"}`, xLabel: "time, s", yTicks: 2, yFormat: format }), ...paths(height, sx, sh));
+        children.push(axes(low, sx, sh, { title: `${words}, ${long ? "m" : "mm"}`, xUnit: " s", yTicks: 2, yFormat: format }), ...paths(height, sx, sh));
       }
       root.replaceChildren(...children, cursor);
     },

@@ -141,6 +141,8 @@ def _above(
     _heads(axes, tail, start, INK)
     _circle(axes, start, a, INK, 1.0, face="white")
     axes.plot(*start, "o", ms=2.6, color=INK, zorder=8)
+    # head on and without sidespin no law turns the ball: what differs is how fast it comes back
+    straight = all(np.abs(line[:, 1]).max() < 1e-6 * r for line, _marks in lines)
     ends, words = [], []
     for verdict, (line, curved) in zip(shown, lines, strict=True):
         ink, dashes = styles[verdict.law]
@@ -152,7 +154,7 @@ def _above(
                 _circle(axes, point, a, ink, 0.7)
                 axes.plot(*point, "o", ms=2.6, color=ink, zorder=7)
         ends.append(line[-1])
-        words.append(f"{literal(verdict.law)}  {_angle(verdict)}")
+        words.append(f"{literal(verdict.law)}  {_speed(verdict) if straight else _angle(verdict)}")
     bottom = -HALF_HEIGHT_OVER_WIDTH * r
     missing = [v.law for v in comparison.verdicts if v.after_wall is None]
     if missing:  # below the labels
@@ -167,7 +169,7 @@ def _above(
     axes.text(
         0.02 * r,
         -0.98 * HALF_HEIGHT_OVER_WIDTH * r,
-        "from above",
+        "from above: no law turns the ball; final speeds" if straight and lines else "from above",
         ha="left",
         va="bottom",
         style="italic",
@@ -183,6 +185,12 @@ def _angle(verdict: laws_compared.Verdict) -> str:
     if verdict.final is None:
         return "never rolls"
     return "stops" if verdict.reflection_angle_deg is None else f"{verdict.reflection_angle_deg:.1f}°"
+
+
+def _speed(verdict: laws_compared.Verdict) -> str:
+    if verdict.final is None or verdict.reflection_angle_deg is None:
+        return _angle(verdict)
+    return f"{format_number(float(np.hypot(*verdict.final.velocity[:2])))} m/s"
 
 
 def _line_above(
