@@ -54,8 +54,8 @@ def profile(fit: Any, name: str, reach: float, seed: int = 0) -> list[tuple[floa
             starts[1] = here
             for i in held.free[held.free < NUMBERS]:
                 low, high = held.low[i], held.high[i]
-                reach = min(high - low, 2 * max(abs(fit.numbers[i]), 1.0))
-                starts[2:, i] = rng.uniform(max(low, fit.numbers[i] - reach), min(high, fit.numbers[i] + reach), DRAWN)
+                span = min(high - low, 2 * max(abs(fit.numbers[i]), 1.0))
+                starts[2:, i] = rng.uniform(max(low, fit.numbers[i] - span), min(high, fit.numbers[i] + span), DRAWN)
             starts[:, place] = best + share * (far - best)
             least, here = least_deviance(held, starts)
             points.append((float(starts[0, place]), least - base))

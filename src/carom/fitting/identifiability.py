@@ -35,8 +35,7 @@ SLIP_RETURN = ("tangential_restitution", "stiffness_ratio")
 NEARER = 0.4  # of a step: 2 error bars where the step is 5
 ALONG = np.array([-8.0, -4.0, -2.0, 2.0, 4.0, 8.0])  # steps along a valley
 BISECTIONS = 20
-OUTWARDS = (0.25, 0.5, 1.0)  # of the distance to where a profile should have risen: the points on the way there
-CONFIRMING = 2.0 ** -np.arange(8)  # of that distance: where a profile is evaluated for its width
+OUTWARDS = 2.0 ** np.arange(-7, 1)  # of the distance to where a profile should have risen: where it is evaluated
 
 
 class Subject(Protocol):
@@ -128,7 +127,7 @@ def identify(subject: Subject) -> Identified:
             covariance[concerned, :] = covariance[:, concerned] = np.nan
         for i in profiles.widths:
             if i in inside and not concerned[i]:
-                by = max(profiles.width(i) / math.sqrt(covariance[i, i]), 1.0)
+                by = max(profiles.widths[i] / math.sqrt(covariance[i, i]), 1.0)
                 covariance[i, :] *= by
                 covariance[:, i] *= by
     estimates = _estimates(subject, covariance, bound, concerned)
@@ -179,27 +178,40 @@ class _Profiles:
         A number that is never negative, such as a friction, has to be known better than to half of itself.
         """
         if i not in self.known:
-            best, ends = float(self.subject.values[i]), np.array(self.ends(i))
+            best, parameter = float(self.subject.values[i]), self.subject.parameters[i]
             self.known[i] = self.rises_alone(i)
-            rises, found = np.full(len(ends), np.inf), None
-            for share in (
-                OUTWARDS if self.known[i] else ()
-            ):  # along the valley: a fit that begins far away may end elsewhere
-                rises, found = self.subject.refit_rises(i, best + share * (ends - best), found)
-            self.known[i] = self.known[i] and bool((rises >= FLAT_RISE).all())
-            low = self.subject.parameters[i].low
-            if self.known[i] and low >= 0 and best > low + 1e-9 * self.ranges[i]:
-                self.known[i] = self.width(i) < UNIDENTIFIED_STDERR * best
+            if self.known[i]:
+                distances, rises = self._outwards(i)
+                self.known[i] = bool((rises[:, -1] >= FLAT_RISE).all())
+                self.widths[i] = max(map(_width, distances[:, ::-1], rises[:, ::-1])) if self.known[i] else np.inf
+                if parameter.low >= 0 and best > parameter.low + 1e-9 * self.ranges[i]:
+                    self.known[i] &= self.widths[i] < UNIDENTIFIED_STDERR * best
         return self.known[i]
 
-    def width(self, i: int) -> float:
-        """Return the distance at which a profile has risen by 1, on the wider side."""
-        if i not in self.widths:
-            best = float(self.subject.values[i])
-            far = np.array([best + (end - best) * CONFIRMING for end in self.ends(i)])
-            rises = self.subject.refit_rises(i, far.ravel())[0].reshape(far.shape)
-            self.widths[i] = max(map(_width, np.abs(far - best), rises))
-        return self.widths[i]
+    def _outwards(self, i: int) -> tuple[Array, Array]:
+        """Return distances from the minimum, from near to far, and the profile there (sides, m).
+
+        The fits follow the valley, which begins along the weakest direction: from elsewhere they may end beyond a kink.
+        """
+        subject, values = self.subject, self.subject.values
+        low, high = (np.array([getattr(p, end) for p in subject.parameters]) for end in ("low", "high"))
+        strength, direction, _inner = _directions(subject.information, self.ranges)
+        towards = direction[:, int(np.argmin(strength))] * self.ranges
+        ends = np.array(self.ends(i))
+        near = values[i] + OUTWARDS[0] * (ends - values[i])
+        with np.errstate(all="ignore"):
+            start = np.clip(values + (near - values[i])[:, None] * np.nan_to_num(towards / towards[i]), low, high)
+        rises = []
+        for share in OUTWARDS:
+            there = values[i] + share * (ends - values[i])
+            one, at = subject.refit_rises(i, there, start)
+            if share == OUTWARDS[0]:
+                two, from_minimum = subject.refit_rises(i, there)
+                at = np.where((two < one)[:, None], from_minimum, at)
+                one = np.minimum(one, two)
+            rises.append(one)
+            start = np.clip(values + 2 * (at - values), low, high)
+        return np.abs(OUTWARDS * (ends - values[i])[:, None]), np.array(rises).T
 
 
 def _completed(information: Array, profiles: _Profiles, ranges: Array, inside: NDArray[np.int64]) -> Array:
@@ -209,7 +221,7 @@ def _completed(information: Array, profiles: _Profiles, ranges: Array, inside: N
     for m in np.flatnonzero(~(strength > 1 / UNIDENTIFIED_STDERR**2)):
         i = int(np.argmax(np.abs(direction[:, m])))
         if profiles.rises(int(inside[i])):
-            share = direction[i, m] * ranges[inside[i]] / profiles.width(int(inside[i]))
+            share = direction[i, m] * ranges[inside[i]] / profiles.widths[int(inside[i])]
             change = max(share**2 - strength[m], 0.0)
             along = direction[:, m] / ranges[inside]
             information = information.copy()
