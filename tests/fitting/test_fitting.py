@@ -558,7 +558,7 @@ def test_the_plan_gives_the_odds_that_it_promises():
     angle = np.radians(np.repeat([s.angle_deg for s in plan.shots], [s.repeat for s in plan.shots]))
     angle = np.tile(angle, 4)  # enough rows for a fit to be made
     ball = carom.Ball(radius=A, mass=0.0027, inertia="hollow")
-    found, count = [], tried(20, 60)
+    found, count = [], tried(30, 60)
     for seed in range(count):
         rng = np.random.default_rng(seed)
         v = np.stack([-2 * np.cos(angle), 2 * np.sin(angle), 0 * angle], -1)

@@ -90,7 +90,7 @@ def test_what_fails_its_chi2_is_not_preferred():
 
 
 def test_true_laws_are_seldom_rejected():
-    count = tried(60, 150)
+    count = tried(40, 150)
     found = [adequacy(fit_law(law("contact"), make_problem(make_rebounds("planar", plain(measured_bounces(s, 40))), SETTING)[0]))
              for s in range(count)]  # fmt: skip
     pattern = np.array([one.pattern_probability for one in found])
