@@ -12,11 +12,12 @@ from carom.core.motion.phases import REST
 from carom.fitting.identifiability import NOT_IDENTIFIABLE
 from carom.fitting.shots import LawErrors, compare_forms, drawn_films, fit_of_some, predict_rest
 from carom.fitting.shots.film import filmed_shots
+from carom.fitting.shots.fit import DRAWS, _Together
 from carom.fitting.shots.followed import belief_of_start, followed
 from carom.fitting.shots.forms import FORMS, searched_together
 from carom.fitting.shots.joint import PRIOR_WIDTH, TablePrior, likely_widths
-from carom.fitting.shots.search import SearchSettings, descend, search_start
-from carom.fitting.shots.start import residuals
+from carom.fitting.shots.search import SearchSettings, _drawn, descend, rms, search_start
+from carom.fitting.shots.start import VELOCITY, residuals
 from carom.fitting.shots.table import FREE, TERMS, TableModel, begun, scene_of_films
 from carom.simulation.sensitivity.parameters import parameters_of
 from carom.tracks import Track
@@ -164,6 +165,32 @@ def test_starts_descend_together_as_each_alone(films):
         assert information == pytest.approx(known, rel=1e-6, abs=1e-6 * np.abs(known).max())
 
 
+def test_starts_are_drawn_with_the_other_side_spin_too():
+    start = np.array([0.01, 4.0, 0.0, 0.0, 1.6, 2.0, *np.zeros(6)])
+    other = [
+        float((_drawn(start, 1e8 * np.eye(12), 400, np.random.default_rng(0), 1.0, 12, anew)[:, 5] < -1.0).mean())
+        for anew in (0.0, 0.3)
+    ]
+    assert other[0] < 0.02
+    assert 0.05 < other[1] < 0.2
+
+
+def test_a_shot_that_is_far_is_searched_again_without_its_starts():
+    tracks, scenes = drawn_films(3, seed=5, until=1.5)
+    films, none = filmed_shots(tracks, RADIUS), np.zeros(0)
+    model = TableModel(scene_of_films(scenes[0], films, None, 3, 60.0, "test"), (), {})
+    together = _Together(model, films, 0, lambda _done, _text: None)
+    starts = together.searched(none, [None] * 3, 0.0, 0.0, together.events)
+    astray, n = starts[1], max(starts[1].best)
+    wrong = astray.best[n].copy()
+    wrong[VELOCITY] *= 0.5
+    astray.best, astray.pool = {n: wrong}, [wrong]
+    before = [len(one.pool) for one in starts]
+    together.searched_again(none, starts, 0)
+    assert [len(one.pool) - size for one, size in zip(starts, before, strict=True)] == [0, DRAWS, 0]
+    assert rms(model.at(none), astray.shot, astray.pool[-1], n) < 2.5e-3
+
+
 def test_a_number_that_one_shot_does_not_tell_stays_near_that_of_the_table():
     tracks, scenes = drawn_films(1, seed=3, until=0.6)
     best = carom.fit_shots(tracks, scenes[0], seed=1).best
@@ -207,6 +234,10 @@ def test_a_scatter_between_shots_is_found_and_widens_the_errors():
     assert 0 < abs(some.estimates[name].value - estimate.value) < 3 * some.estimates[name].stderr
     own = [one.scene.walls[0].restitution.value for one in best.shots]
     assert own == pytest.approx([estimate.value + one.deviations[name] for one in best.shots], abs=1e-12)
+    # laws and forms are compared on one table for all shots, as AICc is
+    again = searched_together([best, best], lambda _done, _text: None)
+    assert [one.deviance for one in again] == pytest.approx([best.deviance] * 2, abs=0.1)
+    assert len(some.one_table.starts) == 3
 
 
 def test_the_first_part_predicts_the_rest_within_its_regions(ranking):

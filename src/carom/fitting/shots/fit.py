@@ -34,7 +34,7 @@ from carom.fitting.shots.joint import (
     mean_squares,
     one_table,
 )
-from carom.fitting.shots.result import FittedShot, ShotsFit, ShotsRanking
+from carom.fitting.shots.result import FittedShot, OneTable, ShotsFit, ShotsRanking
 from carom.fitting.shots.search import FAILED, SearchSettings, ShotStart, refined, rms, search_start
 from carom.fitting.shots.start import FIRST_PLACE, SPIN, VELOCITY, distances, start_size
 from carom.fitting.shots.table import FREE, TableModel, begun, of_table, scene_of_films, table_of, with_balls
@@ -52,7 +52,8 @@ __all__ = ["fit_of_some", "fit_shots"]
 Array = NDArray[np.float64]
 DURATION = 60.0  # s: no shot takes longer
 JOINT = (3, 4, 6)  # events up to which the shared numbers are fitted, one after the other
-AGAIN = 2  # times that few shots are fitted once more with other draws, while one is not followed; at last by a wider search
+AGAIN = 2  # times that shots are fitted once more with other draws: few while one is not followed, at last by a wider search
+FAR, DRAWS = 2.0, 2  # of the median distance: shots that are searched again at last, and how often with other draws
 KEPT = 12  # starts of earlier searches that are tried again
 LAW = "two-step"
 
@@ -239,22 +240,24 @@ class _Together:
         """Search a start for each shot, on a table with such numbers, up to so many events."""
         table, found = self.model.at(values), []
         own = self.few and len(values) > 0
+        # (where the table is free, too, a start with any side spin comes near the film on a wrong one)
+        settings = SearchSettings(anew=0.0) if own else SearchSettings()
         widths = PRIOR_WIDTH * np.array([one.scale for one in self.model.shared]) if own else widths
         for i, (shot, old) in enumerate(zip(self.films.shots, starts, strict=True)):
             self.tell(part + share * i / len(self.films.shots), f"{shot.name or 'film'}: start")
             last = None if events is None else frames_of_events(shot, events)
             rng = np.random.default_rng([self.seed, i, turn if self.few else events or 0])
             before, wider = old.pool[-KEPT:] if old else (), not own or turn == AGAIN
-            found.append(
-                search_start(table, shot, self.films.noise, rng, SearchSettings(), before, last, widths, wider)
-            )
+            found.append(search_start(table, shot, self.films.noise, rng, settings, before, last, widths, wider))
         return found
 
-    def fitted(self, values: Array, starts: Sequence[ShotStart], part: float, share: float, events: int) -> JointFit:
+    def fitted(
+        self, values: Array, starts: Sequence[ShotStart], part: float, share: float, events: int, loosened: bool = True
+    ) -> JointFit:
         """Fit the numbers up to so many events of each shot."""
         frames = [frames_of_events(one, events) for one in self.films.shots]
         tell = functools.partial(_said, self.tell, part, share)
-        return fit_shared(self.model, values, starts, frames, self.films.noise, tell)
+        return fit_shared(self.model, values, starts, frames, self.films.noise, tell, loosened)
 
     def of_few(self, values: Array) -> tuple[JointFit, list[ShotStart]]:
         """Fit to all events; while a shot is not followed, once more with other draws: a wrong table holds its shots astray."""
@@ -278,7 +281,25 @@ class _Together:
                 starts = self.searched(values, old, turn * share, share / 2, max(events, 4))
             found = self.fitted(values, starts, turn * share, share, events)
             values = found.values
+        for turn in range(AGAIN):
+            self.searched_again(values, starts, turn)
+            found = self.fitted(values, starts, 0.6, 0.0, events, loosened=False)
+            values = found.values
         return found, starts
+
+    def searched_again(self, values: Array, starts: Sequence[ShotStart], turn: int) -> None:
+        """Search the shots that are far again, with other draws and without the starts so far; the pools take what is found."""
+        table, frames = self.model.at(values), [frames_of_events(one, self.events) for one in self.films.shots]
+        far = mean_squares(table, starts, frames)
+        for i in np.flatnonzero(far > FAR**2 * np.median(far)).tolist():
+            one = starts[i]
+            self.tell(0.6, f"{one.shot.name or 'film'}: start")
+            for draw in range(DRAWS):
+                rng = np.random.default_rng([self.seed, i, turn, draw])
+                other = search_start(
+                    table, one.shot, self.films.noise, rng, SearchSettings(), last=frames[i], wider=False
+                )
+                one.pool.append(other.best[max(other.best)])
 
     @property
     def events(self) -> int:
@@ -301,7 +322,7 @@ def _fit_law(
         values = fitted.values
         covariance, by_shots = covariance_of_shared(model.at(values), fitted, ready, films.noise)
     likelihood = deviance_of(mean_squares(model.at(values), ready, frames), ready, frames, films.noise)
-    final = ready
+    final, one_table = ready, OneTable(values, tuple(ready))
     if len(values) and not together.few:
         begin = WIDTH * np.array([one.scale for one in model.shared])
         scattered = fit_scatter(
@@ -314,7 +335,7 @@ def _fit_law(
     shots = tuple(_fitted(table, model, one) for one in final)
     return ShotsFit(
         law, table.scene, shots, _estimates(model, values, covariance), covariance, *likelihood, together.events, films.noise,
-        by_shots, model=model, widths=widths, starts=tuple(ready),
+        by_shots, model=model, widths=widths, starts=tuple(ready), one_table=one_table,
     )  # fmt: skip
 
 
@@ -341,6 +362,7 @@ def fit_of_some(fit: ShotsFit, which: Sequence[int]) -> ShotsFit:
     return replace(
         fit, scene=fit.model.scene_at(found.values), shots=tuple(fit.shots[i] for i in which), starts=tuple(some),
         estimates=_estimates(fit.model, found.values, found.covariance), covariance=found.covariance, widths=found.widths,
+        one_table=OneTable(fit.one_table.values, tuple(fit.one_table.starts[i] for i in which)),
     )  # fmt: skip
 
 

@@ -182,13 +182,14 @@ def compare_forms(
 
     ``tell(share, text)`` is called as it goes on.
     """
-    scene, frames = fit.table.scene, [frames_of_events(one.shot, fit.events) for one in fit.starts]
+    starts = fit.one_table.starts
+    scene, frames = fit.model.scene_at(fit.one_table.values), [frames_of_events(one.shot, fit.events) for one in starts]
     search, chosen, tried = _Search(frames, fit.noise), list[ChangedForm](), list[_Tried]()
 
     def first(change: Callable[[Scene], dict[str, Any]], paths: tuple[str, ...]) -> _Tried:
         model = replace(fit.model, scene=replaced(scene, change(scene)), paths=paths)
         values = np.array([one.value for one in model.shared])
-        return search.at(_Tried(change, model, values, [], values, np.inf, 0), values, fit.starts)
+        return search.at(_Tried(change, model, values, [], values, np.inf, 0), values, starts)
 
     for form in forms:
         if set(form.without) <= set(fit.model.paths):
@@ -223,9 +224,9 @@ def searched_together(fits: Sequence[ShotsFit], tell: Callable[[float, str], Non
     search = _Search([frames_of_events(one.shot, order[-1].events) for one in order[-1].starts], order[-1].noise)
     tried = []
     for one in order:
-        model = replace(one.model, scene=one.table.scene)
-        values = np.array([number.value for number in model.shared])
-        tried.append(search.at(_Tried(lambda _scene: {}, model, values, [], values, np.inf, 0), values, one.starts))
+        values, starts = one.one_table
+        model = replace(one.model, scene=one.model.scene_at(values))
+        tried.append(search.at(_Tried(lambda _scene: {}, model, values, [], values, np.inf, 0), values, starts))
     _search_all(search, tried, lambda done, k: tell(done, f"{order[k].law.name}: from the other's optimum"))
     return [replace(one, deviance=min(one.deviance, found.deviance)) for one, found in zip(order, tried, strict=True)]
 

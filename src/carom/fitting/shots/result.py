@@ -27,7 +27,7 @@ from carom.scene.scene import Scene
 from carom.simulation.simulate import simulate
 from carom.simulation.trajectory import Trajectory
 
-__all__ = ["HORIZONS", "ComparedForm", "EventMatch", "FittedShot", "ShotsFit", "ShotsRanking", "criterion"]
+__all__ = ["HORIZONS", "ComparedForm", "EventMatch", "FittedShot", "OneTable", "ShotsFit", "ShotsRanking", "criterion"]
 
 Array = NDArray[np.float64]
 HORIZONS = ("ball", "cushion 1", "cushion 2", "cushion 3", "whole")
@@ -157,6 +157,14 @@ class FittedShot:
         return found
 
 
+class OneTable(NamedTuple):
+    """The fit on one table for all shots, before numbers scatter between them: there laws and forms are compared."""
+
+    values: Array
+    """(P,)"""
+    starts: tuple[ShotStart, ...] = ()
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class ShotsFit:
     """A law of the cushions fitted to whole shots; made by :func:`carom.fit_shots`, with an example there."""
@@ -186,6 +194,7 @@ class ShotsFit:
     """(P,) standard deviations of the shared numbers between shots; None where these are too few to tell."""
     starts: tuple[ShotStart, ...] = field(kw_only=True, default=())
     """Up to the joint horizon, where the numbers are fitted."""
+    one_table: OneTable = field(kw_only=True)
 
     @property
     def table(self) -> TableNumbers:

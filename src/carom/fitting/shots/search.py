@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -38,6 +38,7 @@ Array = NDArray[np.float64]
 FIRST_FRAMES = 6  # of the cue ball, from which its velocity is guessed
 LEAST_SIGMA = 1e-3  # m: residuals below this count as noise
 SIGMA_SHARE = 0.5  # of the distance so far: the error that a frame is taken to have
+SIDE = 0.5  # of the speed: width of the side spin (times radius) that is drawn
 LAGS, CORRELATED = 40, 0.05  # frames over which residuals are correlated, and the least correlation that counts
 SOFT = 3.0  # of these, beyond which a residual counts in proportion
 ALIKE = 1e-3  # m between the places of two starts, below which they are one
@@ -59,6 +60,8 @@ class SearchSettings:
     descents: int = 4
     evaluations: int = 9
     """Of a descent."""
+    anew: float = 0.3
+    """Share of the draws at an event whose side spin is any, not one near that of a start so far."""
 
 
 @dataclass(eq=False)
@@ -129,7 +132,7 @@ def _first_draws(shot: FilmedShot, prior: StartPrior, velocity: Array, count: in
     follow, swerve = rng.normal(0.4, 0.8, count), rng.normal(0, 0.1, count)
     rolling = np.array([-along[1], along[0]])
     found[:, 3:5] = speed * (follow[:, None] * rolling + swerve[:, None] * along)
-    found[:, 5] = speed * rng.normal(0, 0.5, count)
+    found[:, 5] = speed * rng.normal(0, SIDE, count)
     low, high = shot.set_off
     found[:, TIME] = rng.uniform(low, high, count)
     found[:, FIRST_PLACE:k] += rng.normal(0, 3e-4, (count, k - FIRST_PLACE))
@@ -186,7 +189,9 @@ def _scales(start: Array, prior: StartPrior, own: int) -> Array:
     return scale
 
 
-def _drawn(start: Array, information: Array, count: int, rng: np.random.Generator, wide: float, own: int) -> Array:
+def _drawn(
+    start: Array, information: Array, count: int, rng: np.random.Generator, wide: float, own: int, anew: float
+) -> Array:
     """Return starts (N, K) from the region that the frames so far leave open, and wider, on the table as it is for this start."""
     information = information[:own, :own]
     size = 1 / np.sqrt(np.maximum(np.diag(information), 1e-300))
@@ -199,6 +204,10 @@ def _drawn(start: Array, information: Array, count: int, rng: np.random.Generato
     speed = float(np.hypot(*start[VELOCITY]))
     some = rng.random(count) < 0.3
     found[some, 5] = start[5] + speed * rng.normal(0, 0.3, int(some.sum()))
+    # (before a cushion the frames hardly tell the side spin, and a start of the other sign is no minimum of theirs nearby)
+    if anew:
+        some = rng.random(count) < anew
+        found[some, 5] = speed * rng.normal(0, SIDE, int(some.sum()))
     return np.asarray(found)
 
 
@@ -232,8 +241,8 @@ def search_start(
     far = _farthest(table, found)
     if far < FAILED or not wider:
         return found
-    wide = SearchSettings(
-        WIDER * settings.beam, WIDER * settings.draws, WIDER * settings.descents, settings.evaluations
+    wide = replace(
+        settings, beam=WIDER * settings.beam, draws=WIDER * settings.draws, descents=WIDER * settings.descents
     )
     other = search.found(wide, [*before, *found.pool])
     return min((found, far), (other, _farthest(table, other)), key=lambda one: one[1])[0]
@@ -292,7 +301,7 @@ class _Search:
             each, own, wide = -(-count // len(kept)), start_size(len(shot.balls)), 2.0 if many else 1.0
             tries = [
                 np.array([one[0] for one in kept]),
-                *(_drawn(one[0], one[2], each, rng, wide, own) for one in kept),
+                *(_drawn(one[0], one[2], each, rng, wide, own, settings.anew) for one in kept),
                 old,
             ]
             found = self._descended(settings, frames, kept, np.concatenate(tries), descents)
