@@ -192,6 +192,7 @@ class _Profiles:
         """Return distances from the minimum, from near to far, and the profile there (sides, m).
 
         The fits follow the valley, which begins along the weakest direction: from elsewhere they may end beyond a kink.
+        The first and the last begin at the minimum, too, since a valley may end.
         """
         subject, values = self.subject, self.subject.values
         low, high = (np.array([getattr(p, end) for p in subject.parameters]) for end in ("low", "high"))
@@ -205,7 +206,7 @@ class _Profiles:
         for share in OUTWARDS:
             there = values[i] + share * (ends - values[i])
             one, at = subject.refit_rises(i, there, start)
-            if share == OUTWARDS[0]:
+            if share in (OUTWARDS[0], OUTWARDS[-1]):
                 two, from_minimum = subject.refit_rises(i, there)
                 at = np.where((two < one)[:, None], from_minimum, at)
                 one = np.minimum(one, two)
