@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from reference.forking import forking
 
 from carom.core.jit import cache
 from carom.core.jit.generations import MARK, generations, use_generation
@@ -58,9 +59,10 @@ def names(base: Path) -> set[str]:
 def test_two_versions_keep_their_code(tmp_path: Path) -> None:
     """Each used to remove the other's: 4.4 minutes of compiling at every change of clone or environment."""
     one, two = (tmp_path / name for name in ("000000000000000a", "000000000000000b"))
-    for folder in (one, two, one):
-        subprocess.run([sys.executable, "-c", HOLD, str(folder)], check=True)
-        (folder / "code.nbc").touch()
+    with forking() as forked:
+        for folder in (one, two, one):
+            assert forked(tmp_path, "-c", f"import sys; sys.argv[1:] = [{str(folder)!r}]; {HOLD}") == (0, "", "")
+            (folder / "code.nbc").touch()
     assert names(tmp_path) == {one.name, two.name}
     assert [found.folder for found in generations(tmp_path)].count(one) == 1
 
@@ -133,18 +135,32 @@ def test_a_cache_that_cannot_be_written_is_no_fault(tmp_path: Path) -> None:
     assert generations(tmp_path / "file") == []
 
 
+MANY = """
+import os, pathlib, sys, time
+import carom.core.jit.generations as g
+g.KEPT_BYTES = 10
+begin, go = os.pipe()  # (all wait for its end)
+children = []
+for number in range(12):
+    child = os.fork()
+    if child == 0:
+        os.close(go)
+        os.read(begin, 1)
+        folder = pathlib.Path(sys.argv[1]) / f"{number % 4:016x}"
+        g.use_generation(folder)
+        time.sleep(0.3)
+        os._exit(0 if folder.is_dir() else 1)
+    children.append(child)
+os.close(go)
+print([os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) for child in children])
+"""
+
+
 def test_many_processes_at_once(tmp_path: Path) -> None:
     """Twelve that begin together, each with a cache that is full: none fails, and what they use is there at the end."""
-    full = "import carom.core.jit.generations as g; g.KEPT_BYTES = 10;"
-    hold = "import time; time.sleep(0.3); print(pathlib.Path(sys.argv[1]).is_dir())"
-    running = [
-        subprocess.Popen(
-            [sys.executable, "-c", full + HOLD + hold, str(tmp_path / f"{number % 4:016x}")],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-        )
-        for number in range(12)
-    ]  # fmt: skip
-    assert [process.communicate() for process in running] == [("True\n", "")] * 12
+    done = subprocess.run([sys.executable, "-c", MANY, str(tmp_path)], capture_output=True, text=True, check=True)
+    assert (done.stdout.strip(), done.stderr) == (str([0] * 12), "")
+    assert names(tmp_path) == {f"{number:016x}" for number in range(4)}
 
 
 def test_two_clones_know_their_own_modules(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

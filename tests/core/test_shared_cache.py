@@ -14,7 +14,7 @@ from carom.core.jit.compile import is_cached
 from carom.core.jit.file_locks import locked
 from carom.core.jit.shared_cache import Locator
 
-# A module of carom's, at a path of its own; it prints how often its loop was compiled, and how often it was loaded.
+# A module of carom's, at a path of its own; it says how often its loop was compiled, and how often it was loaded.
 MODULE = """
 from carom.core.jit.compile import njit
 
@@ -26,26 +26,42 @@ def loop(n):
 
 compiled = njit(loop)
 compiled(3)
-print(sum(compiled.stats.cache_misses.values()), sum(compiled.stats.cache_hits.values()))
+found = sum(compiled.stats.cache_misses.values()), sum(compiled.stats.cache_hits.values())
 """
 
-IMPORT_IT = "import sys, carom; carom.__path__.append(sys.argv[1]); import carom.trial"
+# Two processes that begin together; what they import is imported once, before they part.
+IMPORT_IT = """
+import os, sys
+import carom
+from carom.core.jit.compile import register_kernels
+register_kernels()
+children = []
+for folder in sys.argv[1:]:
+    child = os.fork()
+    if child == 0:
+        carom.__path__.append(folder)
+        import carom.trial
+        print(*carom.trial.found, flush=True)
+        os._exit(0)
+    children.append(child)
+for child in children:
+    os.waitpid(child, 0)
+"""
 
 
 def test_two_installations_compile_a_loop_once(tmp_path: Path) -> None:
-    running = []
-    for name in ("here", "there"):
-        (tmp_path / name).mkdir()
-        (tmp_path / name / "trial.py").write_text(MODULE)
-        running.append(
-            subprocess.Popen(
-                [sys.executable, "-c", IMPORT_IT, str(tmp_path / name)],
-                stdout=subprocess.PIPE,
-                text=True,
-                env={**os.environ, "CAROM_CACHE": str(tmp_path / "cache")},
-            )
-        )
-    assert sorted(process.communicate()[0].split() for process in running) == [["0", "1"], ["1", "0"]]
+    folders = [tmp_path / name for name in ("here", "there")]
+    for folder in folders:
+        folder.mkdir()
+        (folder / "trial.py").write_text(MODULE)
+    done = subprocess.run(
+        [sys.executable, "-c", IMPORT_IT, *map(str, folders)],
+        capture_output=True,
+        text=True,
+        check=True,
+        env={**os.environ, "CAROM_CACHE": str(tmp_path / "cache")},
+    )
+    assert sorted(done.stdout.splitlines()) == ["0 1", "1 0"]
 
 
 def test_functions_of_others_keep_numbas_own_place(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -107,36 +107,63 @@ def contexts() -> dict[str, Any]:
     return {}
 
 
+@pytest.fixture(scope="session")
+def idle_pages() -> dict[str, list[Any]]:
+    """Empty pages for the next test, by the settings of their context: a new one is a process, a third of what opening takes."""
+    return {}
+
+
 @pytest.fixture
-def open_page(chromium: Any, contexts: dict[str, Any], page_file: Path) -> Iterator[Opener]:
+def open_page(
+    chromium: Any, contexts: dict[str, Any], idle_pages: dict[str, list[Any]], page_file: Path
+) -> Iterator[Opener]:
     """Open the page (``file``: another one) with the network off; at the end: no error in the console, nothing asked for."""
-    pages: list[Any] = []
+    opened: list[tuple[str, Any]] = []
     said: list[str] = []
 
-    def opened(
+    def log_message(message: Any) -> None:
+        if message.type in ("error", "warning"):
+            said.append(message.text)
+
+    def log_error(error: Any) -> None:
+        said.append(str(error))
+
+    def log_request(request: Any) -> None:
+        if not request.url.startswith(("file:", "blob:", "data:", "about:")):
+            said.append(request.url)
+
+    listeners = {"console": log_message, "pageerror": log_error, "request": log_request}
+
+    def open_one(
         file: Path = page_file, after: str = "", script: str = "", size: tuple[int, int] = (1280, 720), **settings: Any
     ) -> Any:
-        settings |= {"viewport": {"width": size[0], "height": size[1]}, "offline": True}
-        if repr(settings) not in contexts:
-            contexts[repr(settings)] = chromium.new_context(**settings)
-        page = contexts[repr(settings)].new_page()
-        pages.append(page)
-        page.on("console", lambda message: said.append(message.text) if message.type in ("error", "warning") else None)
-        page.on("pageerror", lambda error: said.append(str(error)))
-        page.on(
-            "request",
-            lambda request: (
-                said.append(request.url) if not request.url.startswith(("file:", "blob:", "data:")) else None
-            ),
-        )
+        viewport = {"width": size[0], "height": size[1]}
+        settings |= {"viewport": viewport, "offline": True}
+        name = repr(settings)
+        if name not in contexts:
+            contexts[name] = chromium.new_context(**settings)
+        idle = idle_pages.setdefault(name, [])
+        page = idle.pop() if idle and not script else contexts[name].new_page()
+        # (a script stays with its page)
+        opened.append(("" if script else name, page))
+        page.set_viewport_size(viewport)
+        for event, listener in listeners.items():
+            page.on(event, listener)
         if script:
             page.add_init_script(script)
         page.goto(file.as_uri() + after)
         page.wait_for_function("() => document.documentElement.dataset.ready")
         return page
 
-    yield opened
-    for page in pages:
-        page.close()
+    yield open_one
+    for name, page in opened:
+        if not name:
+            page.close()
+            continue
+        page.mouse.move(-1, -1)
+        page.goto("about:blank")
+        for event, listener in listeners.items():
+            page.remove_listener(event, listener)
+        idle_pages[name].append(page)
     # (Chromium says of software WebGL that reading pixels is slow: no fault of the page)
     assert [text for text in said if "GPU stall" not in text and "GL Driver Message" not in text] == []

@@ -129,7 +129,9 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[..., str]
     (folder / "rebounds.csv").write_text("\n".join([head, *lines]) + "\n")
     # (a cache of its own: a second copy of the sources must not push the first one's compiled code out)
     own = {"PYTHONPATH": str(folder), "CAROM_CACHE": str(folder / "cache"), "NO_COLOR": "1"}
-    with forking("numpy", "numba", **own) as forked:
+    # (what each run that compiles the law would do first)
+    prepare = "from carom.core.jit.compile import register_kernels; register_kernels()"
+    with forking("numpy", "numba", prepare=prepare, **own) as forked:
 
         def answer(*words: str) -> str:
             code, out, err = forked(folder, *words)

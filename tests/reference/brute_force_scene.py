@@ -13,6 +13,7 @@ between two steps), the motion comes of integrating Coulomb's friction in steps,
 
 from __future__ import annotations
 
+import collections
 import functools
 import math
 from typing import Any
@@ -250,9 +251,8 @@ def _push(v: Any, w: Any, jx: float, jy: float, jz: float, n: Any, a: float, m: 
     w[2] += c * (n[0] * jy - n[1] * jx)
 
 
-def _strike(v: Any, w: Any, n: Any, a: float, k: float, e: float, mu: float, beta: float) -> None:
-    """One contact of a ball of mass 1: (e, mu, beta)."""
-    u = np.zeros(3)
+def _strike(v: Any, w: Any, n: Any, a: float, k: float, e: float, mu: float, beta: float, u: Any) -> None:
+    """One contact of a ball of mass 1: (e, mu, beta); the slip before it is written to u."""
     un = _slip(v, w, n, a, u)
     size = math.sqrt(u[0] ** 2 + u[1] ** 2 + u[2] ** 2)
     p = -(1 + e) * un
@@ -264,16 +264,16 @@ def _strike(v: Any, w: Any, n: Any, a: float, k: float, e: float, mu: float, bet
 
 
 STEPS = 6
+UP = (0.0, 0.0, 1.0)
 
 
-def _move(row: Any, ball: Any, world: Any, s: float, x: Any, v: Any, w: Any) -> None:
-    """Integrate a ball from a row of the log for a time s, in steps."""
+def _move(row: Any, ball: Any, world: Any, s: float, x: Any, v: Any, w: Any, u: Any) -> None:
+    """Integrate a ball from a row of the log for a time s, in steps; u is for its slip."""
     for c in range(3):
         x[c], v[c], w[c] = row.x[c], row.v[c], row.w[c]
     a, k, phase = ball.radius, ball.kappa, row.phase
     g = world.g
     if phase == BOUNCING:
-        up = np.array([0.0, 0.0, 1.0])
         left = s
         while v[2] > 0 and left > 0:
             hop = min(2 * v[2] / g, left)
@@ -283,13 +283,12 @@ def _move(row: Any, ball: Any, world: Any, s: float, x: Any, v: Any, w: Any) -> 
             v[2] -= g * hop
             left -= hop
             if left > 0:
-                _strike(v, w, up, a, k, world.floor_p[0], world.floor_mu, world.floor_beta)
+                _strike(v, w, UP, a, k, world.floor_p[0], world.floor_mu, world.floor_beta, u)
                 x[2] = a
                 if v[2] < 1e-12 * row.v[2]:
                     break
         return
     h = s / STEPS
-    u = np.zeros(3)
     for _ in range(STEPS):
         bx = by = bz = tx = ty = 0.0
         if phase == FLIGHT:
@@ -325,9 +324,9 @@ def _energy(v: Any, w: Any, m: float, k: float, a: float) -> float:
     return m * (v[0] ** 2 + v[1] ** 2 + v[2] ** 2) / 2 + k * m * a * a * (w[0] ** 2 + w[1] ** 2 + w[2] ** 2) / 2
 
 
-def _is_in_cluster(log: Any, row: int) -> bool:
+def _is_in_cluster(log: list[Any], row: int) -> bool:
     """Whether a row is of contacts that overlap in time, which are judged elsewhere (tests/reference/hertz_contacts.py)."""
-    return bool(row < log.shape[0] and log[row].kind in (IN_CLUSTER, WALL_IN_CLUSTER))
+    return bool(row < len(log) and log[row].kind in (IN_CLUSTER, WALL_IN_CLUSTER))
 
 
 def _differ(p: Any, q: Any, least: float) -> bool:
@@ -342,71 +341,87 @@ def _speed(v: Any) -> float:
     return math.sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2)
 
 
-def _judge(  # noqa: PLR0911
-    log: Any, balls: Any, worlds: Any, stuff: Any, surfaces: Any, end: float, out: Any
+def _walk(
+    log: Any, balls: Any, worlds: Any, stuff: Any, last: Any, t: float, until: float, row: int, room: Any, out: Any
 ) -> None:
-    """The first fault of a run: out = number of the fault, row, size, events seen; steps taken."""
+    """Nothing on the way: every ball from t to until, with a step that shrinks with the distance.
+
+    out = number of the first fault, row, size, -; steps taken. ``last`` has each ball's row that it follows, ``room`` (7, 3)
+    is for vectors: no array is made here, nor is more compiled than these many steps need.
+    """
     world = worlds[0]
     count = balls.shape[0]
-    last = np.zeros(count, np.int64)  # each ball's row that it follows
+    x, v, w, y, u, q, slip = room[0], room[1], room[2], room[3], room[4], room[5], room[6]
+    pull = math.sqrt(world.force[0] ** 2 + world.force[1] ** 2 + world.force[2] ** 2)
     for i in range(count):
-        last[i] = i
-    x, v, w, y, u, q = np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(3)
-    n = np.zeros(3)
-    up = np.array([0.0, 0.0, 1.0])
+        own, ball = log[last[i]], balls[i]
+        if own.phase >= HELD:
+            continue
+        a = ball.radius
+        at = t
+        while True:
+            at_end = at >= until
+            at = min(at, until)
+            _move(own, ball, world, at - own.t, x, v, w, slip)
+            most = _pace(v, w, a) if own.phase != FLIGHT else _speed(v) + pull * (until - at)
+            near = math.inf
+            for k in range(stuff.shape[0]):
+                gap = _gap(stuff[k], x[0], x[1], x[2])
+                if stuff[k, 0] == HOLE and gap < -DEEP * a:
+                    out[0], out[1], out[2] = 20, row, gap / a
+                    return
+                near = min(near, gap if stuff[k, 0] == HOLE else gap - a)
+            if near < -DEEP * a:
+                out[0], out[1], out[2] = 1, row, near / a
+                return
+            if world.floor != 0:
+                if x[2] - a < -DEEP * a:
+                    out[0], out[1], out[2] = 2, row, x[2] / a - 1
+                    return
+                if own.phase == FLIGHT:
+                    near = min(near, x[2] - a)
+            for k in range(count):
+                other = log[last[k]]
+                if k == i or other.phase >= HELD:
+                    continue
+                _move(other, balls[k], world, at - other.t, y, u, q, slip)
+                far = math.sqrt((x[0] - y[0]) ** 2 + (x[1] - y[1]) ** 2 + (x[2] - y[2]) ** 2)
+                gap = far - a - balls[k].radius
+                if gap < -DEEP * min(a, balls[k].radius):
+                    out[0], out[1], out[2] = 3, row, gap / a
+                    return
+                speed = _pace(u, q, balls[k].radius) if other.phase != FLIGHT else _speed(u) + pull * (until - at)
+                near = min(near, gap * most / (most + speed) if most + speed > 0 else gap)
+            out[4] += 1
+            if at_end:
+                break
+            at += max(near, LEAST * a) / most if most > 0 else math.inf
+
+
+def _judge(  # noqa: PLR0911
+    run: carom.Trajectory, surfaces: Any, out: Any
+) -> None:
+    """The first fault of a run: out = number of the fault, row, size, events seen; steps taken."""
+    setup, walk = run.arrays, _compiled()
+    stuff = solids(run.scene)
+    arrays = run.log, setup.balls_to_move(), setup.world, stuff
+    log, balls, (world,) = (_rows(one) for one in arrays[:3])
+    count = len(balls)
+    last = np.arange(count)  # each ball's row that it follows
+    room = np.zeros((7, 3))
+    x, v, w, y, u, q, n = ([0.0, 0.0, 0.0] for _ in range(7))
     pull = math.sqrt(world.force[0] ** 2 + world.force[1] ** 2 + world.force[2] ** 2)
     t, row = 0.0, count
     while True:
-        until = log[row].t if row < log.shape[0] else end
+        until = log[row].t if row < len(log) else run.end
         if until < t:
             out[0], out[1] = 17, row
             return
-        # --- nothing on the way: every ball from t to until, with a step that shrinks with the distance
-        for i in range(count):
-            own, ball = log[last[i]], balls[i]
-            if own.phase >= HELD:
-                continue
-            a = ball.radius
-            at = t
-            while True:
-                at_end = at >= until
-                at = min(at, until)
-                _move(own, ball, world, at - own.t, x, v, w)
-                most = _pace(v, w, a) if own.phase != FLIGHT else _speed(v) + pull * (until - at)
-                near = math.inf
-                for k in range(stuff.shape[0]):
-                    gap = _gap(stuff[k], x[0], x[1], x[2])
-                    if stuff[k, 0] == HOLE and gap < -DEEP * a:
-                        out[0], out[1], out[2] = 20, row, gap / a
-                        return
-                    near = min(near, gap if stuff[k, 0] == HOLE else gap - a)
-                if near < -DEEP * a:
-                    out[0], out[1], out[2] = 1, row, near / a
-                    return
-                if world.floor != 0:
-                    if x[2] - a < -DEEP * a:
-                        out[0], out[1], out[2] = 2, row, x[2] / a - 1
-                        return
-                    if own.phase == FLIGHT:
-                        near = min(near, x[2] - a)
-                for k in range(count):
-                    other = log[last[k]]
-                    if k == i or other.phase >= HELD:
-                        continue
-                    _move(other, balls[k], world, at - other.t, y, u, q)
-                    far = math.sqrt((x[0] - y[0]) ** 2 + (x[1] - y[1]) ** 2 + (x[2] - y[2]) ** 2)
-                    gap = far - a - balls[k].radius
-                    if gap < -DEEP * min(a, balls[k].radius):
-                        out[0], out[1], out[2] = 3, row, gap / a
-                        return
-                    speed = _pace(u, q, balls[k].radius) if other.phase != FLIGHT else _speed(u) + pull * (until - at)
-                    near = min(near, gap * most / (most + speed) if most + speed > 0 else gap)
-                out[4] += 1
-                if at_end:
-                    break
-                at += max(near, LEAST * a) / most if most > 0 else math.inf
+        walk(*arrays, last, t, until, row, room, out)
+        if out[0]:
+            return
         t = until
-        if row >= log.shape[0]:
+        if row >= len(log):
             out[3] = row - count
             return
         # --- the event
@@ -415,7 +430,7 @@ def _judge(  # noqa: PLR0911
         ball, own = balls[i], log[last[i]]
         a, kappa, m = ball.radius, ball.kappa, ball.mass
         # (the second row of a held ball, and of a pair, stands at the same place)
-        _move(own, ball, world, t - own.t, x, v, w)
+        _move(own, ball, world, t - own.t, x, v, w, u)
         speed = _pace(v, w, a) + math.sqrt(pull * a)
         # what the rounding of the time changes
         rub = world.floor_mu * (1 + 1 / kappa) if world.floor_mu < math.inf else 0.0
@@ -436,7 +451,7 @@ def _judge(  # noqa: PLR0911
             return
         if r.kind == WALL:
             nearest, code = math.inf, 4
-            for k in range(stuff.shape[0]):
+            for k in range(len(stuff)):
                 if stuff[k, 1] != r.other:
                     continue
                 near = _gap(stuff[k], x[0], x[1], x[2]) - a
@@ -461,11 +476,11 @@ def _judge(  # noqa: PLR0911
                 f = surfaces[r.other]
                 lies = world.floor != 0 and x[2] <= a * (1 + CLOSE)
                 if f[3] == 3:
-                    _strike(v, w, n, a, kappa, f[0], 0.0, 0.0)
+                    _strike(v, w, n, a, kappa, f[0], 0.0, 0.0, u)
                 elif f[3] == 2:
-                    _strike(v, w, n, a, kappa, 1.0, math.inf, 1.0)
+                    _strike(v, w, n, a, kappa, 1.0, math.inf, 1.0, u)
                 elif f[3] == 0:
-                    _strike(v, w, n, a, kappa, f[0], f[1], f[2])
+                    _strike(v, w, n, a, kappa, f[0], f[1], f[2], u)
                 # (contact that lasts goes on in hops, which have no more than 1e-6 of the energy)
                 hop = 1e-3 * speed
                 # what a floor answers, and the conventional law, are judged elsewhere; grazes are for a better normal
@@ -482,7 +497,7 @@ def _judge(  # noqa: PLR0911
                 return
         elif r.kind == POCKETED_EVENT:
             code = 21
-            for k in range(stuff.shape[0]):
+            for k in range(len(stuff)):
                 own_edge = stuff[k, 0] == HOLE and stuff[k, 1] == -1 - r.other
                 if own_edge and abs(_gap(stuff[k], x[0], x[1], x[2])) <= CLOSE * a:
                     into = (stuff[k, 2] - x[0]) * v[0] + (stuff[k, 3] - x[1]) * v[1]
@@ -499,7 +514,7 @@ def _judge(  # noqa: PLR0911
                 return
             for c in range(3):
                 v[c], w[c] = r.v_before[c], r.w_before[c]
-            _strike(v, w, up, a, kappa, world.floor_p[0], world.floor_mu, world.floor_beta)
+            _strike(v, w, UP, a, kappa, world.floor_p[0], world.floor_mu, world.floor_beta, u)
             still = 0.0 if r.phase == FLIGHT else 2e-6 * math.sqrt(world.g * a)  # hops that are not made any more
             if _differ(v, r.v, 1e-11 * speed + 1e-6 * abs(r.v_before[2]) + still):
                 out[0], out[1] = 14, row
@@ -513,7 +528,7 @@ def _judge(  # noqa: PLR0911
                 pass  # the second row of the pair: judged with the first
             else:
                 b = balls[k]
-                _move(other, b, world, t - other.t, y, u, q)
+                _move(other, b, world, t - other.t, y, u, q, n)
                 far = math.sqrt((x[0] - y[0]) ** 2 + (x[1] - y[1]) ** 2 + (x[2] - y[2]) ** 2)
                 if abs(far - a - b.radius) > CLOSE * min(a, b.radius):
                     out[0], out[1], out[2] = 8, row, (far - a - b.radius) / a
@@ -555,40 +570,35 @@ def _judge(  # noqa: PLR0911
                 return
         last[i] = row
         row += 1
-        if r.kind == BALL and row < log.shape[0]:
+        if r.kind == BALL and row < len(log):
             mate = log[row]
             if mate.t == t and mate.kind == BALL and mate.ball == r.other:
                 last[mate.ball] = row  # the pair changes at once
                 row += 1
 
 
+def _rows(array: Any) -> list[Any]:
+    """Rows of a structured array as named tuples of Python's numbers and lists."""
+    row = collections.namedtuple("row", array.dtype.names)
+    return [row(*values) for values in zip(*(array[name].tolist() for name in array.dtype.names), strict=True)]
+
+
 @functools.cache
 def _compiled() -> Any:
-    """The judge, compiled; all that it calls stands in this file, whose changes the cache sees."""
+    """The walk, compiled; all that it calls stands in this file, whose changes the cache sees."""
     import numba
 
-    jit = numba.njit(error_model="numpy")
+    # (called from the walk only, which makes no array: see carom.core.jit.compile.KERNEL_OPTIONS)
+    jit = numba.njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True, _nrt=False)
     space = dict(globals())
-    for name in (
-        "_gap",
-        "_slip",
-        "_push",
-        "_strike",
-        "_move",
-        "_energy",
-        "_differ",
-        "_pace",
-        "_speed",
-        "_is_in_cluster",
-    ):
+    for name in ("_gap", "_slip", "_push", "_strike", "_move", "_pace", "_speed"):
         function = globals()[name]
         space[name] = jit(type(function)(function.__code__, space, name))
-    return njit(type(_judge)(_judge.__code__, space, "_judge"))
+    return njit(type(_walk)(_walk.__code__, space, "_walk"), _nrt=False)
 
 
 def judge(run: carom.Trajectory) -> tuple[str, int, float, int]:
     """The first fault of a run (empty for none), its row of the log, its size, and the steps taken."""
-    setup = run.arrays
     surfaces = np.zeros((len(run.scene.walls), 4))
     laws = ("two-step", "conventional", "no-slip", "mirror")
     for i, (wall, law) in enumerate(zip(run.scene.walls, run.scene.wall_laws, strict=True)):
@@ -596,7 +606,7 @@ def judge(run: carom.Trajectory) -> tuple[str, int, float, int]:
         surfaces[i] = c.p[0], c.mu, c.beta, laws.index(law) if law in laws else 4
     assert run.log.dtype == LOG
     out = np.zeros(5)
-    _compiled()(run.log, setup.balls_to_move(), setup.world, solids(run.scene), surfaces, run.end, out)
+    _judge(run, surfaces.tolist(), out)
     return FAULTS[int(out[0])], int(out[1]), float(out[2]), int(out[4])
 
 

@@ -17,11 +17,13 @@ SERVER = """
 import json, os, signal, sys
 import carom.cli, carom.cli.help
 len(carom.LAWS)  # (loads them)
-for name in sys.argv[1:]:
+prepare, *names = sys.argv[1:]
+for name in names:
     try:
         __import__(name)
     except ImportError:
         pass
+exec(prepare, {"__name__": "prepare"})
 for line in sys.stdin:
     folder, size, environment, words = json.loads(line)
     pipes = os.pipe(), os.pipe()
@@ -52,14 +54,14 @@ Forked = Callable[..., tuple[int, str, str]]
 
 
 @contextlib.contextmanager
-def forking(*libraries: str, **environment: str) -> Iterator[Forked]:
+def forking(*libraries: str, prepare: str = "", **environment: str) -> Iterator[Forked]:
     """Yield ``run(folder, *words, size=None, **environment)``: exit code, standard output, standard error.
 
     The words are those of the command, or ``"-c"`` and a program. ``size`` is the largest file that it may write, in bytes.
-    The process that forks has imported carom and these libraries, where they are installed.
+    The process that forks has imported carom and these libraries, where they are installed, and run the program ``prepare``.
     """
     with subprocess.Popen(
-        [sys.executable, "-c", SERVER, *libraries], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+        [sys.executable, "-c", SERVER, prepare, *libraries], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
         env=os.environ | environment,
     ) as process:  # fmt: skip
         assert process.stdin is not None

@@ -9,6 +9,7 @@ import mpmath
 import numpy as np
 import pytest
 from reference.cloth_shots import Ball, Cloth, Shot, Wall
+from reference.exploring import tried
 
 import carom
 from carom.core.motion.decay import decay_integrals, time_of_integral, time_of_path
@@ -286,7 +287,7 @@ def test_round_walls_yield_along_their_normals() -> None:
     }
     tube = {**pillar, "radius": 1.0, "inside": True}
     draw = np.random.default_rng(3)
-    for n in range(30):
+    for n in range(tried(12, 30)):
         wall, side = ((pillar, 1), (tube, -1))[n % 2]
         wall = {**wall, "yield_time": draw.uniform(0, 0.01)}
         v, spin = draw.uniform(-2, 2, 2), draw.uniform(-60, 60, 3)

@@ -3,14 +3,14 @@
 import hashlib
 import math
 import os
-import subprocess
-import sys
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from reference.brute_force_scene import judge, random_scene
 from reference.exploring import tried
+from reference.forking import forking
 
 import carom
 from carom.core.motion.phases import HELD
@@ -276,12 +276,14 @@ def test_whatever_the_floor_the_ball_ends_rolling_as_two_step_says(mu: float, e:
 # --- the same bits -------------------------------------------------------------------------------------------------------
 
 THREADS = """
-import hashlib, sys
+import hashlib, os, sys
 sys.path.insert(0, {tests!r})
 import numpy as np, carom
+from carom.core.jit.threads import thread_count
 from reference.brute_force_scene import random_scene
+assert thread_count() == int(os.environ["NUMBA_NUM_THREADS"])
 digest = hashlib.sha256()
-for seed in range(40):
+for seed in range({scenes}):
     digest.update(carom.simulate(random_scene(seed)).log.tobytes())
 scene = random_scene({seed})
 shape = (200, len(scene.balls), 3)
@@ -292,14 +294,14 @@ print(digest.hexdigest())
 """
 
 
-def test_the_same_bits_with_one_thread_and_with_two() -> None:
-    code = THREADS.format(tests=os.path.dirname(os.path.dirname(__file__)), seed=5)
-    said = [
-        subprocess.run(
-            [sys.executable, "-c", code], env={**os.environ, "NUMBA_NUM_THREADS": n}, capture_output=True, check=True
-        ).stdout
-        for n in tried(("1", "2"), ("1", "2", "2"))
-    ]
+def test_the_same_bits_with_one_thread_and_with_two(tmp_path: Path) -> None:
+    code = THREADS.format(tests=os.path.dirname(os.path.dirname(__file__)), seed=5, scenes=tried(10, 40))
+    said = []
+    with forking() as forked:
+        for n in tried(("1", "2"), ("1", "2", "2")):
+            exit_code, out, err = forked(tmp_path, "-c", code, NUMBA_NUM_THREADS=n)
+            assert exit_code == 0, err
+            said.append(out)
     assert len(said[0]) == 2 * hashlib.sha256().digest_size + 1
     assert len(set(said)) == 1
 

@@ -69,8 +69,12 @@ def test_the_judge_sees_a_ball_that_does_not_fall() -> None:
 
 
 def _follow(stuff: Any, x: Any, v: Any, a: float, e: float, h: float, until: float, out: Any) -> None:
-    """Move two balls without friction among solids by steps of h, each halved down to the instant of a contact."""
+    """Move two balls without friction among solids by steps of h, each halved down to the instant of a contact.
+
+    Nothing is looked at while a ball has less way behind it than the nearest solid was away.
+    """
     t = 0.0
+    clear = np.zeros(2)
     gone = np.zeros(2, np.int64)
     while t < until and (gone[0] == 0 or gone[1] == 0):
         step = h
@@ -79,11 +83,15 @@ def _follow(stuff: Any, x: Any, v: Any, a: float, e: float, h: float, until: flo
                 x[i, c] += step * v[i, c] * (1 - gone[i])
         t += step
         for i in range(2):
-            if gone[i] != 0:
+            clear[i] -= step * math.sqrt(v[i, 0] ** 2 + v[i, 1] ** 2)
+            if gone[i] != 0 or clear[i] > 1e-9 * a:
                 continue
+            clear[i] = math.inf
             for k in range(stuff.shape[0]):
                 own = a if stuff[k, 0] != HOLE else 0.0
-                if _gap(stuff[k], x[i, 0], x[i, 1], a) - own >= 0:
+                gap = _gap(stuff[k], x[i, 0], x[i, 1], a) - own
+                clear[i] = min(clear[i], gap)
+                if gap >= 0:
                     continue
                 if stuff[k, 0] == HOLE:
                     gone[i] = 1
@@ -127,6 +135,7 @@ def _follow(stuff: Any, x: Any, v: Any, a: float, e: float, h: float, until: flo
                 v[1, 0] += un * nx
                 v[1, 1] += un * ny
                 for i in range(2):
+                    clear[i] = 0.0
                     for c in range(2):
                         x[i, c] += s * v[i, c]
 
@@ -135,10 +144,11 @@ def _follow(stuff: Any, x: Any, v: Any, a: float, e: float, h: float, until: flo
 def _compiled() -> Any:
     import numba
 
-    jit = numba.njit(error_model="numpy")
     space = dict(globals()) | dict(_gap.__globals__)
+    made = {"_gap": numba.njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)}
+    made["_follow"] = numba.njit(error_model="numpy", no_cfunc_wrapper=True)
     for name, function in (("_gap", _gap), ("_follow", _follow)):
-        space[name] = jit(type(function)(function.__code__, space, name))
+        space[name] = made[name](type(function)(function.__code__, space, name))
     return space["_follow"]
 
 
