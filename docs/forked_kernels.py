@@ -1,7 +1,8 @@
-"""Kernels of pages, forked from one process that has imported what most pages import: that takes longer than most cells.
+"""Kernels of pages, and commands in their cells, forked from one process that has imported what most of them import.
 
-Each page has a process of its own, as it had, and nothing of a page is left to another one. ``python forked_kernels.py SOCKET``
-serves: a caller sends a line of JSON, gets the new process's number, and keeps the connection; it is closed when the process ends.
+The imports take longer than most cells. Each page and each command has a process of its own, and nothing is left to another one.
+``python forked_kernels.py SOCKET`` serves: a caller sends a line of JSON, gets the new process's number, and keeps the connection;
+it is closed when the process ends. A command sends its three streams along, and gets its exit code before that.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import importlib
 import json
 import os
 import select
+import shlex
 import signal
 import socket
 import subprocess
@@ -23,8 +25,9 @@ from typing import Any
 from jupyter_client import AsyncKernelManager
 
 import carom
+import carom.cli
 
-IMPORTED = ("ipykernel.kernelapp", "matplotlib.pyplot", "scipy.optimize", "scipy.stats", "sympy")
+IMPORTED = ("ipykernel.kernelapp", "matplotlib.pyplot", "scipy.optimize", "scipy.stats", "sympy", "carom.cli.help")
 NAMES = ("Scene", "simulate", "fit", "orbit", "simulate_gas")  # of carom: what they need is imported with them
 PATIENCE = 300.0  # s, until all this is imported
 
@@ -88,9 +91,30 @@ class ForkingManager(AsyncKernelManager):
         self._reconcile_connection_info(provisioner.connection_info)
 
 
+# The command ``carom`` of cells: a Python without libraries, which hands its words and streams to the server.
+COMMAND = """
+import json, os, socket, sys
+with socket.socket(socket.AF_UNIX) as server:
+    server.connect(sys.argv[1])
+    order = {"words": sys.argv[2:], "folder": os.getcwd(), "environment": dict(os.environ), "command": True}
+    socket.send_fds(server, [b"+"], [0, 1, 2])
+    server.sendall(json.dumps(order).encode() + b"\\n")
+    sys.exit(int(server.makefile().read().split()[1]))
+"""
+
+
 def start(folder: Path) -> None:
-    """Start the server, which ends with the process that has started it; its socket is made in ``folder``."""
+    """Start the server, which ends with the process that has started it; its socket is made in ``folder``.
+
+    The command ``carom`` of this process and of its children is from now on one that the server forks.
+    """
     ForkingManager.server = folder / "kernels"
+    (folder / "bin").mkdir()
+    (folder / "bin" / "carom.py").write_text(COMMAND, encoding="utf-8")
+    words = shlex.join([sys.executable, "-IS", str(folder / "bin" / "carom.py"), str(ForkingManager.server)])
+    (folder / "bin" / "carom").write_text(f'#!/bin/sh\nexec {words} "$@"\n', encoding="utf-8")
+    (folder / "bin" / "carom").chmod(0o755)
+    os.environ["PATH"] = os.pathsep.join([str(folder / "bin"), os.environ.get("PATH", "")])
     # (kept: a pipe that nobody holds is closed)
     ForkingManager.holding = subprocess.Popen(
         [sys.executable, __file__, str(ForkingManager.server)], stdin=subprocess.PIPE
@@ -113,10 +137,40 @@ def _serve(place: Path) -> None:
                 os._exit(0)
             connection, _ = server.accept()
             with connection:
-                order = json.loads(connection.makefile().readline())
+                first, streams, *_ = socket.recv_fds(connection, 1, 3)
+                order = json.loads(first.strip(b"+") + connection.makefile("rb").readline())
                 if os.fork() == 0:
                     server.close()
+                    if order.pop("command", False):
+                        _command(connection, streams, **order)
                     _kernel(connection, **order)
+                for stream in streams:
+                    os.close(stream)
+
+
+def _command(
+    connection: socket.socket, streams: list[int], words: list[str], folder: str, environment: dict[str, str]
+) -> None:
+    """Become a run of ``carom``; its exit code goes to ``connection``, which stays open until the end."""
+    signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+    for number, stream in enumerate(streams):
+        os.dup2(stream, number)
+        os.close(stream)
+    os.chdir(folder)
+    os.environ.clear()
+    os.environ.update(environment)
+    connection.sendall(f"{os.getpid()} ".encode())
+    sys.stdout.reconfigure(line_buffering=False)  # type: ignore[union-attr]  # (as where it is no terminal)
+    sys.argv = ["carom", *words]
+    code: Any = 1
+    try:
+        carom.cli.main()
+    except SystemExit as end:
+        code = end.code or 0
+    atexit._run_exitfuncs()
+    sys.stdout.flush()
+    connection.sendall(str(code).encode())
+    os._exit(int(code))
 
 
 def _kernel(connection: socket.socket, words: list[str], folder: str, environment: dict[str, str]) -> None:

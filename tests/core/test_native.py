@@ -9,8 +9,6 @@ import json
 import math
 import os
 import re
-import subprocess
-import sys
 import threading
 import time
 from collections.abc import Callable
@@ -20,6 +18,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from reference.forking import forking
 
 from carom.core.jit import machine_code, native, native_build
 from carom.core.jit.compile import array_of, njit, signature
@@ -362,16 +361,16 @@ def test_a_first_run_needs_no_numba_and_gives_the_same_bits(tmp_path: Path) -> N
     if not native.is_shipped(run_many._many):
         pytest.skip("the package's loops are not of today's kernels")
     found = []
-    for place in (
-        tmp_path / "cache",
-        tmp_path / "cache",
-        Path(os.devnull),
-    ):  # (new, used, and one that cannot be written)
-        environment = {**os.environ, "CAROM_CACHE": str(place)}
-        done = subprocess.run(
-            [sys.executable, "-c", FIRST_RUN], capture_output=True, text=True, check=True, env=environment
-        )
-        found.append(json.loads(done.stdout))
+    with forking() as forked:  # (which imports no Numba)
+        for place in (
+            tmp_path / "cache",
+            tmp_path / "cache",
+            os.devnull,
+        ):  # (new, used, and one that cannot be written)
+            code, out, err = forked(tmp_path, "-c", FIRST_RUN, CAROM_CACHE=str(place))
+            assert code == 0, err
+            found.append(json.loads(out))
+    assert list((tmp_path / "cache").rglob("*.o"))
     many, one, numba = found[0]
     assert many == one
     assert not numba

@@ -109,7 +109,7 @@ def contexts() -> dict[str, Any]:
 
 @pytest.fixture(scope="session")
 def idle_pages() -> dict[str, list[Any]]:
-    """Empty pages for the next test, by the settings of their context: a new one is a process, a third of what opening takes."""
+    """Empty pages for the next test, by the settings of their context; a new one is a process, a third of what opening takes."""
     return {}
 
 
@@ -137,16 +137,14 @@ def open_page(
     def open_one(
         file: Path = page_file, after: str = "", script: str = "", size: tuple[int, int] = (1280, 720), **settings: Any
     ) -> Any:
-        viewport = {"width": size[0], "height": size[1]}
-        settings |= {"viewport": viewport, "offline": True}
         name = repr(settings)
         if name not in contexts:
-            contexts[name] = chromium.new_context(**settings)
+            contexts[name] = chromium.new_context(offline=True, **settings)
         idle = idle_pages.setdefault(name, [])
         page = idle.pop() if idle and not script else contexts[name].new_page()
         # (a script stays with its page)
         opened.append(("" if script else name, page))
-        page.set_viewport_size(viewport)
+        page.set_viewport_size({"width": size[0], "height": size[1]})
         for event, listener in listeners.items():
             page.on(event, listener)
         if script:

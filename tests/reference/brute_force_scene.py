@@ -406,6 +406,7 @@ def _judge(  # noqa: PLR0911
     stuff = solids(run.scene)
     arrays = run.log, setup.balls_to_move(), setup.world, stuff
     log, balls, (world,) = (_rows(one) for one in arrays[:3])
+    pieces = stuff.tolist()
     count = len(balls)
     last = np.arange(count)  # each ball's row that it follows
     room = np.zeros((7, 3))
@@ -451,10 +452,10 @@ def _judge(  # noqa: PLR0911
             return
         if r.kind == WALL:
             nearest, code = math.inf, 4
-            for k in range(len(stuff)):
-                if stuff[k, 1] != r.other:
+            for piece in pieces:
+                if piece[1] != r.other:
                     continue
-                near = _gap(stuff[k], x[0], x[1], x[2]) - a
+                near = _gap(piece, x[0], x[1], x[2]) - a
                 nearest = near if abs(near) < abs(nearest) else nearest
                 if abs(near) > CLOSE * a or code == 0:
                     continue
@@ -462,9 +463,9 @@ def _judge(  # noqa: PLR0911
                     d = 1e-4 * a
                     y[0], y[1], y[2] = x[0], x[1], x[2]
                     y[c] = x[c] + d
-                    more = _gap(stuff[k], y[0], y[1], y[2])
+                    more = _gap(piece, y[0], y[1], y[2])
                     y[c] = x[c] - d
-                    n[c] = more - _gap(stuff[k], y[0], y[1], y[2])
+                    n[c] = more - _gap(piece, y[0], y[1], y[2])
                 size = _speed(n)
                 for c in range(3):
                     n[c] /= size
@@ -497,10 +498,10 @@ def _judge(  # noqa: PLR0911
                 return
         elif r.kind == POCKETED_EVENT:
             code = 21
-            for k in range(len(stuff)):
-                own_edge = stuff[k, 0] == HOLE and stuff[k, 1] == -1 - r.other
-                if own_edge and abs(_gap(stuff[k], x[0], x[1], x[2])) <= CLOSE * a:
-                    into = (stuff[k, 2] - x[0]) * v[0] + (stuff[k, 3] - x[1]) * v[1]
+            for piece in pieces:
+                own_edge = piece[0] == HOLE and piece[1] == -1 - r.other
+                if own_edge and abs(_gap(piece, x[0], x[1], x[2])) <= CLOSE * a:
+                    into = (piece[2] - x[0]) * v[0] + (piece[3] - x[1]) * v[1]
                     code = 0 if into > 0 and r.phase > HELD else 22
             if code != 0:
                 out[0], out[1] = code, row
