@@ -25,7 +25,6 @@ from typing import Any
 from jupyter_client import AsyncKernelManager
 
 import carom
-import carom.cli
 
 IMPORTED = ("ipykernel.kernelapp", "matplotlib.pyplot", "scipy.optimize", "scipy.stats", "sympy", "carom.cli.help")
 NAMES = ("Scene", "simulate", "fit", "orbit", "simulate_gas")  # of carom: what they need is imported with them
@@ -160,7 +159,9 @@ def _command(
     os.environ.clear()
     os.environ.update(environment)
     connection.sendall(f"{os.getpid()} ".encode())
-    sys.stdout.reconfigure(line_buffering=False)  # type: ignore[union-attr]  # (as where it is no terminal)
+    import carom.cli  # (which the server has loaded)
+
+    sys.stdout.reconfigure(line_buffering=False)  # (as where it is no terminal)
     sys.argv = ["carom", *words]
     code: Any = 1
     try:
