@@ -116,3 +116,18 @@ def test_starts_are_projected_out() -> None:
     for n in range(2):
         expected = -np.linalg.lstsq(by_start[n] / size, by_shared[n], rcond=None)[0] / size[:, None]
         assert follows[n] == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize("joint", [True, False])
+def test_a_start_whose_derivatives_are_too_large_to_square_stays_where_it_is(joint: bool) -> None:
+    sizes = np.array([1.0, 1e200])
+
+    def residual(which: np.ndarray, at: np.ndarray, derivatives: bool) -> tuple[np.ndarray, np.ndarray | None]:
+        slope = np.array([[1.0, 0.0], [0.5, 0.0], [2.0, 0.0]]) * sizes[which][:, None, None]
+        return (at[:, :1] - 1.0) * np.array([1.0, 0.5, 2.0]), slope if derivatives else None
+
+    zeros, ones = np.zeros((2, 2)), np.ones((2, 2))
+    found, _ends = nearest_starts(
+        residual, zeros, ones, zeros, np.zeros((2, 1, 2)), steps=10, tolerance=1e-9, dof=np.ones(2), joint=joint
+    )
+    np.testing.assert_allclose(found, [[1.0, 0.0], [0.0, 0.0]], atol=1e-6)

@@ -107,10 +107,15 @@ def nearest_starts(
         if slope is None:
             return value, u, u
         slope, prior = slope * scale[which][:, None], rows[which] * scale[which][:, None]
-        score = -np.einsum("nmk,nm->nk", slope, gap) - np.einsum("nrk,nr->nk", prior, off)
         # (1 for a held number: a 0 is lost in the rounding of the others, and the matrix taken for an indefinite one)
         held = (scale[which] == 0)[:, :, None] * np.eye(begin.shape[1])
-        return value, score, np.swapaxes(slope, 1, 2) @ slope + np.swapaxes(prior, 1, 2) @ prior + held
+        with np.errstate(over="ignore", invalid="ignore"):
+            score = -np.einsum("nmk,nm->nk", slope, gap) - np.einsum("nrk,nr->nk", prior, off)
+            information = np.swapaxes(slope, 1, 2) @ slope + np.swapaxes(prior, 1, 2) @ prior + held
+        # (derivatives through many contacts may be so large that their squares are infinite: such a start stays where it is)
+        lost = ~np.isfinite(information).all(axis=(1, 2))
+        score[lost], information[lost] = 0.0, np.eye(begin.shape[1])
+        return value, score, information
 
     far = np.full(begin.shape[1], np.inf)
     found = minimize(evaluate, np.zeros_like(begin), -far, far, steps=steps, tolerance=tolerance, dof=dof, joint=joint)
