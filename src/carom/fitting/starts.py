@@ -134,7 +134,8 @@ class Projection(NamedTuple):
     @classmethod
     def of(cls, by_start: Array) -> Projection:
         """Return the projection for residuals (..., M), prior included, with such derivatives (..., M, K) by the starts."""
-        unit = 1 / np.maximum(np.sqrt(np.square(by_start).sum(axis=-2)), 1e-300)
+        with np.errstate(over="ignore"):  # (derivatives too large to be squared have no part in the fit)
+            unit = 1 / np.maximum(np.sqrt(np.square(by_start).sum(axis=-2)), 1e-300)
         basis, triangle = np.linalg.qr(by_start * unit[..., None, :])
         return cls(basis, unit[..., :, None] * np.linalg.pinv(triangle, rcond=1e-12))
 

@@ -206,7 +206,11 @@ def information_of_shots(
         follows.append(left.follows(d))
         spreads.append(np.sqrt(np.square(left.inverse[start_size(len(one.shot.balls)) :]).sum(axis=1)))
         d = left.rest(d)
-        scores[i], matrices[i] = -d.T @ r, d.T @ d
+        with np.errstate(over="ignore", invalid="ignore"):
+            score, matrix = -d.T @ r, d.T @ d
+        # (a shot whose derivatives are too large to be squared says nothing)
+        if np.isfinite(matrix).all() and np.isfinite(score).all():
+            scores[i], matrices[i] = score, matrix
     return Information(scores, matrices, follows, np.array(spreads))
 
 
