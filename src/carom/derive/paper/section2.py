@@ -204,7 +204,7 @@ def integration() -> list[Entry]:
     s = sp.Function("s")
     linear = sp.simplify((slope * COS(psi)).subs(SIN(psi), s(theta)))
     constant = sp.Symbol("C1")
-    solved = sp.dsolve(sp.Eq(s(theta).diff(theta), sp.expand(linear)), s(theta)).rhs
+    solved = sp.dsolve(sp.Eq(s(theta).diff(theta), sp.expand(linear)), s(theta), hint="1st_linear").rhs
     solved = sp.expand(sp.simplify(solved)).subs(constant, c)
     residual = sp.simplify(solved.diff(theta) - linear.subs(s(theta), solved))
     start = sp.solve(solved.subs(theta, sp.pi / 2) - SIN(ATTITUDE[psi]), c)[0]
