@@ -9,7 +9,6 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -177,6 +176,7 @@ def _compiled_law(kind: Kind) -> Callable[..., Any]:
     return njit(law, signature(*_types()["law"]), (register_calls,), nogil=True)
 
 
+@functools.cache
 def _law(kind: Kind) -> int:
     """Return the address of the laws of a kind, valid while the process lives."""
     return compiled_address(_compiled_law(kind))
@@ -271,24 +271,27 @@ def evaluate(
     quick = n * max(points, 1) * (count if tables is None else 1) < SERIAL_WORK
     sets, parts = (1, 1) if quick else (PARTS, 1) if count >= PARTS else (1, PARTS)
     sets, parts = (sets, parts) if tables is None else (count, 1 if quick else PARTS)
-    edges = np.linspace(0, n, parts + 1).astype(int).tolist()
-    blocks = np.linspace(0, count, sets + 1).astype(int).tolist()
     sums, each = (1, n) if by_row else (parts, 1)
     u, h = np.zeros((sums, count, each, k)), np.zeros((sums, count, each, k, k))
 
-    def part(some: slice, m: int) -> None:
+    def part(some: slice, m: int, own_rows: slice) -> None:
         own = rows._replace(x=rows.x.copy(), y=rows.y.copy()) if len(model.moved) else rows
         own = own if tables is None else own._replace(known=tables[some.start])
         loop(
             law, own, rows.spins, (rows.x, rows.y), weights if len(weights) == 1 else weights[some], p[some],
-            make_trial(model.free, model.moved), (model.low, model.high), model.moves, (edges[m], edges[m + 1]),
+            make_trial(model.free, model.moved), (model.low, model.high), model.moves, (own_rows.start, own_rows.stop),
             (deviance[some], chi2[some], u[m % sums, some], h[m % sums, some]), make_workspace(k, points),
         )  # fmt: skip
 
-    tasks = [(slice(blocks[i], blocks[i + 1]), m) for i in range(sets) for m in range(parts)]
+    tasks = [(some, m, one) for some in _equal_slices(count, sets) for m, one in enumerate(_equal_slices(n, parts))]
     call_in_threads(lambda task: part(*task), tasks)
     u, h = u.sum(axis=0), h.sum(axis=0)
     return Evaluation(deviance, chi2, u, h) if by_row else Evaluation(deviance, chi2, u[:, 0], h[:, 0])
+
+
+def _equal_slices(count: int, parts: int) -> list[slice]:
+    """Return so many slices, as long as each other but for one, that cover ``count`` rows."""
+    return [slice(i * count // parts, (i + 1) * count // parts) for i in range(parts)]
 
 
 def predictions(kind: Kind, rows: RowData, x: Array, p: Array) -> Array:
@@ -296,10 +299,11 @@ def predictions(kind: Kind, rows: RowData, x: Array, p: Array) -> Array:
     out, x = np.empty((len(x), 3)), np.ascontiguousarray(x, float)
     numbers = np.ascontiguousarray(np.atleast_2d(p)[:, :NUMBERS], float).view(LAW_NUMBERS)[:, 0]
 
+    loop, law = _predicting(), _law(kind)
+
     def part(some: slice) -> None:
         own = rows._replace(stages=rows.stages[some], spins=None)
-        _predicting()(_law(kind), own, x[some], numbers if len(numbers) == 1 else numbers[some], out[some])
+        loop(law, own, x[some], numbers if len(numbers) == 1 else numbers[some], out[some])
 
-    edges = np.linspace(0, len(x), 1 + (PARTS if len(x) > SERIAL_WORK else 1)).astype(int).tolist()
-    call_in_threads(part, [slice(*pair) for pair in pairwise(edges)])
+    call_in_threads(part, _equal_slices(len(x), PARTS if len(x) > SERIAL_WORK else 1))
     return out

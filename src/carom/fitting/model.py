@@ -89,7 +89,11 @@ class FitModel:
 
     def likelihood(self, derivatives: bool = True) -> LikelihoodModel:
         """Return rows and law for the compiled loops; unmeasured spins are omitted if the law does not depend on them."""
-        return self._likelihood if derivatives else replace(self._likelihood, free=self.free[:0])
+        return self._likelihood if derivatives else self._likelihood_alone
+
+    @functools.cached_property
+    def _likelihood_alone(self) -> LikelihoodModel:
+        return replace(self._likelihood, free=self.free[:0])
 
     @functools.cached_property
     def _likelihood(self) -> LikelihoodModel:
@@ -152,6 +156,8 @@ class FitModel:
         """Evaluate the likelihood at B sets of numbers p (B, K), with weights (B or 1, N) of the rows."""
         if self.profiled:
             each = [self._profile(one, derivatives) for one in p]
+            if len(each) == 1:
+                return each[0]
             return Evaluation(*map(np.concatenate, zip(*(vars(seen).values() for seen in each), strict=True)))
         mixture = self.problem.mixture
         if not feels_spins(self.law, self.problem) or (mixture is None and not self.problem.carried):
@@ -163,28 +169,35 @@ class FitModel:
     def _profile(self, p: Array, derivatives: bool) -> Evaluation:
         """Evaluate the likelihood at p (K,) with the scatter of the residuals there. (The scores are those with that scatter held:
         it is the best one for p.)"""
-        (gap, vy), problem = self._residuals(p), self.problem
-        logs = np.log(np.where(self._measured[0] & problem.estimated, vy, 1.0)).sum(axis=1)
-        if derivatives or problem.vx.any():
+        (gap, vy), (seen, without_bars, *_) = self._residuals(p), self._measured
+        logs = np.log(np.where(without_bars, vy, 1.0)).sum(axis=1)
+        if derivatives or self._incoming_errors:
             model = self.likelihood(derivatives)
-            seen = evaluate(replace(model, rows=model.rows._replace(vy=vy)), p[None])
-            return replace(seen, deviance=seen.deviance + logs)
-        chi2 = (np.square(gap) / np.where(self._measured[0], vy, 1.0)).sum(axis=1)[None]
+            found = evaluate(replace(model, rows=model.rows._replace(vy=vy)), p[None])
+            return replace(found, deviance=found.deviance + logs)
+        chi2 = (np.square(gap) / np.where(seen, vy, 1.0)).sum(axis=1)[None]
         return Evaluation(chi2 + logs, chi2, np.zeros((1, 0)), np.zeros((1, 0, 0)))
 
     def _residuals(self, p: Array) -> tuple[Array, Array]:
         """Return the residuals (N, 3) at p (K,), 0 where nothing was measured, and the variances after the wall: of outputs without
         error bars the mean square of the residuals."""
-        problem, (seen, least) = self.problem, self._measured
-        gap = problem.y - predictions(self.law.kind, self.likelihood(False).rows, problem.x, p)
+        problem, (seen, _, counts, fitted, least) = self.problem, self._measured
+        gap = problem.y - predictions(self.law.kind, self._likelihood_alone.rows, problem.x, p)
         gap = np.where(seen, np.where(np.isnan(gap), NO_PREDICTION, gap), 0.0)
-        mean = np.square(gap).sum(axis=0) / np.maximum(seen.sum(axis=0), 1)
-        return gap, np.where(problem.estimated & seen.any(axis=0), np.maximum(mean, least), problem.vy)
+        mean = np.square(gap).sum(axis=0) / counts
+        return gap, np.where(fitted, np.maximum(mean, least), problem.vy)
 
     @functools.cached_property
-    def _measured(self) -> tuple[NDArray[np.bool_], Array]:
-        seen = np.isfinite(self.problem.y)
-        return seen, np.square(LEAST_SCATTER * (1 + np.where(seen, np.abs(self.problem.y), 0.0).max(axis=0)))
+    def _measured(self) -> tuple[NDArray[np.bool_], NDArray[np.bool_], NDArray[np.int64], NDArray[np.bool_], Array]:
+        """What was measured (N, 3), and of this what has no error bars (N, 3); for each output the number of measured rows, at
+        least 1, whether its scatter is that of the residuals, and the least variance."""
+        seen, estimated = np.isfinite(self.problem.y), self.problem.estimated
+        least = np.square(LEAST_SCATTER * (1 + np.where(seen, np.abs(self.problem.y), 0.0).max(axis=0)))
+        return seen, seen & estimated, np.maximum(seen.sum(axis=0), 1), estimated & seen.any(axis=0), least
+
+    @functools.cached_property
+    def _incoming_errors(self) -> bool:
+        return bool(self.problem.vx.any())
 
     def with_scatter_of(self, p: Array) -> FitModel:
         """Return the model with the scatter of the residuals at p (K,), held."""

@@ -86,17 +86,20 @@ class NativeCode:
         self._lock = threading.Lock()
         self._row_seconds = math.inf  # of the last call
         self._call: Callable[..., int] | None = None
+        self._addresses: dict[str, int] = {}
 
     def address(self, symbol: str) -> int:
         """Return the address of one of its two functions, brought to machine code."""
-        described = self.described
-        return function_address(
-            Bitcode(
-                described["name"], self.read, described["vectorise"], described["calls"], described["llvm"],
-                INDEX if recorder is None else None,
-            ),
-            symbol,
-        )  # fmt: skip
+        if symbol not in self._addresses:  # (LLVM takes 10 us to say it)
+            described = self.described
+            self._addresses[symbol] = function_address(
+                Bitcode(
+                    described["name"], self.read, described["vectorise"], described["calls"], described["llvm"],
+                    INDEX if recorder is None else None,
+                ),
+                symbol,
+            )  # fmt: skip
+        return self._addresses[symbol]
 
     def given(self, arguments: tuple[Any, ...]) -> list[Any]:
         """Return the arguments as C takes them; MismatchError where they are not of the kinds that this code is for."""
