@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import jupyter_client
+from sphinx import addnodes
 from sphinx.application import Sphinx
 from traitlets import CaselessStrEnum, default
 
@@ -168,27 +169,51 @@ def _spread(app: Sphinx, _env: object, pages: list[str]) -> None:
     pages[:] = [page for k in range(batches) for page in order[k::batches]]
 
 
+def _shorten(_app: Sphinx, env: Any) -> None:
+    """Note what of each page the navigation shows: titles, and pages below; not every function of a module."""
+    for page, toc in env.tocs.items():
+        _titles[page] = toc.deepcopy()
+        for entry in _titles[page]:
+            if len(entry) > 1:
+                entry[1][:] = list(entry.findall(addnodes.toctree))
+                if not entry[1]:
+                    entry.pop(1)
+
+
 def _one_navigation(app: Sphinx, page: str, _template: str, context: dict[str, Any], _doctree: Any) -> None:
-    """Make the navigation of pages without a place in it, such as sources, once for each depth of folders: it is the same."""
+    """Make the navigation of titles alone, from which Sphinx would take the rest out, page by page.
+
+    That of pages without a place in it, such as sources, is made once for each depth of folders: it is the same.
+    """
     made, depth = context.get("toctree"), page.count("/")
-    if made is None or page in app.env.found_docs:
+    if made is None:
         return
+
+    def of_titles(**options: Any) -> str:
+        whole = app.env.tocs
+        app.env.tocs = _titles if options.get("titles_only") else whole
+        try:
+            return made(**options)
+        finally:
+            app.env.tocs = whole
 
     def kept(**options: Any) -> str:
         key = depth, *sorted(options.items())
         if key not in _navigations:
-            _navigations[key] = made(**options)
+            _navigations[key] = of_titles(**options)
         return _navigations[key]
 
-    context["toctree"] = kept
+    context["toctree"] = of_titles if page in app.env.found_docs else kept
 
 
+_titles: dict[str, Any] = {}
 _navigations: dict[tuple[Any, ...], str] = {}
 
 
 def setup(app: Sphinx) -> None:
     app.connect("autodoc-process-docstring", _fields, priority=100)
     app.connect("env-before-read-docs", _spread)
+    app.connect("env-check-consistency", _shorten)
     app.connect("html-page-context", _one_navigation, priority=100)  # (before the theme asks for it)
     if os.name == "posix" and nb_execution_mode != "off":
         forked_kernels.start(Path(_shared.name))
