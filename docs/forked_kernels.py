@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import atexit
 import contextlib
+import gc
 import importlib
 import json
 import os
@@ -26,7 +27,10 @@ from jupyter_client import AsyncKernelManager
 
 import carom
 
-IMPORTED = ("ipykernel.kernelapp", "matplotlib.pyplot", "scipy.optimize", "scipy.stats", "sympy", "carom.cli.help")
+IMPORTED = (
+    "ipykernel.kernelapp", "matplotlib.pyplot", "scipy.optimize", "scipy.stats", "sympy.physics.mechanics", "xarray", "zarr",
+    "shell_cells", "carom.cli.help",
+)  # fmt: skip
 NAMES = ("Scene", "simulate", "fit", "orbit", "simulate_gas")  # of carom: what they need is imported with them
 PATIENCE = 300.0  # s, until all this is imported
 
@@ -125,6 +129,9 @@ def _serve(place: Path) -> None:
         importlib.import_module(name)
     for name in NAMES:
         getattr(carom, name)
+    sys.modules["xarray"].DataArray([0.0])  # (which looks for arrays of other libraries, and imports these)
+    gc.collect()
+    gc.freeze()  # (no process that is forked goes through all this again)
     with socket.socket(socket.AF_UNIX) as server:
         server.bind(f"{place}.part")
         server.listen(64)
