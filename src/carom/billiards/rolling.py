@@ -61,7 +61,8 @@ class RollingMotion:
         v = self.radius * (w @ n)
         turn = self.piece.turn(x, n, v)
         # (R2)
-        about = w - (np.outer(v, n) - np.outer(n, v)) / self.radius
+        products = v[:, None] * n
+        about = w - (products - products.T) / self.radius
         along = self.gravity - n * (n @ self.gravity)
         # (R3)
         acceleration = (along + self.kappa * self.radius * (about @ turn)) / (1.0 + self.kappa)
@@ -73,7 +74,7 @@ class RollingMotion:
         """Return the time derivative of a state."""
         now = self.forces(state)
         # (R4)
-        turning = np.outer(now.normal, now.friction)
+        turning = now.normal[:, None] * now.friction
         return np.concatenate([now.velocity, ((turning - turning.T) / (self.kappa * self.radius)).ravel()])
 
     def energy(self, state: Array) -> float:

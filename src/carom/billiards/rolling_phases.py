@@ -147,7 +147,8 @@ def _first_event(
     """Return the first event of a step, and the values at its end; ``values`` are those at its begin."""
     times = np.linspace(early, late, LOOKS + 1)
     for before, after in itertools.pairwise(times):
-        now = [one.value(state(after)) for one in watched]
+        there = state(after)
+        now = [one.value(there) for one in watched]
         found = [
             (float(before) if was == 0 else _root(lambda t, one=one: one.value(state(t)), before, after), one)  # type: ignore[misc]
             for one, was, is_now in zip(watched, values, now, strict=True)
