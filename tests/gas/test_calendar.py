@@ -49,10 +49,7 @@ def _earliest(plans, calendar, current, bins):
 
 @pytest.fixture(scope="module")
 def compiled():
-    return {
-        one.__name__: njit(one, cache=False, _nrt=False)
-        for one in (_earliest, schedule, rebuild, nearly_full, unschedule)
-    }
+    return {one.__name__: njit(one, _nrt=False) for one in (_earliest, schedule, rebuild, nearly_full, unschedule)}
 
 
 @pytest.mark.parametrize("bins", [4 * BALLS, PAGE // 2, 3 * PAGE])

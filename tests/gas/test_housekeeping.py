@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+
 import numpy as np
 import pytest
 
@@ -23,9 +25,14 @@ def crowd(periodic=(True, True, True), axes=3):
     return gas
 
 
+@functools.cache
+def sort():
+    return njit(sort_by_cell, _nrt=False)
+
+
 def ordered(gas):
     a = gas.arrays
-    njit(sort_by_cell, cache=False, _nrt=False)(a.balls, a.scratch, a.cells, a.calendar)
+    sort()(a.balls, a.scratch, a.cells, a.calendar)
     return gas
 
 

@@ -1,17 +1,20 @@
 """Smooth curves and their first crossings with lines and parabolas by brute force; places, normals, curvatures to 40 digits.
 
 Independent of carom: curves r(theta) as sums of cosines with derivatives by hand, many nodes, false position in the parameter.
+(Carom's cache keeps the compiled search, which calls nothing but NumPy.)
 """
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
 from typing import Any
 
-import numba
 import numpy as np
 from mpmath import mp, mpf
 from scipy.spatial import cKDTree
+
+from carom.core.jit.compile import njit
 
 __all__ = ["CURVES", "PolarSum", "bounces_in", "depth", "first_crossings", "on_parallel", "precise_frame", "random_sum"]
 
@@ -97,7 +100,7 @@ def first_crossings(
     pull = float(np.linalg.norm(g))
     for first in range(0, len(x), 20_000):
         here = slice(first, first + 20_000)
-        k, i, sign = _changes(p, x[here], v[here], g, pull, after, until[here] + 1e-5)
+        k, i, sign = _compiled()(p, x[here], v[here], g, pull, after, until[here] + 1e-5)
         y, w = x[here][k], v[here][k]
         low, high = t[i], t[i + 1]
         c0, c1 = _gap(p[i], y, w, g, sign)[0], _gap(p[i + 1], y, w, g, sign)[0]
@@ -127,7 +130,11 @@ def first_crossings(
     return best
 
 
-@numba.njit(error_model="numpy")
+@functools.cache
+def _compiled() -> Any:
+    return njit(_changes)
+
+
 def _changes(
     p: Array, x: Array, v: Array, g: Array, pull: float, after: float, until: Array
 ) -> tuple[Array, Array, Array]:
