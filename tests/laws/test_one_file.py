@@ -11,7 +11,7 @@ import pytest
 from reference.forking import forking
 
 import carom
-from carom.core.jit.cache import cache_folder
+from carom.core.jit.cache import cache_base, cache_folder
 
 LAW = '''
 """A wall that takes half of the tangential velocity, an example."""
@@ -140,6 +140,10 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[..., str]
 
         # the loops call such a law by its address: what was compiled without it serves, and only the law itself is new
         shutil.copytree(cache_folder(), answer("-c", WHERE).strip(), dirs_exist_ok=True)
+        for code in cache_base().glob("*/*.o"):  # machine code of the package's loops
+            copied = folder / "cache" / code.relative_to(cache_base())
+            copied.parent.mkdir(exist_ok=True)
+            shutil.copy2(code, copied)
         yield answer
 
 
