@@ -81,16 +81,20 @@ def ellipse(a, b):
 def full_ellipse(a, b):
     """As the distance from the nearest of its points, by their angle: a grid, then Newton's steps."""
     grid = np.linspace(0, 2 * math.pi, 97)[:-1]
+    points = np.array([a * np.cos(grid), b * np.sin(grid)])
+    squares = (points**2).sum(axis=0)
 
     def nearest(x):
         x = np.atleast_2d(x)[:, :2] - (a, b)
-        far = (a * np.cos(grid) - x[:, :1]) ** 2 + (b * np.sin(grid) - x[:, 1:2]) ** 2
-        u = grid[far.argmin(axis=1)]
+        u = grid[(squares - 2 * x @ points).argmin(axis=1)]
         for _ in range(10):
             c, s = np.cos(u), np.sin(u)
             slope = -a * s * (a * c - x[:, 0]) + b * c * (b * s - x[:, 1])
             bend = a * a * s * s + b * b * c * c - a * c * (a * c - x[:, 0]) - b * s * (b * s - x[:, 1])
-            u = u - np.clip(slope / np.where(bend > 0, bend, np.inf), -0.05, 0.05)
+            step = np.clip(slope / np.where(bend > 0, bend, np.inf), -0.05, 0.05)
+            u = u - step
+            if np.abs(step).max() < 1e-15:
+                break
         return np.stack((a * np.cos(u), b * np.sin(u)), axis=1), x
 
     def distance(x, radius, t):

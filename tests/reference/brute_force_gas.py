@@ -36,11 +36,12 @@ class Brute:
         self.side, self.periodic, self.g = np.array(side), np.array(periodic), np.array(gravity, dtype=float)
         self.pair, self.wall, self.axes, self.t = pair, wall, axes, 0.0
         self.events: list[Event] = []
+        steps = [(-1, 0, 1) if periodic and axis < axes else (0,) for axis, periodic in enumerate(self.periodic)]
+        self.shifts = np.stack(np.meshgrid(*steps, indexing="ij"), axis=-1).reshape(-1, 3) * self.side
 
     def images(self, r):
         """All images of a difference, the nearest and those around it: (M, 3)."""
-        shifts = [(-1, 0, 1) if periodic and axis < self.axes else (0,) for axis, periodic in enumerate(self.periodic)]
-        return r + np.stack(np.meshgrid(*shifts, indexing="ij"), axis=-1).reshape(-1, 3) * self.side
+        return r + self.shifts
 
     def next(self):
         found = self.first_pair()
@@ -137,6 +138,7 @@ class Room(Brute):
                         low, high = (middle, high) if at > 0 else (low, middle)
                     if high < found.t:
                         found = Event(high, i, -1 - k)
+                        t = t[: np.searchsorted(t, high) + 1]  # (what comes later is not looked at)
         assert found.t < 3.0
         return found
 
