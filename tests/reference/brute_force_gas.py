@@ -29,6 +29,15 @@ def first_root(c0, c1, c2):
     return s if s > 1e-12 else math.inf
 
 
+def first_roots(c0, c1, c2):
+    """`first_root` of many, infinite where the distance does not become less: c1 >= 0."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        inside = c1 * c1 - 4 * c2 * c0
+        s = (-c1 - np.sqrt(np.maximum(inside, 0))) / (2 * c2)
+        s = np.where(c2 == 0, -c0 / c1, np.where((inside > 0) & (s > 1e-12), s, math.inf))
+        return np.where(c1 < 0, np.where((c0 <= 1e-12) & (c1 < -1e-12), 0.0, s), math.inf)
+
+
 class Brute:
     def __init__(self, x, v, w, radius, mass, kappa, side, periodic, gravity, pair, wall, axes):
         self.x, self.v, self.w = (np.array(a, dtype=float) for a in (x, v, w))
@@ -57,17 +66,13 @@ class Brute:
         return found
 
     def first_pair(self):
-        found = Event(math.inf, -1, -1)
-        for i in range(len(self.x)):
-            for j in range(i):
-                u = self.v[j] - self.v[i]
-                rows = self.images(self.x[j] - self.x[i])
-                gaps, slopes = (rows * rows).sum(axis=1) - (self.radius[i] + self.radius[j]) ** 2, 2 * rows @ u
-                for c0, c1 in zip(gaps.tolist(), slopes.tolist(), strict=True):
-                    s = first_root(c0, c1, float(u @ u)) if c1 < 0 else math.inf
-                    if s < found.t:
-                        found = Event(s, j, i)
-        return found
+        i, j = np.tril_indices(len(self.x), -1)
+        u = self.v[j] - self.v[i]
+        rows = (self.x[j] - self.x[i])[:, None] + self.shifts
+        gaps = (rows * rows).sum(axis=2) - ((self.radius[i] + self.radius[j]) ** 2)[:, None]
+        times = first_roots(gaps, 2 * (rows * u[:, None]).sum(axis=2), (u * u).sum(axis=1)[:, None]).min(axis=1)
+        k = times.argmin()
+        return Event(float(times[k]), j[k], i[k]) if times[k] < math.inf else Event(math.inf, -1, -1)
 
     def step(self):
         s, i, j = self.next()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from reference.brute_force_gas import Brute, Event, first_root
+from reference.brute_force_gas import Brute, Event, first_roots
 
 # Gauss's three points of an interval of length 1: exact for what is of degree 5.
 POINTS = ((0.5 - math.sqrt(0.15), 5 / 18), (0.5, 4 / 9), (0.5 + math.sqrt(0.15), 5 / 18))
@@ -27,24 +27,19 @@ class Sheared(Brute):
         self.steps = np.stack(np.meshgrid(*steps, indexing="ij"), axis=-1).reshape(-1, 3)
         self.flux, self.transfer, self.measured = np.zeros((3, 3)), np.zeros((3, 3)), 0.0
 
-    def all_images(self, r, v):
-        """Where the images of a ball are seen from another now, and how fast they move."""
-        at, moves = r + self.steps * self.side, np.tile(v, (len(self.steps), 1))
-        at[:, 0] += self.steps[:, 1] * ((self.speed * self.t) % self.side[0])
-        moves[:, 0] += self.steps[:, 1] * self.speed
-        return at, moves
-
     def first_pair(self):
-        found, self.image = Event(math.inf, -1, -1), None
-        for i in range(len(self.x)):
-            for j in range(i):
-                at, u = self.all_images(self.x[j] - self.x[i], self.v[j] - self.v[i])
-                gaps = (at * at).sum(axis=1) - (self.radius[i] + self.radius[j]) ** 2
-                for k in np.flatnonzero((at * u).sum(axis=1) < 0):
-                    s = first_root(float(gaps[k]), 2 * float(at[k] @ u[k]), float(u[k] @ u[k]))
-                    if s < found.t:
-                        found, self.image = Event(s, j, i), (at[k] + u[k] * s, float(self.steps[k, 1]) * self.speed)
-        return found
+        """The pair that meets first, with where the image of one is seen from the other then, and how much faster it is."""
+        i, j = np.tril_indices(len(self.x), -1)
+        at = (self.x[j] - self.x[i])[:, None] + self.steps * self.side
+        at[..., 0] += self.steps[:, 1] * ((self.speed * self.t) % self.side[0])
+        u = np.repeat((self.v[j] - self.v[i])[:, None], len(self.steps), axis=1)
+        u[..., 0] += self.steps[:, 1] * self.speed
+        gaps = (at * at).sum(axis=2) - ((self.radius[i] + self.radius[j]) ** 2)[:, None]
+        times = first_roots(gaps, 2 * (at * u).sum(axis=2), (u * u).sum(axis=2))
+        pair, k = np.unravel_index(times.argmin(), times.shape)
+        s = float(times[pair, k])
+        self.image = at[pair, k] + u[pair, k] * s, float(self.steps[k, 1]) * self.speed
+        return Event(s, j[pair], i[pair])
 
     def step(self):
         s, j, i = self.first_pair()
