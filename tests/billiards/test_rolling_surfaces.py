@@ -189,17 +189,16 @@ CASES = {
 
 
 def _distance_inside(x, a):
-    foot = x / math.sqrt(float(np.sum((x / a) ** 2)))
-    for _ in range(60):  # y + t grad = x with the constraint, four equations
-        gradient = foot / a**2
-        t = float((x - foot) @ gradient / (gradient @ gradient))
-        residual = np.concatenate([foot + t * gradient - x, [np.sum((foot / a) ** 2) - 1]])
-        matrix = np.block([[np.diag(1 + t / a**2), gradient[:, None]], [2 * gradient[None, :], np.zeros((1, 1))]])
-        step = np.linalg.solve(matrix, -residual)
-        foot = foot + step[:3]
-        if np.abs(step[:3]).max() < 1e-16:
+    """The nearest point is x a^2 / (a^2 + t): Newton's method in t from below, where the left side falls and is convex."""
+    pairs = list(zip(x.tolist(), (a**2).tolist(), strict=True))
+    t = max(abs(q) * math.sqrt(c) - c for q, c in pairs)
+    for _ in range(60):
+        excess = sum(q * q * c / (c + t) ** 2 for q, c in pairs) - 1
+        step = excess / sum(2 * q * q * c / (c + t) ** 3 for q, c in pairs)
+        t += step
+        if abs(step) < 1e-17:
             break
-    return float(np.linalg.norm(x - foot))
+    return math.hypot(*(q - q * c / (c + t) for q, c in pairs))
 
 
 @pytest.mark.parametrize("name", CASES)
