@@ -11,11 +11,12 @@ import carom
 from carom.core.motion.phases import REST
 from carom.fitting.identifiability import NOT_IDENTIFIABLE
 from carom.fitting.shots import LawErrors, compare_forms, drawn_films, fit_of_some, predict_rest
+from carom.fitting.shots.errors import Optimum
 from carom.fitting.shots.film import filmed_shots
 from carom.fitting.shots.fit import DRAWS, _Together
 from carom.fitting.shots.followed import belief_of_start, followed
 from carom.fitting.shots.forms import FORMS, searched_together
-from carom.fitting.shots.joint import PRIOR_WIDTH, TablePrior, likely_widths
+from carom.fitting.shots.joint import PRIOR_WIDTH, JointFit, TablePrior, likely_widths
 from carom.fitting.shots.search import SearchSettings, _drawn, descend, rms, search_start
 from carom.fitting.shots.start import VELOCITY, residuals
 from carom.fitting.shots.table import FREE, TERMS, TableModel, begun, scene_of_films
@@ -194,8 +195,8 @@ def test_a_shot_that_is_far_is_searched_again_without_its_starts():
 def test_a_number_that_one_shot_does_not_tell_stays_near_that_of_the_table():
     tracks, scenes = drawn_films(1, seed=3, until=0.6)
     best = carom.fit_shots(tracks, scenes[0], seed=1).best
-    for one in best.model.shared:
-        assert abs(best.estimates[one.name].value - one.value) < 1.5 * PRIOR_WIDTH * one.scale, one.name
+    for one, value in zip(best.model.shared, best.values, strict=True):
+        assert abs(value - one.value) < 1.5 * PRIOR_WIDTH * one.scale, one.name
     assert best.shots[0].followed
     known = TablePrior(np.array([0.8, 2.0]), np.array([0.02, 0.5]), 0.03)
     at = np.array([0.85, 1.0])
@@ -389,7 +390,48 @@ def test_numbers_that_a_shot_does_not_tell_are_said():
     assert [note for note in ranking.notes if "AIC instead of AICc" in note]
     untold = [one for one in ranking.best.estimates.values() if one.note == NOT_IDENTIFIABLE]
     assert untold
-    assert all(one.stderr is None for one in untold)
+    assert all(one.value is None and one.stderr is None for one in untold)
+    assert len(untold) == len(ranking.best.untold)
+
+
+def test_a_number_without_influence_and_two_in_combination_are_named():
+    # the cue ball meets another, and that one the right cushion: half the length and the centre are one number
+    tracks, scenes = drawn_films(1, seed=3, until=0.6)
+    best = carom.fit_shots(tracks, scenes[0], free=["walls.0.length", "walls.0.center", "ball_contact.friction"]).best
+    aside, both = best.degenerate
+    assert aside == "two-step: walls.0.center.y: these data hardly depend on it"
+    assert both.startswith("two-step: walls.0.length and walls.0.center.x: only a combination of them is identifiable")
+    assert set(best.untold) == {"walls.0.length", "walls.0.center.x", "walls.0.center.y"}
+    assert best.estimates["ball_contact.friction"].stderr < 0.02
+    # by runs of other scenes: these changes move no ball, one of the two alone does
+    (x, y), length = scenes[0].walls[0].center, scenes[0].walls[0].length
+    last = best.shots[0].film.time[-1]
+    moved = {}
+    for name, change in (
+        ("none", {}),
+        ("aside", {"walls.0.center": (x, y + 0.01)}),
+        ("both", {"walls.0.center": (x + 0.01, y), "walls.0.length": length - 0.02}),
+        ("one", {"walls.0.center": (x + 0.01, y)}),
+    ):
+        moved[name] = carom.simulate(carom.replaced(scenes[0], change)).at(last).position
+    far = {name: np.abs(place - moved["none"]).max() for name, place in moved.items()}
+    assert max(far["aside"], far["both"]) < 1e-9
+    assert far["one"] > 5e-3
+
+
+def test_the_information_of_shots_is_half_the_curvature_of_their_deviance(ranking):
+    best = ranking.best
+    frames = [max(one.best) for one in best.starts]
+    fitted = JointFit(best.values, frames, [], 0.0)
+    at = Optimum.of_few(best.model, fitted, best.starts)
+    assert np.sqrt(np.diag(np.linalg.inv(at.information))) == pytest.approx(
+        [one.stderr for one in best.estimates.values()], rel=0.05
+    )
+    least = at.deviance(at.found)
+    for k, one in enumerate(best.estimates.values()):
+        h = 2 * one.stderr * np.eye(len(best.values))[k]
+        up, down = (at.followed(best.values + sign * h)[0] for sign in (1, -1))
+        assert (up + down - 2 * least) / (2 * 4 * one.stderr**2) == pytest.approx(at.information[k, k], rel=0.1)
 
 
 def test_a_scatter_is_as_wide_as_it_was_drawn():

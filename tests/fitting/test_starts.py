@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 import carom
-from carom.fitting.starts import Projection, balls_by, balls_of, nearest_starts, states_by
+from carom.fitting.optimizer import minimize
+from carom.fitting.starts import Projection, balls_by, balls_of, descend_shared, nearest_starts, states_by
 from carom.fitting.table_numbers import SharedNumber, TableNumbers, affine_table
 from carom.scene.shapes import Table
 
+Array = NDArray[np.float64]
 RADIUS = 0.03
 PLACE_AND_VELOCITY = (("x", 0), ("x", 1), ("v", 0), ("v", 1))
 
@@ -131,3 +136,47 @@ def test_a_start_whose_derivatives_are_too_large_to_square_stays_where_it_is(joi
         residual, zeros, ones, zeros, np.zeros((2, 1, 2)), steps=10, tolerance=1e-9, dof=np.ones(2), joint=joint
     )
     np.testing.assert_allclose(found, [[1.0, 0.0], [0.0, 0.0]], atol=1e-6)
+
+
+def test_a_descent_goes_on_where_a_bound_stops_one_number() -> None:
+    # the whole step leads to (-5, 4); what is left of it at the bound of the first number leads uphill
+    h, best = np.array([[1.0, 0.9], [0.9, 1.0]]), np.array([-5.0, 4.0])
+
+    def evaluate(_which: object, at: Array, _derivatives: bool) -> tuple[Array, Array, Array]:
+        off = at[0] - best
+        return np.array([off @ h @ off]), -(h @ off)[None], h[None]
+
+    low, high = np.array([0.0, -10.0]), np.array([10.0, 10.0])
+    found = minimize(evaluate, np.array([[0.1, 0.0]]), low, high, steps=30, tolerance=1e-9)
+    assert found.p[0] == pytest.approx([0.0, -0.5], abs=1e-4)
+    # no step is longer than it may be: the sixth evaluation is five steps away
+    far = minimize(evaluate, np.array([[9.0, 9.0]]), low, high, steps=6, tolerance=1e-9, most=0.5)
+    assert np.abs(far.p[0] - 9.0).max() == pytest.approx(2.5, abs=1e-9)
+
+
+def test_shared_numbers_descend_with_the_starts_that_follow() -> None:
+    """Lines a t + b_i through points with offsets of their own: the common slope is that of all, without the offsets."""
+    rng = np.random.default_rng(0)
+    t, offset = np.linspace(0, 1, 7), np.array([3.0, -1.0, 2.0])
+    y = 1.7 * t + offset[:, None] + 0.1 * rng.normal(size=(3, 7))
+
+    class Lines:
+        taken_at: ClassVar[list[float]] = []
+
+        def tried(self, values: Array) -> tuple[float, Array]:
+            if values[0] > 5:
+                return np.inf, np.empty(0)
+            rest = y - values[0] * t
+            rest = rest - rest.mean(axis=1, keepdims=True)
+            return float(np.square(rest).sum()), rest
+
+        def taken(self, values: Array, tried: Array) -> tuple[float, Array, Array]:
+            self.taken_at.append(values[0])
+            d = np.tile(t.mean() - t, 3)
+            return float(np.square(tried).sum()), -np.array([d @ tried.ravel()]), np.array([[d @ d]])
+
+    lines, ends = Lines(), np.array([-10.0, 10.0])
+    slope = descend_shared(lines, np.array([-9.0]), ends[:1], ends[1:], steps=20, tolerance=1e-12)
+    design = np.column_stack([np.tile(t, 3), np.repeat(np.eye(3), 7, axis=0)])
+    assert slope[0] == pytest.approx(np.linalg.lstsq(design, y.ravel())[0][0], abs=1e-7)
+    assert lines.taken_at[0] == -9.0

@@ -17,7 +17,9 @@ from numpy.typing import NDArray
 from carom.fitting.parameters import Parameter
 from carom.fitting.result import Estimate
 
-__all__ = ["FLAT_RISE", "NOT_IDENTIFIABLE", "Identified", "Subject", "identify"]
+__all__ = [
+    "FLAT_RISE", "NOT_IDENTIFIABLE", "Identified", "Subject", "identified_covariance", "identify", "parameter_ranges",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -95,8 +97,14 @@ def identify(subject: Subject) -> Identified:
             sentences.append(_sentence(subject, profiles, [names[i] for i in np.flatnonzero(which)]))
 
     if k:
-        strength, direction, inner = _directions(subject.information, ranges)
-        bars = np.sqrt(np.diag(inner)) / ranges
+        # (directions among parameters without influence, even with all others known, are arbitrary: each is involved by itself)
+        some = np.diag(subject.information) * ranges**2 > 1 / UNIDENTIFIED_STDERR**2
+        some |= subject.trade_offs  # (fits tell which go together)
+        for i in np.flatnonzero(~some).tolist():
+            involve(np.arange(k) == i)
+        strength, part, inner = _directions(subject.information[np.ix_(some, some)], ranges[some])
+        direction, bars = np.zeros((k, len(strength))), np.zeros(k)
+        direction[some], bars[some] = part, np.sqrt(np.diag(inner)) / ranges[some]
         for column in direction[:, ~(strength > 1 / UNIDENTIFIED_STDERR**2)].T:
             # a parameter is involved by its component, or if it changes by more than its own error bar
             which = (np.abs(column) > INVOLVED_SHARE) | (np.abs(column) * UNIDENTIFIED_STDERR > np.maximum(bars, 1e-3))

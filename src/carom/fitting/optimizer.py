@@ -43,14 +43,15 @@ class Minimum:
 
 def minimize(
     evaluate: Evaluate, start: Array, low: Array, high: Array, *, steps: int, tolerance: float, dof: Array | None = None,
-    joint: bool = True,
+    joint: bool = True, most: float = np.inf,
 ) -> Minimum:  # fmt: skip
     """Minimise B functions of k numbers within bounds, from ``start`` (B, k).
 
     ``evaluate(which, p, derivatives)`` returns values, scores and information of some problems; without derivatives the last two
     are not used. ``joint``: derivatives cost little more than values, and are evaluated with them unless the last step failed; else
     only if a step succeeded. A problem ends when a step gains less than ``tolerance``, or than that fraction of its value per
-    degree of freedom (``dof``) if the fit is poor. ``steps``: evaluations; 1: only the values at the start.
+    degree of freedom (``dof``) if the fit is poor. ``steps``: evaluations; 1: only the values at the start. ``most``: the largest
+    change of a number in a step.
     """
     p = np.array(start, dtype=float)
     count, k = p.shape
@@ -86,9 +87,18 @@ def minimize(
             break
         here = p[alive]
         stuck = ((here <= low) & (u[alive] < 0)) | ((here >= high) & (u[alive] > 0))
-        step, damping[alive] = damped_step(h[alive], u[alive], ~stuck, damping[alive])
-        tried[alive] = np.clip(here + step, low, high)
-        promise = ((tried[alive] - here) * u[alive]).sum(axis=1)
+        active = ~stuck
+        for turn in range(2):
+            step, damping[alive] = damped_step(h[alive], u[alive], active, damping[alive])
+            if np.isfinite(most):
+                step /= np.maximum(np.abs(step).max(axis=1, keepdims=True) / most, 1.0)
+            tried[alive] = np.clip(here + step, low, high)
+            promise = ((tried[alive] - here) * u[alive]).sum(axis=1)
+            # a number that is stopped by its bound may leave nothing to gain of a step that had it go on: then it stays
+            stopped = active & (here + step != tried[alive]) & (promise <= enough(alive))[:, None]
+            if turn or not stopped.any():
+                break
+            active &= ~stopped
         alive = alive[promise > enough(alive)]
         if not len(alive):
             break

@@ -1,4 +1,5 @@
-"""Starts of filmed balls: the states that they lead to, with derivatives, and the start whose run is nearest to the frames.
+"""Starts of filmed balls: the states that they lead to, with derivatives, the start whose run is nearest to the frames, and the
+descent of the numbers that all share, which the starts follow.
 
 A start is a vector of numbers in which the places, velocities and spins of the balls are linear. One call serves N starts of one
 ball each (segments of tracks) as well as one start of many balls (a shot).
@@ -7,7 +8,7 @@ ball each (segments of tracks) as well as one start of many balls (a shot).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,11 +21,21 @@ from carom.simulation.records import BALLS
 from carom.simulation.sensitivity.at_times import SEGMENT, Limits, states_and_slopes
 from carom.simulation.setup import SceneArrays
 
-__all__ = ["Projection", "StatesBy", "balls_by", "balls_of", "nearest_starts", "states_by"]
+__all__ = [
+    "Followers",
+    "Projection",
+    "StatesBy",
+    "balls_by",
+    "balls_of",
+    "descend_shared",
+    "nearest_starts",
+    "states_by",
+]
 
 Array = NDArray[np.float64]
 Residual = Callable[[NDArray[np.int64], Array, bool], tuple[Array, Array | None]]
 """Of some starts: gaps (n, M) in standard deviations, and on request their derivatives (n, M, K)."""
+Tried = TypeVar("Tried")
 
 
 def balls_by(balls: int, numbers: Sequence[Sequence[tuple[int, str, int, float]]]) -> Array:
@@ -146,3 +157,40 @@ class Projection(NamedTuple):
     def follows(self, by_shared: Array) -> Array:
         """Return how the starts follow the shared numbers (..., K, P)."""
         return np.asarray(-self.inverse @ (np.swapaxes(self.basis, -1, -2) @ by_shared))
+
+
+class Followers(Protocol[Tried]):
+    """Filmed balls whose starts follow the numbers that all share: segments of tracks, or shots."""
+
+    def tried(self, values: Array) -> tuple[float, Tried]:
+        """Return the deviance at shared numbers (P,) with the starts fitted again, from the best so far, and these starts; inf
+        where no table has such numbers."""
+
+    def taken(self, values: Array, tried: Tried) -> tuple[float, Array, Array]:
+        """Take these starts for the best so far. Return the deviance, -1/2 of its gradient (P,) and 1/2 of its curvature (P, P),
+        with the starts projected out. (They may be fitted once more, which makes the deviance smaller.)"""
+
+
+def descend_shared(
+    followers: Followers[Tried], begin: Array, low: Array, high: Array, *, steps: int, tolerance: float, dof: float | None = None,
+    most: float = np.inf,
+) -> Array:  # fmt: skip
+    """Return the numbers (P,) that all share, at the nearest minimum: variable projection within bounds.
+
+    The rest: :func:`carom.fitting.optimizer.minimize`.
+    """
+    last: tuple[float, Tried]
+
+    def evaluate(_which: NDArray[np.int64], at: Array, derivatives: bool) -> tuple[Array, Array, Array]:
+        nonlocal last
+        if not derivatives:
+            last = followers.tried(at[0])
+            return np.array([last[0]]), at, at
+        value, score, information = followers.taken(at[0], last[1])
+        return np.array([value]), score[None], information[None]
+
+    each = None if dof is None else np.array([dof])
+    found = minimize(
+        evaluate, begin[None], low, high, steps=steps, tolerance=tolerance, dof=each, joint=False, most=most
+    )
+    return np.asarray(found.p[0])

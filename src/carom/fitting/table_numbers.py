@@ -78,14 +78,14 @@ class TableNumbers:
         return fields, np.concatenate(parts, axis=1) if parts else np.zeros((len(slopes), 0))
 
     @functools.cached_property
-    def _ends(self) -> tuple[Array, Array]:
+    def ends(self) -> tuple[Array, Array]:
         """Bounds (P,) of the numbers."""
         low, high = (np.array([getattr(one, end) for one in self.shared]) for end in ("low", "high"))
         return low, high
 
     def at_deviations(self, by: Array) -> Array:
         """Return the numbers (P,) of a shot for which they differ by so much, within their bounds."""
-        return np.asarray(np.clip(self.values + by, *self._ends))
+        return np.asarray(np.clip(self.values + by, *self.ends))
 
     def moved(self, by: Array) -> SceneArrays:
         """Return the arrays of a shot for which the numbers differ by so much (P,); none at all: the table of all shots."""

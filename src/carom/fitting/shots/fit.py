@@ -16,9 +16,9 @@ from carom.errors import CaromError, FaultList, did_you_mean
 from carom.files import require_library
 from carom.fitting.by_shots import compared_by_shots
 from carom.fitting.evidence import DECIDED, verdict_words, weigh
-from carom.fitting.identifiability import NOT_IDENTIFIABLE
+from carom.fitting.identifiability import Identified
 from carom.fitting.laws import FittedLaw, track_laws_named
-from carom.fitting.result import Estimate
+from carom.fitting.shots.errors import Optimum, identified
 from carom.fitting.shots.film import Films, filmed_shots, require_on_table
 from carom.fitting.shots.forms import compare_forms, searched_together
 from carom.fitting.shots.joint import (
@@ -26,7 +26,6 @@ from carom.fitting.shots.joint import (
     PRIOR_WIDTH,
     WIDTH,
     JointFit,
-    covariance_of_shared,
     deviance_of,
     fit_scatter,
     fit_shared,
@@ -314,28 +313,30 @@ def _fit_law(
     together = _Together(model, films, seed, tell)
     values, widths = np.array([one.value for one in model.shared]), None
     frames = [frames_of_events(one, together.events) for one in films.shots]
+    found = Identified(np.zeros((0, 0)), {}, (), ())
     if not len(values):
         ready = together.searched(values, [None] * len(films.shots), 0.7, 0.3)
-        covariance, by_shots = np.zeros((0, 0)), False
     else:
         fitted, ready = (together.of_few if together.few else together.of_many)(values)
         values = fitted.values
-        covariance, by_shots = covariance_of_shared(model.at(values), fitted, ready, films.noise)
     likelihood = deviance_of(mean_squares(model.at(values), ready, frames), ready, frames, films.noise)
     final, one_table = ready, OneTable(values, tuple(ready))
-    if len(values) and not together.few:
+    if len(values) and together.few:
+        found = identified(Optimum.of_few(model, fitted, ready), law.name)
+    elif len(values):
         begin = WIDTH * np.array([one.scale for one in model.shared])
         scattered = fit_scatter(
             model, values, ready, frames, begin, films.noise, functools.partial(_said, tell, 0.6, 0.1)
         )
         ready, values, widths = scattered.starts, scattered.values, scattered.widths
-        covariance, by_shots = scattered.covariance, True
+        found = identified(Optimum.of_scatter(model, scattered, frames), law.name)
         final = together.searched(values, ready, 0.7, 0.3, widths=widths)
     table = model.at(values)
     shots = tuple(_fitted(table, model, one) for one in final)
     return ShotsFit(
-        law, table.scene, shots, _estimates(model, values, covariance), covariance, *likelihood, together.events, films.noise,
-        by_shots, model=model, widths=widths, starts=tuple(ready), one_table=one_table,
+        law, table.scene, shots, found.estimates, found.covariance, *likelihood, together.events, films.noise,
+        widths is not None, found.degenerate, found.untold, model=model, values=values, widths=widths, starts=tuple(ready),
+        one_table=one_table,
     )  # fmt: skip
 
 
@@ -357,12 +358,12 @@ def fit_of_some(fit: ShotsFit, which: Sequence[int]) -> ShotsFit:
     some = [fit.starts[i] for i in which]
     starts = [ShotStart(one.shot, one.prior, dict(one.best), [*one.pool]) for one in some]
     frames = [frames_of_events(one.shot, fit.events) for one in starts]
-    values = np.array([one.value for one in fit.estimates.values()])
-    found = fit_scatter(fit.model, values, starts, frames, fit.widths, fit.noise, lambda _done: None)
+    found = fit_scatter(fit.model, fit.values, starts, frames, fit.widths, fit.noise, lambda _done: None)
+    known = vars(identified(Optimum.of_scatter(fit.model, found, frames), fit.law.name))
     return replace(
         fit, scene=fit.model.scene_at(found.values), shots=tuple(fit.shots[i] for i in which), starts=tuple(some),
-        estimates=_estimates(fit.model, found.values, found.covariance), covariance=found.covariance, widths=found.widths,
-        one_table=OneTable(fit.one_table.values, tuple(fit.one_table.starts[i] for i in which)),
+        values=found.values, widths=found.widths,
+        one_table=OneTable(fit.one_table.values, tuple(fit.one_table.starts[i] for i in which)), **known,
     )  # fmt: skip
 
 
@@ -402,17 +403,6 @@ def _fitted(table: TableNumbers, model: TableModel, start: ShotStart) -> FittedS
         balls.append(given | moves)
     deviations = dict(zip((one.name for one in model.shared), best[own:].tolist(), strict=False))
     return FittedShot(shot, best[:own], with_balls(scene, balls), far, by_horizon, deviations)
-
-
-def _estimates(model: TableModel, values: Array, covariance: Array) -> dict[str, Estimate]:
-    found = {}
-    errors = np.sqrt(np.maximum(np.diag(covariance), 0.0)).tolist()
-    for one, value, error in zip(model.shared, values.tolist(), errors, strict=True):
-        wide = one.high - one.low
-        note = "at its bound" if min(value - one.low, one.high - value) < 1e-9 * max(wide, 1e-9) else ""
-        note = note or (NOT_IDENTIFIABLE if not error < wide else "")
-        found[one.name] = Estimate(value, None if note else error, note)
-    return found
 
 
 def _ranked(fits: list[ShotsFit], notes: list[str]) -> ShotsRanking:

@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.fitting.by_shots import covariance_by_shot
 from carom.fitting.shots.film import FilmedShot
 from carom.fitting.shots.search import (
     FAILED,
@@ -31,7 +30,7 @@ from carom.fitting.shots.search import (
 )
 from carom.fitting.shots.start import StartPrior, residuals, start_size
 from carom.fitting.shots.table import TableModel
-from carom.fitting.starts import Projection
+from carom.fitting.starts import Projection, descend_shared
 from carom.fitting.table_numbers import TableNumbers
 
 __all__ = [
@@ -41,11 +40,11 @@ __all__ = [
     "Information",
     "JointFit",
     "ScatterFit",
-    "covariance_of_shared",
     "deviance_of",
     "fit_scatter",
     "fit_shared",
     "frames_of_events",
+    "independent_residuals",
     "information_of_shots",
     "likely_widths",
     "mean_squares",
@@ -56,7 +55,7 @@ __all__ = [
 Array = NDArray[np.float64]
 FLOOR = 5e-4  # m, of a distance: less has no more weight
 EVALUATIONS, STEPS = 6, 20
-GAIN = 1e-3  # of the mean logarithm, below which the search ends
+GAIN = 1e-5  # of the mean logarithm, below which the search ends
 HALVINGS = 5  # of a step to an impossible table
 LARGEST_STEP = 4.0  # usual changes of a number
 SCATTER_ROUNDS, LOOSE_ROUNDS = 5, 3
@@ -64,7 +63,6 @@ WIDTH_ROUNDS = 4  # of 300, after which widths stand still, some are 0 that late
 WIDTH = 0.5  # of usual changes: the scatter between shots with which its search begins
 SETTLED = 0.2  # error bars of the means, and shares of the widths, below which a round ends the search
 PRIOR_WIDTH = 4.0  # usual changes: of the prior of few shots about the numbers of the table that is given
-FOLLOWED = 1.3  # ratio of the median distance to the noise, up to which the frames' noise alone gives the errors
 FEWEST = 5  # shots for errors from their scatter
 LEAST_WIDTH, MOST_WIDTH = 0.02, 5.0  # of a scatter between shots, in usual changes of a number
 WINSOR = 3.0  # widths, beyond which the deviation of a shot counts no more
@@ -127,10 +125,10 @@ class TablePrior(NamedTuple):
     ) -> TablePrior:
         """Return the prior for some shots."""
         middle, scale = (np.array([getattr(one, name) for one in table.shared]) for name in ("value", "scale"))
-        return cls(middle, scale, len(starts) / float(_uncorrelated(table, starts, frames, found).sum()))
+        return cls(middle, scale, len(starts) / float(independent_residuals(table, starts, frames, found).sum()))
 
 
-def _uncorrelated(
+def independent_residuals(
     table: TableNumbers, starts: Sequence[ShotStart], frames: Sequence[int], found: Sequence[Refined]
 ) -> Array:
     """Return how many independent residuals each shot has (N,): those that are correlated with their neighbours count as one."""
@@ -214,28 +212,6 @@ def information_of_shots(
     return Information(scores, matrices, follows, np.array(spreads))
 
 
-def covariance_of_shared(
-    table: TableNumbers, fitted: JointFit, starts: Sequence[ShotStart], noise: float
-) -> tuple[Array, bool]:
-    """Return the covariance (P, P) of the shared numbers, and whether it is from the scatter of shots: where they are not followed
-    to the noise, and are enough."""
-    used = [i for i, n in enumerate(fitted.frames) if n]
-    some, ends = [starts[i] for i in used], [fitted.frames[i] for i in used]
-    got = [refined(table, one, n, 9, 2) for one, n in zip(some, ends, strict=True)]
-    scale = np.array([one.scale for one in table.shared])
-    scores, matrices = information_of_shots(table, some, ends, got).weighted(weights_of_shots(some, ends, got))
-    scores, matrices = scores * scale, matrices * scale[:, None] * scale
-    far = [rms(table, one.shot, best.start, n) for one, n, best in zip(some, ends, got, strict=True)]
-    by_shots = len(some) >= FEWEST and bool(np.median(far) >= FOLLOWED * math.sqrt(2) * noise)
-    if by_shots:
-        covariance = covariance_by_shot(matrices.sum(axis=0) + 1e-12 * np.eye(len(scale)), scores, matrices)
-    else:
-        # (each shot's information is that of its independent residuals over its mean square)
-        each = _uncorrelated(table, some, ends, got)
-        covariance = np.linalg.inv((matrices * each[:, None, None]).sum(axis=0) + 1e-9 * np.eye(len(scale)))
-    return covariance * scale[:, None] * scale, by_shots
-
-
 @dataclass(eq=False)
 class ScatterFit:
     """Numbers of the table that scatter from shot to shot: their means and widths."""
@@ -244,10 +220,10 @@ class ScatterFit:
     """(P,)"""
     widths: Array
     """(P,) standard deviations between shots."""
-    covariance: Array
-    """(P, P) of the means."""
     starts: list[ShotStart]
     used: list[int]
+    found: list[Refined]
+    """Of the shots that are used, in errors of independent frames."""
     information: Information
 
 
@@ -308,7 +284,7 @@ def fit_scatter(
                 other.pool.append(other.best[frames[i]])
             again.append(other)
         starts = again
-    return ScatterFit(values, widths, covariance, starts, used, said)
+    return ScatterFit(values, widths, starts, used, got, said)
 
 
 def likely_widths(deviations: Array, spreads: Array, widths: Array, rounds: int) -> Array:
@@ -367,6 +343,63 @@ def one_table(model: TableModel, values: Array, starts: Sequence[ShotStart]) -> 
     return values + _possible(model, values, np.clip(values + by, low, high) - values), found
 
 
+@dataclass(eq=False)
+class _Shots:
+    """Shots whose starts follow the shared numbers, given in usual changes of these."""
+
+    model: TableModel
+    starts: Sequence[ShotStart]
+    frames: Sequence[int]
+    tell: Callable[[float], None]
+    table: TableNumbers
+    found: list[Refined]
+    """The starts on this table."""
+    follows: list[Array]
+    known: TablePrior
+    done: int = 0
+
+    def values(self, changes: Array) -> Array:
+        return np.asarray(np.clip(changes * self.known.scale, *self.table.ends))
+
+    def objective(self, values: Array, found: Sequence[Refined]) -> float:
+        return _objective(self.starts, self.frames, found) + self.known.cost(values)
+
+    def refined(self, table: TableNumbers) -> list[Refined]:
+        none = [None] * len(self.starts)
+        return _all_refined(table, self.starts, self.frames, none, none)
+
+    def tried(self, changes: Array) -> tuple[float, tuple[TableNumbers, list[Refined]]]:
+        values, table, found = self.values(changes), self.table, self.found
+        if self.follows:
+            try:
+                table = self.model.at(values)
+            except CaromError:  # (a friction that would rise with the slip, for example)
+                return math.inf, (table, found)
+            each = zip(self.found, self.follows, strict=True)
+            firsts = [one.start + along @ (values - self.table.values) for one, along in each]
+            found = _all_refined(table, self.starts, self.frames, [one.sigma for one in self.found], firsts, 0)
+        return self.objective(values, found), (table, found)
+
+    def taken(self, changes: Array, tried: tuple[TableNumbers, list[Refined]]) -> tuple[float, Array, Array]:
+        self.tell(self.done / STEPS)
+        self.done += 1
+        if tried[1] is not self.found:
+            self.table = tried[0]
+            for one, n, start in zip(self.starts, self.frames, tried[1], strict=True):
+                one.best[n] = start.start
+                one.pool.append(start.start)
+            pairs = zip(self.starts, self.frames, tried[1], self.refined(self.table), strict=True)
+            self.found = [min(old, new, key=lambda got: _mean_square(one, n, got)) for one, n, old, new in pairs]
+        values, scale, given = self.table.values, self.known.scale, (self.starts, self.frames, self.found)
+        if len(self.starts) < FEWEST:
+            self.known = TablePrior.of(self.table, *given)
+        said = information_of_shots(self.table, *given)
+        self.follows, (scores, matrices) = said.follows, said.weighted(weights_of_shots(*given))
+        score, matrix = self.known.information(values)
+        score, matrix = score + scores.sum(axis=0) * scale, matrix + matrices.sum(axis=0) * scale[:, None] * scale
+        return self.objective(values, self.found), score, matrix
+
+
 def fit_shared(
     model: TableModel, values: Array, starts: Sequence[ShotStart], frames: Sequence[int], noise: float,
     tell: Callable[[float], None], loosened: bool = True,
@@ -378,57 +411,23 @@ def fit_shared(
 
     ``loosened``: whether the shots may first have tables of their own; else the search descends from ``values``.
     """
-    shared = model.shared
-    low, high, scale = (np.array([getattr(one, name) for one in shared]) for name in ("low", "high", "scale"))
     if loosened and len(starts) > 1:
         values = _loosened(model, values, starts, frames, noise, lambda done: tell(done / 2))
-    table = model.at(values)
-    none = [None] * len(starts)
+    table, none = model.at(values), [None] * len(starts)
     found = _all_refined(table, starts, frames, none, none)
     used = [i for i, one in enumerate(starts) if rms(table, one.shot, found[i].start, frames[i]) < FAILED]
-    if not used:
-        used = list(range(len(starts)))
-    mine, ends = [starts[i] for i in used], [frames[i] for i in used]
-    got = [found[i] for i in used]
-    damping = 1e-2
-    for step in range(STEPS):
-        tell((1 + step / STEPS) / 2)
-        known = TablePrior.of(table, mine, ends, got) if len(starts) < FEWEST else TablePrior(values, scale, 0.0)
-        here = _objective(mine, ends, got) + known.cost(values)
-        said = information_of_shots(table, mine, ends, got)
-        follows, (scores, matrices) = said.follows, said.weighted(weights_of_shots(mine, ends, got))
-        score, matrix = known.information(values)
-        score, matrix = score + scores.sum(axis=0) * scale, matrix + matrices.sum(axis=0) * scale[:, None] * scale
-        better = None
-        for _ in range(4):
-            free = ~(((values <= low) & (score < 0)) | ((values >= high) & (score > 0)))
-            change = np.zeros(len(values))
-            damped = matrix + damping * (np.diag(np.diag(matrix)) + 1e-3 * np.eye(len(values)))
-            change[free] = np.linalg.solve(damped[np.ix_(free, free)], score[free])
-            change *= min(1.0, LARGEST_STEP / max(np.abs(change).max(), 1e-12))
-            tried = np.clip(values + scale * change, low, high)
-            try:
-                other = model.at(tried)
-            except CaromError:  # (a friction that would rise with the slip, for example)
-                damping *= 10
-                continue
-            moved = [one.start + along @ (tried - values) for one, along in zip(got, follows, strict=True)]
-            again = _all_refined(other, mine, ends, [one.sigma for one in got], moved, 0)
-            gain = here - _objective(mine, ends, again) - known.cost(tried)
-            if gain > 0:
-                better = again
-                break
-            damping *= 10
-        if better is None:
-            break
-        values, table, damping = tried, other, damping / 5
-        for one, n, start in zip(mine, ends, better, strict=True):
-            one.best[n] = start.start
-            one.pool.append(start.start)
-        got = _all_refined(table, mine, ends, none[: len(mine)], none[: len(mine)])
-        if gain < GAIN * len(mine):
-            break
-    every = _all_refined(table, starts, frames, none, none)
+    used = used or list(range(len(starts)))
+    scale = np.array([one.scale for one in model.shared])
+    shots = _Shots(
+        model, [starts[i] for i in used], [frames[i] for i in used], lambda done: tell((1 + done) / 2), table,
+        [found[i] for i in used], [], TablePrior(values, scale, 0.0),
+    )  # fmt: skip
+    low, high = (end / scale for end in table.ends)
+    descend_shared(
+        shots, np.clip(values / scale, low, high), low, high, steps=STEPS, tolerance=GAIN * len(used), most=LARGEST_STEP
+    )
+    every = _all_refined(shots.table, starts, frames, none, none)
     for one, n, start in zip(starts, frames, every, strict=True):
         one.best[n] = start.start
-    return JointFit(values, [n if i in used else 0 for i, n in enumerate(frames)], every, _objective(mine, ends, got))
+    followed = [n if i in used else 0 for i, n in enumerate(frames)]
+    return JointFit(shots.table.values, followed, every, _objective(shots.starts, shots.frames, shots.found))

@@ -186,10 +186,12 @@ class ShotsFit:
     noise: float
     """m, of one coordinate of one frame, estimated."""
     by_shots: bool = False
-    """Whether the errors are from the scatter of shots (sandwich), not from the noise of frames."""
+    """Whether the errors are from the scatter of shots, not from the noise of frames."""
     degenerate: tuple[str, ...] = ()
     untold: tuple[str, ...] = ()
     model: TableModel = field(kw_only=True)
+    values: Array = field(kw_only=True)
+    """(P,) of the shared numbers, also of those that are not identifiable."""
     widths: Array | None = field(kw_only=True, default=None)
     """(P,) standard deviations of the shared numbers between shots; None where these are too few to tell."""
     starts: tuple[ShotStart, ...] = field(kw_only=True, default=())
@@ -199,7 +201,7 @@ class ShotsFit:
     @property
     def table(self) -> TableNumbers:
         """The table at the fitted numbers, with derivatives."""
-        return self.model.at(np.array([one.value for one in self.estimates.values()], dtype=float))
+        return self.model.at(self.values)
 
     @property
     def scatter(self) -> dict[str, float]:

@@ -12,8 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.optimizer import minimize
-from carom.fitting.starts import Projection, StatesBy, balls_by, balls_of, nearest_starts, states_by
+from carom.fitting.starts import Projection, StatesBy, balls_by, balls_of, descend_shared, nearest_starts, states_by
 from carom.fitting.table_numbers import TableNumbers
 from carom.fitting.tracks.model import TrackModel
 from carom.fitting.tracks.segments import TrackSegment
@@ -229,39 +228,46 @@ def effective_numbers(settled: BestStarts, starts: Starts) -> float:
     return float(np.square(settled.projection(starts).basis[:, :-K]).sum())
 
 
+@dataclass(eq=False)
+class _Segments:
+    """Segments whose starts follow the shared parameters."""
+
+    model: TrackModel
+    frames: SegmentArrays
+    starts: Starts
+    q: Array
+    """(N, 7): the best so far."""
+    tell: Callable[[], None]
+    steps: int = START_STEPS
+
+    def numbers(self, values: Array) -> Numbers:
+        return dict(zip(self.model.free, values.tolist(), strict=True))
+
+    def tried(self, values: Array) -> tuple[float, BestStarts]:
+        settled = settle(self.model.table(self.numbers(values)), self.frames, self.starts, self.q, self.steps)
+        self.tell()
+        return float(settled.cost.sum()), settled
+
+    def taken(self, values: Array, tried: BestStarts) -> tuple[float, Array, Array]:
+        self.q, self.steps = tried.q, NEXT_STEPS
+        by_shared = shared_slope(self.model, self.frames, tried.q, self.numbers(values))
+        rest = projected(tried, self.starts, by_shared)
+        score = -np.einsum("ntp,nt->p", rest, tried.residual(self.starts))
+        return float(tried.cost.sum()), score, np.einsum("ntp,ntr->pr", rest, rest)
+
+
 def descend(
     model: TrackModel, frames: SegmentArrays, starts: Starts, q: Array, numbers: Mapping[str, float], tell: Callable[[], None],
     exact: bool = True,
 ) -> tuple[Numbers, BestStarts]:  # fmt: skip
     """Find the best shared parameters, and the starts that go with them."""
-    names, nearest, least = list(model.free), q, np.inf
-    settled = None
-
-    def evaluate(_which: NDArray[np.int64], at: Array, derivatives: bool) -> tuple[Array, Array, Array]:
-        nonlocal nearest, least, settled
-        here = dict(zip(names, at[0].tolist(), strict=True))
-        if settled is None or not derivatives:
-            steps = NEXT_STEPS if np.isfinite(least) else START_STEPS
-            settled = settle(model.table(here), frames, starts, nearest, steps)
-            tell()
-        value = float(settled.cost.sum())
-        if value < least:
-            nearest, least = settled.q, value
-        if not derivatives:
-            return np.array([value]), at, at
-        rest = projected(settled, starts, shared_slope(model, frames, settled.q, here))
-        score = -np.einsum("ntp,nt->p", rest, settled.residual(starts))
-        return np.array([value]), score[None], np.einsum("ntp,ntr->pr", rest, rest)[None]
-
-    if not names:
+    if not model.free:
         return {}, settle(model.table(numbers), frames, starts, q)
+    segments, dof = _Segments(model, frames, starts, q, tell), 2.0 * float(frames.count.sum())
     low, high = (np.array([getattr(one, end) for one in model.free.values()]) for end in ("low", "high"))
-    dof = 2.0 * float(frames.count.sum())
-    begin = np.clip([[numbers[name] for name in names]], low, high)
-    tolerance = SHARED_TOLERANCE if exact else ROUGH_TOLERANCE * dof
-    found = minimize(
-        evaluate, begin, low, high, steps=SHARED_STEPS if exact else ROUGH_STEPS, tolerance=tolerance, dof=np.array([dof]),
-        joint=False,
+    values = descend_shared(
+        segments, np.clip([numbers[name] for name in model.free], low, high), low, high, dof=dof,
+        steps=SHARED_STEPS if exact else ROUGH_STEPS, tolerance=SHARED_TOLERANCE if exact else ROUGH_TOLERANCE * dof,
     )  # fmt: skip
-    best = dict(zip(names, found.p[0].tolist(), strict=True))
-    return best, settle(model.table(best), frames, starts, nearest)
+    best = segments.numbers(values)
+    return best, settle(model.table(best), frames, starts, segments.q)
