@@ -26,6 +26,7 @@ class Profile:
         self.names, self.trade_offs, self.form = ("restitution", name), trade_offs, rise
         self.parameters = tuple(Parameter(name, 0.0, 1.0, (0.5,), 0.5) for name in self.names)
         self.values, self.information = np.array([0.8, BEST]), np.diag([1e4, curvature])
+        self.ranges = np.ones(2)
         self.refits, self.moves = 0, 0.1 if trade_offs else 0.0
 
     def covariance(self, inside):

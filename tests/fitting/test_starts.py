@@ -7,6 +7,7 @@ from typing import ClassVar
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy.optimize import lsq_linear
 
 import carom
 from carom.fitting.optimizer import minimize
@@ -138,20 +139,33 @@ def test_a_start_whose_derivatives_are_too_large_to_square_stays_where_it_is(joi
     np.testing.assert_allclose(found, [[1.0, 0.0], [0.0, 0.0]], atol=1e-6)
 
 
-def test_a_descent_goes_on_where_a_bound_stops_one_number() -> None:
-    # the whole step leads to (-5, 4); what is left of it at the bound of the first number leads uphill
-    h, best = np.array([[1.0, 0.9], [0.9, 1.0]]), np.array([-5.0, 4.0])
+@pytest.mark.parametrize("related", [False, True])
+def test_a_descent_within_bounds_ends_where_bounded_least_squares_do(related: bool) -> None:
+    rng = np.random.default_rng(7)
+    for _ in range(100):
+        k = int(rng.integers(2, 9))
+        a = rng.normal(size=(k + 5, k)) * 10 ** rng.uniform(-1, 1, k) + (
+            3 * rng.normal(size=(k + 5, 1)) if related else 0
+        )
+        b = a @ rng.normal(0, 2, k) + 0.1 * rng.normal(size=k + 5)
+        low, high = -rng.uniform(0.2, 2, k), rng.uniform(0.2, 2, k)
 
+        def evaluate(_which: object, at: Array, _derivatives: bool, a: Array = a, b: Array = b) -> tuple[Array, ...]:
+            off = a @ at[0] - b
+            return np.array([off @ off]), -(a.T @ off)[None], (a.T @ a)[None]
+
+        start = np.clip(rng.normal(size=(1, k)), low, high)
+        found = minimize(evaluate, start, low, high, steps=60, tolerance=1e-9)
+        assert found.value[0] == pytest.approx(2 * lsq_linear(a, b, (low, high), tol=1e-14).cost, rel=1e-6)
+
+
+def test_no_step_of_a_descent_is_longer_than_it_may_be() -> None:
     def evaluate(_which: object, at: Array, _derivatives: bool) -> tuple[Array, Array, Array]:
-        off = at[0] - best
-        return np.array([off @ h @ off]), -(h @ off)[None], h[None]
+        return np.square(at).sum(axis=1), -at, np.eye(2)[None]
 
-    low, high = np.array([0.0, -10.0]), np.array([10.0, 10.0])
-    found = minimize(evaluate, np.array([[0.1, 0.0]]), low, high, steps=30, tolerance=1e-9)
-    assert found.p[0] == pytest.approx([0.0, -0.5], abs=1e-4)
-    # no step is longer than it may be: the sixth evaluation is five steps away
-    far = minimize(evaluate, np.array([[9.0, 9.0]]), low, high, steps=6, tolerance=1e-9, most=0.5)
-    assert np.abs(far.p[0] - 9.0).max() == pytest.approx(2.5, abs=1e-9)
+    ends = np.full(2, 10.0)
+    found = minimize(evaluate, np.array([[9.0, 9.0]]), -ends, ends, steps=6, tolerance=1e-9, most=0.5)
+    assert found.p[0] == pytest.approx([6.5, 6.5], abs=1e-9)
 
 
 def test_shared_numbers_descend_with_the_starts_that_follow() -> None:

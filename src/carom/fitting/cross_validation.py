@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from carom.fitting.data import Problem
 from carom.fitting.model import STEPS
-from carom.fitting.optimizer import damped_step
+from carom.fitting.optimizer import bounded_step
 from carom.fitting.parameters import NUMBERS
 from carom.fitting.result import Fit, refit, rows_of_fit, working_model
 
@@ -69,10 +69,11 @@ def one_step_without(fit: Fit, problem: Problem, left_out: Array) -> Array:
         return p
     score, information = score - own.scores, information - own.information
     here, low, high = p[:, free], model.low[free], model.high[free]
-    stuck = ((here <= low) & (score < 0)) | ((here >= high) & (score > 0))
-    step, _damping = damped_step(information, score, ~stuck, np.full(len(p), 1e-9))
-    bars = np.sqrt(np.maximum(np.diag(np.linalg.pinv(own.information.sum(axis=0), hermitian=True)), 0.0))
-    p[:, free] = np.clip(here + np.clip(step, -LARGEST_STEP * bars, LARGEST_STEP * bars), low, high)
+    most = LARGEST_STEP * np.sqrt(np.maximum(np.diag(np.linalg.pinv(own.information.sum(axis=0), hermitian=True)), 0.0))
+    step, _damping = bounded_step(
+        information, score, np.maximum(low - here, -most), np.minimum(high - here, most), np.full(len(p), 1e-9)
+    )
+    p[:, free] = np.clip(here + step, low, high)
     return p
 
 

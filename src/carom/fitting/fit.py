@@ -391,6 +391,7 @@ class _Subject:
         self.parameters = tuple(model.parameters.values())
         self.places = list(model.places.values())
         self.values = fit.numbers[self.places]
+        self.ranges = parameter_ranges(self.parameters, self.values)
         self.trade_offs = fit.problem.spins is not None and not fit.problem.carried
         self.model = working_model(fit, fit.problem)
         self.base = float(self.model.row_deviances(fit.numbers)[0].sum())
@@ -398,8 +399,7 @@ class _Subject:
 
     def covariance(self, inside: NDArray[np.int64]) -> Array:
         """Return the inverse information of some parameters."""
-        ranges = parameter_ranges(self.parameters, self.values)[inside]
-        return identified_covariance(self.information[np.ix_(inside, inside)], ranges)
+        return identified_covariance(self.information[np.ix_(inside, inside)], self.ranges[inside])
 
     def rise(self, i: int, value: float) -> float:
         """Return the deviance above its minimum with one parameter changed."""

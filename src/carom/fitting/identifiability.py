@@ -47,6 +47,8 @@ class Subject(Protocol):
     names: tuple[str, ...]
     parameters: tuple[Parameter, ...]
     values: Array
+    ranges: Array
+    """Of each parameter: half of it is too large an error bar."""
     information: Array
     trade_offs: bool
     """Whether unmeasured spins may compensate for parameters, which has to be tested by fits."""
@@ -84,11 +86,11 @@ def identify(subject: Subject) -> Identified:
     A weak curvature, or parameters that compensate for each other near the minimum, only suggest that; the profile decides.
     """
     names, parameters, values = list(subject.names), subject.parameters, subject.values
-    k, ranges = len(names), parameter_ranges(parameters, values)
+    k, ranges = len(names), subject.ranges
     low, high = (np.array([getattr(p, end) for p in parameters]) for end in ("low", "high"))
     bound = (values <= low + 1e-9 * ranges) | (values >= high - 1e-9 * ranges)
     covariance, sentences, concerned = np.full((k, k), np.nan), [], np.zeros(k, bool)
-    profiles = _Profiles(subject, ranges)
+    profiles = _Profiles(subject)
 
     def involve(which: Mask) -> None:
         which = which & np.array([bool(one) and not profiles.rises(i) for i, one in enumerate(which)])
@@ -145,8 +147,7 @@ def identify(subject: Subject) -> Identified:
 
 def _estimates(subject: Subject, covariance: Array, bound: Mask, concerned: Mask) -> dict[str, Estimate]:
     """Return the estimates, without a value where a parameter is not identifiable, without an error bar at a bound."""
-    values, parameters = subject.values, subject.parameters
-    ranges = parameter_ranges(parameters, values)
+    values, parameters, ranges = subject.values, subject.parameters, subject.ranges
     estimates = {}
     for i, name in enumerate(subject.names):
         if concerned[i]:
@@ -163,8 +164,8 @@ def _estimates(subject: Subject, covariance: Array, bound: Mask, concerned: Mask
 class _Profiles:
     """Profiles of single parameters, evaluated when they are first asked for."""
 
-    def __init__(self, subject: Subject, ranges: Array) -> None:
-        self.subject, self.ranges = subject, ranges
+    def __init__(self, subject: Subject) -> None:
+        self.subject, self.ranges = subject, subject.ranges
         self.known: dict[int, bool] = {}
         self.widths: dict[int, float] = {}
 

@@ -13,7 +13,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["EVERYWHERE", "Minimum", "cross_kinks", "damped_step", "minimize", "observed_information"]
+__all__ = ["EVERYWHERE", "Minimum", "bounded_step", "cross_kinks", "minimize", "observed_information"]
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -86,40 +86,53 @@ def minimize(
         if not len(alive) or k == 0:
             break
         here = p[alive]
-        stuck = ((here <= low) & (u[alive] < 0)) | ((here >= high) & (u[alive] > 0))
-        active = ~stuck
-        for turn in range(2):
-            step, damping[alive] = damped_step(h[alive], u[alive], active, damping[alive])
-            if np.isfinite(most):
-                step /= np.maximum(np.abs(step).max(axis=1, keepdims=True) / most, 1.0)
-            tried[alive] = np.clip(here + step, low, high)
-            promise = ((tried[alive] - here) * u[alive]).sum(axis=1)
-            # a number that is stopped by its bound may leave nothing to gain of a step that had it go on: then it stays
-            stopped = active & (here + step != tried[alive]) & (promise <= enough(alive))[:, None]
-            if turn or not stopped.any():
-                break
-            active &= ~stopped
+        step, damping[alive] = bounded_step(
+            h[alive], u[alive], np.maximum(low - here, -most), np.minimum(high - here, most), damping[alive]
+        )
+        tried[alive] = np.clip(here + step, low, high)
+        promise = ((tried[alive] - here) * u[alive]).sum(axis=1)
         alive = alive[promise > enough(alive)]
         if not len(alive):
             break
     return Minimum(p, now, u, h)
 
 
-def damped_step(h: Array, u: Array, active: NDArray[np.bool_], damping: Array) -> tuple[Array, Array]:
-    """Return (h + damping diag h)^-1 u for active parameters, with enough damping to make the matrix positive definite."""
+def bounded_step(h: Array, u: Array, low: Array, high: Array, damping: Array) -> tuple[Array, Array]:
+    """Return the step (B, k) between ``low`` and ``high`` (B, k) with the least s (h + damping diag h) s / 2 - u s, and a damping
+    that is enough to make the matrices positive definite.
+
+    Numbers are held at their bounds until none is beyond them and none would gain by leaving. All that have to change do so at
+    once; where that goes in circles, one after the other, which ends (block principal pivoting: Judice & Pires, Comput. Oper.
+    Res. 21, 587 (1994), https://doi.org/10.1016/0305-0548(94)90106-6).
+    """
     k = u.shape[1]
-    plain = np.where(active[:, :, None] & active[:, None, :], h, 0.0)
-    diagonal = np.abs(np.einsum("bjj->bj", plain))
-    damping = damping.copy()
-    for _ in range(40):
-        extra = np.where(active, damping[:, None] * diagonal + 1e-9, 1.0)
-        strength, direction = np.linalg.eigh(plain + extra[:, :, None] * np.eye(k))
-        bad = ~(strength.min(axis=1) > 0)
-        if not bad.any():
+    diagonal, damping, eye = np.abs(np.einsum("bjj->bj", h)), damping.copy(), np.eye(k)
+    step = np.clip(np.zeros_like(u), low, high)
+    held = ((step <= low) & (u < 0)) | ((step >= high) & (u > 0))
+    for turn in range(10 * k):
+        free = ~held
+        rest = np.where(free, u - np.einsum("bjm,bm->bj", h, np.where(held, step, 0.0)), 0.0)
+        plain = np.where(free[:, :, None] & free[:, None, :], h, 0.0)
+        for _ in range(40):
+            matrix = plain + np.where(free, damping[:, None] * diagonal + 1e-9, 1.0)[:, :, None] * eye
+            strength, direction = np.linalg.eigh(matrix)
+            bad = ~(strength.min(axis=1) > 0)
+            if not bad.any():
+                break
+            damping[bad] = np.maximum(10 * damping[bad], 1e-3)
+        along = np.einsum("bjm,bj->bm", direction, rest) / np.where(strength > 0, strength, np.inf)
+        step = np.where(held, step, np.einsum("bjm,bm->bj", direction, along))
+        slope = u - np.einsum("bjm,bm->bj", h, step) - (damping[:, None] * diagonal + 1e-9) * step
+        down, up = (held & (slope < 0)) | (step < low), (held & (slope > 0)) | (step > high)
+        step = np.clip(step, low, high)
+        now = (down & (step <= low)) | (up & (step >= high))
+        change = now != held
+        if not change.any():
             break
-        damping[bad] = np.maximum(10 * damping[bad], 1e-3)
-    along = np.einsum("bjm,bj->bm", direction, np.where(active, u, 0.0)) / np.where(strength > 0, strength, np.inf)
-    return np.einsum("bjm,bm->bj", direction, along), damping
+        if turn >= k:
+            change &= np.cumsum(change[:, ::-1], axis=1)[:, ::-1] == 1
+        held ^= change
+    return step, damping
 
 
 def observed_information(

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.fitting.identifiability import Identified, identified_covariance, identify, parameter_ranges
+from carom.fitting.identifiability import Identified, identified_covariance, identify
 from carom.fitting.parameters import Parameter
 from carom.fitting.shots.joint import (
     Information,
@@ -29,6 +29,7 @@ __all__ = ["Optimum", "identified"]
 
 Array = NDArray[np.float64]
 FOLLOWING_STEPS = 3  # of the starts after a number has been changed
+RANGE = 10.0  # usual changes, of a number that is smaller than these
 PROFILE_STEPS, PROFILE_TOLERANCE = 6, 0.05  # of a profile's other numbers; of the deviance
 Followed = tuple[TableNumbers | None, list[Refined]]
 
@@ -127,13 +128,14 @@ class _Subject:
         self.names = tuple(one.name for one in shared)
         self.parameters = tuple(Parameter(one.name, one.low, one.high, (one.value,), one.value) for one in shared)
         self.scale = np.array([one.scale for one in shared])
+        ends = at.model.at(at.values).ends
+        self.ranges = np.minimum(ends[1] - ends[0], np.maximum(np.abs(at.values), RANGE * self.scale))
         self.information = at.information
         self.least = at.deviance(at.found)
 
     def covariance(self, inside: NDArray[np.int64]) -> Array:
         """Return the covariance of some numbers, with all others free in the directions that are identified."""
-        ranges = parameter_ranges(self.parameters, self.values)
-        return identified_covariance(self.information, ranges)[np.ix_(inside, inside)]
+        return identified_covariance(self.information, self.ranges)[np.ix_(inside, inside)]
 
     def rise(self, i: int, value: float) -> float:
         """Return the deviance above its minimum with one number changed and the starts fitted again."""

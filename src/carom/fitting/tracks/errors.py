@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.by_shots import covariance_by_shot
-from carom.fitting.identifiability import NOT_IDENTIFIABLE, identify
+from carom.fitting.identifiability import NOT_IDENTIFIABLE, identify, parameter_ranges
 from carom.fitting.result import Estimate, without_estimate
 from carom.fitting.tracks.objective import BestStarts, descend, projected, settle, shared_slope
 from carom.fitting.tracks.result import TrackFit
@@ -49,6 +49,7 @@ class _Subject:
         self.fit, self.label, self.names, self.trade_offs = fit, fit.law.name, fit.names, False
         self.parameters = tuple(fit.model.free.values())
         self.values = np.array([fit.numbers[name] for name in self.names])
+        self.ranges = parameter_ranges(self.parameters, self.values)
         rest = projected(settled, fit.starts, shared_slope(fit.model, fit.frames, settled.q, fit.numbers))
         by_segment = np.einsum("ntp,ntq->npq", rest, rest)
         self.information = by_segment.sum(axis=0)
