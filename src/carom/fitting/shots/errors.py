@@ -29,7 +29,6 @@ __all__ = ["Optimum", "identified"]
 
 Array = NDArray[np.float64]
 FOLLOWING_STEPS = 3  # of the starts after a number has been changed
-RANGE = 10.0  # usual changes, of a number that is smaller than these
 PROFILE_STEPS, PROFILE_TOLERANCE = 6, 0.05  # of a profile's other numbers; of the deviance
 Followed = tuple[TableNumbers | None, list[Refined]]
 
@@ -128,8 +127,7 @@ class _Subject:
         self.names = tuple(one.name for one in shared)
         self.parameters = tuple(Parameter(one.name, one.low, one.high, (one.value,), one.value) for one in shared)
         self.scale = np.array([one.scale for one in shared])
-        ends = at.model.at(at.values).ends
-        self.ranges = np.minimum(ends[1] - ends[0], np.maximum(np.abs(at.values), RANGE * self.scale))
+        self.ranges = np.array([one.high - one.low for one in shared])
         self.information = at.information
         self.least = at.deviance(at.found)
 

@@ -64,7 +64,7 @@ WIDTH = 0.5  # of usual changes: the scatter between shots with which its search
 SETTLED = 0.2  # error bars of the means, and shares of the widths, below which a round ends the search
 PRIOR_WIDTH = 4.0  # usual changes: of the prior of few shots about the numbers of the table that is given
 FEWEST = 5  # shots for errors from their scatter
-LEAST_WIDTH, MOST_WIDTH = 0.02, 5.0  # of a scatter between shots, in usual changes of a number
+LEAST_WIDTH, MOST_WIDTH = 0.02, 20.0  # of a scatter between shots, in usual changes of a number
 WINSOR = 3.0  # widths, beyond which the deviation of a shot counts no more
 
 
