@@ -436,6 +436,18 @@ def test_the_information_of_shots_is_half_the_curvature_of_their_deviance(rankin
         assert (up + down - 2 * least) / (2 * 4 * one.stderr**2) == pytest.approx(at.information[k, k], rel=0.1)
 
 
+def test_a_scatter_as_large_as_the_number_is_found():
+    name = "ball_contact.friction"
+    tracks, scenes = drawn_films(5, seed=3, until=0.6, scatter={name: 1.5})
+    best = carom.fit_shots(tracks, carom.replaced(scenes[0], {name: 0.06}), free=[name]).best
+    best = fit_of_some(best, range(5))  # (goes on from these widths, which grow step by step)
+    met = np.array([float(scene.ball_contact.friction) for scene in scenes])
+    assert best.scatter[name] == pytest.approx(met.std(ddof=1), rel=0.25)
+    estimate = best.estimates[name]
+    assert estimate.stderr == pytest.approx(met.std(ddof=1) / np.sqrt(len(met)), rel=0.25)
+    assert abs(estimate.value - met.mean()) < 2 * estimate.stderr
+
+
 def test_a_scatter_is_as_wide_as_it_was_drawn():
     rng = np.random.default_rng(0)
     for true, low, high in ((0.0, 0.0, 0.3), (1.0, 0.85, 1.15)):
