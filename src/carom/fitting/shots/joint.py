@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
+from carom.fitting.optimizer import bounded_step
 from carom.fitting.shots.film import FilmedShot
 from carom.fitting.shots.search import (
     FAILED,
@@ -257,22 +258,23 @@ def fit_scatter(
             one.pool.append(best.start)
         some, ends, got = [starts[i] for i in used], [frames[i] for i in used], [found[i] for i in used]
         said = information_of_shots(table, some, ends, got)
-        matrix = said.matrices.sum(axis=0) * scale[:, None] * scale + 1e-9 * np.eye(len(scale))
-        covariance = np.linalg.inv(matrix) * scale[:, None] * scale
+        matrix = said.matrices.sum(axis=0) * scale[:, None] * scale
+        bars = scale * np.sqrt(np.maximum(np.diag(np.linalg.pinv(matrix, hermitian=True)), 0.0))
         deviations = np.array([one.start[-len(widths) :] for one in got])
         if settled or turn == rounds - 1:
             break
-        score = said.scores.sum(axis=0)
-        free = ~(((values <= low) & (score < 0)) | ((values >= high) & (score > 0)))
-        step = np.zeros(len(scale))
-        step[free] = np.linalg.solve((matrix / scale[:, None] / scale)[np.ix_(free, free)], score[free])
-        step = np.clip(step, -LARGEST_STEP * scale, LARGEST_STEP * scale)
-        step = _possible(model, values, np.clip(values + step, low, high) - values)
+        score = said.scores.sum(axis=0) * scale
+        least, most = (
+            np.maximum((low - values) / scale, -LARGEST_STEP),
+            np.minimum((high - values) / scale, LARGEST_STEP),
+        )
+        found_step, _damping = bounded_step(matrix[None], score[None], least[None], most[None], np.zeros(1))
+        step = _possible(model, values, np.clip(values + found_step[0] * scale, low, high) - values)
         values = values + step
         inside = np.clip(deviations, -WINSOR * widths, WINSOR * widths)
         new = likely_widths(inside, said.spreads, widths, width_rounds)
         before, widths = widths, np.clip(new, LEAST_WIDTH * scale, MOST_WIDTH * scale)
-        settled = bool((np.abs(step) < SETTLED * np.sqrt(np.diag(covariance))).all()) and bool(
+        settled = bool((np.abs(step) < SETTLED * bars).all()) and bool(
             (np.abs(widths - before) < SETTLED * before).all()
         )
         moved = dict(zip(used, said.follows, strict=True))
