@@ -93,6 +93,7 @@ def test_pictures_say_what_is_drawn(ranking, tmp_path):
         assert 0 <= box.x0 < box.x1 <= few.bbox.x1
         assert 0 <= box.y0 < box.y1 <= few.bbox.y1
     text = write_shots_report(ranking, "films.csv", tmp_path / "shots.html").read_text(encoding="utf-8")
+    assert ">nan<" not in text  # (no shot goes through three cushions)
     assert [text.count(f"<h3>{shot.name}: ") for shot in ranking.best.shots] == [1, 1]
     assert text.count("<svg") == 2 + 2 + 1 + 2 * 2  # small multiples, distances, the legend, and two of each shot
     assert "<td>walls.0.restitution</td>" in text

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import math
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -231,7 +232,8 @@ def _laws(ranking: ShotsRanking) -> str:
     from carom.fitting.shots.result import HORIZONS
 
     def cells(one: Ranked[ShotsFit]) -> tuple[str, ...]:
-        return tuple(f"{1e3 * one.fit.median(name):.1f}" for name in HORIZONS)
+        medians = (1e3 * one.fit.median(name) for name in HORIZONS)
+        return tuple("–" if math.isnan(mm) else f"{mm:.1f}" for mm in medians)
 
     return table_of_laws(ranking, tuple(f"{name}, mm" for name in HORIZONS), cells, parameters=False)
 
