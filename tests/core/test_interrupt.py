@@ -21,7 +21,7 @@ import pytest
 from reference.commands import command
 
 from carom.core.jit.slices import GROWTH, Pace, row_slices, sliced
-from carom.core.jit.threads import call_in_threads
+from carom.core.jit.threads import call_in_parts, call_in_threads
 
 PATIENCE = 60  # s: a job that goes on is killed then
 
@@ -142,6 +142,24 @@ def test_an_interrupt_ends_it(job: str, workers: list[subprocess.Popen[str]]) ->
     finally:
         late.cancel()
     workers.append(process)
+
+
+def test_an_interrupted_loop_ends_when_all_its_threads_have(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Else a thread writes to arrays that are free, and Python ends by a segmentation fault some time later."""
+    monkeypatch.setattr("carom.core.jit.threads._most_threads", lambda: 2)
+    begun, ended = threading.Event(), threading.Event()
+
+    def work(part: int) -> None:
+        if part == 0:
+            assert begun.wait(PATIENCE)
+            raise KeyboardInterrupt
+        begun.set()
+        time.sleep(0.2)
+        ended.set()
+
+    with pytest.raises(KeyboardInterrupt):
+        call_in_parts(work, 2)
+    assert ended.is_set()
 
 
 def test_the_command_ends_without_a_traceback(

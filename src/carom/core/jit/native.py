@@ -126,7 +126,7 @@ class NativeCode:
         parts = 1 if self._row_seconds * rows < SERIAL_SECONDS else min(thread_count(), rows)
         spent = []
 
-        def work(part: int) -> int:
+        def work(part: int, _kept: object = arguments) -> int:  # (`given` has their addresses only)
             begin = time.perf_counter()
             status = call(out, PART(0, part, parts), *given)
             spent.append(time.perf_counter() - begin)

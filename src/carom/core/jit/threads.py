@@ -7,7 +7,7 @@ import os
 import sys
 import threading
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, wait
 from typing import TypeVar
 
 from carom.core.jit.background import core_count
@@ -72,4 +72,8 @@ def call_in_parts(work: Callable[[int], Answer], count: int) -> list[Answer]:
 def _this_thread_too(pool: str, work: Callable[[Part], Answer], parts: Sequence[Part]) -> list[Answer]:
     """Return the work of every part, the first of them done by this thread."""
     others = [_pool(pool).submit(work, part) for part in parts[1:]]
-    return [work(parts[0]), *(one.result() for one in others)]
+    try:
+        return [work(parts[0]), *(one.result() for one in others)]
+    except BaseException:  # (Ctrl-C: the others still write to arrays that are free once this call has ended)
+        wait(others)
+        raise
