@@ -17,7 +17,7 @@ from carom.fitting.shots.fit import DRAWS, _Together
 from carom.fitting.shots.followed import belief_of_start, followed
 from carom.fitting.shots.forms import FORMS, searched_together
 from carom.fitting.shots.joint import PRIOR_WIDTH, JointFit, TablePrior, likely_widths
-from carom.fitting.shots.search import SearchSettings, _drawn, descend, rms, search_start
+from carom.fitting.shots.search import SearchSettings, _drawn, descend, refined, rms, search_start
 from carom.fitting.shots.start import VELOCITY, residuals
 from carom.fitting.shots.table import FREE, TERMS, TableModel, begun, scene_of_films
 from carom.simulation.sensitivity.parameters import parameters_of
@@ -265,7 +265,7 @@ def test_a_shot_that_is_followed_is_known_within_its_errors(ranking, films):
     for one, start, scene in zip(ranking.best.shots, ranking.best.starts, scenes, strict=True):
         table, frames = ranking.best.table, one.film.horizons["ball"]
         errors = LawErrors(frame=1.5e-3).times(0.2)
-        belief = belief_of_start(table, start, start.best[frames], frames, errors)
+        belief = belief_of_start(table, start, refined(table, start, frames, 9, 3).start, frames, errors)
         until = followed(table, one.film, belief, errors)
         state = carom.simulate(scene).at(until.belief.time - one.time)
         known = until.belief.mean.reshape(3, 7)

@@ -38,6 +38,7 @@ NEARER = 0.4  # of a step: 2 error bars where the step is 5
 ALONG = np.array([-8.0, -4.0, -2.0, 2.0, 4.0, 8.0])  # steps along a valley
 BISECTIONS = 20
 OUTWARDS = 2.0 ** np.arange(-7, 1)  # of the distance to where a profile should have risen: where it is evaluated
+STEEP = 100.0  # of the deviance: a side on which a profile has risen by so much is not followed any farther
 
 
 class Subject(Protocol):
@@ -189,39 +190,49 @@ class _Profiles:
         if i not in self.known:
             best, parameter = float(self.subject.values[i]), self.subject.parameters[i]
             self.known[i] = self.rises_alone(i)
+            if self.known[
+                i
+            ]:  # (where fits from the minimum show a flat profile, those along the valley can only be lower)
+                ends = np.array(self.ends(i))
+                far, _numbers = self.subject.refit_rises(i, ends)
+                self.known[i] = bool((far >= FLAT_RISE).all())
             if self.known[i]:
-                distances, rises = self._outwards(i)
+                distances, rises = self._outwards(i, ends, far)
                 self.known[i] = bool((rises[:, -1] >= FLAT_RISE).all())
                 self.widths[i] = max(map(_width, distances[:, ::-1], rises[:, ::-1])) if self.known[i] else np.inf
                 if parameter.low >= 0 and best > parameter.low + 1e-9 * self.ranges[i]:
                     self.known[i] &= self.widths[i] < UNIDENTIFIED_STDERR * best
         return self.known[i]
 
-    def _outwards(self, i: int) -> tuple[Array, Array]:
-        """Return distances from the minimum, from near to far, and the profile there (sides, m).
+    def _outwards(self, i: int, ends: Array, far: Array) -> tuple[Array, Array]:
+        """Return distances from the minimum, from near to far, and the profile there (sides, m). At the ends it is ``far``, by fits
+        from the minimum, or less; a side that is not followed to its end has the last value from there on.
 
         The fits follow the valley, which begins along the weakest direction: from elsewhere they may end beyond a kink.
-        The first and the last begin at the minimum, too, since a valley may end.
+        The first begin at the minimum, too, since a valley may end.
         """
         subject, values = self.subject, self.subject.values
         low, high = (np.array([getattr(p, end) for p in subject.parameters]) for end in ("low", "high"))
         strength, direction, _inner = _directions(subject.information, self.ranges)
         towards = direction[:, int(np.argmin(strength))] * self.ranges
-        ends = np.array(self.ends(i))
         near = values[i] + OUTWARDS[0] * (ends - values[i])
         with np.errstate(all="ignore"):
             start = np.clip(values + (near - values[i])[:, None] * np.nan_to_num(towards / towards[i]), low, high)
-        rises = []
-        for share in OUTWARDS:
-            there = values[i] + share * (ends - values[i])
+        rises = np.empty((len(OUTWARDS), len(ends)))
+        open_ended = np.arange(len(ends))
+        for k, share in enumerate(OUTWARDS):
+            there = values[i] + share * (ends - values[i])[open_ended]
             one, at = subject.refit_rises(i, there, start)
-            if share in (OUTWARDS[0], OUTWARDS[-1]):
+            if k == 0:
                 two, from_minimum = subject.refit_rises(i, there)
                 at = np.where((two < one)[:, None], from_minimum, at)
                 one = np.minimum(one, two)
-            rises.append(one)
-            start = np.clip(values + 2 * (at - values), low, high)
-        return np.abs(OUTWARDS * (ends - values[i])[:, None]), np.array(rises).T
+            rises[k:, open_ended] = one if k < len(OUTWARDS) - 1 else np.minimum(one, far[open_ended])
+            start = np.clip(values + 2 * (at - values), low, high)[one < STEEP]
+            open_ended = open_ended[one < STEEP]
+            if not len(open_ended):
+                break
+        return np.abs(OUTWARDS * (ends - values[i])[:, None]), rises.T
 
 
 def _completed(information: Array, profiles: _Profiles, ranges: Array, inside: NDArray[np.int64]) -> Array:

@@ -77,7 +77,7 @@ def states_by(
     """Return states of runs of balls (N, B) at times (N, T) since their starts, of which ``count`` (N,) are evaluated, s.
 
     ``by``: :func:`balls_by`; ``numbers``: of a state, whose derivatives are wanted; ``shared``: whether those by the table's
-    numbers are; ``deviations`` (P,): by which these differ for these runs.
+    numbers are; ``deviations`` (P,) or (N, P): by which these differ for these runs, or for each.
     """
     b, floats, k = by.shape
     parts = table.slopes if shared else {}

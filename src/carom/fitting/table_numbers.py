@@ -62,9 +62,9 @@ class TableNumbers:
         return {} if self.parameters is None else self.parameters.packed
 
     @functools.cached_property
-    def _moved(self) -> tuple[list[tuple[str, str, slice, tuple[int, ...]]], Array]:
-        """Arrays and fields that the numbers change, each with its columns in the derivatives (P, M) of all, and its shape."""
-        fields: list[tuple[str, str, slice, tuple[int, ...]]] = []
+    def _moved(self) -> tuple[list[tuple[str, str, slice]], Array]:
+        """Arrays and fields that the numbers change, each with its columns in the derivatives (P, M) of all."""
+        fields: list[tuple[str, str, slice]] = []
         parts, first = [], 0
         slopes = [] if self.parameters is None else self.parameters.slopes
         for array in MOVED if slopes else ():
@@ -72,7 +72,7 @@ class TableNumbers:
                 every = np.array([one[array].get(field, 0.0 * some) for one in slopes])
                 if every.any():
                     flat = every.reshape(len(slopes), -1)
-                    fields.append((array, field, slice(first, first + flat.shape[1]), every.shape[1:]))
+                    fields.append((array, field, slice(first, first + flat.shape[1])))
                     parts.append(flat)
                     first += flat.shape[1]
         return fields, np.concatenate(parts, axis=1) if parts else np.zeros((len(slopes), 0))
@@ -84,19 +84,23 @@ class TableNumbers:
         return low, high
 
     def at_deviations(self, by: Array) -> Array:
-        """Return the numbers (P,) of a shot for which they differ by so much, within their bounds."""
+        """Return the numbers (..., P) of shots for which they differ by so much, within their bounds."""
         return np.asarray(np.clip(self.values + by, *self.ends))
 
     def moved(self, by: Array) -> SceneArrays:
-        """Return the arrays of a shot for which the numbers differ by so much (P,); none at all: the table of all shots."""
+        """Return the arrays of a shot for which the numbers differ by so much (P,), or of N shots (N, P), the features of one after
+        the other's; none at all: the table of all shots."""
         if not np.any(by):
             return self.arrays
-        by = self.at_deviations(by) - self.values
-        made = self.arrays._replace(world=self.arrays.world.copy(), features=self.arrays.features.copy())
+        many = by.size // by.shape[-1]
+        made = self.arrays._replace(
+            world=np.tile(self.arrays.world, many), features=np.tile(self.arrays.features, many)
+        )
         fields, slopes = self._moved
-        change = by @ slopes
-        for array, field, columns, shape in fields:
-            getattr(made, array)[field] += change[columns].reshape(shape)
+        change = (self.at_deviations(by) - self.values).reshape(many, -1) @ slopes
+        for array, field, columns in fields:
+            into = getattr(made, array)[field]
+            into += change[:, columns].reshape(into.shape)
         return made
 
     def at(self, values: Array) -> TableNumbers:

@@ -55,6 +55,8 @@ AGAIN = 2  # times that shots are fitted once more with other draws: few while o
 FAR, DRAWS = 2.0, 2  # of the median distance: shots that are searched again at last, and how often with other draws
 KEPT = 12  # starts of earlier searches that are tried again
 LAW = "two-step"
+# Where the table is free, too: a start with any side spin would come near the film on a wrong one, and each takes longer.
+OWN_TABLE = SearchSettings(descents=3, evaluations=6, anew=0.0)
 
 
 def fit_shots(
@@ -239,8 +241,7 @@ class _Together:
         """Search a start for each shot, on a table with such numbers, up to so many events."""
         table, found = self.model.at(values), []
         own = self.few and len(values) > 0
-        # (where the table is free, too, a start with any side spin comes near the film on a wrong one)
-        settings = SearchSettings(anew=0.0) if own else SearchSettings()
+        settings = OWN_TABLE if own else SearchSettings()
         widths = PRIOR_WIDTH * np.array([one.scale for one in self.model.shared]) if own else widths
         for i, (shot, old) in enumerate(zip(self.films.shots, starts, strict=True)):
             self.tell(part + share * i / len(self.films.shots), f"{shot.name or 'film'}: start")
@@ -334,7 +335,7 @@ def _fit_law(
     table = model.at(values)
     shots = tuple(_fitted(table, model, one) for one in final)
     return ShotsFit(
-        law, table.scene, shots, found.estimates, found.covariance, *likelihood, together.events, films.noise,
+        law, model.scene_at(values), shots, found.estimates, found.covariance, *likelihood, together.events, films.noise,
         widths is not None, found.degenerate, found.untold, model=model, values=values, widths=widths, starts=tuple(ready),
         one_table=one_table,
     )  # fmt: skip
@@ -385,7 +386,7 @@ def _fitted(table: TableNumbers, model: TableModel, start: ShotStart) -> FittedS
     squared[known] = distances(table, shot, best[None], len(shot.time))[0]
     far[shot.measured] = np.sqrt(squared[shot.measured])
     own = start_size(len(shot.balls))
-    scene = model.scene_at(table.at_deviations(best[own:])) if len(best) > own else table.scene
+    scene = model.scene_at(table.at_deviations(best[own:]) if len(best) > own else table.values)
     a = scene.balls[0].radius
     balls = []
     for k, name in enumerate(shot.balls):

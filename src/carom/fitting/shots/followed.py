@@ -8,7 +8,6 @@ by a contact or by the cloth, widens it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -41,7 +40,6 @@ ROUNDS = 3  # of a step's descent
 SOFT = 3.0  # errors of a frame, beyond which it counts in proportion
 TAIL = 4.0  # degrees of freedom of Student's t: the laws' errors have heavy tails
 MET = 0.25  # m/s in a step: a larger change of velocity is a contact's, whose moment within the step is not known
-EACH = 8  # draws on one table
 DIFFERENCE = 1e-3  # s
 
 
@@ -215,40 +213,23 @@ def drawn_rests(
     """Return places (N, T, B, 2) of B balls at times of the film after a belief, by draws of it and of the laws' errors; NaN where
     the model has no state."""
     a, size = float(table.arrays.balls["radius"][0]), len(belief.mean)
-    root = _root(belief.covariance)
-    own, every = OWN * b, []
-    for some in _groups(draws):
-        # (on a table of its own each group is a call of the engine: the balls are drawn given the table)
-        z = rng.normal(size=(some, size))
-        z[:, : size - own] = z[0, : size - own]
-        tried = belief.mean + z @ root.T
-        heavy = np.sqrt(TAIL / rng.chisquare(TAIL, (some, 1, 1)))
-        arrays, now = table.moved(tried[0, own:]), tried[:, :own].reshape(some, b, OWN)
-        now[..., MOTION.start :] *= np.any(belief.mean[:own].reshape(b, OWN)[:, MOTION.start :] != 0, axis=1)[:, None]
-        places, begin, frames = np.full((some, len(time), b, 2), np.nan), belief.time, 0
-        while frames < len(time):
-            until = int(np.searchsorted(time, begin + STEP + 1e-9))
-            since = np.append(time[frames:until] - begin, STEP)
-            states = states_at(
-                arrays, _balls(table, now), since[None], np.full(some, len(since)), numbers=9, limits=LIMITS
-            )
-            at = _numbers(states, a)
-            places[:, frames:until] = at[:, :-1, :, PLACE]
-            wide = np.array([_widened(*both, errors, STEP) for both in zip(now, at[:, -1], strict=True)])
-            wide[..., PLACE] = 0.0  # (a ball behind a cushion would not come back)
-            now = at[:, -1] + heavy * np.sqrt(wide) * rng.normal(size=now.shape)
-            begin, frames = begin + STEP, until
-        every.append(places)
-    return np.concatenate(every)
-
-
-def _root(covariance: Array) -> Array:
-    """Return a root of a covariance (S, S), whose first columns alone reach its last numbers."""
-    value, vector = np.linalg.eigh(covariance[::-1, ::-1])
-    triangle = np.linalg.qr((vector * np.sqrt(np.maximum(value, 0.0))).T)[1].T
-    return np.asarray(triangle[::-1])
-
-
-def _groups(draws: int) -> Iterator[int]:
-    for first in range(0, draws, EACH):
-        yield min(EACH, draws - first)
+    value, vector = np.linalg.eigh(belief.covariance)
+    own, root = OWN * b, vector * np.sqrt(np.maximum(value, 0.0))
+    tried = belief.mean + rng.normal(size=(draws, size)) @ root.T
+    heavy = np.sqrt(TAIL / rng.chisquare(TAIL, (draws, 1, 1)))
+    arrays, now = table.moved(tried[:, own:]), tried[:, :own].reshape(draws, b, OWN)
+    now[..., MOTION.start :] *= np.any(belief.mean[:own].reshape(b, OWN)[:, MOTION.start :] != 0, axis=1)[:, None]
+    places, begin, frames = np.full((draws, len(time), b, 2), np.nan), belief.time, 0
+    while frames < len(time):
+        until = int(np.searchsorted(time, begin + STEP + 1e-9))
+        since = np.append(time[frames:until] - begin, STEP)
+        states = states_at(
+            arrays, _balls(table, now), since[None], np.full(draws, len(since)), numbers=9, limits=LIMITS
+        )
+        at = _numbers(states, a)
+        places[:, frames:until] = at[:, :-1, :, PLACE]
+        wide = np.array([_widened(*both, errors, STEP) for both in zip(now, at[:, -1], strict=True)])
+        wide[..., PLACE] = 0.0  # (a ball behind a cushion would not come back)
+        now = at[:, -1] + heavy * np.sqrt(wide) * rng.normal(size=now.shape)
+        begin, frames = begin + STEP, until
+    return places

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -103,23 +102,13 @@ def _gap(shot: FilmedShot, states: Array, frames: int) -> tuple[Array, NDArray[n
     return np.where(np.isnan(gap), UNKNOWN, gap), known
 
 
-def _tables(starts: Array, b: int) -> Iterator[tuple[Array, NDArray[np.int64]]]:
-    """Yield the deviations (P,) of the table's numbers in starts (N, K) of B balls, and which starts have them."""
-    deviations, group = np.unique(starts[:, start_size(b) :], axis=0, return_inverse=True)
-    for k, one in enumerate(deviations):
-        yield one, np.flatnonzero(group.ravel() == k)
-
-
 def _places_of(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int | None = None) -> Array:
-    """Return the places (N, T, B, 2) at the times of frames for starts (N, K); NaN where the model has no state."""
-    many = len(shot.time) if frames is None else frames
+    """Return the places (N, T, B, 2) at the times of frames for starts (N, K), which may end with deviations of the table's
+    numbers; NaN where the model has no state."""
+    many, b = len(shot.time) if frames is None else frames, len(shot.balls)
     time = np.maximum(shot.time[None, :many] - starts[:, :1], 0.0)
-    balls = starting_balls(table, starts, len(shot.balls))
-    places = np.empty((len(starts), many, len(shot.balls), 2))
-    for deviations, which in _tables(starts, len(shot.balls)):
-        count = np.full(len(which), many)
-        places[which] = states_at(table.moved(deviations), balls[which], time[which], count, 2, LIMITS)
-    return places
+    arrays = table.moved(starts[:, start_size(b) :])
+    return states_at(arrays, starting_balls(table, starts, b), time, np.full(len(starts), many), 2, LIMITS)
 
 
 def distances(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int) -> Array:
@@ -135,17 +124,13 @@ def residuals(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int,
     k, by = start_size(b), _by_start(b, radius)
     time = np.maximum(shot.time[:frames] - starts[:, TIME, None], 0.0)
     balls, own = balls_of(table.arrays, by, starts[:, :k]), starts.shape[1] > k
-    known, p = shot.known[:frames], len(table.values) if shared or own else 0
-    size = 2 * int(known.sum())
-    gap, found = np.empty((len(starts), size)), np.empty((len(starts), size, k + p))
-    for deviations, which in _tables(starts, b):
-        at = states_by(
-            table, balls[which], by, time[which], np.full(len(which), frames), shared=p > 0, deviations=deviations, limits=LIMITS
-        )  # fmt: skip
-        gap[which] = _gap(shot, at.states, frames)[0][:, known].reshape(len(which), size)
-        moving = np.where(time[which] > 0, 1.0, 0.0)[:, :, None, None]
-        at.by_start[..., TIME] = -np.nan_to_num(at.states[..., 3:5] * moving)
-        d = np.concatenate([at.by_start[:, known], at.by_shared[:, known]], axis=-1)
-        found[which] = d.reshape(len(which), size, k + p)
+    known, n = shot.known[:frames], len(starts)
+    at = states_by(
+        table, balls, by, time, np.full(n, frames), shared=shared or own, deviations=starts[:, k:], limits=LIMITS
+    )
+    gap = _gap(shot, at.states, frames)[0][:, known].reshape(n, -1)
+    moving = np.where(time > 0, 1.0, 0.0)[:, :, None, None]
+    at.by_start[..., TIME] = -np.nan_to_num(at.states[..., 3:5] * moving)
+    found = np.concatenate([at.by_start[:, known], at.by_shared[:, known]], axis=-1).reshape(*gap.shape, -1)
     found[~np.isfinite(found).all(axis=-1)] = 0.0
     return Residuals(gap, found if own else found[..., :k], found[..., k:])

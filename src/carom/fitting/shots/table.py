@@ -39,6 +39,7 @@ SIDES = {"left": "right", "right": "left", "bottom": "top", "top": "bottom"}  # 
 NOSE, MASS = 0.037, 0.21  # m, of a carom cushion; kg, of a ball
 SPIN_LOSS, GRAVITY = 2.0, 9.80665  # rad/s^2 of spin about the vertical, where the search begins
 ROUNDING = 1e-13  # of the largest number of a field
+AFFINE_AT = 6  # places within the bounds
 TERMS = {"walls.0.yield_time": 2.5e-3, "floor.rolling_drag": 2e-3, "floor.spin_drag": 3.0}
 """Numbers that most scenes leave at zero, and where a search for them begins."""
 FREE = (
@@ -117,19 +118,30 @@ class TableModel:
         return found
 
     def at(self, values: Array) -> TableNumbers:
-        """Return the scene and its arrays, with derivatives, at values (P,) of the shared numbers."""
+        """Return the table at values (P,) of the shared numbers, with derivatives; CaromError where no scene has these."""
+        if self._start is not None:
+            return self._start.at(values)
         scene = self.scene_at(values)
         arrays = set_up(scene)
-        found = self._parameters_at(scene, arrays, values) if self.paths else None
+        found = parameters_of(scene, arrays, self.paths, [REST] * len(scene.balls)) if self.paths else None
         return TableNumbers(tuple(self.shared), values, scene, arrays, found)
 
-    def _parameters_at(self, scene: Scene, arrays: SceneArrays, values: Array) -> Parameters:
-        """Return the derivatives at values (P,): where the arrays are affine in the numbers those of the model's own scene, as
-        forty scenes are made for them; that they are affine shows in the arrays here, which follow from those there."""
-        known: Parameters = self._parameters
-        if _follow(known, arrays, values - np.array([one.value for one in self.shared])):
-            return Parameters(arrays, known.wrt, known.columns, known.slopes)
-        return parameters_of(scene, arrays, self.paths, [REST] * len(scene.balls))
+    @functools.cached_property
+    def _start(self) -> TableNumbers | None:
+        """The table as it is, where the arrays are affine in the numbers: a scene takes five milliseconds, its derivatives a
+        hundred. That they are affine shows at the bounds and at some values within, where there are scenes and these follow."""
+        if not self.shared:
+            return None
+        value, low, high = (np.array([getattr(one, name) for one in self.shared]) for name in ("value", "low", "high"))
+        inside = low + (high - low) * np.random.default_rng(0).random((AFFINE_AT, len(low)))
+        for values in (low, high, *inside):
+            try:
+                arrays = set_up(self.scene_at(values), compiled=False)
+            except CaromError:
+                return None
+            if not _follow(self._parameters, arrays, values - value):
+                return None
+        return TableNumbers(tuple(self.shared), value, self.scene, self._parameters.arrays, self._parameters)
 
     def with_law(self, law: str) -> TableModel:
         """Return the model with another law of the cushions."""
@@ -143,10 +155,11 @@ def _follow(known: Parameters, arrays: SceneArrays, by: Array) -> bool:
         if len(there) != len(here):
             return False
         for field in here.dtype.names:
-            x, then = here[field], there[field]
+            x, then, size = here[field], there[field], np.abs(there[field])
             if field in known.slopes[0][array]:
-                then = then + sum(d * one[array][field] for d, one in zip(by.tolist(), known.slopes, strict=True))
-            rounding = ROUNDING * np.abs(x[np.isfinite(x)]).max(initial=0.0)
+                changes = [d * one[array][field] for d, one in zip(by.tolist(), known.slopes, strict=True)]
+                then, size = then + sum(changes), np.maximum(size, np.abs(changes).max(axis=0))
+            rounding = ROUNDING * size[np.isfinite(size)].max(initial=0.0)  # (also of a number that becomes 0)
             if not np.allclose(x, then, rtol=0.0, atol=rounding, equal_nan=True):
                 return False
     return True

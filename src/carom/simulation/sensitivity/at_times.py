@@ -43,8 +43,8 @@ __all__ = [
 Array = NDArray[np.float64]
 Slopes = dict[str, Array]
 BLOCK = 4096  # runs in one call of the compiled loop: Python sees Ctrl-C between two of them
-# Runs that a thread takes at least, with derivatives and without: fewer are done before another thread has begun.
-RUNS_A_THREAD, PLAIN_RUNS_A_THREAD = 16, 64
+# States that a thread takes at least, with derivatives and without: fewer are known before another thread has begun.
+DERIVATIVES_A_THREAD, STATES_A_THREAD = 1000, 2000
 NUMBERS = 9  # of a state: position, velocity and spin
 ENDED = (DONE, QUIET, LIMIT)  # how a run ends that is followed to its end
 
@@ -93,10 +93,12 @@ class RunSlopes(NamedTuple):
 
 
 class RunScene(NamedTuple):
-    """A scene as the loop takes it."""
+    """A scene as the loop takes it, or those of all runs."""
 
     worlds: Any
+    """(1,) or (N,)"""
     features: Any
+    """(F,) or (N F,), those of one run after the other's."""
     users: Any
 
 
@@ -202,16 +204,19 @@ def _many(
     ``time`` (N, T), or (1, T) for all, of which the first ``count`` (N,) are evaluated. ``functions`` (4,): addresses of what is
     called.
     """
-    worlds, log, balls = scene.worlds, room.log, room.balls
+    log, balls, tables = room.log, room.balls, scene.worlds.shape[0]
+    walls = scene.features.shape[0] // tables
     to_end = kept.finals.shape[0] > 0
     for m in range(which.shape[0]):
         n = which[m]
+        table = n if tables > 1 else 0
+        worlds, features = scene.worlds[table : table + 1], scene.features[table * walls : (table + 1) * walls]
         own = time[n if time.shape[0] > 1 else 0]
         stop = until if to_end else min(until, own[count[n] - 1])
         for k in range(balls.shape[0]):
             balls[k] = starts[n, k]
         status, events, rows, _ball, _slow, last = _call_run(
-            functions[0], (worlds, scene.features, balls, log, -1.0, stop, most, scene.users, ALL)
+            functions[0], (worlds, features, balls, log, -1.0, stop, most, scene.users, ALL)
         )
         # (else the law is undefined, or events accumulate)
         end = stop if stop < math.inf and status in (DONE, QUIET) else last
@@ -233,7 +238,7 @@ def _many(
             graze = _call_follow(
                 functions[2],
                 (
-                    worlds, slopes.world, scene.features, slopes.features, starts[n], room.balls_d, balls, log[:rows], slopes.users,
+                    worlds, slopes.world, features, slopes.features, starts[n], room.balls_d, balls, log[:rows], slopes.users,
                     end, room.passages, room.passages_d,
                 ),
             )  # fmt: skip
@@ -308,6 +313,7 @@ def kept_states(
     Parameters
     ----------
     arrays : SceneArrays
+        Of one scene, or of N: worlds (N,) and features (N F,), those of one run after the other's.
     starts : array (N, B) of BALLS
         They are kept as they are.
     slopes : RunSlopes, optional
@@ -336,9 +342,9 @@ def kept_states(
         np.full((total, width, size, NUMBERS if chunks else numbers), math.nan),
         np.full((total, chunks, width, size, numbers, LANES), undefined), np.zeros(total), np.zeros((total, 3), np.int64),
     )  # fmt: skip
-    loop, scene, least = compiled_runs(), RunScene(arrays.world, arrays.features, arrays.users), 1
-    if not to_end:
-        least = RUNS_A_THREAD if chunks else PLAIN_RUNS_A_THREAD
+    loop, scene = compiled_runs(), RunScene(arrays.world, arrays.features, arrays.users)
+    each = max(width * size, 1) * max(chunks, 1)
+    least = 1 if to_end else -(-(DERIVATIVES_A_THREAD if chunks else STATES_A_THREAD) // each)
 
     def part(some: NDArray[np.int64], rows: int) -> None:
         passages = rows if chunks and width else 1
