@@ -21,6 +21,7 @@ from carom.fitting.shots.search import SearchSettings, _drawn, descend, refined,
 from carom.fitting.shots.start import VELOCITY, residuals
 from carom.fitting.shots.table import FREE, TERMS, TableModel, begun, scene_of_films
 from carom.simulation.sensitivity.parameters import parameters_of
+from carom.simulation.setup import set_up
 from carom.tracks import Track
 
 RADIUS = 0.03075
@@ -71,6 +72,9 @@ def test_the_starts_come_back_and_the_film_is_followed(ranking, films):
 def test_the_result_pickles_prints_and_goes_to_json(ranking):
     again = pickle.loads(pickle.dumps(ranking))
     assert again.best.shots[0].rms == ranking.best.shots[0].rms
+    # (arrays made of a scene have addresses of the process)
+    assert set(vars(again.best.model)) == {"scene", "paths", "bounds"} < set(vars(ranking.best.model))
+    assert again.best.median() == ranking.best.median()
     assert "2 shots" in repr(ranking.best)
     text = json.dumps(ranking.as_dict())
     assert len(json.loads(text)["ranking"][0]["shots"]) == 2
@@ -273,6 +277,28 @@ def test_a_shot_that_is_followed_is_known_within_its_errors(ranking, films):
         apart = np.hstack([known[:, :2] - state.position[:, :2], known[:, 2:4] - state.velocity[:, :2]])
         assert (np.abs(apart) < 4 * error[:, :4] + 1e-3).all()
         assert 1e-3 < until.distance < 3e-3
+
+
+def test_the_table_at_other_numbers_is_that_of_its_scene(films):
+    """Also where numbers are 0, and where the arrays are not affine in the numbers, of a friction that falls with the slip."""
+    _tracks, scenes = films
+    scene, paths = begun(scenes[0], FREE)
+    falling = carom.replaced(scene, {"ball_contact.friction": {"at_rest": 0.1, "at_speed": 0.05, "speed": 1.0}})
+    ends = tuple(f"ball_contact.friction.{name}" for name in ("at_rest", "at_speed"))
+    for model in (
+        TableModel(scene, paths, {}),
+        TableModel(falling, ends, {"ball_contact.friction.at_speed": (0.0, 0.1)}),
+    ):
+        low, high = (np.array([getattr(one, end) for one in model.shared]) for end in ("low", "high"))
+        share = np.random.default_rng(1).random((3, len(low)))
+        share[0, [one.name == "floor.spin_friction" for one in model.shared]] = 0.0
+        assert (model._start is None) == (model.scene is falling)
+        for values in low + np.sort(share)[:, ::-1] * (high - low):
+            found, made = model.at(values), set_up(model.scene_at(values))
+            for array in ("world", "features"):
+                for name in getattr(made, array).dtype.names:
+                    one, other = getattr(found.arrays, array)[name], getattr(made, array)[name]
+                    assert one == pytest.approx(other, rel=1e-12, abs=1e-12, nan_ok=True), name
 
 
 def test_forms_are_compared_on_the_same_shots(ranking):

@@ -60,6 +60,14 @@ def test_a_table_at_other_numbers_and_one_that_deviates_are_the_same() -> None:
     deviates = states_by(table, balls, by, time, count, deviations=values - table.values)
     assert np.array_equal(moved.states, deviates.states)
     assert np.abs(moved.states - states_by(table, balls, by, time, count).states).max() > 0.01
+    # two runs, each with numbers of its own
+    each = np.array([values - table.values, [0.05, -0.03]])
+    both = states_by(table, balls.repeat(2, axis=0), by, time, count.repeat(2), shared=True, deviations=each)
+    for n, one in enumerate(each):
+        alone = states_by(table, balls, by, time, count, shared=True, deviations=one)
+        assert both.states[n] == pytest.approx(alone.states[0], abs=1e-14)
+        assert both.by_shared[n] == pytest.approx(alone.by_shared[0], abs=1e-13)
+    assert np.abs(both.states[0] - both.states[1]).max() > 0.01
     # numbers stay within their bounds
     assert table.at_deviations(np.array([0.5, 0.1])) == pytest.approx([1.0, 0.3])
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import functools
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -39,7 +39,7 @@ SIDES = {"left": "right", "right": "left", "bottom": "top", "top": "bottom"}  # 
 NOSE, MASS = 0.037, 0.21  # m, of a carom cushion; kg, of a ball
 SPIN_LOSS, GRAVITY = 2.0, 9.80665  # rad/s^2 of spin about the vertical, where the search begins
 ROUNDING = 1e-13  # of the largest number of a field
-AFFINE_AT = 6  # places within the bounds
+AFFINE_AT = 4  # places within the bounds
 TERMS = {"walls.0.yield_time": 2.5e-3, "floor.rolling_drag": 2e-3, "floor.spin_drag": 3.0}
 """Numbers that most scenes leave at zero, and where a search for them begins."""
 FREE = (
@@ -63,6 +63,10 @@ class TableModel:
     scene: Scene
     paths: tuple[str, ...]
     bounds: Mapping[str, tuple[float, float]]
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Without what is made of the scene: its arrays have addresses of this process."""
+        return {one.name: getattr(self, one.name) for one in fields(self)}
 
     @functools.cached_property
     def _parameters(self) -> Any:
@@ -134,7 +138,9 @@ class TableModel:
             return None
         value, low, high = (np.array([getattr(one, name) for one in self.shared]) for name in ("value", "low", "high"))
         inside = low + (high - low) * np.random.default_rng(0).random((AFFINE_AT, len(low)))
-        for values in (low, high, *inside):
+        # (numbers that must not be larger than another stand beside it)
+        odd = np.arange(len(low)) % 2 == 1
+        for values in (np.where(odd, low, high), np.where(odd, high, low), low, high, *inside):
             try:
                 arrays = set_up(self.scene_at(values), compiled=False)
             except CaromError:
