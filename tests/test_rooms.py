@@ -6,6 +6,7 @@ import ast
 import collections
 import functools
 import re
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -32,15 +33,15 @@ LOADERS = {
 
 
 @functools.cache
-def tree_of(name: str) -> ast.Module:
-    """The code of a module, parsed once."""
-    return ast.parse(MODULES[name].read_text(encoding="utf-8"))
+def nodes_of(name: str) -> list[ast.AST]:
+    """All nodes of a module's code, parsed and walked through once."""
+    return list(ast.walk(ast.parse(MODULES[name].read_text(encoding="utf-8"))))
 
 
-def loaded_by_text(tree: ast.AST) -> set[str]:
+def loaded_by_text(nodes: Iterable[ast.AST]) -> set[str]:
     """Names that a module hands to import_module and its like, and "module:function" texts; "?" for a name that is computed."""
     found = set()
-    for node in ast.walk(tree):
+    for node in nodes:
         if isinstance(node, ast.Call) and node.args:
             called = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
             if called in ("import_module", "__import__", "import_optional"):
@@ -55,9 +56,8 @@ def loaded_by_text(tree: ast.AST) -> set[str]:
 
 def imports_of(name: str) -> set[str]:
     """Modules of carom that a module imports anywhere: at its top, in functions, for types, and by a text."""
-    tree = tree_of(name)
-    found = loaded_by_text(tree)
-    for node in ast.walk(tree):
+    found = loaded_by_text(nodes_of(name))
+    for node in nodes_of(name):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom) and node.module:
@@ -120,12 +120,12 @@ def test_no_circle_of_modules_or_rooms() -> None:
 
 
 def test_no_module_is_loaded_by_a_computed_name() -> None:
-    assert [name for name in MODULES if name not in LOADERS and "?" in loaded_by_text(tree_of(name))] == []
+    assert [name for name in MODULES if name not in LOADERS and "?" in loaded_by_text(nodes_of(name))] == []
 
 
 def test_a_module_that_is_loaded_by_a_text_is_an_import() -> None:
     tree = ast.parse('importlib.import_module("carom.plot"), import_module(f"carom.{x}"), ["carom.gas.gas:run"]')
-    assert loaded_by_text(tree) == {"carom.plot", "?", "carom.gas.gas"}
+    assert loaded_by_text(ast.walk(tree)) == {"carom.plot", "?", "carom.gas.gas"}
 
 
 def test_a_circle_is_found() -> None:
@@ -162,7 +162,7 @@ def test_only_core_imports_numba() -> None:
     strange = {
         name
         for name in MODULES
-        for node in ast.walk(tree_of(name))
+        for node in nodes_of(name)
         if isinstance(node, ast.Import | ast.ImportFrom)
         for alias in node.names
         if (alias.name if isinstance(node, ast.Import) else node.module or "").split(".")[0] in ("numba", "llvmlite")
@@ -175,7 +175,7 @@ def test_a_class_name_occurs_once() -> None:
     names = collections.Counter(
         node.name
         for name in MODULES
-        for node in ast.walk(tree_of(name))
+        for node in nodes_of(name)
         if isinstance(node, ast.ClassDef) and not node.name.startswith("_")
     )
     twice = {name for name, count in names.items() if count > 1}
@@ -196,7 +196,7 @@ LIBRARY = [name for name in MODULES if not name.startswith("carom.cli")]
 
 def texts_of(name: str, docs: bool) -> list[tuple[int, str]]:
     """Texts in a module with their lines, docstrings among them or not; what an f-string puts in is {}."""
-    nodes = list(ast.walk(tree_of(name)))
+    nodes = nodes_of(name)
     alone = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}
     texts = [(node, node.value) for node in nodes if isinstance(node, ast.Constant)]
     for node in nodes:

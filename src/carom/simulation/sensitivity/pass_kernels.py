@@ -306,6 +306,8 @@ def follow_log(world: Any, features: Any, walls: Any, balls: Any, plain: Any, lo
         else:
             if kind not in (BALL, FLOOR):
                 f = met_feature(walls, row, plain[i].radius)
+                if f < 0:  # (a ball that began behind a wall is beyond all walls)
+                    return int(n)
             if not _move_to_event(world, features, walls, balls, plain, row, i, k, f):
                 return int(n)
         one = out[min(n, last)]  # (where passages are not wanted there is one row for all of them)
