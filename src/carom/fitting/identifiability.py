@@ -189,19 +189,17 @@ class _Profiles:
         """
         if i not in self.known:
             best, parameter = float(self.subject.values[i]), self.subject.parameters[i]
-            self.known[i] = self.rises_alone(i)
-            if self.known[
-                i
-            ]:  # (where fits from the minimum show a flat profile, those along the valley can only be lower)
-                ends = np.array(self.ends(i))
+            ends, known = np.array(self.ends(i)), self.rises_alone(i)
+            if known:  # (where fits from the minimum show a flat profile, those along the valley can only be lower)
                 far, _numbers = self.subject.refit_rises(i, ends)
-                self.known[i] = bool((far >= FLAT_RISE).all())
-            if self.known[i]:
+                known = bool((far >= FLAT_RISE).all())
+            if known:
                 distances, rises = self._outwards(i, ends, far)
-                self.known[i] = bool((rises[:, -1] >= FLAT_RISE).all())
-                self.widths[i] = max(map(_width, distances[:, ::-1], rises[:, ::-1])) if self.known[i] else np.inf
+                known = bool((rises[:, -1] >= FLAT_RISE).all())
+                self.widths[i] = max(map(_width, distances[:, ::-1], rises[:, ::-1])) if known else np.inf
                 if parameter.low >= 0 and best > parameter.low + 1e-9 * self.ranges[i]:
-                    self.known[i] &= self.widths[i] < UNIDENTIFIED_STDERR * best
+                    known &= self.widths[i] < UNIDENTIFIED_STDERR * best
+            self.known[i] = known
         return self.known[i]
 
     def _outwards(self, i: int, ends: Array, far: Array) -> tuple[Array, Array]:
