@@ -1,15 +1,16 @@
 """Whole shots of a film of your own: distances by horizon, numbers of the table, forms, halves, what first parts predict.
 
-    python campaigns/shots_real.py [N] --films FILE [--radius METRES] [--only fit|forms|rest|halves]
+    python campaigns/shots_real.py [N] --films FILE [--radius METRES] [--only fit|forms|rest|halves|alone]
 
 Without a film, N shots (2) that carom draws are fitted, whose numbers are known. Halves: the shots with even and odd numbers are
 fitted by themselves from the numbers of all; theirs are compared in error bars, and each half predicts the shots of the other from
-their first third and first half.
+their first third and first half. Alone: each shot is fitted by itself, on a table that is given and with all numbers free.
 """
 
 from __future__ import annotations
 
 import math
+import statistics
 import time
 from collections.abc import Sequence
 from pathlib import Path
@@ -23,7 +24,7 @@ from carom.fitting.shots import HeldOut, ShotsFit, compare_forms, drawn_films, f
 from carom.fitting.shots.result import HORIZONS
 from carom.tracks.film_tracks import films_of
 
-KINDS = ("fit", "forms", "rest", "halves")
+KINDS = ("fit", "forms", "rest", "halves", "alone")
 PARTS = ((1 / 3, "first third"), (1 / 2, "first half"))
 
 
@@ -67,6 +68,20 @@ def halves(run: Campaign, best: ShotsFit) -> None:
         said_of(run, found, f"{what}, by the table of the other half")
 
 
+def alone(run: Campaign, tracks: Any, table: Any) -> None:
+    """Fit each shot by itself, and say how long that takes and how far it is followed."""
+    for free, what in (([], "table given"), (None, "all numbers free"))[: 1 if run.small else 2]:
+        seconds, distances = [], []
+        for name in dict.fromkeys(one.group for one in tracks):
+            own, begin = [one for one in tracks if one.group == name], time.perf_counter()
+            best = carom.fit_shots(own, table, run.given.radius if table is None else None, free=free).best
+            seconds.append(time.perf_counter() - begin)
+            distances.append(1e3 * best.median())
+        fast = f"{sum(one < 2 for one in seconds)} of {len(seconds)} below 2 s"
+        run.say(f"{what}: {statistics.median(seconds):.2f} s in the median, {fast}, at most {max(seconds):.1f} s")
+        run.say(f"  followed to {statistics.median(distances):.1f} mm in the median, at most {max(distances):.1f} mm")
+
+
 def main(words: Sequence[str] | None = None) -> None:
     """A line a horizon, a line a number, a line a form."""
     options = {"films": {"type": Path}, "radius": {"type": float, "default": 0.03075}}
@@ -76,6 +91,10 @@ def main(words: Sequence[str] | None = None) -> None:
         else:
             tracks, scenes = drawn_films(run.count, seed=5, until=1.5 if run.small else 6.0)
             table = scenes[0]
+        if run.wants("alone", KINDS):
+            alone(run, tracks, table)
+        if run.given.only == "alone":
+            return
         best = fitted(run, tracks, table)
         if run.wants("forms", KINDS) and best.names:
             for form in compare_forms(best):
