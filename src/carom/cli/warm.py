@@ -168,11 +168,16 @@ def draw_numbers() -> None:
     import numpy as np
 
     from carom.sweeps.draws import normal_draws, uniform_draws
-    from carom.tracks.table_motion import slide_then_roll
+    from carom.tracks.table_contact import COUNT, contact_path, contact_slopes
+    from carom.tracks.table_motion import hop_slide_roll, slide_then_roll
 
     uniform_draws(1, 1, 0, 2, 0.0, 1.0)
     normal_draws(1, 1, 0, 2, 0.0, 1.0)
-    slide_then_roll(np.ones(2), np.ones(2), np.linspace(0.0, 1.0, 3), 2.0, 0.1, 2 / 7)
+    times = np.linspace(0.0, 1.0, 3)
+    slide_then_roll(np.ones(2), np.ones(2), times, 2.0, 0.1, 2 / 7)
+    hop_slide_roll(np.ones(2), np.ones(2), 0.1, times, 2.0, 0.1, 2 / 7)
+    contact_path(np.ones(COUNT), 0.0, times, 2 / 7)
+    contact_slopes(np.ones(COUNT), 0.0, times, 2 / 7)
 
 
 def follow_many_runs() -> None:

@@ -30,11 +30,23 @@ from carom.tracks.least_squares import (
     starting_values,
     unresolved_time,
 )
-from carom.tracks.table_motion import (
-    hop_slide_roll,
-    hop_slide_roll_derivatives,
-    slide_then_roll,
-    slide_then_roll_derivatives,
+from carom.tracks.table_contact import (
+    ANGLE,
+    C_G,
+    COUNT,
+    DISTANCE,
+    HOP,
+    MU_G,
+    PLACE,
+    ROLL,
+    SLIP,
+    TIME,
+    U_OUT,
+    V_OUT,
+    at_contact,
+    contact_path,
+    contact_slopes,
+    first_slip,
 )
 
 __all__ = ["fit_table", "slide_would_show"]
@@ -55,13 +67,6 @@ MAX_TIME_SLACK_S = 0.02  # longest time between the contact and the frames next 
 # By how much a hop may differ from the expected one, as a share of the longest that a wall causes by stopping the slip: TIED to
 # test what is expected, LOOSE for any wall, also one that does not lift the ball at all.
 TIED, LOOSE, MAX_SHARE = 0.1, 0.5, 2.0
-
-# The parameters of a contact on a table. Before the contact the ball has, at the first frame, a slip u0 of magnitude SLIP in the
-# direction ANGLE, and the velocity ROLL + k u0: ROLL is its velocity once it rolls, which late frames determine even if they
-# determine nothing of u0.
-TIME, PLACE, DISTANCE, ROLL, SLIP, ANGLE = 0, slice(1, 3), 1, slice(3, 5), 5, 6
-V_OUT, U_OUT, MU_G, C_G, HOP = slice(7, 9), slice(9, 11), 11, 12, 13
-COUNT = 14
 
 # Which parameters are free: for a ball that rolls before the contact, that slides until the contact, that slides and then rolls.
 _NUMBERS = np.arange(COUNT)
@@ -84,58 +89,9 @@ class _Candidate(NamedTuple):
 # --- on a table --------------------------------------------------------------------------------------------------------
 
 
-def _first_slip(theta: Array) -> Array:
-    """Return the slip u0 (2,) at the first frame, m/s."""
-    return np.asarray(theta[SLIP] * np.array([np.cos(theta[ANGLE]), np.sin(theta[ANGLE])]))
-
-
-def _table_before(theta: Array, since: float, t: Array, k: float) -> tuple[Array, Array, Array]:
-    """Return the positions at times t before the contact, and the velocity and slip at the contact."""
-    u0 = _first_slip(theta)
-    span = max(theta[TIME] - since, 0.0)
-    way = slide_then_roll(
-        theta[ROLL] + k * u0, u0, np.append(np.clip(t - since, 0.0, span), span), theta[MU_G], theta[C_G], k
-    )
-    return theta[PLACE] + way.displacement[:-1] - way.displacement[-1], way.velocity[-1], way.slip[-1]
-
-
-def _table_position(theta: Array, since: float, t: Array, k: float) -> Array:
-    """Return the positions (n, 2) at times t; ``since``: the time of the first frame."""
-    before = t < theta[TIME]
-    places = np.empty((len(t), 2))
-    places[before] = _table_before(theta, since, t[before], k)[0]
-    after = hop_slide_roll(theta[V_OUT], theta[U_OUT], theta[HOP], t[~before] - theta[TIME], theta[MU_G], theta[C_G], k)
-    places[~before] = theta[PLACE] + after
-    return places
-
-
-def _table_slope(theta: Array, since: float, t: Array, k: float) -> Array:
-    """Return the derivatives (n, 2, COUNT) of the positions with respect to theta."""
-    found = np.zeros((len(t), 2, COUNT))
-    found[:, 0, PLACE.start] = found[:, 1, PLACE.start + 1] = 1.0
-    before = t < theta[TIME]
-    u0 = _first_slip(theta)
-    span = max(theta[TIME] - since, 0.0)
-    s = np.append(np.clip(t[before] - since, 0.0, span), span)
-    _way, v, by = slide_then_roll_derivatives(theta[ROLL] + k * u0, u0, s, theta[MU_G], theta[C_G], k)
-    by = by[:-1] - by[-1]
-    by_slip = by[:, :, 2:4] + k * by[:, :, 0:2]
-    found[before, :, TIME] = -v[-1]
-    found[before, :, ROLL] = by[:, :, 0:2]
-    found[before, :, SLIP] = by_slip @ np.array([np.cos(theta[ANGLE]), np.sin(theta[ANGLE])])
-    found[before, :, ANGLE] = by_slip @ np.array([-u0[1], u0[0]])
-    found[before, :, MU_G:HOP] = by[:, :, 4:]
-    v, by = hop_slide_roll_derivatives(
-        theta[V_OUT], theta[U_OUT], theta[HOP], t[~before] - theta[TIME], theta[MU_G], theta[C_G], k
-    )
-    found[~before, :, TIME] = -v
-    found[~before, :, V_OUT.start :] = by
-    return found
-
-
 def _table_outputs(theta: Array, since: float, k: float) -> Array:
     """Return the quantities of OUTPUTS."""
-    _places, v, u = _table_before(theta, since, np.zeros(0), k)
+    v, u = at_contact(theta, since, k)
     v1, u1 = theta[V_OUT], theta[U_OUT]
     hop = theta[HOP]
     slides = max(k * np.sqrt(u1 @ u1) / theta[MU_G] + hop / 2, hop)
@@ -187,7 +143,7 @@ class _TableContact:
 
     def residual(self, theta: Array) -> Array:
         """Return the residuals in standard deviations: frames first, then prior knowledge."""
-        gap = (self.position - _table_position(theta, self.since, self.time, self.k)) / self.noise
+        gap = (self.position - contact_path(theta, self.since, self.time, self.k)) / self.noise
         return np.concatenate(
             [
                 gap.ravel() * self.weight if self.whiten is None else (self.whiten @ gap).ravel(),
@@ -198,7 +154,7 @@ class _TableContact:
 
     def slope(self, theta: Array) -> Array:
         """Return the derivatives of the residuals (rows, COUNT)."""
-        places = _table_slope(theta, self.since, self.time, self.k)
+        places = contact_slopes(theta, self.since, self.time, self.k)
         if self.whiten is None:
             frames = places.reshape(-1, COUNT) * (self.weight / -self.noise)[:, None]
         else:
@@ -255,11 +211,11 @@ class _TableContact:
             _Candidate(*self.solve(on, SLIDING_UNTIL_CONTACT), CHI2_SLIDING_UNTIL_CONTACT, SLIDING_UNTIL_CONTACT, True)
         ]
         frames = self.time[self.time < on[TIME]]
-        v0 = on[ROLL] + self.k * _first_slip(on)
+        v0 = on[ROLL] + self.k * first_slip(on)
         for end in (0.9, 0.6, 0.3):
             start = on.copy()
             start[SLIP] = on[MU_G] * end * (on[TIME] - self.since) / self.k
-            start[ROLL] = v0 - self.k * _first_slip(start)
+            start[ROLL] = v0 - self.k * first_slip(start)
             other, chi2 = self.solve(self.solve(start, SLIDING & FLOOR_HELD)[0], SLIDING)
             # a slide that ends with the last frames leaves the slip undetermined: sliding until the contact fits as well with less
             if self.k * other[SLIP] / other[MU_G] < frames[-1] - self.since - 1.5 * self.interval:
@@ -275,7 +231,7 @@ class _TableContact:
         v_z = kappa (v_n - u_n + roll), roll the velocity at which its front goes down, and with k roll if its slip stops.
         """
         k, start = self.k, grounded.theta.copy()
-        _places, v, u = _table_before(start, self.since, np.zeros(0), k)
+        v, u = at_contact(start, self.since, k)
         roll = float(u[0] - v[0])
         if not roll > 0:
             return None
@@ -330,7 +286,7 @@ def fit_table(
     k, since = job.k, job.since
     first, rolling = job.rolling(old)
     candidates = [rolling]
-    gap = (position - _table_position(first, since, time, k)) * weight[:, None]
+    gap = (position - contact_path(first, since, time, k)) * weight[:, None]
     start = _start_of_slide(time, gap, weight, first, noise, k)
     if start is not None:
         candidates += job.sliding(start)
@@ -349,18 +305,18 @@ def _fitted(job: _TableContact, chosen: _Candidate) -> ContactFit:
     best, k, since, noise, time = chosen.theta, job.k, job.since, job.noise, job.time
     fitted = contact_fit(
         best, chosen.free, job.residual, job.slope(best), lambda theta: _table_outputs(theta, since, k),
-        partial(_table_position, best, since, k=k), scale=job.scale, time=time, noise=noise,
+        partial(contact_path, best, since, k=k), scale=job.scale, time=time, noise=noise,
         slid_before=bool(chosen.free[ANGLE]), slid_until_contact=chosen.slid_until_contact,
     )  # fmt: skip
     rows = nearest_frames(job.single[0], best[TIME])
     t, x = job.single[0][rows], job.single[1][rows]
-    slope, known = _table_slope(best, since, t, k), job.slope(best)[2 * len(time) :]
+    slope, known = contact_slopes(best, since, t, k), job.slope(best)[2 * len(time) :]
     fitted = replace(
         fitted,
         theta=best,
-        residuals=(job.position - _table_position(best, since, time, k)) * job.weight.reshape(-1, 2),
+        residuals=(job.position - contact_path(best, since, time, k)) * job.weight.reshape(-1, 2),
         fitted=FittedFrames(
-            t, x - _table_position(best, since, t, k), slope[:, :, chosen.free], known[:, chosen.free], noise
+            t, x - contact_path(best, since, t, k), slope[:, :, chosen.free], known[:, chosen.free], noise
         ),
     )
     if chosen.slid_until_contact:
