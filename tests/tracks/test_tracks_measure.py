@@ -21,9 +21,11 @@ from carom.tracks import Measured, Settings, Track, WallLine, measure, to_reboun
 from carom.tracks.contact import _not_rolling
 from carom.tracks.contact_models import slide_would_show
 from carom.tracks.events import _bends
+from carom.tracks.flight_fits import _position, _slope_in_vacuum
 from carom.tracks.floor import pool_floor, shared_fraction
 from carom.tracks.least_squares import ContactFit, Prior
 from carom.tracks.preprocess import camera_clock, position_noise, rounding_step, without_outliers
+from carom.tracks.table_contact import COUNT, at_contact, contact_path, contact_slopes
 from carom.tracks.table_motion import slide_then_roll, slide_then_roll_derivatives
 
 ABOVE = Settings(view="above")
@@ -354,6 +356,31 @@ def test_slopes_are_derivatives() -> None:
     value, _velocity, slope = slide_then_roll_derivatives(theta[:2], theta[2:4], t, theta[4], theta[5], 2 / 7)
     np.testing.assert_allclose(value, way(theta), rtol=1e-14)
     np.testing.assert_allclose(slope, numeric, atol=1e-6)
+
+
+@pytest.mark.parametrize(("slip", "hop"), [(0.6, 0.05), (0.02, 0.0), (2.5, 0.2)])
+def test_slopes_of_a_contact_are_derivatives(slip: float, hop: float) -> None:
+    """Before it the ball slides for a while, or all the way; after it it hops, or does not (by which there is one slope only)."""
+    theta = np.array([0.41, 0.02, -0.3, -1.1, 0.5, slip, 2.2, 0.9, 0.3, 0.7, -0.4, 2.1, 0.1, hop])
+    t, step = np.linspace(0.0, 1.2, 61) + 0.003, 1e-6  # (none of them at the contact or the landing)
+    slope = contact_slopes(theta, 0.0, t, 2 / 7)
+    for j in range(COUNT if hop else COUNT - 1):
+        h = step * np.eye(COUNT)[j]
+        numeric = (contact_path(theta + h, 0.0, t, 2 / 7) - contact_path(theta - h, 0.0, t, 2 / 7)) / (2 * step)
+        np.testing.assert_allclose(slope[:, :, j], numeric, atol=2e-6, err_msg=str(j))
+    v, u = at_contact(theta, 0.0, 2 / 7)
+    just_before = contact_path(theta, 0.0, theta[0] - np.array([2e-6, 1e-6]), 2 / 7)
+    np.testing.assert_allclose((just_before[1] - just_before[0]) / 1e-6, v, atol=1e-5)
+    assert np.hypot(*u) == pytest.approx(max(slip - 2.1 * 7 / 2 * 0.41, 0.0), abs=1e-9)
+
+
+def test_slopes_of_a_flight_are_derivatives() -> None:
+    theta = np.array([0.2, 0.01, 0.3, -1.1, 0.5, 0.9, 0.4, 0.1, -9.8])
+    t = np.linspace(0.0, 0.5, 26) + 0.003
+    slope = _slope_in_vacuum(theta, t)
+    for j, h in enumerate(1e-6 * np.eye(9)):
+        numeric = (_position(theta + h, t, 0.0) - _position(theta - h, t, 0.0)) / 2e-6
+        np.testing.assert_allclose(slope[:, :, j], numeric, atol=1e-8, err_msg=str(j))
 
 
 def test_clocks() -> None:

@@ -39,6 +39,19 @@ def _position(theta: Array, t: Array, drag: float) -> Array:
     return found + theta[PLACE]
 
 
+def _slope_in_vacuum(theta: Array, t: Array) -> Array:
+    """Return the derivatives (n, 2, 9) of the positions with respect to theta, without drag."""
+    s = t - theta[TIME]
+    found = np.zeros((len(t), 2, len(theta)))
+    for component in (0, 1):
+        for part, rows in ((V_IN, s < 0), (V_OUT, s >= 0)):
+            found[rows, component, TIME] = -theta[part][component] - theta[GRAVITY][component] * s[rows]
+            found[rows, component, part.start + component] = s[rows]
+        found[:, component, PLACE.start + component] = 1.0
+        found[:, component, GRAVITY.start + component] = s * s / 2
+    return found
+
+
 def _outputs(theta: Array) -> Array:
     """Return the quantities of OUTPUTS, with the components of gravity for mu_g and c_g."""
     return np.array([*theta[: V_OUT.stop], *[np.nan] * 6, *theta[GRAVITY], np.nan, np.nan])
@@ -61,6 +74,11 @@ def fit_flight(
     # a drag that the flights do not show changes the velocities little: by the derivatives, after a fit without it
     used = air.drag if air.drag_shown else 0.0
 
+    known_slope = np.zeros((2 if wall is None else 3, len(theta)))
+    known_slope[0, GRAVITY.start] = known_slope[1, GRAVITY.start + 1] = 1 / error
+    if wall is not None:
+        known_slope[2, DISTANCE] = 1 / noise
+
     def residual(theta: Array, drag: float = used) -> Array:
         gap = (position - _position(theta, time, drag)) / noise
         gap = gap if whiten is None else whiten @ gap
@@ -70,7 +88,11 @@ def fit_flight(
         return np.concatenate([gap.ravel(), known])
 
     def slope(theta: Array) -> Array:
-        return central_differences(residual, theta, 1e-4 * scale)
+        if used:
+            return central_differences(residual, theta, 1e-4 * scale)
+        places = _slope_in_vacuum(theta, time) / -noise
+        frames = places if whiten is None else np.tensordot(whiten, places, 1)
+        return np.concatenate([frames.reshape(-1, len(theta)), known_slope])
 
     best, _chi2 = solve(residual, slope, theta, scale)
     rates = slope(best)

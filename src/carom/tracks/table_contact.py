@@ -40,7 +40,8 @@ def first_slip(theta: Array) -> Array:
 def at_contact(theta: Array, since: float, k: float) -> tuple[Array, Array]:
     """Return the velocity and the slip (2,) with which the ball meets the wall, m/s; ``since``: the time of the first frame, s."""
     span = max(float(theta[TIME]) - since, 0.0)
-    found = _before(span, *theta[ROLL].tolist(), *theta[SLIP : ANGLE + 1].tolist(), *theta[MU_G:HOP].tolist(), k)
+    roll_x, roll_y, size, angle = theta[ROLL.start : ANGLE + 1].tolist()
+    found = _before(span, roll_x, roll_y, size, angle, float(theta[MU_G]), float(theta[C_G]), k)
     return np.array(found[2:4]), np.array(found[4:])
 
 
