@@ -97,7 +97,7 @@ def test_a_spline_follows_what_no_form_has() -> None:
     fit = fit_varying(base, (smooth_parameter(base, "tangential_restitution", "slip/v_n", 0.06),))
     s = np.linspace(0.1, 1.2, 9)
     x = np.stack([0 * s + 6, 0 * s, -6 * s / RADIUS], axis=-1)
-    beta = fit.model.records(fit.q, x)[:, INDEX["tangential_restitution"]]
+    beta = fit.model.records(fit.q[None], x)[0][:, INDEX["tangential_restitution"]]
     assert np.allclose(beta, wave(s), atol=0.06)
     assert fit.aicc < base.aicc - 100
     assert 4 < fit.k - 2 < 8.5  # of eight coefficients

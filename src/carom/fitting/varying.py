@@ -139,14 +139,15 @@ class VaryingModel:
         return np.clip(q, *self.bounds)
 
     def records(self, q: Array, x: Array) -> Array:
-        """Return all numbers (N, NUMBERS) of the law at impacts x."""
-        p = np.tile(self.numbers, (len(x), 1))
-        p[:, self.free] = q[self.parts["law"]]
+        """Return all numbers (B, N, NUMBERS) of the law at impacts x, with each of q (B, k)."""
+        p = np.tile(self.numbers, (len(q), len(x), 1))
+        p[:, :, self.free] = q[:, None, self.parts["law"]]
         at = self.parts["smooth"].start
         for one in self.smooth:
-            place = PLACES[one.parameter][0]
+            place, basis = PLACES[one.parameter][0], self.basis(one, x)
             own = PARAMETERS[place]
-            p[:, place] = np.clip(self.basis(one, x) @ q[at : at + one.count], own.low, own.high)
+            for b, coefficients in enumerate(q[:, at : at + one.count]):
+                p[b, :, place] = np.clip(basis @ coefficients, own.low, own.high)
             at += one.count
         return p
 
@@ -173,7 +174,7 @@ class VaryingModel:
         """Return the predictions (B, N, 3) with each of q (B, k)."""
         rows = self.base.likelihood(derivatives=False).rows
         stages = rows.stages if len(x) == len(rows.stages) else np.full(len(x), rows.stages[0])
-        records = np.concatenate([self.records(one, x) for one in q])
+        records = self.records(q, x).reshape(-1, len(self.numbers))
         rows = rows._replace(stages=np.tile(stages, len(q)))
         told = predictions(self.base.law.kind, rows, np.tile(x, (len(q), 1)), records)
         return np.asarray(told.reshape(len(q), len(x), 3))
@@ -216,12 +217,12 @@ class VaryingModel:
         sizes = np.exp(2 * q[self.parts["scatter"]])[:, None] * (speed / size) ** (2 * power)
         return np.asarray(sizes[:, :, None] * np.square(unit) * self.scattered[:, None, :])
 
-    def covariance(self, q: Array, rows: slice | Array = slice(None)) -> tuple[Array, Array]:
-        """Return S (N, 3, 3) of some rows, with the unit matrix for outputs that were not measured; and the same without scatter,
+    def covariance(self, q: Array) -> tuple[Array, Array]:
+        """Return S (N, 3, 3) of the rows, with the unit matrix for outputs that were not measured; and the same without scatter,
         with 1 for an estimated one."""
         problem = self.problem
-        x, vx, vy, seen = problem.x[rows], problem.vx[rows], problem.vy[rows], np.isfinite(problem.y[rows])
-        j, cross = self.by_inputs(q, x, vx), problem.covariance[rows]
+        x, vx, vy, seen = problem.x, problem.vx, problem.vy, np.isfinite(problem.y)
+        j, cross = self.by_inputs(q, x, vx), problem.covariance
         through = np.einsum("nio,no,njo->nij", j, vx, j)
         for o in range(2):
             through[:, :, o] -= j[:, :, o] * cross[:, o, None]
@@ -232,14 +233,14 @@ class VaryingModel:
         pair = seen[:, :, None] & seen[:, None, :]
         return np.where(pair, s, np.eye(3)), np.where(pair, plain, np.eye(3))
 
-    def look(self, q: Array, rows: slice | Array = slice(None)) -> tuple[Array, dict[str, Any]]:
-        """Return the deviance (N,) of rows, relative to S without scatter, and what its derivatives need."""
-        s, plain = self.covariance(q, rows)
+    def look(self, q: Array) -> tuple[Array, dict[str, Any]]:
+        """Return the deviance (N,) of the rows, relative to S without scatter, and what its derivatives need."""
+        s, plain = self.covariance(q)
         inverse = np.linalg.inv(s)
-        y = self.problem.y[rows]
+        y = self.problem.y
         seen = np.isfinite(y)
         inverse *= seen[:, :, None] & seen[:, None, :]
-        r = np.where(seen, y - self.predict(q, self.problem.x[rows]), 0.0)
+        r = np.where(seen, y - self.predict(q), 0.0)
         qr = np.einsum("nij,nj->ni", inverse, r)
         c, d = (r * qr).sum(axis=1), seen.sum(axis=1)
         some = d > 0
