@@ -1,12 +1,11 @@
-"""Two independent references for the laws of impact: contacts that are springs, and a floor that is rigid.
+"""An independent reference for the laws of impact: contacts that are springs.
 
 Nothing here knows the library's laws; a ball of mass 1 and radius 1 touches a wall (unit normal n, any direction)
 and the floor (normal k = (0, 0, 1)). Speeds may be in any unit; a spin is then speed over radius. The overlaps are
 small against the radius, so the geometry is frozen, and gravity is small against the forces of contact.
 
-``spring_contact`` gives both contacts springs (wall stiffness 1, floor stiffness r) and integrates Newton's
-equations in time with SciPy. ``rigid_floor`` takes r to infinity: the floor gives just the push that keeps the ball
-out of it, found step by step by projection; slow, first order in the step, and made to be obviously right.
+``spring_contact`` gives both contacts springs (wall stiffness 1, floor stiffness r) and integrates Newton's equations in
+time by Radau's method of order 5; ``rigid_floor.py`` has the limit of r to infinity.
 
 Each spring is Walton & Braun's (J. Rheology 30, 1986, 949): loaded along N = k d, unloaded along a line e^-2 times as
 steep, loaded again along that line up to the greatest overlap so far. So a share e^2 of the work done on it comes
@@ -17,9 +16,8 @@ import functools
 import math
 from dataclasses import dataclass
 
-import numba
 import numpy as np
-from scipy.integrate import solve_ivp
+from reference.compiling import part
 
 from carom.core.jit.compile import njit
 
@@ -44,111 +42,354 @@ class Outcome:
 
 
 class Spring:
-    """A contact that gives back the share e^2 of the work done on it."""
+    """A contact that gives back the share e^2 of the work done on it; or with a dashpot at a share of critical damping.
 
-    def __init__(self, stiffness, e, power=1.0):
-        self.stiffness, self.e, self.power = stiffness, e, power
-        self.loading, self.greatest, self.rest = True, 0.0, 0.0
+    It pushes and never pulls. The compiled equations read ``numbers``: stiffness, constant of the dashpot, whether the spring
+    is loaded, its greatest overlap so far, and the overlap at which it is free.
+    """
 
-    def force(self, d):
-        if self.loading:
-            return self.stiffness * max(0.0, d) ** self.power
-        if d <= self.rest:
-            return 0.0
-        back = (d - self.rest) / (self.greatest - self.rest)
-        return self.stiffness * self.greatest**self.power * back**self.power
+    def __init__(self, stiffness, e=None, damping=None):
+        self.e, self.damped = e, damping is not None
+        self.numbers = np.array([stiffness, 2 * damping * math.sqrt(stiffness) if self.damped else 0.0, 1.0, 0.0, 0.0])
 
-    def slope(self, d):
-        """Return dN/dd, for power 1."""
-        if self.loading:
-            return self.stiffness if d > 0.0 else 0.0
-        return self.stiffness / self.e**2 if d > self.rest else 0.0
+    @property
+    def loading(self):
+        return self.numbers[2] == 1.0
+
+    @property
+    def greatest(self):
+        return float(self.numbers[3])
+
+    @property
+    def rest(self):
+        return float(self.numbers[4])
+
+    def load(self):
+        """From here on it is loaded."""
+        self.numbers[2] = 1.0
+
+    @property
+    def away(self):
+        return self.numbers[2] == 2.0
+
+    def leave(self):
+        """From here on it is out of touch."""
+        self.numbers[2] = 2.0
 
     def turn(self, d):
         """From here on it is unloaded; where nothing comes back it is free at once."""
-        self.loading, self.greatest, self.rest = False, d, d * (1.0 - self.e**2)
-
-
-class Dashpot:
-    """A spring with a dashpot at the given share of critical damping; it pushes and never pulls."""
-
-    def __init__(self, stiffness, damping):
-        self.stiffness, self.c = stiffness, 2.0 * damping * math.sqrt(stiffness)
+        self.numbers[2:] = 0.0, d, d * (1.0 - self.e**2)
 
     def force(self, d, speed):
-        return max(0.0, self.stiffness * d - self.c * speed) if d > 0.0 else 0.0
+        return push_of(self.numbers, d, speed)[0]
 
 
-def cross(p, q):
-    return (p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0])
+# ------------------------------------------------------------------------------- Newton's equations
 
 
-def slip_velocity(v, w, n):
-    """Normal and tangential velocity of the ball's point that touches the surface of normal n."""
-    s = cross(n, w)  # = w x (-n)
-    u = (v[0] + s[0], v[1] + s[1], v[2] + s[2])
-    un = u[0] * n[0] + u[1] * n[1] + u[2] * n[2]
-    return un, (u[0] - un * n[0], u[1] - un * n[1], u[2] - un * n[2])
+def contact_maps(kappa, m):
+    """For a contact of normal m: the slip of the ball's point there, of (v, w); the rates of (v, w), of a push there."""
+    skew = np.array([[0.0, -m[2], m[1]], [m[2], 0.0, -m[0]], [-m[1], m[0], 0.0]])
+    slip = (np.eye(3) - np.outer(m, m)) @ np.hstack([np.eye(3), skew])  # v + w x (-m)
+    return slip, np.vstack([np.eye(3), -skew / kappa])  # (-m) x F: only friction turns the ball
+
+
+@part
+def push_of(spring, d, speed):
+    """The push of a contact whose overlap d changes at -speed, and its derivatives by both."""
+    stiffness, dashpot, loaded, greatest, rest = spring[0], spring[1], spring[2], spring[3], spring[4]
+    if loaded == 1.0:
+        push = stiffness * d - dashpot * speed
+        return (push, stiffness, -dashpot) if d > 0.0 and push > 0.0 else (0.0, 0.0, 0.0)
+    if loaded == 2.0 or d <= rest:
+        return 0.0, 0.0, 0.0
+    slope = stiffness * greatest / (greatest - rest)
+    return slope * (d - rest), slope, 0.0
+
+
+@part
+def equations(y, ball, rates, jacobian, with_jacobian):
+    """Newton's equations of y = (v, w, overlap at the wall, at the floor); by hand also their derivatives by y.
+
+    (Differences cannot resolve a velocity scale as small as ``creep``.)
+    """
+    normals, slips, pulls, springs, frictions, creep = ball
+    rates[:] = 0.0
+    if with_jacobian:
+        jacobian[:] = 0.0
+    for c in range(2):
+        at, m, slip, pull = 6 + c, normals[c], slips[c], pulls[c]
+        speed = m[0] * y[0] + m[1] * y[1] + m[2] * y[2]
+        push, by_overlap, by_speed = push_of(springs[c], y[at], speed)
+        ux = uy = uz = 0.0
+        for k in range(6):
+            ux, uy, uz = ux + slip[0, k] * y[k], uy + slip[1, k] * y[k], uz + slip[2, k] * y[k]
+        s = math.sqrt(ux * ux + uy * uy + uz * uz + creep * creep)
+        ux, uy, uz = ux / s, uy / s, uz / s
+        rub = frictions[c]
+        rates[at] = -speed
+        for i in range(6):
+            force = pull[i, 0] * (m[0] - rub * ux) + pull[i, 1] * (m[1] - rub * uy) + pull[i, 2] * (m[2] - rub * uz)
+            rates[i] += push * force
+            if with_jacobian:
+                jacobian[i, at] += force * by_overlap
+                for k in range(3):
+                    jacobian[i, k] += force * by_speed * m[k]
+        if with_jacobian:
+            rub *= push / s
+            for k in range(6):  # d(u/s)/dy = (slip - u (u . slip)/s^2)/s
+                along = ux * slip[0, k] + uy * slip[1, k] + uz * slip[2, k]
+                tx, ty, tz = slip[0, k] - ux * along, slip[1, k] - uy * along, slip[2, k] - uz * along
+                for i in range(6):
+                    jacobian[i, k] -= rub * (pull[i, 0] * tx + pull[i, 1] * ty + pull[i, 2] * tz)
+            for k in range(3):
+                jacobian[at, k] = -m[k]
+
+
+# ------------------------------------------------------------------------------- Radau's method (Hairer & Wanner II, IV.8)
+
+ROOT = math.sqrt(6.0)
+STAGES = np.array(
+    [
+        [(88 - 7 * ROOT) / 360, (296 - 169 * ROOT) / 1800, (-2 + 3 * ROOT) / 225],
+        [(296 + 169 * ROOT) / 1800, (88 + 7 * ROOT) / 360, (-2 - 3 * ROOT) / 225],
+        [(16 - ROOT) / 36, (16 + ROOT) / 36, 1 / 9],
+    ]
+)
+ERROR = np.array([-13 - 7 * ROOT, -13 + 7 * ROOT, -1.0]) / 3  # weights of the embedded estimate
+REAL = 3 + 3 ** (2 / 3) - 3 ** (1 / 3)  # the real eigenvalue of STAGES^-1
+TURNS = 10  # of Newton's method, at most
+
+
+@part
+def _factor(a, order, n):
+    """Replace a by its triangular factors, of rows that are exchanged in an order."""
+    for j in range(n):
+        best = j
+        for i in range(j + 1, n):
+            if abs(a[i, j]) > abs(a[best, j]):
+                best = i
+        order[j] = best
+        if best != j:
+            for k in range(n):
+                a[j, k], a[best, k] = a[best, k], a[j, k]
+        for i in range(j + 1, n):
+            if a[i, j] != 0.0:
+                a[i, j] /= a[j, j]
+                for k in range(j + 1, n):
+                    a[i, k] -= a[i, j] * a[j, k]
+
+
+@part
+def _solve(a, order, b, n):
+    """Replace b by the solution x of a x = b, of the factors of a."""
+    for j in range(n):
+        b[j], b[order[j]] = b[order[j]], b[j]
+    for i in range(1, n):
+        for k in range(i):
+            b[i] -= a[i, k] * b[k]
+    for i in range(n - 1, -1, -1):
+        for k in range(i + 1, n):
+            b[i] -= a[i, k] * b[k]
+        b[i] /= a[i, i]
+
+
+@part
+def _stages_of(y, h, ball, jacobian, rtol, atol, z, work):
+    """Solve z = h STAGES f(y + z) by Newton's method with the derivatives at y; return after how many turns, 0 if it fails."""
+    n = len(y)
+    wide, order, rest, place, rates, unused = work
+    for i in range(3):
+        for j in range(3):
+            for k in range(n):
+                for m in range(n):
+                    wide[n * i + k, n * j + m] = -h * STAGES[i, j] * jacobian[k, m]
+    for k in range(3 * n):
+        wide[k, k] += 1.0
+    _factor(wide, order, 3 * n)
+    z[:] = 0.0
+    before = 0.0
+    for turn in range(1, TURNS + 1):
+        for i in range(3):
+            for k in range(n):
+                place[k] = y[k] + z[i, k]
+            equations(place, ball, rates[i], unused, False)
+        for i in range(3):
+            for k in range(n):
+                change = STAGES[i, 0] * rates[0, k] + STAGES[i, 1] * rates[1, k] + STAGES[i, 2] * rates[2, k]
+                rest[n * i + k] = h * change - z[i, k]
+        _solve(wide, order, rest, 3 * n)
+        size = 0.0
+        for i in range(3):
+            for k in range(n):
+                z[i, k] += rest[n * i + k]
+                size += (rest[n * i + k] / (atol + rtol * abs(y[k]))) ** 2
+        size = math.sqrt(size / (3 * n))
+        share = size / before if turn > 1 else 1.0
+        if size == 0.0 or (share < 1.0 and share / (1.0 - share) * size < min(0.03, math.sqrt(rtol))):
+            return turn
+        if not size < 1e100 or (turn > 1 and share >= 1.0):
+            return 0
+        before = size
+    return 0
+
+
+@part
+def _error_of(y, h, ball, rates, jacobian, rtol, atol, z, work):
+    """The embedded estimate of a step's error, in units of what is allowed."""
+    n = len(y)
+    a, order, error, place, unused = work
+    for i in range(n):
+        for k in range(n):
+            a[i, k] = -jacobian[i, k]
+        a[i, i] += REAL / h
+    _factor(a, order, n)
+    size = 0.0
+    for again in range(2):
+        if again:  # what is stiff, filtered a second time
+            for k in range(n):
+                error[k] += y[k]
+            equations(error, ball, place, unused, False)
+        for k in range(n):
+            error[k] = (place[k] if again else rates[k]) + (
+                ERROR[0] * z[0, k] + ERROR[1] * z[1, k] + ERROR[2] * z[2, k]
+            ) / h
+        _solve(a, order, error, n)
+        size = 0.0
+        for k in range(n):
+            size += (error[k] / (atol + rtol * max(abs(y[k]), abs(y[k] + z[2, k])))) ** 2
+        size = math.sqrt(size / n)
+        if size < 1.0:
+            break
+    return size
+
+
+@part
+def _greatest(events, values, watched, y, z):
+    """Evaluate the events at the end of a step; return the greatest of those that are watched."""
+    n, found = len(y), -math.inf
+    for k in range(len(events)):
+        values[k] = events[k, n]
+        for i in range(n):
+            values[k] += events[k, i] * (y[i] + z[2, i])
+        if watched[k]:
+            found = max(found, values[k])
+    return found
+
+
+def _advance(y, t, until, events, watched, ball, rtol, atol, work):
+    """Integrate until a time, or to the first zero of an event; y is changed. Return the time, NaN where no step succeeds.
+
+    An event is a row of 8 factors of y and an offset: it happens where its value, negative at the beginning of a step, comes to 0.
+    ``watched`` says at the end which have happened.
+    """
+    n, h = len(y), 1e-6
+    rates, jacobian, z, best, values, inner, outer = work
+    while t < until:
+        for k in range(len(events)):
+            watched[k] = True
+        z[:] = 0.0
+        low, below = 0.0, _greatest(events, values, watched, y, z)
+        for k in range(len(events)):
+            watched[k] = values[k] < 0.0
+        equations(y, ball, rates, jacobian, True)
+        high, above, side, free = math.inf, 0.0, 0, h
+        while True:
+            h = min(h, until - t)
+            if not t + h > t:
+                return math.nan
+            turns = _stages_of(y, h, ball, jacobian, rtol, atol, z, inner)
+            if turns == 0:
+                if high < math.inf:
+                    return math.nan
+                h *= 0.5
+                continue
+            if high == math.inf:
+                wrong = _error_of(y, h, ball, rates, jacobian, rtol, atol, z, outer)
+                factor = 0.9 * (2 * TURNS + 1) / (2 * TURNS + turns) * max(wrong, 1e-8) ** -0.25
+                if wrong >= 1.0:
+                    h *= max(0.2, factor)
+                    continue
+                free = h * min(8.0, factor)
+            passed = _greatest(events, values, watched, y, z)
+            near = False
+            if passed >= 0.0:
+                if side == 1:
+                    below *= 0.5
+                high, above, side, near = h, passed, 1, passed <= 1e-4 * atol
+                for k in range(n):
+                    best[k] = z[2, k]
+            elif high == math.inf:
+                break
+            else:
+                if side == -1:
+                    above *= 0.5
+                low, below, side = h, passed, -1
+            # the shortest step at whose end an event has happened: false position, halved where one end stays (Illinois)
+            h = (low * above - high * below) / (above - below)
+            if not low < h < high:
+                h = 0.5 * (low + high)
+            if near or not low < h < high:
+                for k in range(n):
+                    z[2, k] = best[k]
+                _greatest(events, values, watched, y, z)
+                for k in range(len(events)):
+                    watched[k] = watched[k] and values[k] >= 0.0
+                for k in range(n):
+                    y[k] += best[k]
+                return t + high
+        for k in range(n):
+            y[k] += z[2, k]
+        t, h = t + h, free
+    for k in range(len(events)):
+        watched[k] = False
+    return t
+
+
+@functools.cache
+def _compiled():
+    return njit(_advance, _nrt=False)
+
+
+def advance(y, t, until, events, ball, rtol, atol):
+    """Integrate ``equations`` until a time or the first zero of an event; y is changed. Return the time, and what has happened."""
+    table, order, row = np.empty((24, 24)), np.empty(24, np.int64), np.empty(24)
+    inner = table, order, row, np.empty(8), np.empty((3, 8)), np.empty((8, 8))
+    outer = np.empty((8, 8)), np.empty(8, np.int64), np.empty(8), np.empty(8), np.empty((8, 8))
+    room = np.empty(8), np.empty((8, 8)), np.empty((3, 8)), np.empty(8), np.empty(len(events)), inner, outer
+    happened = np.zeros(len(events), dtype=bool)
+    t = _compiled()(y, t, float(until), np.array(events), happened, ball, rtol, atol, room)
+    if math.isnan(t):
+        raise RuntimeError("the integration stopped: no step is short enough")
+    return t, happened
 
 
 # ------------------------------------------------------------------------------- both contacts are springs
 
 
-def equations(kappa, n, wall, floor, wall_mu, floor_mu, creep):
-    """Newton's equations of the ball on two springs, y = (v, w, wall overlap, floor overlap), and their Jacobian."""
-    c2 = creep * creep
-    damped = isinstance(floor, Dashpot)
+def overlap(contact, at, sign=1.0):
+    """The event that the overlap of contact 0 (wall) or 1 (floor) grows to a value; falls to it for sign -1."""
+    row = np.zeros(9)
+    row[6 + contact], row[8] = sign, -sign * at
+    return row
 
-    def floor_force(d, vz):
-        return floor.force(d, vz) if damped else floor.force(d)
 
-    def rates(_t, y):
-        y = y.tolist()  # plain floats are quicker than array elements
-        v, w = y[0:3], y[3:6]
-        vn, tw = slip_velocity(v, w, n)
-        vz, tf = slip_velocity(v, w, FLOOR)
-        nw, nf = wall.force(y[6]), floor_force(y[7], vz)
-        fw = -wall_mu * nw / math.sqrt(tw[0] ** 2 + tw[1] ** 2 + tw[2] ** 2 + c2)
-        ff = -floor_mu * nf / math.sqrt(tf[0] ** 2 + tf[1] ** 2 + c2)
-        tw = (fw * tw[0], fw * tw[1], fw * tw[2])
-        tf = (ff * tf[0], ff * tf[1], 0.0)
-        qw, qf = cross(tw, n), cross(tf, FLOOR)  # (-n) x F: only friction turns the ball
-        return [
-            nw * n[0] + tw[0] + tf[0],
-            nw * n[1] + tw[1] + tf[1],
-            nw * n[2] + tw[2] + nf,
-            (qw[0] + qf[0]) / kappa,
-            (qw[1] + qf[1]) / kappa,
-            (qw[2] + qf[2]) / kappa,
-            -vn,
-            -vz,
-        ]
+def speed(m, sign=1.0):
+    """The event that the velocity along m turns positive; negative for sign -1."""
+    return sign * np.array([*m, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
 
-    maps = []
-    for m in (n, FLOOR):
-        skew = np.array([[0.0, -m[2], m[1]], [m[2], 0.0, -m[0]], [-m[1], m[0], 0.0]])
-        slip = (np.eye(3) - np.outer(m, m)) @ np.hstack([np.eye(3), skew])
-        maps.append((slip, np.vstack([np.eye(3), -skew / kappa]), np.array(m)))
 
-    def jacobian(_t, y):
-        # by hand: differences cannot resolve a velocity scale as small as `creep`
-        nf = floor_force(y[7], y[2])
-        pressed = damped and nf > 0.0
-        floor_slope = (floor.stiffness if pressed else 0.0) if damped else floor.slope(y[7])
-        contacts = ((6, wall_mu, wall.force(y[6]), wall.slope(y[6])), (7, floor_mu, nf, floor_slope))
-        jac = np.zeros((8, 8))
-        for (slip, pull, m), (at, mu, force, slope) in zip(maps, contacts, strict=True):
-            u = slip @ y[:6]
-            s = math.sqrt(u @ u + c2)
-            per_push = pull @ (m - (mu / s) * u)
-            jac[:6, :6] -= pull @ (mu * force * (np.eye(3) / s - np.outer(u, u) / s**3)) @ slip
-            jac[:6, at] += per_push * slope
-            jac[at, :3] = -m
-            if at == 7 and pressed:
-                jac[:6, 2] -= per_push * floor.c
-        return jac
-
-    return rates, jacobian, floor_force
+def ball_between(kappa, n, wall, floor, wall_mu, floor_mu, creep):
+    """What ``equations`` read of a ball between two springs."""
+    maps = [contact_maps(kappa, m) for m in (n, FLOOR)]
+    springs = np.array([wall.numbers, floor.numbers])
+    return (
+        np.array([n, FLOOR]),
+        *map(np.array, zip(*maps, strict=True)),
+        springs,
+        np.array([wall_mu, floor_mu]),
+        creep,
+    )
 
 
 def spring_contact(
@@ -178,237 +419,63 @@ def spring_contact(
     """
     n = tuple(float(c) for c in normal)
     damped = floor_damping is not None
-    wall = Spring(1.0, wall_e)
-    floor = Dashpot(float(ratio), floor_damping) if damped else Spring(float(ratio), floor_e)
-    rates, jacobian, floor_force = equations(kappa, n, wall, floor, wall_mu, floor_mu, creep)
+    wall, floor = Spring(1.0, wall_e), Spring(float(ratio), floor_e, floor_damping)
 
-    def event(f, direction, terminal=True):
-        f.direction, f.terminal = direction, terminal
-        return f
+    def ball():
+        return ball_between(kappa, n, wall, floor, wall_mu, floor_mu, creep)
 
     def wall_events():
         if wall.loading:
-            return {"wall turns": event(lambda t, y: y[0] * n[0] + y[1] * n[1] + y[2] * n[2], 1)}
-        return {
-            "wall leaves": event(lambda t, y: y[6] - wall.rest, -1),
-            "wall reloads": event(lambda t, y: y[6] - wall.greatest, 1),
-        }
+            return {"wall turns": speed(n)}
+        return {"wall leaves": overlap(0, wall.rest, -1.0), "wall reloads": overlap(0, wall.greatest)}
 
     def floor_events():
-        down = {"floor meets": event(lambda t, y: y[7], 1, terminal=False)}
-        if damped:
-            return down
+        down = {"floor meets": overlap(1, 0.0)}
+        if damped:  # its push jumps where they meet
+            return down if floor.away else {"floor parts": overlap(1, 0.0, -1.0)}
         if not floor.loading:
-            return {
-                "floor leaves": event(lambda t, y: y[7] - floor.rest, -1),
-                "floor reloads": event(lambda t, y: y[7] - floor.greatest, 1),
-            }
+            return {"floor leaves": overlap(1, floor.rest, -1.0), "floor reloads": overlap(1, floor.greatest)}
         # watch for one sign of v_z at a time: each integration starts at the zero that ended the last one
-        name, sign = ("floor turns", 1) if falling else ("floor falls", -1)
-        return {**down, name: event(lambda t, y: y[2], sign)}
+        return {**down, **({"floor turns": speed(FLOOR)} if falling else {"floor falls": speed(FLOOR, -1.0)})}
 
     y = np.array([*velocity, *spin, 0.0, 0.0], dtype=float)
-    falling = rates(0.0, np.array([*y[:6], 1e-9, 0.0]))[2] < 0.0  # or does the wall's first push lift the ball?
+    rates = np.empty(8)
+    equations(np.array([*y[:6], 1e-9, 0.0]), ball(), rates, rates, False)
+    falling = rates[2] < 0.0  # or does the wall's first push lift the ball?
+    if damped and not falling:
+        floor.leave()
     t, touchdowns, left = 0.0, [], None
     while t < longest:
         events = floor_events() if left else {**wall_events(), **floor_events()}
-        out = solve_ivp(
-            rates, (t, longest), y, "Radau", jac=jacobian, events=list(events.values()), rtol=rtol, atol=atol
-        )
-        if out.status == -1:
-            raise RuntimeError(f"the integration stopped: {out.message}")
-        t, y = float(out.t[-1]), out.y[:, -1].copy()
-        times = dict(zip(events, out.t_events, strict=True))
-        touchdowns += [float(s) for s in times.get("floor meets", ()) if s > 0.0]
-        hits = [what for what, s in times.items() if s.size and s[-1] == t]
+        t, happened = advance(y, t, longest, list(events.values()), ball(), rtol, atol)
+        hits = [what for what, has in zip(events, happened, strict=True) if has]
+        if "floor meets" in hits:
+            touchdowns.append(t)
+            floor.load()
+        if "floor parts" in hits:
+            floor.leave()
         if "wall turns" in hits:
             wall.turn(y[6])
         if "wall reloads" in hits:
-            wall.loading = True
+            wall.load()
         if "floor turns" in hits and y[7] > 0.0:
             floor.turn(y[7])
         if "floor leaves" in hits:
             y[7] = 0.0  # the next touch is with a floor that has healed
         if "floor leaves" in hits or "floor reloads" in hits:
-            floor.loading = True
+            floor.load()
         falling = (falling or "floor falls" in hits or "floor reloads" in hits) and not (
             "floor turns" in hits or "floor leaves" in hits
         )
         if "wall leaves" in hits or ("wall turns" in hits and wall_e == 0.0):
-            left = (y[:6].copy(), floor_force(y[7], y[2]) <= 0.0, t)
+            left = (y[:6].copy(), floor.force(y[7], y[2]) <= 0.0, t)
             wall.turn(0.0)
             y[6] = -1.0  # away for good
         if left and (not follow_floor or "floor leaves" in hits or (left[1] and y[2] >= 0.0)):
             break
-    state, lifted, duration = left or (y[:6], floor_force(y[7], y[2]) <= 0.0, t)
+    state, lifted, duration = left or (y[:6], floor.force(y[7], y[2]) <= 0.0, t)
     after = y[:6] if follow_floor and y[2] >= 0.0 else None
     return Outcome(state[:3], state[3:], lifted, left is None, duration, tuple(touchdowns), after)
-
-
-# ------------------------------------------------------------------------------- the floor is rigid
-
-
-def rigid_floor(
-    kappa,
-    velocity,
-    spin,
-    normal,
-    *,
-    wall_e,
-    wall_mu,
-    floor_mu,
-    floor_e=0.0,
-    steps=2000,
-    power=1.0,
-    floor=True,
-    again="gap",
-    longest=40.0,
-):
-    """Follow the wall's push in small equal steps of time, the floor rigid (or absent); first order in the step.
-
-    The wall's spring may be N = d^power: as long as the ball does not come down again during the contact, the
-    outcome must not depend on it. A lifted ball that is pressed down meets the floor ``again`` when the "gap" has
-    closed, with a blow in which the floor's restitution matters (that is the limit of spring contacts); for
-    comparison with laws that know impulse and no time, already when its "velocity" has come back to zero, or "never".
-    """
-    v, w, n = (np.array(vector, dtype=float) for vector in (velocity, spin, normal))
-    lifted, jammed, t, touchdowns = _compiled()(
-        v, w, n, float(kappa), float(wall_e), float(wall_mu), float(floor_mu), float(floor_e), int(steps), float(power), floor,
-        again == "gap", again == "velocity", float(longest),
-    )  # fmt: skip
-    return Outcome(v, w, bool(lifted), jammed, t, tuple(touchdowns.tolist()))
-
-
-@functools.cache
-def _compiled():
-    """The loop, compiled, for it takes some 10^7 steps of the projection."""
-    return njit(_follow_rigid)
-
-
-def _follow_rigid(
-    v, w, n, kappa, wall_e, wall_mu, floor_mu, floor_e, steps, power, floor, lands_by_gap, lands_by_velocity, longest
-):
-    """Follow the push; v and w are changed. Return whether the floor does not press at the end, whether jammed, time, landings."""
-    up = (0.0, 0.0, 1.0)
-    loading, greatest, rest = True, 0.0, 0.0
-    dt = math.pi / 2 / steps  # `steps` steps up to the greatest compression by a wall alone with N = d
-    d, t, gap, touching = 0.0, 0.0, 0.0, floor
-    touchdowns, landings = np.empty(1000), 0
-    # frictions of wall and floor, and the floor's push, per push of the wall: where the next step's projection begins
-    guess_w, guess_f, guess_n = np.zeros(3), np.zeros(3), 0.0
-    while t < longest:
-        half = d - 0.5 * dt * _dot(v, n)  # the overlap in the middle of the step
-        loading = loading or half > greatest
-        if loading:
-            force = max(0.0, half) ** power
-        elif half <= rest:
-            force = 0.0
-        else:
-            force = greatest**power * ((half - rest) / (greatest - rest)) ** power
-        if force <= 0.0 and t > 0.0:
-            break
-        dp = force * dt
-        _push(v, w, kappa, (dp * n[0], dp * n[1], dp * n[2]), n)
-        guess_n = _settle(v, w, kappa, n, up, dp, wall_mu, floor_mu, touching, guess_w, guess_f, guess_n)
-        d, t = half - 0.5 * dt * _dot(v, n), t + dt
-        if loading and _dot(v, n) > 0.0:
-            loading, greatest, rest = False, d, d * (1.0 - wall_e**2)
-        if touching and v[2] > 1e-4 * dp and not lands_by_velocity:  # more than the projection's own residue
-            touching = False
-        if floor and not touching and lands_by_gap:
-            gap += dt * v[2]
-            if gap <= 0.0 and v[2] < 0.0:
-                touchdowns[landings] = t
-                landings += 1
-                touching = floor_e * abs(v[2]) < dp  # the next step's push would end such a rebound: no more bounces
-                _land(v, w, kappa, 0.0 if touching else floor_e, floor_mu, up)
-                gap = 0.0
-    return floor and (not touching or v[2] > 1e-12), t >= longest, t, touchdowns[:landings]
-
-
-@numba.njit
-def _settle(v, w, kappa, n, up, dp, wall_mu, floor_mu, touching, guess_w, guess_f, guess_n):
-    """Add the frictions and the floor's push of one step, given the wall's push dp; change the guesses, which are per dp.
-
-    They are such that the velocities at the END of the step obey Coulomb's law at each contact and v_z >= 0 at the
-    floor: projected Gauss-Seidel, from what they were in the last step, until nothing changes any more.
-    """
-    pw, pf, pn = np.empty(3), np.zeros(3), 0.0
-    for i in range(3):
-        pw[i] = guess_w[i] * dp
-    if touching:
-        pf[0], pf[1], pn = guess_f[0] * dp, guess_f[1] * dp, guess_n * dp
-    _push(v, w, kappa, pw, n)
-    _push(v, w, kappa, (pf[0], pf[1], pn), up)
-    for _ in range(2000):
-        change = _rub(v, w, kappa, pw, n, wall_mu * dp)
-        if touching:
-            better = max(0.0, pn - v[2])
-            _push(v, w, kappa, (0.0, 0.0, better - pn), up)
-            change, pn = max(change, abs(better - pn)), better
-            change = max(change, _rub(v, w, kappa, pf, up, floor_mu * pn))
-            pf[2] = 0.0
-        if change < 1e-10 * dp:
-            break
-    for i in range(3):
-        guess_w[i], guess_f[i] = pw[i] / dp, pf[i] / dp
-    return pn / dp
-
-
-@numba.njit
-def _dot(p, q):
-    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
-
-
-@numba.njit
-def _slip(v, w, n):
-    """Tangential velocity of the ball's point that touches the surface of normal n."""
-    x = v[0] + (n[1] * w[2] - n[2] * w[1])  # = v + w x (-n)
-    y = v[1] + (n[2] * w[0] - n[0] * w[2])
-    z = v[2] + (n[0] * w[1] - n[1] * w[0])
-    along = x * n[0] + y * n[1] + z * n[2]
-    return x - along * n[0], y - along * n[1], z - along * n[2]
-
-
-@numba.njit
-def _push(v, w, kappa, p, m):
-    """Give the ball the impulse p at its contact with the surface of normal m."""
-    for i in range(3):
-        v[i] += p[i]
-    w[0] += (p[1] * m[2] - p[2] * m[1]) / kappa
-    w[1] += (p[2] * m[0] - p[0] * m[2]) / kappa
-    w[2] += (p[0] * m[1] - p[1] * m[0]) / kappa
-
-
-@numba.njit
-def _rub(v, w, kappa, p, m, cap):
-    """Change the friction impulse p at contact m so that slip stops, but to no more than cap; return by how much."""
-    u, share = _slip(v, w, m), 1.0 + 1.0 / kappa
-    x, y, z = p[0] - u[0] / share, p[1] - u[1] / share, p[2] - u[2] / share
-    size = math.sqrt(x * x + y * y + z * z)
-    if size > cap:
-        x, y, z = x * cap / size, y * cap / size, z * cap / size
-    change = (x - p[0], y - p[1], z - p[2])
-    _push(v, w, kappa, change, m)
-    p[0], p[1], p[2] = x, y, z
-    return max(abs(change[0]), abs(change[1]), abs(change[2]))
-
-
-@numba.njit
-def _land(v, w, kappa, e, mu, up):
-    """Change the ball's velocities by one blow from the floor, over before the wall's push has changed."""
-    u = _slip(v, w, up)
-    pn = -(1.0 + e) * v[2]
-    slip = math.sqrt(u[0] ** 2 + u[1] ** 2)
-    stop = slip / (1.0 + 1.0 / kappa)
-    share = min(mu * pn, stop) / slip if slip > 0.0 else 0.0
-    _push(v, w, kappa, (-share * u[0], -share * u[1], pn), up)
-
-
-def rigid_limit(*args, steps=2000, **kwargs):
-    """``rigid_floor`` extrapolated to a step of zero, with how much the last halving moved the extrapolation."""
-    a, b, c = (rigid_floor(*args, steps=s, **kwargs).state for s in (steps, 2 * steps, 4 * steps))
-    return 2 * c - b, float(np.max(np.abs((2 * c - b) - (2 * b - a))))
 
 
 def stiff_limit(*args, ratios=(1e4, 1e6), order=1.0, **kwargs):
