@@ -164,10 +164,11 @@ def draw_shots() -> None:
 
 
 def draw_numbers() -> None:
-    """Compile the random numbers of sweeps, and the motion on a table that fits of films follow."""
+    """Compile the random numbers of sweeps, and the motions on a table and in flight that fits of films follow."""
     import numpy as np
 
     from carom.sweeps.draws import normal_draws, uniform_draws
+    from carom.tracks.flights import flight_path
     from carom.tracks.table_contact import COUNT, contact_path, contact_slopes
     from carom.tracks.table_motion import hop_slide_roll, slide_then_roll
 
@@ -176,6 +177,7 @@ def draw_numbers() -> None:
     times = np.linspace(0.0, 1.0, 3)
     slide_then_roll(np.ones(2), np.ones(2), times, 2.0, 0.1, 2 / 7)
     hop_slide_roll(np.ones(2), np.ones(2), 0.1, times, 2.0, 0.1, 2 / 7)
+    flight_path(np.ones(2), np.ones(2), 0.1, times)
     contact_path(np.ones(COUNT), 0.0, times, 2 / 7)
     contact_slopes(np.ones(COUNT), 0.0, times, 2 / 7)
 

@@ -6,12 +6,15 @@ than it gains as it falls. All flights of a film are fitted together, each with 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+import functools
+import math
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.jit.kernel import kernel
 from carom.tracks.events import find_events, frames_per_side, turning_points
 from carom.tracks.track import Track
 
@@ -112,25 +115,43 @@ def flight_path(velocity: Array, gravity: Array, drag: Array | float, s: Array) 
 
     ``gravity`` (..., 2), m/s^2; ``drag`` (...), 1/m.
     """
-    v = np.broadcast_to(velocity[..., None, :], (*velocity.shape[:-1], len(s), 2))
-    g, k = np.asarray(gravity)[..., None, :], np.asarray(drag)[..., None, None]
-    x = np.zeros_like(v)
+    shape = velocity.shape[:-1]
+    v, g = (np.array(np.broadcast_to(one, (*shape, 2)), dtype=float).reshape(-1, 2) for one in (velocity, gravity))
+    k = np.array(np.broadcast_to(drag, shape), dtype=float).ravel()
     count = max(int(np.ceil(np.abs(s).max(initial=0.0) / STEP_S)), 1)
-    h = (s / count)[:, None]
+    places = np.empty((len(v), len(s), 2))
+    _compiled()(v, g, k, np.ascontiguousarray(s, dtype=float), count, places)
+    return places.reshape(*shape, len(s), 2)
 
-    def acceleration(v: Array) -> Array:
-        return np.asarray(g - k * np.sqrt((v * v).sum(axis=-1, keepdims=True)) * v)
 
-    # (followed back, a ball that the air slows down may have been infinitely fast)
-    with np.errstate(over="ignore", invalid="ignore"):
-        for _ in range(count):  # Runge and Kutta, fourth order: exact for a parabola
-            a1 = acceleration(v)
-            a2 = acceleration(v + h / 2 * a1)
-            a3 = acceleration(v + h / 2 * a2)
-            a4 = acceleration(v + h * a3)
-            x = x + h * v + h * h / 6 * (a1 + a2 + a3)
-            v = v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)
-    return x
+@kernel
+def _acceleration(vx: float, vy: float, gx: float, gy: float, k: float) -> tuple[float, float]:
+    speed = math.sqrt(vx * vx + vy * vy)
+    return gx - k * speed * vx, gy - k * speed * vy
+
+
+def _fill_flights(velocity: Any, gravity: Any, drag: Any, s: Any, count: int, places: Any) -> None:
+    """Fill the displacements (B, n, 2) of B flights after the times s (n,), in ``count`` steps of each."""
+    for b in range(velocity.shape[0]):
+        gx, gy, k = gravity[b, 0], gravity[b, 1], drag[b]
+        for i in range(s.shape[0]):
+            x, y, vx, vy, h = 0.0, 0.0, velocity[b, 0], velocity[b, 1], s[i] / count
+            for _ in range(count):  # Runge and Kutta, fourth order: exact for a parabola
+                ax, ay = _acceleration(vx, vy, gx, gy, k)
+                bx, by = _acceleration(vx + h / 2 * ax, vy + h / 2 * ay, gx, gy, k)
+                cx, cy = _acceleration(vx + h / 2 * bx, vy + h / 2 * by, gx, gy, k)
+                dx, dy = _acceleration(vx + h * cx, vy + h * cy, gx, gy, k)
+                x = x + h * vx + h * h / 6 * (ax + bx + cx)
+                y = y + h * vy + h * h / 6 * (ay + by + cy)
+                vx, vy = vx + h / 6 * (ax + 2 * bx + 2 * cx + dx), vy + h / 6 * (ay + 2 * by + 2 * cy + dy)
+            places[b, i, 0], places[b, i, 1] = x, y
+
+
+@functools.cache
+def _compiled() -> Callable[..., None]:
+    from carom.core.jit.compile import njit
+
+    return njit(_fill_flights)
 
 
 def air_and_notes(
