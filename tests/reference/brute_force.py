@@ -7,15 +7,15 @@ code is kept as carom's is: all that it calls stands in this file, whose changes
 import functools
 import math
 
-import numba
 import numpy as np
+from reference.compiling import part
 
 from carom.core.jit.compile import njit
 
 STEP = 5e-6  # s
 
 
-@numba.njit
+@part
 def bounce(v, w, a, kappa, e, mu, beta):
     """One landing: normal velocity back e times; friction caps the impulse that turns the slip into -beta slips."""
     sx, sy = v[0] - a * w[1], v[1] + a * w[0]
@@ -33,7 +33,7 @@ def bounce(v, w, a, kappa, e, mu, beta):
     w[1] -= px / (kappa * a)
 
 
-@numba.njit
+@part
 def follow(v, w, n, a, kappa, e, mu, beta, g, h, longest):
     """Whether it rolls within `longest`; the deepest place behind the wall before that, and before it first lands; the
 
@@ -99,14 +99,14 @@ def follow(v, w, n, a, kappa, e, mu, beta, g, h, longest):
 
 def follow_all(v, w, n, p, rolls, found):
     """`follow` for rows; parameters a, kappa, e, mu, beta, g, h of the floor; found: deepest, in flight, nearest."""
-    for i in numba.prange(len(v)):
+    for i in range(len(v)):
         a, kappa, e, mu, beta, g, h = p[i]
         rolls[i], found[i, 0], found[i, 1], found[i, 2] = follow(v[i], w[i], n[i], a, kappa, e, mu, beta, g, h, 30.0)
 
 
 @functools.cache
 def compiled():
-    return njit(follow_all, parallel=True)
+    return njit(follow_all, _nrt=False)
 
 
 def run(v, w, n, parameters):
