@@ -19,6 +19,7 @@ import math
 from typing import Any
 
 import numpy as np
+from reference.compiling import part
 
 import carom
 from carom.core.jit.compile import njit
@@ -169,6 +170,7 @@ def unit(v: Any) -> Any:
     return v / np.sqrt(v @ v)
 
 
+@part
 def _gap(s: Any, x: float, y: float, z: float) -> float:  # noqa: PLR0911
     """Distance of a point from a solid; from a pocket's edge as seen from above."""
     kind = s[0]
@@ -231,6 +233,7 @@ def free(scene_solids: Any, x: Any) -> float:
 # --- motion and contact --------------------------------------------------------------------------------------------
 
 
+@part
 def _slip(v: Any, w: Any, n: Any, a: float, u: Any) -> float:
     """Slip of the contact point at -a n into u; the normal velocity."""
     un = v[0] * n[0] + v[1] * n[1] + v[2] * n[2]
@@ -240,6 +243,7 @@ def _slip(v: Any, w: Any, n: Any, a: float, u: Any) -> float:
     return un
 
 
+@part
 def _push(v: Any, w: Any, jx: float, jy: float, jz: float, n: Any, a: float, m: float, k: float) -> None:
     """An impulse on a ball at -a n."""
     v[0] += jx / m
@@ -251,6 +255,7 @@ def _push(v: Any, w: Any, jx: float, jy: float, jz: float, n: Any, a: float, m: 
     w[2] += c * (n[0] * jy - n[1] * jx)
 
 
+@part
 def _strike(v: Any, w: Any, n: Any, a: float, k: float, e: float, mu: float, beta: float, u: Any) -> None:
     """One contact of a ball of mass 1: (e, mu, beta); the slip before it is written to u."""
     un = _slip(v, w, n, a, u)
@@ -267,6 +272,7 @@ STEPS = 6
 UP = (0.0, 0.0, 1.0)
 
 
+@part
 def _move(row: Any, ball: Any, world: Any, s: float, x: Any, v: Any, w: Any, u: Any) -> None:
     """Integrate a ball from a row of the log for a time s, in steps; u is for its slip."""
     for c in range(3):
@@ -333,10 +339,12 @@ def _differ(p: Any, q: Any, least: float) -> bool:
     return max(abs(p[0] - q[0]), abs(p[1] - q[1]), abs(p[2] - q[2])) > least
 
 
+@part
 def _pace(v: Any, w: Any, a: float) -> float:
     return math.sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2) + a * math.sqrt(w[0] ** 2 + w[1] ** 2 + w[2] ** 2)
 
 
+@part
 def _speed(v: Any) -> float:
     return math.sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2)
 
@@ -586,16 +594,8 @@ def _rows(array: Any) -> list[Any]:
 
 @functools.cache
 def _compiled() -> Any:
-    """The walk, compiled; all that it calls stands in this file, whose changes the cache sees."""
-    import numba
-
-    # (called from the walk only, which makes no array: see carom.core.jit.compile.KERNEL_OPTIONS)
-    jit = numba.njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True, _nrt=False)
-    space = dict(globals())
-    for name in ("_gap", "_slip", "_push", "_strike", "_move", "_pace", "_speed"):
-        function = globals()[name]
-        space[name] = jit(type(function)(function.__code__, space, name))
-    return njit(type(_walk)(_walk.__code__, space, "_walk"), _nrt=False)
+    """The walk, compiled."""
+    return njit(_walk, _nrt=False)
 
 
 def judge(run: carom.Trajectory) -> tuple[str, int, float, int]:

@@ -14,6 +14,7 @@ from reference.exploring import tried
 from reference.table_shots import shot
 
 import carom
+from carom.core.jit.compile import njit
 from carom.scene import Table
 from carom.simulation.narrate import describe_run
 
@@ -142,14 +143,7 @@ def _follow(stuff: Any, x: Any, v: Any, a: float, e: float, h: float, until: flo
 
 @functools.cache
 def _compiled() -> Any:
-    import numba
-
-    space = dict(globals()) | dict(_gap.__globals__)
-    made = {"_gap": numba.njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)}
-    made["_follow"] = numba.njit(error_model="numpy", no_cfunc_wrapper=True)
-    for name, function in (("_gap", _gap), ("_follow", _follow)):
-        space[name] = made[name](type(function)(function.__code__, space, name))
-    return space["_follow"]
+    return njit(_follow, cache=False)  # (the cache would not see changes of _gap, in another file)
 
 
 @pytest.mark.parametrize(("preset", "shots", "least"), [("pool-9ft", 40, 6), ("snooker", 40, 2)])
