@@ -6,6 +6,7 @@ large that a number on which they depend linearly (velocities, frictions, a wall
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -128,6 +129,8 @@ def _slopes(scene: Scene, column: Column, setup: SceneArrays) -> Tangents | None
     """Return the derivatives of the arrays with respect to one parameter; None where the scene fixes it."""
     h = _step_of(column)
 
+    # (three searches for the derivatives ask for the same scenes)
+    @functools.cache
     def shifted(by: float) -> SceneArrays:
         made = set_up(shifted_scene(scene, column, by), compiled=False)
         if _curves_of(made) != curves:
