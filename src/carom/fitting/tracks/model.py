@@ -91,7 +91,7 @@ class TrackModel:
         at = {**self.held, **numbers}
         return self.start.at(np.array([at[one.name] for one in self.start.shared]))
 
-    def scene(self, numbers: Mapping[str, float], duration: float | None = None) -> Scene:
+    def scene(self, numbers: Mapping[str, float]) -> Scene:
         """Return the table with one ball in its middle."""
         at, given, engine = {**self.held, **numbers}, self.setting, self.law.engine
         assert engine is not None
@@ -113,7 +113,7 @@ class TrackModel:
         return Scene(
             gravity=(0.0, 0.0, -given.gravity), floor=floor, walls=(table,),
             balls=(SceneBall(radius=a, mass=1.0, inertia=given.kappa, position=table.center),),
-            run=Run(law=engine.law, floor_contact=engine.floor_contact, duration=duration),
+            run=Run(law=engine.law, floor_contact=engine.floor_contact),
         )  # fmt: skip
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -15,6 +16,7 @@ from carom.fitting.result import Estimate, common_dict
 from carom.fitting.tracks.model import TrackModel
 from carom.fitting.tracks.objective import SIDESPIN, SegmentArrays, Starts, spin_loss
 from carom.formatting import json_value
+from carom.scene.scene import Scene
 from carom.simulation.simulate import simulate
 from carom.simulation.trajectory import Trajectory
 
@@ -120,9 +122,15 @@ class TrackFit:
         """Return the simulated run of a segment."""
         x, y, vx, vy, ux, uy, spin_z = self.start(n).tolist()
         a = self.model.setting.radius
-        scene = self.model.scene(self.numbers, float(self.frames.time[n, self.frames.count[n] - 1]))
+        scene = self._table
+        run = scene.run.model_copy(update={"duration": float(self.frames.time[n, self.frames.count[n] - 1])})
         moved = {"position": (x, y, a), "velocity": (vx, vy, 0.0), "spin": ((uy - vy) / a, (vx - ux) / a, spin_z)}
-        return simulate(scene.model_copy(update={"balls": (scene.balls[0].model_copy(update=moved),)}))
+        return simulate(scene.model_copy(update={"run": run, "balls": (scene.balls[0].model_copy(update=moved),)}))
+
+    @functools.cached_property
+    def _table(self) -> Scene:
+        """The scene of all segments, without its end."""
+        return self.model.scene(self.numbers)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the fit for JSON."""
