@@ -1,9 +1,9 @@
 """A plugin of mypy (pyproject.toml): an index is not tried against declarations that it cannot fit. Types stay as they are.
 
-NumPy declares ``ndarray.__getitem__`` five times: for integer arrays, integers, anything else but fields, a field, several fields.
-mypy tries them in turn, again for each declaration of an operator beside the index, and writes for each that fails a message with
-the whole union of indices, which nobody sees: a third of its time. Here a declaration that cannot fit a field's name, or an index
-with a slice, an ellipsis or None in it, takes ``Never``: it fails as before, and its message is short.
+NumPy declares ``ndarray.__getitem__`` five times: for integer arrays, integers, anything else but fields, a field, several fields. mypy
+tries them in turn, again for each declaration of an operator beside the index, and writes for each that fails a message with the
+whole union of indices, which nobody sees: a third of its time. Here a declaration that cannot fit a field's name, or an index with a
+slice, an ellipsis or None in it, takes ``Never``: it fails as before, and its message is short.
 """
 
 from __future__ import annotations
