@@ -23,6 +23,9 @@ ARGUMENTS = [
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
     "--disable-gpu-compositing",
+    # each program of the page as one pipeline: in parts, which are linked later, they take a third longer
+    "--enable-angle-features=preferMonolithicPipelinesOverLibraries",
+    "--disable-angle-features=supportsGraphicsPipelineLibrary",
 ]
 TYPES = {".js": "text/javascript", ".json": "application/json", ".wasm": "application/wasm", ".html": "text/html"}
 
@@ -144,6 +147,7 @@ def open_page(
         page = idle.pop() if idle and not script else contexts[name].new_page()
         # (a script stays with its page)
         opened.append(("" if script else name, page))
+        page.bring_to_front()  # (a page behind another draws one frame a second, and a click waits for two)
         page.set_viewport_size({"width": size[0], "height": size[1]})
         for event, listener in listeners.items():
             page.on(event, listener)
