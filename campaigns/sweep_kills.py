@@ -22,18 +22,19 @@ from pathlib import Path
 
 import numpy as np
 from campaign import ROOT, Campaign, campaign
-from sweeps.test_store import KEEP, files_of, space
+from reference.sweep_scenes import KEEP, files_of, space
 
 import carom
 
 KINDS = ("driver", "worker", "disk")
-BLOCK = 4
-PROGRAM = f"""
+BLOCK, FEW = 4, 20
+"""Points of a block; where the campaign runs as small as it goes, there are few blocks."""
+PROGRAM = """
 import sys, carom
-from sweeps.test_store import KEEP, space
+from reference.sweep_scenes import KEEP, space
 def tell(done, total):
     print(done, flush=True)
-carom.sweep(space(), KEEP, store=sys.argv[1], block={BLOCK}).run(progress=tell)
+carom.sweep(space(), KEEP, store=sys.argv[1], block=int(sys.argv[2])).run(progress=tell)
 """
 
 
@@ -44,10 +45,10 @@ def clean(store: Path) -> dict[str, str]:
     return files_of(store)
 
 
-def kill_driver(store: Path, rng: np.random.Generator) -> bool:
+def kill_driver(store: Path, block: int, rng: np.random.Generator) -> bool:
     """Run the sweep in a process of its own and kill it; return whether it was killed before its end."""
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(ROOT / "src"), str(ROOT / "tests")])}
-    command = [sys.executable, "-c", PROGRAM, str(store)]
+    command = [sys.executable, "-c", PROGRAM, str(store), str(block)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, env=environment) as process:
         assert process.stdout is not None
         for _line in range(int(rng.integers(1, 12))):
@@ -57,7 +58,7 @@ def kill_driver(store: Path, rng: np.random.Generator) -> bool:
     return process.returncode == -signal.SIGKILL
 
 
-def kill_worker(store: Path, rng: np.random.Generator) -> bool:
+def kill_worker(store: Path, block: int, rng: np.random.Generator) -> bool:
     """Run the sweep on a cluster and kill a worker; return whether one was killed before the end."""
     import distributed
 
@@ -76,11 +77,11 @@ def kill_worker(store: Path, rng: np.random.Generator) -> bool:
                 os.kill(rng.choice(list(client.run(os.getpid).values())), signal.SIGKILL)
                 killed = True
 
-        carom.sweep(space(), KEEP, store=store, block=BLOCK).run(on=client, progress=kill)
+        carom.sweep(space(), KEEP, store=store, block=block).run(on=client, progress=kill)
     return killed
 
 
-def fill_disk(store: Path, rng: np.random.Generator) -> bool:
+def fill_disk(store: Path, block: int, rng: np.random.Generator) -> bool:
     """Run the sweep where a write fails; return whether it ended with one clear line."""
     from zarr.storage import _local
 
@@ -95,7 +96,7 @@ def fill_disk(store: Path, rng: np.random.Generator) -> bool:
 
     _local._put = full
     try:
-        carom.sweep(space(), KEEP, store=store, block=BLOCK).run()
+        carom.sweep(space(), KEEP, store=store, block=block).run()
     except carom.CaromError as error:
         return len(error.faults) == 1 and "No space left on device" in str(error)
     finally:
@@ -104,16 +105,16 @@ def fill_disk(store: Path, rng: np.random.Generator) -> bool:
 
 
 def report(
-    run: Campaign, kind: str, disturb: Callable[[Path, np.random.Generator], bool], whole: dict[str, str]
+    run: Campaign, kind: str, disturb: Callable[[Path, int, np.random.Generator], bool], whole: dict[str, str]
 ) -> bool:
     """Disturb sweeps of a kind; print how many ended otherwise."""
-    rng = np.random.default_rng(KINDS.index(kind))
+    rng, block = np.random.default_rng(KINDS.index(kind)), FEW if run.small else BLOCK
     disturbed = finished = otherwise = 0
     with tempfile.TemporaryDirectory(prefix="carom-sweep-") as folder:
         store = Path(folder) / "s.zarr"
         while disturbed < run.count:
-            disturbed += disturb(store, rng)
-            made = carom.sweep(space(), KEEP, store=store, block=BLOCK)
+            disturbed += disturb(store, block, rng)
+            made = carom.sweep(space(), KEEP, store=store, block=block)
             if rng.random() < 0.3 or not made.missing() or disturbed == run.count:
                 made.run()
                 finished += 1
@@ -127,7 +128,7 @@ def main(words: Sequence[str] | None = None) -> int:
     """A line for each kind; 1 if a store ended otherwise."""
     kinds = {"driver": kill_driver, "worker": kill_worker, "disk": fill_disk}
     with campaign("sweep_kills", __doc__, words, count=100, small=1) as run, tempfile.TemporaryDirectory() as folder:
-        carom.sweep(space(), KEEP, store=Path(folder) / "s.zarr", block=BLOCK).run()
+        carom.sweep(space(), KEEP, store=Path(folder) / "s.zarr", block=FEW if run.small else BLOCK).run()
         whole = clean(Path(folder) / "s.zarr")
         good = [
             report(run, kind, disturb, whole)

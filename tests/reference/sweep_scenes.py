@@ -1,6 +1,11 @@
-"""Scenes for the tests of sweeps."""
+"""Scenes and spaces for the tests of sweeps, and what their stores hold."""
 
 from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+
+import numpy as np
 
 import carom
 
@@ -27,3 +32,20 @@ def table_scene(**run: object) -> carom.Scene:
         ball_contact=carom.BallContact(restitution=0.95, friction=0.06),
         run=carom.Run(**{"duration": 6.0, **run}),
     )
+
+
+KEEP = ["final.position", "final.phase", "events.wall.count", "events.wall.0.position"]
+
+
+def space(**more: object) -> carom.Space:
+    """320 shots of one ball, which leaves in 8 speeds and 20 directions, on two cloths."""
+    velocity = carom.polar(np.linspace(0.5, 3, 8), np.linspace(0, 90, 20))
+    return carom.Space(
+        table_scene(duration=2.0), {"balls.0.velocity": velocity, "floor.friction": [0.15, 0.2], **more}, seed=5
+    )
+
+
+def files_of(store: Path) -> dict[str, str]:
+    """Hash of every file of a store."""
+    files = sorted(path for path in store.rglob("*") if path.is_file())
+    return {str(path.relative_to(store)): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}

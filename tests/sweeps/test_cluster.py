@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from sweeps.test_store import KEEP, files_of, space
+from reference.sweep_scenes import KEEP, files_of, space
 
 import carom
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from sweeps.test_store import KEEP, space
+from reference.sweep_scenes import KEEP, space
 
 import carom
 

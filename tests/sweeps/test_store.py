@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import hashlib
 import json
 import signal
 import sys
@@ -14,26 +13,11 @@ import pytest
 import xarray
 from reference.exploring import tried
 from reference.forking import Forked
-from reference.sweep_scenes import table_scene
+from reference.sweep_scenes import KEEP, files_of, space, table_scene
 
 import carom
 from carom import sweeps
 from carom.sweeps.store import Blocks, blocks_of
-
-KEEP = ["final.position", "final.phase", "events.wall.count", "events.wall.0.position"]
-
-
-def space(**more: object) -> carom.Space:
-    velocity = carom.polar(np.linspace(0.5, 3, 8), np.linspace(0, 90, 20))
-    return carom.Space(
-        table_scene(duration=2.0), {"balls.0.velocity": velocity, "floor.friction": [0.15, 0.2], **more}, seed=5
-    )
-
-
-def files_of(store: Path) -> dict[str, str]:
-    """Hash of every file of a store."""
-    files = sorted(path for path in store.rglob("*") if path.is_file())
-    return {str(path.relative_to(store)): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
 
 
 @pytest.mark.parametrize("shape", [(), (1,), (7,), (3, 5), (4, 3, 5), (2, 3, 4, 5)])
@@ -92,7 +76,7 @@ PROGRAM = """
 import os, signal, sys, threading
 sys.path[:0] = PATHS
 import carom
-from test_store import KEEP, space
+from reference.sweep_scenes import KEEP, space
 left = BLOCKS
 def tell(done, total):
     global left
@@ -108,7 +92,7 @@ def test_killed_and_gone_on_with(tmp_path: Path, forked: Forked) -> None:
     store = tmp_path / "killed.zarr"
     for kill in tried((0, 2), (0, 1, 2)):
         words = {
-            "PATHS": [str(Path(__file__).parent), str(Path(__file__).parents[1])], "STORE": str(store),
+            "PATHS": [str(Path(__file__).parents[1])], "STORE": str(store),
             "BLOCKS": 3 + 4 * kill, "SECONDS": 0.003 * kill,
         }  # fmt: skip
         program = functools.reduce(lambda text, name: text.replace(name, repr(words[name])), words, PROGRAM)
