@@ -39,9 +39,7 @@ def few(kind: str) -> list[Case]:
         return [case for case in found if case.kind == "store of impact" and "law" in case.place]
     if kind == "sweep":
         return [case for case in found if case.kind not in ("sweep of gas", "sweep of impact along")]
-    if kind == "track":  # (whose measurement takes a second: other tests read these files as they are)
-        return [case for case in found if case.place.endswith("a column law")]
-    if kind in ("rebounds", "states", "shot"):
+    if kind in ("track", "rebounds", "states", "shot"):
         return [case for case in found if case.place.endswith(("a column law", AS_IT_IS))]
     return found
 

@@ -159,6 +159,7 @@ STAGES = np.array(
 ERROR = np.array([-13 - 7 * ROOT, -13 + 7 * ROOT, -1.0]) / 3  # weights of the embedded estimate
 REAL = 3 + 3 ** (2 / 3) - 3 ** (1 / 3)  # the real eigenvalue of STAGES^-1
 TURNS = 10  # of Newton's method, at most
+MOST_STEPS = 100_000  # of one integration, which takes some hundred
 
 
 @part
@@ -278,14 +279,20 @@ def _greatest(events, values, watched, y, z):
 
 
 def _advance(y, t, until, events, watched, ball, rtol, atol, work):
-    """Integrate until a time, or to the first zero of an event; y is changed. Return the time, NaN where no step succeeds.
+    """Integrate until a time, or to the first zero of an event; y is changed.
+
+    Return the time, NaN where no step succeeds, or too many are needed.
 
     An event is a row of 8 factors of y and an offset: it happens where its value, negative at the beginning of a step, comes to 0.
     ``watched`` says at the end which have happened.
     """
     n, h = len(y), 1e-6
     rates, jacobian, z, best, values, inner, outer = work
+    steps = 0
     while t < until:
+        steps += 1
+        if steps > MOST_STEPS:
+            return math.nan
         for k in range(len(events)):
             watched[k] = True
         z[:] = 0.0
@@ -360,7 +367,7 @@ def advance(y, t, until, events, ball, rtol, atol):
     happened = np.zeros(len(events), dtype=bool)
     t = _compiled()(y, t, float(until), np.array(events), happened, ball, rtol, atol, room)
     if math.isnan(t):
-        raise RuntimeError("the integration stopped: no step is short enough")
+        raise RuntimeError("the integration stopped: no step is short enough, or too many are")
     return t, happened
 
 
