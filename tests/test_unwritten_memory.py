@@ -15,7 +15,7 @@ from carom import billiards, gas
 from carom.data import make_rebounds
 from carom.fitting import fit_law, make_problem
 from carom.fitting.laws import laws_named
-from carom.tracks.table_motion import hop_slide_roll_derivatives
+from carom.tracks.table_contact import contact_path, contact_slopes
 
 BALL, WALL, FLOOR = carom.Ball(0.03, 0.2), carom.Surface(0.85, 0.2), carom.Surface(0.5, 0.2)
 FILLS = (0x00, 0x3F, 0xC0, 0xFF)  # as numbers: zeros, 4.8e-4, -8577.5, NaN
@@ -90,8 +90,8 @@ def gases() -> Any:
 
 def tracks() -> Any:
     t = np.linspace(0, 1, 30)
-    v, u = np.array([1.0, 0.2]), np.array([0.3, -0.1])
-    return hop_slide_roll_derivatives(v, u, 0.1, t, 2.0, 0.1, 2 / 7)
+    theta = np.array([0.4, 0.0, 0.1, -1.2, 0.3, 0.5, 2.2, 1.0, 0.2, 0.3, -0.1, 2.0, 0.1, 0.1])
+    return contact_path(theta, 0.0, t, 2 / 7), contact_slopes(theta, 0.0, t, 2 / 7)
 
 
 def fits() -> Any:

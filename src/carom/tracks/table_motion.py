@@ -1,4 +1,4 @@
-"""Sliding and rolling of a ball on a table, in closed form at many times at once, with derivatives for fits.
+"""Sliding and rolling of a ball on a table, in closed form, with derivatives for fits.
 
 A ball with the slip u slides, decelerated by mu g against the slip, for the time k |u| / (mu g), k = kappa / (1 + kappa); then it
 rolls with the velocity v - k u, decelerated by c g along its path. A ball that hops first flies for some time with constant
@@ -24,14 +24,12 @@ from carom.core.jit.kernel import kernel
 __all__ = [
     "TableMotion",
     "hop_slide_roll",
-    "hop_slide_roll_derivatives",
     "hopped_after",
     "hopped_slopes",
     "landed",
     "moved_after",
     "moved_slopes",
     "slide_then_roll",
-    "slide_then_roll_derivatives",
 ]
 
 Array = NDArray[np.float64]
@@ -54,32 +52,16 @@ def slide_then_roll(v: Array, u: Array, t: Array, mu_g: float, c_g: float, k: fl
 
     ``mu_g`` and ``c_g`` are the decelerations while it slides and rolls, m/s^2; k = kappa / (1 + kappa), 2/7 for a solid ball.
     """
-    return _filled(v, u, t, mu_g, c_g, k, np.empty((0, 2, 6)))
-
-
-def slide_then_roll_derivatives(
-    v: Array, u: Array, t: Array, mu_g: float, c_g: float, k: float
-) -> tuple[Array, Array, Array]:
-    """Compute displacement (n, 2), velocity (n, 2), and the derivatives of the displacement (n, 2, 6).
-
-    The derivatives are with respect to v (2), u (2), mu_g and c_g. Parameters as in :func:`slide_then_roll`.
-    """
-    slope = np.empty((len(t), 2, 6))
-    found = _filled(v, u, t, mu_g, c_g, k, slope)
-    return found.displacement, found.velocity, slope
+    found = TableMotion(np.empty((len(t), 2)), np.empty((len(t), 2)), np.empty((len(t), 2)))
+    _compiled()(*_two(v), *_two(u), float(mu_g), float(c_g), float(k), np.ascontiguousarray(t), *found)
+    return found
 
 
 def hop_slide_roll(v: Array, u: Array, hop: float, t: Array, mu_g: float, c_g: float, k: float) -> Array:
     """Compute the displacement (n, 2) of a ball that hops for the time ``hop``, s, and then slides and rolls."""
-    return _hopped(v, u, hop, t, mu_g, c_g, k, np.empty((0, 2, 7)))[0]
-
-
-def hop_slide_roll_derivatives(
-    v: Array, u: Array, hop: float, t: Array, mu_g: float, c_g: float, k: float
-) -> tuple[Array, Array]:
-    """Compute the velocity (n, 2), and the derivatives of the displacement (n, 2, 7): v (2), u (2), mu_g, c_g and hop."""
-    slope = np.empty((len(t), 2, 7))
-    return _hopped(v, u, hop, t, mu_g, c_g, k, slope)[1], slope
+    way = np.empty((len(t), 2))
+    _compiled_hop()(*_two(v), *_two(u), float(hop), float(mu_g), float(c_g), float(k), np.ascontiguousarray(t), way)
+    return way
 
 
 def landed(v: Array, u: Array, hop: float, mu_g: float, k: float) -> tuple[Array, Array]:
@@ -90,22 +72,6 @@ def landed(v: Array, u: Array, hop: float, mu_g: float, k: float) -> tuple[Array
 
 def _two(vector: Array) -> tuple[float, float]:
     return float(vector[0]), float(vector[1])
-
-
-def _filled(v: Array, u: Array, t: Array, mu_g: float, c_g: float, k: float, slope: Array) -> TableMotion:
-    found = TableMotion(np.empty((len(t), 2)), np.empty((len(t), 2)), np.empty((len(t), 2)))
-    numbers = (*_two(v), *_two(u), float(mu_g), float(c_g), float(k))
-    _compiled()(*numbers, np.ascontiguousarray(t), *found, slope)
-    return found
-
-
-def _hopped(
-    v: Array, u: Array, hop: float, t: Array, mu_g: float, c_g: float, k: float, slope: Array
-) -> tuple[Array, Array]:
-    way, velocity = np.empty((len(t), 2)), np.empty((len(t), 2))
-    numbers = (*_two(v), *_two(u), float(hop), float(mu_g), float(c_g), float(k))
-    _compiled_hop()(*numbers, np.ascontiguousarray(t), way, velocity, slope)
-    return way, velocity
 
 
 # --- kernels ------------------------------------------------------------------------------------------------------------
@@ -207,26 +173,20 @@ def hopped_slopes(
 
 
 def _fill(
-    vx: float, vy: float, ux: float, uy: float, mu_g: float, c_g: float, k: float, t: Any,
-    way: Any, velocity: Any, left: Any, slope: Any,
+    vx: float, vy: float, ux: float, uy: float, mu_g: float, c_g: float, k: float, t: Any, way: Any, velocity: Any, left: Any,
 ) -> None:  # fmt: skip
-    """Fill displacements, velocities and slips (n, 2), and derivatives (n, 2, 6), or (0, 2, 6) for none."""
+    """Fill displacements, velocities and slips (n, 2)."""
     for i in range(t.shape[0]):
         found = moved_after(t[i], vx, vy, ux, uy, mu_g, c_g, k)
         way[i, 0], way[i, 1], velocity[i, 0], velocity[i, 1], left[i, 0], left[i, 1] = found
-        if slope.shape[0] > 0:
-            moved_slopes(t[i], vx, vy, ux, uy, mu_g, c_g, k, slope[i])
 
 
 def _fill_hop(
-    vx: float, vy: float, ux: float, uy: float, hop: float, mu_g: float, c_g: float, k: float, t: Any,
-    way: Any, velocity: Any, slope: Any,
-) -> None:  # fmt: skip
-    """Fill displacements and velocities (n, 2), and derivatives (n, 2, 7), or (0, 2, 7) for none, of a ball that hops first."""
+    vx: float, vy: float, ux: float, uy: float, hop: float, mu_g: float, c_g: float, k: float, t: Any, way: Any
+) -> None:
+    """Fill displacements (n, 2) of a ball that hops first."""
     for i in range(t.shape[0]):
-        way[i, 0], way[i, 1], velocity[i, 0], velocity[i, 1] = hopped_after(t[i], vx, vy, ux, uy, hop, mu_g, c_g, k)
-        if slope.shape[0] > 0:
-            hopped_slopes(t[i], vx, vy, ux, uy, hop, mu_g, c_g, k, slope[i])
+        way[i, 0], way[i, 1], _vx, _vy = hopped_after(t[i], vx, vy, ux, uy, hop, mu_g, c_g, k)
 
 
 @functools.cache
