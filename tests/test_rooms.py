@@ -6,10 +6,12 @@ import ast
 import collections
 import functools
 import re
+import subprocess
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+import pytest
 import typer
 
 import carom
@@ -186,6 +188,31 @@ def test_a_class_name_occurs_once() -> None:
 def test_modules_are_short() -> None:
     lines = {name: len(path.read_text(encoding="utf-8").splitlines()) for name, path in MODULES.items()}
     assert {name: count for name, count in lines.items() if count > 900} == {}
+
+
+def built(names: Iterable[str]) -> list[str]:
+    """Files that a program made: in a folder of caches, of such an ending, or binary beside those that are shipped."""
+    shipped = re.compile(
+        r"src/carom/(core/jit/native|explorer/assets)/|docs/images/.*png$|tests/interop/files/.*msgpack$"
+    )
+    made = re.compile(
+        r"(^|/)(\S*cache\S*|build|dist|node_modules|_build|_generated|.*egg-info)/|\.(py[co]|nb[ic]|pkl|pickle|so|o|whl|log)$"
+    )
+    root = ROOT.parents[1]
+    return [
+        name
+        for name in names
+        if not shipped.match(name)
+        and (made.search(name) or ((root / name).is_file() and b"\0" in (root / name).read_bytes()[:8000]))
+    ]
+
+
+def test_no_build_product_is_tracked() -> None:
+    asked = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT.parents[1], capture_output=True, text=True, check=False)
+    if asked.returncode:
+        pytest.skip("not a clone")
+    assert built(filter(None, asked.stdout.split("\0"))) == []
+    assert len(built(["cache/used", "a/__pycache__/b", "src/carom/a.nbc", "web/node_modules/c.js", "d.pkl"])) == 5
 
 
 # --- words of the command line ----------------------------------------------------------------------------------------
