@@ -2,7 +2,7 @@
 
     python campaigns/pythons.py --rows FILE --pythons PYTHON [PYTHON ...]
 
-Each Python is an environment with carom's extra dev (no GPU need be there). The parts of the suite, its folders and the files
+Each Python is an environment with carom's extra dev. The parts of the suite, its folders and the files
 beside them, run one after the other, and a run that was ended goes on with the part that is missing. Where a Python has the package
 coverage (7.10 or later, and Python 3.12 or later, whose monitoring costs little), its lines are counted, those of other processes
 too. Lines of kernels are counted by themselves: the suite runs most of them as compiled code, which no such count sees.

@@ -42,7 +42,7 @@ def test_readme_names_every_extra_and_those_outside_all() -> None:
     in_all = set(re.findall(r"\w+", everything)) - {"carom"}
     assert {name for name, use in rows.items() if "not in `all`" in use} == set(rows) - in_all - {"all", "docs", "dev"}
     # `make docs` needs this extra and no other: pages run the optional parts, and the reference imports JAX's
-    assert "(extra `docs`, which brings all others but `torch` and `cuda`)" in " ".join(text("README.md").split())
+    assert "(extra `docs`, which brings all others but `torch`)" in " ".join(text("README.md").split())
     assert "carom[all,jax]" in extras["docs"]
 
 

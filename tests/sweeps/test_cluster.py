@@ -75,7 +75,7 @@ def test_nobody_answers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
     with pytest.raises(carom.CaromError, match="expected a Dask scheduler that answers at tcp://127"):
         made.run(on="tcp://127.0.0.1:9")
     assert time.monotonic() - begin < 15
-    with pytest.raises(carom.CaromError, match="expected 'cores', 'cuda', the address of a Dask scheduler"):
+    with pytest.raises(carom.CaromError, match="expected 'cores', the address of a Dask scheduler"):
         made.run(on="elsewhere")
     with pytest.raises(carom.CaromError, match="expected a store for a run on"):
         carom.sweep(space(), KEEP).run(on="tcp://127.0.0.1:9")

@@ -50,7 +50,6 @@ def doctor(as_json: Annotated[bool, shared("json")] = False) -> None:
     if cache["versions"] > 1:
         table.add_row("", f"compiled code of {cache['versions']} versions, {cache['all_megabytes']:.1f} MB in all")
     table.add_row("cores", f"{found['cores']}, of which compiled loops use {found['threads']} at once")
-    table.add_row("GPU", found["gpu"])
     console.print(table)
     if any(about["version"] is None for about in found["optional"].values()):
         console.print("An extra, here plot, is installed by", soft_wrap=True)
@@ -64,7 +63,6 @@ def report() -> dict[str, Any]:
     from carom.core.jit.background import core_count
     from carom.core.jit.cache import cache_base
     from carom.core.jit.compile import cache_folder
-    from carom.core.jit.cuda import why_no_gpu
     from carom.core.jit.generations import generations
     from carom.core.jit.native import describe_loops
     from carom.core.jit.threads import thread_count
@@ -92,7 +90,6 @@ def report() -> dict[str, Any]:
         },
         "cores": core_count(),
         "threads": thread_count(),
-        "gpu": why_no_gpu() or "ready for sweeps (--on cuda)",
     }
 
 

@@ -85,9 +85,9 @@ def run(
         str,
         option(
             RUN,
-            "Where: on this machine's cores, on its GPU, or on a Dask cluster.",
+            "Where: on this machine's cores, or on a Dask cluster.",
             "--on",
-            metavar="cores|cuda|dask:ADDRESS",
+            metavar="cores|dask:ADDRESS",
         ),
     ] = "cores",
     block: Annotated[
@@ -104,7 +104,7 @@ def run(
     part = None if block is None else _part(block)
     place = on.removeprefix("dask:")
     if on not in ("cores", "cuda") and not on.startswith("dask:"):
-        raise CaromError(f"--on: expected cores, cuda, or dask:ADDRESS such as dask:tcp://host:8786, got {on!r:.60}")
+        raise CaromError(f"--on: expected cores or dask:ADDRESS such as dask:tcp://host:8786, got {on!r:.60}")
     made = _sweep(str(file), store or str(file.with_suffix(".zarr")), allow_own_laws)
     assert made.store is not None
     try:

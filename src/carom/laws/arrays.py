@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, State
-from carom.core.jit.cuda import CudaLoop, computes_on_gpu
 from carom.core.jit.kernel import Vec, dot, kernel, prange, vector
 from carom.core.jit.slices import sliced
 from carom.core.motion.phases import ROUNDING
@@ -308,21 +307,11 @@ def _compiled(loop: Callable[..., None]) -> Callable[..., None]:
     return njit(loop, parallel=True, cache=loop not in _FRESH)
 
 
-@functools.cache
-def _on_gpu(loop: Callable[..., None]) -> CudaLoop:
-    return CudaLoop(loop)
-
-
 _spent: dict[Callable[..., None], float] = {}
 
 
 def loop_for(loop: Callable[..., None], rows: int) -> Callable[..., None]:
-    """Return the loop: in Python for a few rows, compiled and in slices for many; or on the GPU, where that is asked for.
-
-    The results have the same bits.
-    """
-    if computes_on_gpu():
-        return _on_gpu(loop)
+    """Return the loop: in Python for a few rows, compiled and in slices for many, with the same bits."""
     if rows < FEW_AT_FIRST and not is_ready(loop):
         return _timed(loop)
     from carom.core.jit.compile import compiler_is_off
@@ -353,7 +342,7 @@ def _note_alone(loop: Callable[..., None], seconds: float) -> None:
 def _is_slow(loop: Callable[..., None]) -> bool:
     """Return whether single states took so long in Python that a loop of the package, called for one row, is faster."""
     spent, calls = _alone.get(loop, (0.0, 1))
-    if spent < PATIENCE or spent < SLOW * calls or computes_on_gpu():
+    if spent < PATIENCE or spent < SLOW * calls:
         return False
     from carom.core.jit.native import is_shipped
 

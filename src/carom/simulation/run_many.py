@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from carom.core.geometry.features import FEATURES
 from carom.core.jit.compile import array_of, njit, signature
-from carom.core.jit.cuda import CudaLoop
 from carom.core.jit.kernel import kernel, prange, vector
 from carom.core.motion.phases import PHASES
 from carom.simulation.compiled import compiled_engine, plain_engine
@@ -22,7 +21,7 @@ from carom.simulation.loop import LIMIT, QUIET
 from carom.simulation.motion import write_vector
 from carom.simulation.records import BALLS, LOG, PHASE, WALL, WALL_IN_CLUSTER, WORLD
 
-__all__ = ["LOG_ROWS", "LOOP", "PARTS", "ROWS_KEPT", "compiled_many", "empty_counts", "empty_logs", "many_on_gpu"]
+__all__ = ["LOG_ROWS", "LOOP", "PARTS", "ROWS_KEPT", "compiled_many", "empty_counts", "empty_logs"]
 
 # Codes of events: kinds, and from PHASES_FROM on the phases that begin.
 CODES = PHASES_FROM + len(PHASES)
@@ -44,7 +43,7 @@ def empty_counts(runs: int) -> NDArray[np.int64]:
 
 @kernel
 def _copy(to: Any, row: Any) -> None:
-    """Copy a row of a log (numba-cuda's simulator has no copy of a whole record)."""
+    """Copy a row of a log."""
     to.t, to.kind, to.ball, to.met, to.other = row.t, row.kind, row.ball, row.met, row.other
     write_vector(to.x, vector(row.x))
     write_vector(to.v_before, vector(row.v_before))
@@ -130,10 +129,3 @@ def compiled_many() -> Callable[..., None]:
     global _run, _finish
     _run, _finish = compiled_engine()
     return njit(_many, signature(*LOOP), parallel=True)
-
-
-@functools.cache
-def many_on_gpu() -> CudaLoop:
-    """Return the loop for a GPU: a thread for every part of the runs."""
-    one_run, one_end = plain_engine()
-    return CudaLoop(_many, {"_run": one_run, "_finish": one_end})

@@ -12,7 +12,7 @@ from typing import Any
 
 from carom.core.jit.background import wait_for
 from carom.core.jit.compile import call_compiled, njit, signature
-from carom.core.jit.kernel import ON_GPU, Vec
+from carom.core.jit.kernel import Vec
 from carom.laws.two_step import first_impact_and_way
 
 __all__ = ["PART", "compiled_joint_impact", "joint_impact", "register_joint_impact"]
@@ -27,9 +27,6 @@ def joint_impact(
 ) -> tuple[Vec, Vec, Vec, Vec, float, int, int]:  # fmt: skip
     """A wall meets a ball that lies on the floor (carom.laws.two_step); compiled code calls :func:`compiled_joint_impact`."""
     return first_impact_and_way(v, w, n, a, kappa, e, mu, beta, floor_e, floor_mu, floor_beta, 0.0, together)
-
-
-ON_GPU[joint_impact] = joint_impact
 
 
 @functools.cache

@@ -47,7 +47,7 @@ def _client(distributed: Any, on: Any) -> tuple[Any, bool]:
         return on, False
     if not isinstance(on, str) or "://" not in on:
         raise CaromError(
-            "sweep: run: on: expected 'cores', 'cuda', the address of a Dask scheduler such as 'tcp://host:8786', or a Client, got"
+            "sweep: run: on: expected 'cores', the address of a Dask scheduler such as 'tcp://host:8786', or a Client, got"
             f" {on!r:.60}"
         )
     try:

@@ -9,13 +9,11 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Mapping
-from contextlib import nullcontext
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.jit.cuda import computes_on_gpu, on_device
 from carom.core.jit.slices import Pace
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, Fault, did_you_mean, shown
@@ -26,7 +24,7 @@ from carom.simulation.event_rows import PHASES_FROM
 from carom.simulation.loop import LIMIT
 from carom.simulation.records import BALL, KINDS, LOG, POCKETED_EVENT
 from carom.simulation.run_log import run_limits, run_scene
-from carom.simulation.run_many import PARTS, compiled_many, empty_counts, empty_logs, many_on_gpu
+from carom.simulation.run_many import PARTS, compiled_many, empty_counts, empty_logs
 from carom.simulation.setup import SceneArrays, set_up
 from carom.sweeps.axes import Axis
 from carom.sweeps.fields import check_paths, plain_value, unit_of
@@ -39,8 +37,6 @@ Array = NDArray[Any]
 Columns = dict[str, Array]
 REFUSED = FAILURES.index("refused")
 FAILURE_OF = {REFUSED_ROLLING: 1, REFUSED_UNDEFINED: 2, REFUSED_STALL: 3}
-# On a GPU each thread has a log of its own, 6 kB here, and so many take turns at the runs.
-GPU_PARTS, GPU_LOG_ROWS = 1 << 15, 16
 FIRST_EVENTS = 1 << 16  # of all runs in the first call of the loop
 # A group of fewer points is not worth finding out where its numbers end.
 WORTH_PROBING = 8
@@ -393,38 +389,22 @@ def _follow(
     arrays: SceneArrays, until: float, most: int, kept: _Kept, pace: Pace, tick: Any
 ) -> tuple[Array, Array, Array]:
     """Run all points to their ends; return counts (N, CODES + 1), wanted events (N, W), status and number of events (N, 2)."""
-    n, on_gpu = len(arrays.balls), computes_on_gpu()
+    n = len(arrays.balls)
     wanted = np.array(kept.wanted, dtype=np.int64).reshape(-1, 2)
     counts, firsts = empty_counts(n), np.zeros((n, len(wanted)), LOG)
     ended, slow = np.zeros((n, 2), np.int64), np.full(n, -1.0)
     ended[:, 0] = LIMIT
-    parts = min(GPU_PARTS if on_gpu else PARTS, n)
-    logs = empty_logs(parts, GPU_LOG_ROWS) if on_gpu else empty_logs(parts)
-    tables = (
-        arrays.world, arrays.features, arrays.balls, logs, slow, arrays.users,
-        wanted, counts, firsts, ended,
-    )  # fmt: skip
-    there: Any
-    with on_device(*tables) if on_gpu else nullcontext(tables) as there:
-        world, features, balls, logs, speeds, users, events, numbers, copies, statuses = there
-        follow = functools.partial(many_on_gpu().on, parts) if on_gpu else compiled_many()
-
-        def go_on(share: int) -> None:
-            follow(
-                world, features, balls, logs, speeds, until, most, share, users, kept.keep, events, numbers, copies, statuses
-            )  # fmt: skip
-
-        if on_gpu:
-            go_on(0)  # (compile it: that is no measure of the pace)
-        goes_on = True
-        while goes_on:  # (a few events of every run at a time)
-            share = pace.begin()
-            go_on(max(share // n, 1))
-            if on_gpu:
-                statuses.copy_to_host(ended)
-            goes_on = bool(((ended[:, 0] == LIMIT) & (ended[:, 1] < most)).any())
-            if goes_on:  # (what ends before its share is up says nothing of how long a share takes)
-                pace.done(share)
-            if tick is not None:
-                tick()
+    logs, follow = empty_logs(min(PARTS, n)), compiled_many()
+    goes_on = True
+    while goes_on:  # (a few events of every run at a time)
+        share = pace.begin()
+        follow(
+            arrays.world, arrays.features, arrays.balls, logs, slow, until, most, max(share // n, 1), arrays.users, kept.keep,
+            wanted, counts, firsts, ended,
+        )  # fmt: skip
+        goes_on = bool(((ended[:, 0] == LIMIT) & (ended[:, 1] < most)).any())
+        if goes_on:  # (what ends before its share is up says nothing of how long a share takes)
+            pace.done(share)
+        if tick is not None:
+            tick()
     return counts, firsts, ended

@@ -8,7 +8,6 @@ import platform
 import threading
 import time
 from collections.abc import Callable
-from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,13 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.jit.cache import source_hash
-from carom.core.jit.cuda import computing_on_gpu
 from carom.errors import CaromError
 from carom.formatting import format_bytes, format_time
 from carom.public.own_laws import with_own_laws
 from carom.sweeps.cluster import run_on_cluster
 from carom.sweeps.dataset import dataset_of, first_failures, open_dataset
-from carom.sweeps.gpu import require_gpu
 from carom.sweeps.outcomes import FAILED, FAILURES, NOT_DONE, Outcome
 from carom.sweeps.plan import SweepPlan
 from carom.sweeps.space import Space
@@ -36,8 +33,6 @@ __all__ = ["Sweep", "stored_sweep", "sweep", "sweep_over"]
 Array = NDArray[Any]
 Progress = Callable[[int, int], None]
 BLOCK_POINTS = 1 << 16
-HERE = ("cores", "cuda")
-COMPUTED_ON = "computed_on"
 SAMPLE_SECONDS = 0.25  # that points are computed for, so as to estimate how long all take
 SAMPLE_PLACES = 16  # where these points lie, spread over the space
 
@@ -66,7 +61,6 @@ class Sweep:
         self.blocks = blocks
         # (a worker of a cluster reads the names of laws from the store, where they have no mark)
         self.own_laws = space.has_own_laws
-        self.on_gpu = False
 
     def __repr__(self) -> str:
         """Return one line."""
@@ -97,8 +91,7 @@ class Sweep:
 
     def _compute(self, first: int, stop: int, tick: Callable[[], None] | None = None) -> dict[str, Array]:
         columns = self.space.columns(first, stop)
-        with computing_on_gpu() if self.on_gpu else nullcontext():
-            found, failed = self.space.subject.evaluate(columns, self.outcomes, first, self.space.seed, tick)
+        found, failed = self.space.subject.evaluate(columns, self.outcomes, first, self.space.seed, tick)
         return {**found, FAILED: failed}
 
     def missing(self) -> list[int]:
@@ -140,22 +133,9 @@ class Sweep:
         there = self.store.attributes()
         self._require_same(there)
         if there is None or not there["complete"]:
-            about = {**self.specification, COMPUTED_ON: "cuda" if self.on_gpu else "cores"}
-            self.store.create(about, self.blocks, tuple(self.space.dims), self.outcomes, self.space.coordinates)
-
-    def _choose_place(self, on: Any) -> None:
-        """Have blocks computed on a GPU or not. CaromError where that cannot be, or the store's blocks were computed elsewhere."""
-        there = None if self.store is None else self.store.attributes()
-        place = "cores" if there is None else there.get(COMPUTED_ON, "cores")
-        self.on_gpu = isinstance(on, str) and on == "cuda"
-        if there is not None and self.on_gpu != (place == "cuda"):
-            assert self.store is not None
-            raise CaromError(
-                f"{self.store.name}: expected on={place!r}, where its blocks were computed (a GPU's last bits may differ), got"
-                f" on={str(on)[:60]!r}; resume it with that, or name a new store"
+            self.store.create(
+                self.specification, self.blocks, tuple(self.space.dims), self.outcomes, self.space.coordinates
             )
-        if self.on_gpu:
-            require_gpu(self.space)
 
     def write(self, block: int, tick: Callable[[], None] | None = None) -> int:
         """Compute a block and write it to the store; return its checksum."""
@@ -169,9 +149,8 @@ class Sweep:
 
         Parameters
         ----------
-        on : "cores", "cuda", the address of a Dask scheduler such as "tcp://host:8786", or a ``distributed.Client``
-            Where: on this machine's cores (default), on its GPU (NVIDIA's; scenes and impacts), or on a cluster, whose workers
-            write to the store themselves.
+        on : "cores", the address of a Dask scheduler such as "tcp://host:8786", or a ``distributed.Client``
+            Where: on this machine's cores (default), or on a cluster, whose workers write to the store themselves.
         part : (int, int), optional
             (17, 64): only the blocks of the 17th of 64 equal parts, for a job of an array of jobs.
         progress : function of (points done, points in all), optional
@@ -183,12 +162,15 @@ class Sweep:
 
         Raises CaromError: a store of another sweep, a full disk, a cluster that cannot be reached; blocks that are done stay.
         """
-        self._choose_place(on)
+        if on == "cuda":
+            raise CaromError(
+                "sweep: run: on: expected 'cores' or a cluster, got 'cuda': carom has no sweeps on a GPU any more"
+            )
         blocks = self.missing()
         if part is not None:
             blocks = [block for block in blocks if block % part[1] == part[0] - 1]
         if self.store is None:
-            if not (isinstance(on, str) and on in HERE):
+            if on != "cores":
                 raise CaromError(
                     f"sweep: run: on: expected a store for a run on {on!r:.60}, got none; give store='FILE.zarr'"
                 )
@@ -206,7 +188,7 @@ class Sweep:
 
     def _written(self, blocks: list[int], on: Any) -> Any:
         """Yield blocks as they are done."""
-        if isinstance(on, str) and on in HERE:
+        if on == "cores":
             for block in blocks:
                 self.write(block)
                 yield block
@@ -314,7 +296,6 @@ class Sweep:
         What the store holds is compared with its checksums as well, for all blocks that are done.
         """
         assert self.store is not None
-        self._choose_place((self.store.attributes() or {}).get(COMPUTED_ON, "cores"))
         sums = self._checksums()
         done = np.flatnonzero(sums).tolist()
         again = {done[int(k)] for k in np.linspace(0, len(done) - 1, min(max(blocks, 0), len(done)))}

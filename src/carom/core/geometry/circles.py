@@ -17,7 +17,7 @@ import functools
 import math
 from typing import Any
 
-from carom.core.jit.kernel import ON_GPU, Vec, cross, dot, kernel
+from carom.core.jit.kernel import Vec, cross, dot, kernel
 from carom.core.jit.pointers import address_of, answer_at, python_address
 from carom.core.roots.first_root import hit4, hit8, next_hit8
 
@@ -249,16 +249,6 @@ def call_rim(
         x[0], x[1], x[2], v[0], v[1], v[2], acc[0], acc[1], acc[2], until, slow,
     )  # fmt: skip
     return answer_at(address, numbers)[0]
-
-
-def _rim_hit(
-    address: int, p: Vec, d: Vec, radius: float, u: Vec, cosine: float, a: float, x: Vec, v: Vec, acc: Vec, until: float,
-    slow: float,
-) -> float:  # fmt: skip
-    return rim_hit(p, d, radius, u, cosine, a, x, v, acc, until, slow)
-
-
-ON_GPU[call_rim] = _rim_hit
 
 
 def rim_entry(

@@ -14,7 +14,7 @@ from typing import Any
 from carom.core.geometry.curve import ROW
 from carom.core.geometry.curve_arc_paths import arc_hit
 from carom.core.geometry.curve_arcs import SEAM, arc_contact, arc_gap
-from carom.core.jit.kernel import ON_GPU, Vec, kernel, vector, without_slopes
+from carom.core.jit.kernel import Vec, kernel, vector, without_slopes
 from carom.core.jit.pointers import Answer, address_of, answer_at, python_address, register_tables, table_at
 
 __all__ = [
@@ -34,16 +34,6 @@ def call_arc(
 ) -> Answer:  # fmt: skip
     """Call the kernels of an arc through their address: a hit, a gap, or a contact."""
     return answer_at(address, (what, table, d, x, y, vx, vy, gx, gy, until, slow))
-
-
-def _no_answer(
-    address: int, what: float, table: float, d: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float,
-    until: float, slow: float,
-) -> Answer:  # fmt: skip
-    return (math.inf, math.inf, math.inf, math.inf, math.inf, math.inf)
-
-
-ON_GPU[call_arc] = _no_answer  # (no scene with a curve gets there: carom.sweeps.gpu)
 
 
 def arc_entry(

@@ -1,4 +1,4 @@
-"""Mark kernels: plain functions of numbers and 3-tuples, the same in Python, compiled, and on a GPU.
+"""Mark kernels: plain functions of numbers and 3-tuples, the same in Python, and compiled.
 
 A kernel takes and returns numbers and 3-tuples; it has no arrays, no objects, no ``assert``, no keyword arguments. It
 uses + - * / and ``math.sqrt`` with integer literals, so that the very same function gives the same bits as Python and
@@ -17,7 +17,6 @@ __all__ = [
     "DERIVED",
     "HOT",
     "KERNELS",
-    "ON_GPU",
     "PLAIN",
     "Vec",
     "carries_slopes",
@@ -44,8 +43,6 @@ prange: Any = range
 
 KERNELS: list[Callable[..., Any]] = []
 HOT: set[Callable[..., Any]] = set()
-# What the cores call in a way of its own (by an address, or linked in), with the function that a GPU compiles in its place.
-ON_GPU: dict[Callable[..., Any], Callable[..., Any]] = {}
 
 
 def kernel(function: Function) -> Function:
@@ -152,4 +149,3 @@ PLAIN: dict[Callable[..., Any], Callable[..., Any]] = {
     only_slopes: _no_slope,
     without_slopes: _itself,
 }
-ON_GPU.update(PLAIN)
