@@ -8,9 +8,8 @@ from contextlib import redirect_stdout, suppress
 import typer
 
 from carom.cli import app
-from carom.cli.help import prepare_help
 
-COMMAND = prepare_help(typer.main.get_command(app))
+COMMAND = typer.main.get_command(app)
 
 
 def told(*words: str) -> str:

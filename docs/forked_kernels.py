@@ -29,7 +29,7 @@ import carom
 
 IMPORTED = (
     "ipykernel.kernelapp", "matplotlib.pyplot", "scipy.optimize", "scipy.stats", "sympy.physics.mechanics", "xarray", "zarr",
-    "shell_cells", "carom.cli.help",
+    "shell_cells", "carom.cli.verbs",
 )  # fmt: skip
 NAMES = ("Scene", "simulate", "fit", "orbit", "simulate_gas")  # of carom: what they need is imported with them
 PATIENCE = 300.0  # s, until all this is imported

@@ -5,13 +5,16 @@ from __future__ import annotations
 import pickle
 import re
 from pathlib import Path
-from types import SimpleNamespace
+from typing import Annotated
 
 import pytest
+from typer import Option
+from typer.main import get_command
 
 import carom
 from carom.cli import option_names
-from carom.cli.option_names import as_option, in_options, remember_verbs
+from carom.cli.option_names import as_option, in_options
+from carom.cli.verbs import App
 from carom.errors import Fault, FaultList, near_name
 
 
@@ -45,18 +48,20 @@ def test_faults_of_parts_are_collected_and_survive_pickling() -> None:
 
 
 def test_the_command_names_its_options(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(option_names, "_verbs", {})
-    monkeypatch.setattr(option_names, "_running", [""])
-    option = {"param_type_name": "option"}
-    verb = SimpleNamespace(
-        params=[
-            SimpleNamespace(name="rate", opts=["--rate", "--fps"], **option),
-            SimpleNamespace(name="most", opts=["--max-size"], **option),
-            SimpleNamespace(name="view", opts=["--view"], **option),
-        ],
-        invoke=lambda _context: None,
-    )
-    remember_verbs(verb, "carom imagined").invoke(None)
+    imagined = App(name="carom")
+
+    @imagined.callback()
+    def root() -> None: ...
+
+    @imagined.command("imagined")
+    def verb(
+        rate: Annotated[str, Option("--rate", "--fps")] = "",
+        most: Annotated[str, Option("--max-size")] = "",
+        view: Annotated[str, Option("--view")] = "",
+    ) -> None: ...
+
+    monkeypatch.setattr(option_names, "_running", [])
+    get_command(imagined)(["imagined"], standalone_mode=False)
     assert in_options("`rate` or `view='side'`, not `nothing`") == "--rate or --view side, not nothing"
     assert in_options("allow more with `max_bytes`") == "allow more with --max-size"
     assert str(as_option(Fault("tracks", "rate", "a number", "x"))) == "--rate: expected a number, got x"

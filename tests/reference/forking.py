@@ -15,7 +15,7 @@ __all__ = ["Forked", "forking"]
 # (what a run writes to standard error is read after all of its standard output: it has to fit into a pipe)
 SERVER = """
 import json, os, signal, sys
-import carom.cli, carom.cli.help
+import carom.cli
 len(carom.LAWS)  # (loads them)
 prepare, *names = sys.argv[1:]
 for name in names:

@@ -9,40 +9,30 @@ import sys
 from typing import Annotated, Any
 
 import typer
-from typer.core import TyperGroup
 
 from carom.cli.interrupts import noticed_interrupts, say_interrupted
+from carom.cli.verbs import App, help_of, usage_fault
 from carom.errors import CaromError
 from carom.public.interrupts import INTERRUPTED
 
+app = App(name="carom")
 
-class Verbs(TyperGroup):
-    """The verbs, of which some are two words: ``fit gas``, unless the second is a file."""
-
-    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
-        """Return the command that the first words name, and the rest of the arguments."""
-        if (two := " ".join(args[:2])) in self.commands and len(args) > 1 and not os.path.exists(args[1]):
-            args = [two, *args[2:]]
-        return super().resolve_command(ctx, args)
-
-
-app = typer.Typer(
-    name="carom",
-    cls=Verbs,
-    no_args_is_help=True,
-    pretty_exceptions_enable=False,
-)
-
-# Each module has a function `register(app)`, and imports heavy libraries inside its commands.
+# Each module has a function `register(app)`, and imports heavy libraries inside its commands; by heading of the help.
 # fmt: off
-MODULES: tuple[str, ...] = (
-    "compare", "catalog", "paper", "predict", "scene", "simulate", "aim", "explore", "gas", "orbit", "sweep", "tracks", "fit",
-    "fit_gas", "design", "judge", "doctor", "warm",
-)
+MODULES: dict[str, tuple[str, ...]] = {
+    "Laws": ("compare", "catalog"),
+    "Shots": ("scene", "simulate", "aim", "explore", "sweep"),
+    "Billiards": ("orbit",),
+    "Gases": ("gas",),
+    "Measurements": ("tracks", "fit", "fit_gas", "predict", "design", "judge"),
+    "Installation": ("doctor", "warm"),
+    "The paper": ("paper",),
+}
 # fmt: on
 
-for module in MODULES:
-    importlib.import_module(f"carom.cli.{module}").register(app)
+for app.panel, modules in MODULES.items():
+    for module in modules:
+        importlib.import_module(f"carom.cli.{module}").register(app)
 
 
 def _version(wanted: bool) -> None:
@@ -92,11 +82,7 @@ def _guarded(asked: list[bool]) -> int:
 @functools.cache
 def _command() -> Any:
     """Return the whole command, which takes longer to make than most verbs to run (a process may run several)."""
-    from carom.cli.help import prepare_help
-    from carom.cli.option_names import remember_verbs
-    from carom.cli.usage import require_values
-
-    return require_values(remember_verbs(prepare_help(typer.main.get_command(app))))
+    return typer.main.get_command(app)
 
 
 def _run(asked: list[bool]) -> int:
@@ -116,8 +102,6 @@ def _run(asked: list[bool]) -> int:
             return _interrupted()
         if not hasattr(error, "format_message"):
             raise
-        from carom.cli.usage import help_of, usage_fault
-
         if type(error).__name__ == "NoArgsIsHelpError":
             sys.stderr.write(f"{error}\n")
         else:

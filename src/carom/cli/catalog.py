@@ -24,7 +24,6 @@ if TYPE_CHECKING:
 def register(app: typer.Typer) -> None:
     """Add the verbs to the command."""
     app.command("laws")(laws)
-    app.command("datasets")(datasets)
 
 
 def laws(

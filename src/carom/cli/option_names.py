@@ -9,18 +9,6 @@ from typing import Any
 
 from carom.errors import Fault
 
-__all__ = [
-    "SYNONYMS",
-    "as_option",
-    "in_options",
-    "option_of",
-    "options_of_all_verbs",
-    "parameter_of",
-    "remember_verbs",
-    "verbs_with",
-    "with_options",
-]
-
 PARAMETER = re.compile(r"(?:(carom(?: [a-z]+)+) )?`(\w+)(?:=([^`]*))?`")  # maybe after the verb that has it
 TEXTS = ("verdict", "sentence", "notes")  # fields of results
 # The functions and records whose arguments verbs take as options, as the ``where`` of faults names them; and the arguments that
@@ -40,24 +28,37 @@ ARGUMENT = re.compile(
     re.DOTALL,
 )
 SYNONYMS = {"max_bytes": "max_size"}  # parameters of other names than their option's, in all verbs
-_verbs: dict[str, dict[str, str]] = {}  # options by parameter, by verb
-_running: list[str] = [""]
+_running: list[Any] = []  # the context of the verb that runs
 
 
-def remember_verbs(command: Any, path: str = "carom") -> Any:
-    """Return a command, with all below it, that is remembered as the one that runs as soon as it does."""
-    options = [option for option in command.params if option.param_type_name == "option"]
-    _verbs[path] = {parameter_of(option): option.opts[0] for option in options}
-    _verbs[path] |= {name.strip("-").replace("-", "_"): name for option in options for name in option.opts}
-    command.invoke = functools.partial(_invoke, path, command.invoke)
-    for name, inner in getattr(command, "commands", {}).items():
-        remember_verbs(inner, f"{path} {name}")
-    return command
+def begin(context: Any) -> None:
+    """Let texts of the library name the options of this verb from here on."""
+    _running[:] = [context]
 
 
-def _invoke(path: str, invoke: Any, context: Any) -> Any:
-    _running[0] = path
-    return invoke(context)
+def path_of(context: Any) -> list[str]:
+    """Return the words that name a verb: carom, its group, itself."""
+    return [*path_of(context.parent), context.info_name] if context.parent else ["carom"]
+
+
+@functools.lru_cache(maxsize=4)
+def _options(root: Any) -> dict[str, dict[str, str]]:
+    """Return the options of all verbs by parameter, by verb."""
+    found = {}
+
+    def collect(command: Any, path: str) -> None:
+        options = [option for option in command.params if option.param_type_name == "option"]
+        found[path] = {parameter_of(option): option.opts[0] for option in options}
+        found[path] |= {name.strip("-").replace("-", "_"): name for option in options for name in option.opts}
+        for name, inner in getattr(command, "commands", {}).items():
+            collect(inner, f"{path} {name}")
+
+    collect(root, "carom")
+    return found
+
+
+def _verbs() -> dict[str, dict[str, str]]:
+    return _options(_running[0].find_root().command) if _running else {}
 
 
 def parameter_of(option: Any) -> str:
@@ -69,22 +70,23 @@ def option_of(parameter: str) -> str:
     """Return the option of the running verb for a parameter; where it has none, another verb's, with its name, or the parameter."""
     if option := _own(parameter):
         return option
-    return next((f"{own[parameter]} of {verb}" for verb, own in _verbs.items() if parameter in own), parameter)
+    return next((f"{own[parameter]} of {verb}" for verb, own in _verbs().items() if parameter in own), parameter)
 
 
 def _own(parameter: str) -> str | None:
-    own, parameter = _verbs.get(_running[0], {}), SYNONYMS.get(parameter, parameter)
+    own = _verbs().get(" ".join(path_of(_running[0])), {}) if _running else {}
+    parameter = SYNONYMS.get(parameter, parameter)
     return own.get(parameter, own.get(parameter.removesuffix("_deg")))
 
 
 def verbs_with(option: str) -> list[str]:
     """Return the verbs that have an option."""
-    return [verb for verb, own in _verbs.items() if option in own.values()]
+    return [verb for verb, own in _verbs().items() if option in own.values()]
 
 
 def options_of_all_verbs() -> list[str]:
     """Return the options of all verbs."""
-    return sorted({option for own in _verbs.values() for option in own.values()})
+    return sorted({option for own in _verbs().values() for option in own.values()})
 
 
 def in_options(text: str) -> str:
@@ -96,8 +98,8 @@ def _in_options(found: re.Match[str]) -> str:
     said, parameter, value = found[1], found[2], (found[3] or "").strip("'\"")
     if said:
         words = said.split()
-        verb = next((name for k in range(len(words), 0, -1) if (name := " ".join(words[:k])) in _verbs), "")
-        option = _verbs.get(verb, {}).get(parameter) or option_of(parameter)
+        verb = next((name for k in range(len(words), 0, -1) if (name := " ".join(words[:k])) in _verbs()), "")
+        option = _verbs().get(verb, {}).get(parameter) or option_of(parameter)
     else:
         option = (_own(parameter) or parameter) if found.start() == 0 else option_of(parameter)
     if option == parameter and value:

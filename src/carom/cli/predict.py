@@ -9,6 +9,7 @@ import typer
 from rich.console import Console
 from rich.text import Text
 
+from carom.cli.catalog import datasets
 from carom.cli.common import require_outputs, wrote
 from carom.cli.console import err
 from carom.cli.option_names import in_options
@@ -24,7 +25,8 @@ OTHER_TABLES = (".xlsx", ".xls", ".ods", ".json", ".nc", ".h5", ".feather")  # f
 
 
 def register(app: typer.Typer) -> None:
-    """Add the verb."""
+    """Add the verb, and the published tables before it."""
+    app.command()(datasets)
     app.command()(predict)
 
 

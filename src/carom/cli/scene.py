@@ -10,11 +10,12 @@ import typer
 
 from carom.cli.options import quantity, shared
 from carom.cli.streams import say_json
+from carom.cli.verbs import App
 
 
 def register(app: typer.Typer) -> None:
     """Add the verbs to the command."""
-    scene = typer.Typer(help="Write a first scene file, or validate one.", no_args_is_help=True)
+    scene = App(help="Write a first scene file, or validate one.")
     scene.command("new")(new)
     scene.command("check")(check)
     app.add_typer(scene, name="scene")

@@ -12,6 +12,7 @@ from carom.cli.common import require_outputs, wrote
 from carom.cli.options import OUTPUT, RUN, option, shared
 from carom.cli.progress import working
 from carom.cli.streams import say_json
+from carom.cli.verbs import App
 from carom.errors import CaromError, FaultList
 from carom.formatting import counted
 
@@ -31,9 +32,7 @@ JSON = Annotated[bool, shared("json")]
 
 def register(app: typer.Typer) -> None:
     """Add the verbs to the command."""
-    verbs = typer.Typer(
-        help="Compute maps over parameters of a scene, an impact, an orbit or a gas.", no_args_is_help=True
-    )
+    verbs = App(help="Compute maps over parameters of a scene, an impact, an orbit or a gas.")
     for verb in (new, explain, run, status, verify, plot):
         verbs.command(verb.__name__)(verb)
     app.add_typer(verbs, name="sweep")

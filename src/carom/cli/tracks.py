@@ -20,6 +20,7 @@ from carom.cli.pair_output import pair_facts, tell_pairs
 from carom.cli.progress import working
 from carom.cli.streams import say_json
 from carom.cli.tracks_output import facts, tell, tell_contacts
+from carom.cli.verbs import App
 from carom.errors import CaromError, FaultList, shortened_list
 from carom.formatting import counted
 from carom.public.defaults import GRAVITY, WINDOW
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
 TABLES = (".csv", ".txt", ".parquet", ".pq")
 FILE, FIT = "Track file", "Contact fits"
 
-tracks = typer.Typer(help="Tracks of filmed balls: summarise a file, and measure its rebounds.", no_args_is_help=True)
+tracks = App(help="Tracks of filmed balls: summarise a file, and measure its rebounds.")
 
 
 def register(app: typer.Typer) -> None:

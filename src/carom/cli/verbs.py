@@ -1,0 +1,207 @@
+"""The classes of the command: verbs and groups of verbs, what their help looks like, and words that they do not know."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import inspect
+import io
+import os
+import re
+import shutil
+import sys
+import textwrap
+from difflib import get_close_matches
+from typing import Any
+
+import typer
+from typer.core import TyperCommand, TyperGroup
+
+from carom.cli.option_names import begin, options_of_all_verbs, path_of, verbs_with
+from carom.errors import CaromError, Fault, did_you_mean, near_name, shortened_list
+
+NEARLY = 0.83  # of an option of another verb (difflib's ratio): one letter of a short word
+INDENT = 4
+
+
+class _Word:
+    """What verbs and groups share."""
+
+    def get_params(self, context: Any) -> Any:
+        """Return the parameters as the help shows them: no type of a flag, one of a list, one pair of brackets."""
+        found = super().get_params(context)  # type: ignore[misc]
+        for one in found:
+            if hasattr(one, "display_type_rich"):
+                one.display_type_rich = functools.partial(_type_of_one, type(one).display_type_rich, one)
+            if getattr(one, "is_flag", False):
+                one.metavar = one.metavar or ""
+            if isinstance(getattr(one, "show_default", None), str):
+                one.help, one.show_default = f"{one.help} [default: {one.show_default}]", False
+        return found
+
+    def parse_args(self, context: Any, given: list[str]) -> Any:
+        """Refuse an option without its value: it is the last word, or another option follows."""
+        begin(context)
+        _require_values(self, given)
+        return super().parse_args(context, given)  # type: ignore[misc]
+
+    def invoke(self, context: Any) -> Any:
+        """Run the verb; texts of the library name its options from here on."""
+        begin(context)
+        return super().invoke(context)  # type: ignore[misc]
+
+    def format_help(self, context: Any, formatter: Any) -> None:
+        """Print the help in panels; as plain text if the terminal is so narrow that Rich ends a name with an ellipsis."""
+        drawn = io.StringIO()
+        with contextlib.redirect_stdout(drawn):
+            super().format_help(context, formatter)  # type: ignore[misc]
+        if "…" in drawn.getvalue():
+            formatter.write(_plain_help(self, context, shutil.get_terminal_size().columns))
+        else:
+            super().format_help(context, formatter)  # type: ignore[misc]  # (again: to the terminal, in its colours)
+
+
+class Verb(_Word, TyperCommand):
+    """A verb."""
+
+
+class VerbGroup(_Word, TyperGroup):
+    """Verbs, of which some are two words: ``fit gas``, unless the second is a file."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        """Return the command that the first words name, and the rest of the arguments."""
+        if (two := " ".join(args[:2])) in self.commands and len(args) > 1 and not os.path.exists(args[1]):
+            args = [two, *args[2:]]
+        return super().resolve_command(ctx, args)
+
+
+class App(typer.Typer):
+    """A group of verbs to which functions are added."""
+
+    def __init__(self, **settings: Any) -> None:
+        super().__init__(cls=VerbGroup, no_args_is_help=True, pretty_exceptions_enable=False, **settings)
+
+    panel: str | None = None  # the heading of the help under which verbs are added
+
+    def command(self, name: str | None = None, **settings: Any) -> Any:
+        """Add a function as a verb."""
+        return super().command(name, cls=Verb, **{"rich_help_panel": self.panel, **settings})
+
+    def add_typer(self, typer_instance: typer.Typer, **settings: Any) -> None:
+        """Add a group of verbs."""
+        super().add_typer(typer_instance, **{"rich_help_panel": self.panel, **settings})
+
+
+def _type_of_one(display_type: Any, of: Any, ctx: Any) -> str | None:
+    """Return the type of one value where a parameter may be repeated: <str>, not <list[str]>."""
+    text = display_type(of, ctx)
+    return text and re.sub(r"<list\[(\w+)\]>", lambda found: f"<{found[1].lower()}>", text)
+
+
+def _plain_help(command: Any, context: Any, width: int) -> str:
+    """Return the help as lines of at most this width: names, and below each its text."""
+    lines = [*_wrap(context.get_usage(), width, 0), "", *_wrap(inspect.cleandoc(command.help or ""), width, 0)]
+    panels: dict[str, list[tuple[str, str]]] = {}
+    for option in command.get_params(context):
+        if record := option.get_help_record(context):
+            default = "Arguments" if option.param_type_name == "argument" else "Options"
+            panels.setdefault(option.rich_help_panel or default, []).append(record)
+    for name, inner in getattr(command, "commands", {}).items():
+        panels.setdefault(inner.rich_help_panel or "Commands", []).append((name, inner.get_short_help_str(1000)))
+    for panel, records in panels.items():
+        lines += ["", f"{panel}:"]
+        for names, text in records:
+            lines += [*_wrap(names, width, INDENT // 2), *_wrap(text, width, INDENT)]
+    return "\n".join(lines) + "\n"
+
+
+def _wrap(text: str, width: int, indent: int) -> list[str]:
+    space = " " * indent
+    return textwrap.wrap(
+        " ".join(text.split()), width, initial_indent=space, subsequent_indent=space, break_on_hyphens=False
+    )
+
+
+def usage_fault(error: Any) -> str:
+    """Return expectation and finding for the command's words; Typer's own sentence where it is another fault."""
+    context, kind = getattr(error, "ctx", None), type(error).__name__
+    message, said = str(error.format_message()), str(getattr(error, "message", ""))
+    if kind == "NoSuchOption" and context is not None:
+        return str(_unknown_option(error.option_name, context))
+    if message.startswith("No such command") and context is not None:
+        return str(_unknown_verb(context))
+    if kind == "MissingParameter" and (taken := _taken_for_a_value(context)):
+        return taken
+    names = getattr(getattr(error, "param", None), "opts", [])
+    expected = said.partition(", ")[0].removeprefix("Input should be ")
+    if expected == "Value error":  # raised by the parser of an option, which says all
+        return said.partition(", ")[2]
+    for k, word in enumerate(sys.argv):
+        name, _, value = word.partition("=")
+        if name in names and expected != said and (value or k + 1 < len(sys.argv)):
+            return str(Fault("", name, expected, f"{value or sys.argv[k + 1]!r:.60}"))
+    return message
+
+
+def help_of(error: Any) -> str:
+    """Return the words that show the help of the verb that an error is about."""
+    context = getattr(error, "ctx", None)
+    return " ".join([*(path_of(context) if context else ["carom"]), "--help"])
+
+
+def _values(name: str, command: Any) -> str:
+    """Return what an option takes: its values where its help names them."""
+    metavars = [str(one.metavar or "") for one in command.params if name in one.opts]
+    named = re.fullmatch(r"[a-z]+(\|[a-z]+)+", metavars[0] if metavars else "")
+    return named[0].replace("|", " or ") if named else "a value"
+
+
+def _taken_for_a_value(context: Any) -> str:
+    """Return the fault of an option that took the argument which is missing for its value, where its help names others."""
+    for option in context.command.params if context else ():
+        values = [] if not option.opts else _values(option.opts[0], context.command).split(" or ")
+        for k, word in enumerate(sys.argv[:-1]):
+            if word in option.opts and len(values) > 1 and sys.argv[k + 1] not in values:
+                return str(Fault("", word, " or ".join(values), f"{sys.argv[k + 1]!r:.60}"))
+    return ""
+
+
+def _require_values(command: Any, given: list[str]) -> None:
+    options = [one for one in command.params if one.param_type_name == "option"]
+    takes = {name for one in options if not one.is_flag for name in one.opts}
+    known = {name for one in options for name in (*one.opts, *one.secondary_opts)}
+    words = given[: given.index("--")] if "--" in given else given
+    for k, word in enumerate(words):
+        after = words[k + 1] if k + 1 < len(words) else None
+        if word in takes and (after is None or (after.startswith("--") and after.partition("=")[0] in known)):
+            got = f"the next option, {after}" if after is not None else "none"
+            raise CaromError(Fault("", word, _values(word, command), got))
+
+
+def _unknown_option(name: str, context: Any) -> Fault:
+    """Return the fault of an option that a verb does not have, with one that is near, or other verbs that have it."""
+    words = [one for option in context.command.params for one in (*option.opts, *option.secondary_opts)]
+    own = [one for one in words if one.startswith("--")]
+    said = name
+    if not (did_you_mean(name, own) or verbs_with(name)):
+        name = next(
+            iter(get_close_matches(name, options_of_all_verbs(), 1, NEARLY)), name
+        )  # (mistyped, of another verb)
+    verbs = verbs_with(name)
+    listed = (
+        shortened_list(verbs, 3) if len(verbs) > 3 else " and ".join(filter(None, (", ".join(verbs[:-1]), *verbs[-1:])))
+    )
+    elsewhere = f"{listed} {'have' if len(verbs) > 1 else 'has'} {name}" if verbs else ""
+    near = "" if verbs and name not in near_name(name, own) else did_you_mean(name, own)
+    return Fault("", said, f"an option of {' '.join(path_of(context))}", "", near or elsewhere)
+
+
+def _unknown_verb(context: Any) -> Fault:
+    """Return the fault of a verb that the command or one of its groups does not have."""
+    verbs, group = list(context.command.commands), context.info_name
+    words = sys.argv[len(path_of(context)) :]
+    word = next((one for one in words if not one.startswith("-")), "")
+    near = did_you_mean(word, verbs)
+    if context.parent and not near:
+        return Fault("", group, f"{' or '.join(verbs)} before {' '.join(words)!r:.60}")
+    return Fault("", group if context.parent else "", f"one of {', '.join(verbs)}", repr(word), near)
