@@ -55,7 +55,6 @@ OPTIONAL = {
     "imageio_ffmpeg": ("imageio-ffmpeg", "film"),
     "jax": ("JAX", "jax"),
     "matplotlib": ("Matplotlib", "plot"),
-    "mpmath": ("mpmath", "verify"),
     "msgpack": ("msgpack", "msgpack"),
     "pandas": ("pandas", "pandas"),
     "pyarrow": ("pyarrow", "parquet"),

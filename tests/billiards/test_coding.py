@@ -10,7 +10,6 @@ from reference.three_discs import codes, shortest
 
 import carom
 from carom import billiards
-from carom.errors import CaromError
 
 HIGH = 6 / math.sqrt(3)
 CENTRES = np.array([(0.0, HIGH), (-3.0, -HIGH / 2), (3.0, -HIGH / 2)])  # R = 6, a = 1
@@ -53,22 +52,11 @@ def test_every_code_of_three_discs_has_its_orbit() -> None:
             assert one.multipliers[0].real == pytest.approx(multiplier, rel=1e-8)
 
 
-def test_lists_of_three_discs_are_proved_complete() -> None:
-    found = billiards.periodic_orbits(DISCS, itinerary=billiards.codes(DISCS, 5), law="mirror", starts=4)
-    assert billiards.proved_complete(found, 5)
-    assert not billiards.proved_complete(found[:-1], 5)
-    assert not billiards.proved_complete(found, 4)
-    sinai = billiards.periodic_orbits(billiards.sinai(0.4), 2, law="mirror", starts=10)
-    with pytest.raises(CaromError, match="expected a table of round obstacles alone, and the mirror law, got sinai"):
-        billiards.proved_complete(sinai, 2)
-
-
 def test_a_disc_in_the_way_prunes_codes() -> None:
     # the disc in the middle stands between the outer two
     table = billiards.discs([(-2.0, 0.0, 0.5), (0.0, 0.0, 0.5), (2.0, 0.0, 0.5)])
     found = billiards.periodic_orbits(table, itinerary=["AB", "AC", "BC"], law="mirror", starts=10)
     assert [one.itinerary for one in found] == ["AB", "BC"]
-    assert not billiards.proved_complete(found, 2)
 
 
 def test_orbits_by_code_in_closed_tables() -> None:

@@ -13,7 +13,6 @@ from .birkhoff import digits_of_averages as digits_of_averages
 from .birkhoff import is_regular as is_regular
 from .birkhoff import rotation_number as rotation_number
 from .coded_orbits import codes as codes
-from .coded_orbits import proved_complete as proved_complete
 from .continuation import BranchPoint as BranchPoint
 from .continuation import OrbitBranch as OrbitBranch
 from .continuation import continue_orbit as continue_orbit

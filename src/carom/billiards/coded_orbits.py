@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +16,7 @@ from carom.billiards.symbols import letters_of
 from carom.billiards.tables import Table
 from carom.errors import CaromError, Fault
 
-__all__ = ["codes", "orbits_with_code", "proved_complete"]
+__all__ = ["codes", "orbits_with_code"]
 
 Array = NDArray[np.float64]
 ITERATIONS = 60  # of Newton's method for the polygons
@@ -71,54 +69,6 @@ def codes(table: Table, period: int) -> list[str]:
         if word == min(turns) and once and all(a != b or again[a] for a, b in zip(word, turns[1], strict=True)):
             found.add(word)
     return [letters_of(word) for word in sorted(found)]
-
-
-def proved_complete(found: Iterable[Any], period: int) -> bool:
-    """Return whether orbits are proved to be all of a period, in a table of round obstacles alone with the mirror law.
-
-    There a code has one orbit at most. For the length of a closed polygon is a convex function of its corners, each of which may
-    lie anywhere in its disc. An orbit of that code is a minimum of it, since at every corner the length falls along the inward
-    normal alone. Of two minima all polygons between would be minima with flights of the same directions, and with corners inside a
-    disc; there the flights go straight on, so that the orbits would not have bounced. So one verified orbit
-    (:attr:`PeriodicOrbit.verified`) for each of the :func:`codes` is the whole list.
-
-    Parameters
-    ----------
-    found : PeriodicOrbits
-        As of :func:`periodic_orbits` with ``itinerary=codes(table, period)``: a list by period has congruent orbits once only.
-    period : int
-
-    Returns
-    -------
-    bool
-        False where nothing is proved: an orbit that is not verified, a code without an orbit (a disc may stand in its way).
-
-    Raises
-    ------
-    CaromError
-        A table with other walls, or another law.
-
-    Examples
-    --------
-    >>> from carom import billiards
-    >>> table = billiards.discs()
-    >>> found = billiards.periodic_orbits(table, itinerary=billiards.codes(table, 3), law="mirror", starts=4)
-    >>> len(found), billiards.proved_complete(found, 3), billiards.proved_complete(found[:1], 3)
-    (2, True, False)
-    """
-    proved: set[str] = set()
-    setups = {}
-    for one in found:
-        if one.period == period and one.verified:
-            proved.add(one.itinerary)
-            setups[one.itinerary] = one.orbit.setup
-    for setup in setups.values():
-        shape = setup.shape
-        others = shape.faces or shape.windows or shape.inside or shape.ellipse or shape.curve or shape.cell
-        if others or EnergyShell(setup, 1.0).free.stop == 4:
-            expected = "a table of round obstacles alone, and the mirror law"
-            raise CaromError(Fault("proved_complete", "found", expected, f"{setup.table}, {setup.law}"))
-    return bool(setups) and set(codes(next(iter(setups.values())).table, period)) <= proved
 
 
 def _meets_itself(shape: Boundary) -> tuple[list[bool], list[bool]]:

@@ -22,7 +22,6 @@ from carom.billiards.tables import Table, in_magnetic_field, under
 from carom.billiards.tables import table as table_of
 from carom.bodies import Ball, Disc, Surface
 from carom.errors import CaromError, FaultList
-from carom.files import require_library
 from carom.laws.law import Law
 from carom.public.defaults import BOUNCES, PERIODIC_STARTS
 from carom.public.progress import Progress
@@ -83,7 +82,6 @@ def orbit(
     periodic: int | str | Iterable[int] | None = None,
     itinerary: str | Iterable[str] | None = None,
     starts: int = PERIODIC_STARTS,
-    verify: bool = False,
     progress: Progress | None = None,
     **sizes: Any,
 ) -> OrbitResult:
@@ -127,8 +125,6 @@ def orbit(
         In place of ``periodic`` the walls that periodic orbits meet, such as "ABC".
     starts : int
         Number of starts of that search, for each period.
-    verify : bool
-        Whether each of these orbits is verified: ``verified`` of it, by interval arithmetic (extra ``verify``).
     progress : callable(done, total, text), optional
         Called with the number of bounces done, and of all.
     **sizes : optional
@@ -152,16 +148,12 @@ def orbit(
     >>> carom.orbit("circle", 100, orbits=3, seed=1, lyapunov=True).spectrum.per_bounce.shape
     (3, 4)
     """
-    left_out = ("lyapunov", "progress", "periodic", "itinerary", "starts", "verify", "sizes")
+    left_out = ("lyapunov", "progress", "periodic", "itinerary", "starts", "sizes")
     options = {name: value for name, value in locals().items() if name not in (*left_out, "left_out")} | sizes
     setup: OrbitSetup
     setup, start = _checked(**options)
     surface = _surface(law, restitution, friction, tangential_restitution)
     closed = None
-    if verify:
-        require_library("mpmath", "`verify`")
-        if periodic is None and itinerary is None:
-            raise CaromError("`verify`: expected `periodic` with it, got none")
     if periodic is not None or itinerary is not None:
         closed = periodic_orbits(
             setup.table,
@@ -174,9 +166,6 @@ def orbit(
             seed=seed,
             progress=progress,
         )
-        if verify:
-            for one in closed:
-                _ = one.verified
     if start is None:
         start = sampled_starts(setup.table, orbits, seed, ball=setup.ball, law=law)
     found = orbit_from_setup(setup, start, bounces, progress)

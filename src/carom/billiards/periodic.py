@@ -60,7 +60,7 @@ def periodic_orbits(
 
     Starts are drawn from the invariant measure. Each is moved by Newton's steps until it closes after the given number of
     bounces; a step that does not bring it nearer is shortened. Nothing proves that a list is complete: it says how often each
-    orbit was found. That an orbit is there, and the only one near, is proved by :attr:`PeriodicOrbit.verified`.
+    orbit was found.
 
     Parameters
     ----------

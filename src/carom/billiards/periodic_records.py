@@ -4,17 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass
-from functools import cached_property
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards.energy_shell import EnergyShell
 from carom.billiards.orbits import Orbit
 from carom.billiards.symbols import letters_of
-from carom.billiards.verified import Verified, verify
 from carom.formatting import counted
 
 __all__ = ["PeriodicOrbit", "PeriodicOrbits"]
@@ -91,16 +88,8 @@ class PeriodicOrbit:
         walls = self.orbit.setup.shape.wall_parts(self.orbit.piece).tolist()
         return letters_of(min(walls[k:] + walls[:k] for k in range(self.period)))
 
-    @cached_property
-    def verified(self) -> Verified:
-        """Proof by interval arithmetic that exactly one orbit is near (extra ``verify``); computed when first asked for."""
-        return verify(EnergyShell(self.orbit.setup, self.energy), self.orbit, self.cells or (0, 0), self.family)
-
     def to_dict(self) -> dict[str, Any]:
-        """Return the orbit as plain numbers, for JSON: its multipliers as [real, imaginary], its bounces one after the other.
-
-        ``verified`` is among them if it has been asked for before.
-        """
+        """Return the orbit as plain numbers, for JSON: its multipliers as [real, imaginary], its bounces one after the other."""
         names = (
             "period", "duration", "stability", "trace", "rotation_number", "winding", "cells", "itinerary", "family", "error",
             "found",
@@ -110,7 +99,7 @@ class PeriodicOrbit:
             "multipliers": [[one.real, one.imag] for one in self.multipliers.tolist()],
             "position": run.position.tolist(), "velocity": run.velocity.tolist(), "spin": run.spin.tolist(),
             "piece": list(self.pieces),
-        } | ({"verified": asdict(self.verified)} if "verified" in self.__dict__ else {})  # fmt: skip
+        }  # fmt: skip
 
     def __repr__(self) -> str:
         """Return one line."""

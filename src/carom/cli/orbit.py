@@ -126,12 +126,6 @@ def orbit(
     starts: Annotated[
         int, option(OUTPUT, "Starts of the search for periodic orbits, for each period.")
     ] = PERIODIC_STARTS,
-    verify: Annotated[
-        bool,
-        option(
-            OUTPUT, "Prove by interval arithmetic that each periodic orbit is there, and the only one near.", "--verify"
-        ),
-    ] = False,
     json_: Annotated[bool, shared("json", help="Print JSON on standard output, with every bounce.")] = False,
     radius: Old = None,
     major: Old = None,
@@ -183,7 +177,6 @@ def orbit(
             periodic=periodic,
             itinerary=codes,
             starts=starts,
-            verify=verify,
             progress=report,
             **options,
         )

@@ -183,8 +183,6 @@ def print_orbit(facts: dict[str, Any], found: OrbitResult) -> None:
         console.print(_meaning(both), style="dim", soft_wrap=True)
     if found.periodic is not None:
         console.print(_periodic_orbits(found.periodic))
-        for line in _verified(found.periodic):
-            console.print(line, style="dim", soft_wrap=True)
         console.print(found.periodic.completeness, style="dim", soft_wrap=True)
     elif facts["orbits"] == 1 and facts["count"]:
         console.print(_first_bounces(found))
@@ -227,26 +225,6 @@ def _periodic_orbits(found: PeriodicOrbits) -> Any:
             str(one.family) if one.family else "–", str(one.found),
         )  # fmt: skip
     return grid
-
-
-def _verified(found: PeriodicOrbits) -> list[str]:
-    """Return lines on the proofs, if they were asked for: how many orbits, how near the next may be, why others have none."""
-    from carom.billiards.verified import rounded
-
-    asked = [one.verified for one in found if "verified" in one.__dict__]
-    shown = [one for one in asked if one]
-    lines = []
-    if shown:
-        lines.append(
-            f"Verified: {len(shown)} of {counted(len(found), 'orbit')}, known to"
-            f" {rounded(max(one.error for one in shown), 1)} and each the only one within"
-            f" {rounded(min(one.radius for one in shown), -1)}"
-            " (relative to size and speed)."
-        )
-    reasons = dict.fromkeys(one.reason for one in asked if not one)
-    return lines + [
-        f"Not verified: {counted(sum(one.reason == reason for one in asked), 'orbit')}: {reason}." for reason in reasons
-    ]
 
 
 def _meaning(exponents: dict[str, Any]) -> str:

@@ -45,17 +45,13 @@ class Jet:
     def __init__(self, x: Any, d: Any, dd: Any) -> None:
         self.x, self.d, self.dd = np.asarray(x, float), np.asarray(d, float), np.asarray(dd, float)
 
-    def made(self, x: Any, d: Any, dd: Any) -> Jet:
-        """Return a jet of the same kind of numbers."""
-        return Jet(x, d, dd)
-
     def like(self, x: Any) -> Jet:
         """Return a number as a jet of the same kind without derivatives; a jet as it is."""
-        return x if isinstance(x, Jet) else self.made(x, 0.0, 0.0)
+        return x if isinstance(x, Jet) else Jet(x, 0.0, 0.0)
 
     def of(self, x: Any, first: Any, second: Any) -> Jet:
         """Return a function of it that has the value x and these derivatives by it."""
-        return self.made(x, first * self.d, second * self.d**2 + first * self.dd)
+        return Jet(x, first * self.d, second * self.d**2 + first * self.dd)
 
     def function(self, name: str) -> Jet:
         """Return one of FUNCTIONS of it."""
@@ -64,11 +60,11 @@ class Jet:
     def __add__(self, other: Any) -> Jet:
         """Return the sum."""
         q = self.like(other)
-        return self.made(self.x + q.x, self.d + q.d, self.dd + q.dd)
+        return Jet(self.x + q.x, self.d + q.d, self.dd + q.dd)
 
     def __neg__(self) -> Jet:
         """Return the negative."""
-        return self.made(-self.x, -self.d, -self.dd)
+        return Jet(-self.x, -self.d, -self.dd)
 
     def __pos__(self) -> Jet:
         """Return itself."""
@@ -86,7 +82,7 @@ class Jet:
     def __mul__(self, other: Any) -> Jet:
         """Return the product."""
         q = self.like(other)
-        return self.made(self.x * q.x, self.d * q.x + self.x * q.d, self.dd * q.x + 2 * self.d * q.d + self.x * q.dd)
+        return Jet(self.x * q.x, self.d * q.x + self.x * q.d, self.dd * q.x + 2 * self.d * q.d + self.x * q.dd)
 
     def __truediv__(self, other: Any) -> Jet:
         """Return the quotient."""
