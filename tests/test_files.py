@@ -8,12 +8,19 @@ import sys
 from pathlib import Path
 
 import pytest
+import tomli_w
 from reference.forking import Forked
 
+import carom
 from carom import files
 from carom.cli import main
+from carom.data.datasets.carom_tracks import write_carom_tracks
 from carom.errors import CaromError, MissingLibraryError
 from carom.files import OPTIONAL, atomic_path, install_command, require_library, require_writable, write_text
+from carom.gas.snapshots import read_initial_state
+from carom.laws.user import find_law
+from carom.public.own_laws import OwnLaw
+from carom.tracks import judge
 
 
 def fail_half_way(target, error):
@@ -191,3 +198,62 @@ def test_pictures_need_no_scipy(tmp_path: Path, forked: Forked) -> None:
     code = "import sys; sys.modules['scipy'] = None; from carom import plot; print(all(getattr(plot, one) for one in plot.__all__))"
     ended, out, err = forked(tmp_path, "-c", code)
     assert (ended, out.strip(), err) == (0, "True", "")
+
+
+READERS = {
+    "scene": carom.load_scene,
+    "gas": carom.gas.load_gas,
+    "sweep": carom.sweeps.load_sweep,
+    "checkpoint": carom.gas.load_checkpoint,
+    "start.csv": lambda path: read_initial_state(Path(path), 3, (1.0, 1.0, 1.0)),
+    "run.parquet": carom.load_trajectory,
+    "run.nc": carom.load_trajectory,
+    "rebounds": carom.data.read_rebounds,
+    "rebounds.parquet": carom.data.read_rebounds,
+    "states": carom.predict,
+    "states.pq": carom.predict,
+    "tracks": carom.tracks.read_tracks,
+    "paths": lambda path: judge(path, radius=0.03),
+    "paths.json": lambda path: judge(path, radius=0.03),
+    "films": lambda path: carom.fit([path, path], radius=0.03),
+    "figure.json": lambda path: carom.billiards.table(Path(path)),
+    "figure.toml": lambda path: carom.billiards.table(Path(path)),
+    "law.py": lambda path: find_law(OwnLaw(f"{path}:law")),
+    "shot.json": carom.interop.pooltool.read,
+    "shot.msgpack": carom.interop.pooltool.read,
+    "all.sapy": lambda path: write_carom_tracks(path, Path(path).parent / "out.csv"),
+}
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs pipes with names")
+@pytest.mark.parametrize("name", READERS)
+def test_no_reader_opens_what_has_no_end(name, tmp_path):
+    """A pipe would wait for ever, a device fill the memory; what is expected, and where, differs from reader to reader."""
+    path = tmp_path / name
+    os.mkfifo(path)
+    with pytest.raises(CaromError) as caught:
+        READERS[name](path)
+    assert {"a device or a pipe"} == {one.got for one in caught.value.records}
+    path.unlink()
+    path.symlink_to("/dev/zero")
+    with pytest.raises(CaromError):
+        READERS[name](path)
+
+
+@pytest.mark.parametrize("name", ["scene", "gas", "sweep", "figure.json", "law.py", "tracks", "rebounds", "paths.json"])
+def test_a_file_that_would_fill_the_memory_is_not_read(name, tmp_path):
+    path = tmp_path / name
+    with path.open("wb") as file:
+        file.truncate(1 << 42)  # (of holes: it takes no room on the disk)
+    with pytest.raises(CaromError) as caught:
+        READERS[name](path)
+    assert {one.got for one in caught.value.records} == {"4.4 TB"}
+
+
+def test_a_sweep_that_names_a_device(tmp_path):
+    for kind, given in (("scene", "/dev/zero"), ("gas", "/dev/urandom"), ("scene", "a\0b")):
+        sweep = {kind: given, "keep": ["final.position"], "parameters": {"balls.0.radius": [1.0]}}
+        (tmp_path / "s.toml").write_text(tomli_w.dumps(sweep))
+        with pytest.raises(CaromError) as caught:
+            carom.sweeps.load_sweep(tmp_path / "s.toml")
+        assert len(caught.value.faults) == 1

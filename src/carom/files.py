@@ -14,10 +14,12 @@ import glob
 import importlib
 import importlib.util
 import io
+import math
 import os
 import platform
 import shlex
 import shutil
+import stat
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
@@ -36,6 +38,8 @@ __all__ = [
     "cannot_write",
     "import_optional",
     "install_command",
+    "open_regular",
+    "read_regular",
     "read_text",
     "require_library",
     "require_unpacked_size",
@@ -346,6 +350,46 @@ def write_text(target: Path | None, text: str) -> None:
         file.write(text.encode())
 
 
+# --- opening what may be anything --------------------------------------------------------------------------------------
+
+MOST_TEXT = 1 << 26  # bytes of a scene, or of another file that a person writes,
+MOST_TABLE = 1 << 30  # and of a table that is in memory as a whole
+READABLE = "a file that can be read"
+
+
+def open_regular(path: Path, what: str = READABLE, most: float = math.inf, advice: str = "") -> BinaryIO:
+    """Open a file that a user, or another file, names; what every reader begins with.
+
+    A device or a pipe has no end, or waits for ever. Raises CaromError, one line, for what is no regular file, is larger than
+    ``most`` bytes, or cannot be opened; ``what`` is what was expected, ``advice`` helps where there is no file.
+    """
+    try:
+        about = path.stat()
+        if stat.S_ISREG(about.st_mode) and about.st_size <= most:
+            return path.open("rb")
+    except OSError as error:
+        missing = isinstance(error, FileNotFoundError)
+        raise CaromError(Fault(f"{path}", "", what, f": {error.strerror}", advice if missing else "")) from None
+    except ValueError:  # (a zero byte)
+        raise CaromError(Fault(f"{path}", "", what, "no name of a file")) from None
+    if stat.S_ISREG(about.st_mode):
+        raise CaromError(
+            Fault(f"{path}", "", f"{what} of at most {format_bytes(most)}", format_bytes(about.st_size), "divide it")
+        )
+    if stat.S_ISDIR(about.st_mode):
+        raise CaromError(Fault(f"{path}", "", what, "a folder"))
+    raise CaromError(Fault(f"{path}", "", what, "a device or a pipe", "write what it gives to a file first"))
+
+
+def read_regular(path: Path, what: str = READABLE, most: int = MOST_TEXT, advice: str = "") -> bytes:
+    """Return the bytes of a file that is opened as by :func:`open_regular`."""
+    with open_regular(path, what, most, advice) as file:
+        raw = file.read(most + 1)  # (a file of the system may say that it is empty)
+    if len(raw) > most:
+        raise CaromError(Fault(f"{path}", "", f"{what} of at most {format_bytes(most)}", "more"))
+    return raw
+
+
 # --- how large a file becomes --------------------------------------------------------------------------------------
 
 MOST_UNPACKED = 1 << 28  # bytes in memory that the arrays of any file may take,
@@ -399,10 +443,7 @@ def read_text(path: Path) -> str:
 
     Raises CaromError for a file that cannot be read, for a binary one, and for UTF-16 that is damaged.
     """
-    try:
-        raw = path.read_bytes()
-    except OSError as error:
-        raise CaromError(f"{path}: expected a file that can be read, got: {error.strerror}") from None
+    raw = read_regular(path, most=MOST_TABLE)
     encoding = text_encoding(raw)
     raw = raw[len(encoding.mark) :]
     try:

@@ -811,9 +811,8 @@ def test_a_table_that_is_not_there_is_one_line_from_python(tmp_path):
     for out in (None, tmp_path / "out.csv"):
         with pytest.raises(carom.CaromError) as caught:
             carom.predict(tmp_path / "none.csv", out=out)
-        assert caught.value.faults == (
-            f"table {str(tmp_path / 'none.csv')!r}: expected a CSV or Parquet file, got: No such file or directory",
-        )
+        (one,) = caught.value.records
+        assert (one.where, one.got) == (str(tmp_path / "none.csv"), ": No such file or directory")
     with pytest.raises(carom.CaromError, match=r"got none$"):
         carom.predict({})
 

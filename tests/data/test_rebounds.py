@@ -185,7 +185,7 @@ def test_the_smallest_speed_and_the_smallest_error_bar_give_no_warnings_of_numpy
 
 
 def test_nothing_to_read(tmp_path: Path) -> None:
-    with pytest.raises(CaromError, match="no such file"):
+    with pytest.raises(CaromError, match="No such file"):
         read_rebounds(tmp_path / "none.csv")
     assert "expected rebounds, got none" in faults(tmp_path, f"{PLANAR}\n")[0]
     assert "empty file" in faults(tmp_path, "")[0]

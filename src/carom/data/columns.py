@@ -13,6 +13,7 @@ from carom.data.csv import CsvTable, TableChunk
 from carom.data.plan import TablePlan
 from carom.data.table_cells import decimal_commas, parse_numbers
 from carom.errors import CaromError
+from carom.files import MOST_TABLE, open_regular
 
 __all__ = ["ColumnTable", "Columns", "as_columns", "is_columns", "read_columns"]
 
@@ -90,15 +91,12 @@ def read_columns(path: Path) -> tuple[Columns, list[str]]:
     A column of which every cell is a number or empty is one of floats, NaN where empty; another one is text. Raises CaromError, one
     line, for a file that cannot be opened.
     """
-    try:
-        path.open("rb").close()
-    except OSError as error:
-        raise CaromError(f"{path}: expected a file that can be read, got: {error.strerror}") from None
+    open_regular(path, most=MOST_TABLE).close()
     if path.suffix.lower() in (".parquet", ".pq"):
         from carom.data.parquet import ParquetTable
 
         with ParquetTable(path) as table:
-            arrow = table.file.read()
+            arrow = table.whole()
         columns = {name: arrow.column(i).to_numpy() for i, name in enumerate(table.headers)}
         return columns, [f"row {i + 1}" for i in range(arrow.num_rows)]
     with CsvTable(path) as text:

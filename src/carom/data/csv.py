@@ -19,7 +19,7 @@ from carom.data.headers import ColumnNames, with_units_below
 from carom.data.plan import BOUNCE, TablePlan
 from carom.data.table_cells import COMMENT, EMPTY, SPREADSHEET, decimal_commas, parse_numbers
 from carom.errors import CaromError
-from carom.files import text_encoding
+from carom.files import open_regular, text_encoding
 
 __all__ = ["CHUNK_ROWS", "LEADING_LINES", "CsvTable", "TableChunk"]
 
@@ -94,7 +94,7 @@ class CsvTable:
         well, and a row of units below it.
         """
         self.path, self.names = path, names
-        self.raw = path.open("rb")
+        self.raw = open_regular(path)
         try:
             self._begin()
         except BaseException:
@@ -111,13 +111,13 @@ class CsvTable:
         text = io.TextIOWrapper(self.raw, encoding=self.encoding.codec, errors=self.on_error, newline="")
         self.lines = NumberedLines(text)
         self.size = path.stat().st_size
-        first = next((line for line in self.lines if line.strip()), "")
-        if not first:
+        zeros = b"\0" in start and self.encoding.codec == "utf-8"
+        first = "" if zeros else next((line for line in self.lines if line.strip()), "")
+        if not first and not zeros:
             raise CaromError(f"{path}: expected a header line and rows, got an empty file")
         named = SPREADSHEET.match(first)
         if named:
             first = next((line for line in self.lines if line.strip()), "")
-        zeros = b"\0" in start and self.encoding.codec == "utf-8"
         if zeros or any(sign < " " and sign not in "\t\r\n" for sign in first):
             raise CaromError(f"{path}: expected a CSV file, a line of text with names first, got a binary file")
         first = self._without_lines_above(first)

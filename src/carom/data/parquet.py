@@ -13,12 +13,13 @@ from numpy.typing import NDArray
 from carom.data.csv import TableChunk
 from carom.data.plan import TablePlan
 from carom.errors import CaromError
-from carom.files import import_optional
+from carom.files import import_optional, open_regular, require_unpacked_size
 
 __all__ = ["ParquetTable"]
 
 Array = NDArray[np.float64]
 CHUNK_ROWS = 1 << 17
+CELL_BYTES = 8  # of a number in memory
 
 
 class ParquetTable:
@@ -28,6 +29,7 @@ class ParquetTable:
         """Open a file and read its headers. Raises CaromError for a file that is not Parquet."""
         pa, pq = (import_optional(name, str(path)) for name in ("pyarrow", "pyarrow.parquet"))
         self.path = path
+        open_regular(path, "a Parquet file").close()
         self.pa, self.pq = pa, pq
         try:
             # no read-ahead: a file that is one large row group is still read a page at a time
@@ -48,6 +50,20 @@ class ParquetTable:
         """Close the file."""
         self.file.close()
 
+    def whole(self) -> Any:
+        """Return the table in memory. Raises CaromError for a damaged file, and one that would fill the memory."""
+        require_unpacked_size(self.path, CELL_BYTES * self.file.metadata.num_rows * len(self.headers))
+        with self._complete():
+            return self.file.read()
+
+    @contextlib.contextmanager
+    def _complete(self) -> Iterator[None]:
+        try:
+            yield
+        except (self.pa.ArrowException, OSError) as error:
+            got = str(error).splitlines()[0]
+            raise CaromError(f"{self.path}: expected a complete Parquet file, got: {got}") from None
+
     def chunks(self, plan: TablePlan) -> Iterator[TableChunk]:
         """Iterate over the rows in chunks."""
         types = self.pa.types
@@ -59,7 +75,7 @@ class ParquetTable:
         if faults:
             raise CaromError(*faults)
         start = 0
-        try:
+        with self._complete():
             for batch in self.file.iter_batches(CHUNK_ROWS):
                 if not batch.num_rows:
                     continue
@@ -71,10 +87,6 @@ class ParquetTable:
                 yield TableChunk(columns, notes, _row_label(start), batch)
                 start += batch.num_rows
                 self.done = start
-        except self.pa.ArrowException as error:
-            raise CaromError(
-                f"{self.path}: expected a complete Parquet file, got: {str(error).splitlines()[0]}"
-            ) from None
 
     def _numbers(self, column: Any, header: str, notes: dict[int, str], may_be_empty: bool) -> Array:
         values: Array = column.cast(self.pa.float64(), safe=False).to_numpy(zero_copy_only=False)

@@ -25,7 +25,7 @@ from carom.data.headers import STATE_NAMES
 from carom.data.limits import bad_numbers
 from carom.data.plan import BOUNCE, PredictSettings, SpinRule, make_plan, unread
 from carom.errors import CaromError, FaultList, suggestion
-from carom.files import as_path, atomic_file
+from carom.files import as_path, atomic_file, open_regular
 from carom.formatting import counted
 from carom.laws.law import Law
 from carom.laws.results import FloorContact
@@ -207,16 +207,11 @@ def _strict(source: str, summary: PredictSummary, count: int) -> list[str]:
 
 def _first_bytes(source: Path) -> bytes:
     """Return the first four bytes of a table. Raises CaromError for a file that cannot be read."""
-    try:
-        with source.open("rb") as file:
-            return file.read(4)
-    except OSError as error:
-        from carom.data import datasets
+    from carom.data import datasets
 
-        hint = f"; carom datasets {source} `out` {source}.csv writes it" if str(source) in datasets.names() else ""
-        raise CaromError(
-            f"table {str(source)!r}: expected a CSV or Parquet file, got: {error.strerror}{hint}"
-        ) from None
+    hint = f"carom datasets {source} `out` {source}.csv writes it" if str(source) in datasets.names() else ""
+    with open_regular(source, "a CSV or Parquet file", advice=hint) as file:
+        return file.read(4)
 
 
 def _open(source: Path, target: Path | None) -> Any:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from carom.data.csv import LEADING_LINES, CsvTable
 from carom.data.headers import BRACKETS, DIRECTION_COLUMN, DIRECTION_UNIT, Heading, missing_unit
-from carom.data.rebounds import CELL_BYTES, NAMED, Kind, Rebounds, make_rebounds, rows_of_stage, stages_of_column
+from carom.data.rebounds import NAMED, Kind, Rebounds, make_rebounds, rows_of_stage, stages_of_column
 from carom.data.remarks import EMPTY_CELL, which_rows
 from carom.data.table_cells import (
     COMMENT,
@@ -31,7 +31,7 @@ from carom.data.table_cells import (
 )
 from carom.data.written_forms import TARGETS, WRITTEN, components
 from carom.errors import CaromError, FaultList, suggestion
-from carom.files import as_path, require_unpacked_size
+from carom.files import MOST_TABLE, as_path, open_regular
 
 __all__ = ["heads_rebounds", "read_rebounds", "rebounds_of_columns"]
 
@@ -81,8 +81,7 @@ def read_rebounds(
     ('table', array([1.5]), ('line 2',))
     """
     path = as_path("read_rebounds", path)
-    if not path.is_file():
-        raise CaromError(f"{path}: expected a table of rebounds, got {'a folder' if path.is_dir() else 'no such file'}")
+    open_regular(path, "a table of rebounds", MOST_TABLE).close()
     faults = FaultList(str(path))
     read = _read_parquet if path.suffix.lower() in (".parquet", ".pq") else _read_csv
     headers, cells, rows, number = read(path, faults)
@@ -319,8 +318,7 @@ def _read_parquet(path: Path, faults: FaultList) -> Reader:
     from carom.data.parquet import ParquetTable
 
     with ParquetTable(path) as table:
-        require_unpacked_size(path, CELL_BYTES * table.file.metadata.num_rows * len(table.headers))
-        arrow = table.file.read()
+        arrow = table.whole()
     lines = [f"row {i + 1}" for i in range(arrow.num_rows)]
 
     def number(i: int, header: str) -> Numbers:

@@ -36,7 +36,6 @@ __all__ = ["COLUMNS", "KINDS", "STAGES", "Kind", "Rebounds", "make_rebounds", "r
 Array = NDArray[np.float64]
 Kind = Literal["planar", "table"]
 KINDS: tuple[Kind, ...] = ("planar", "table")
-CELL_BYTES = 8  # of a number in memory
 STAGES = ("after_wall", "rolling")
 COLUMNS: dict[Kind, tuple[str, ...]] = {
     "planar": ("v_n_in", "v_t_in", "spin_in", "v_n_out", "v_t_out", "spin_out"),

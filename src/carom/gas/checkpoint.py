@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.files import as_path, atomic_file
+from carom.files import as_path, atomic_file, open_regular
 from carom.gas.npz import npz_headers, require_npz_size
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
@@ -104,10 +104,10 @@ def _write_blocks(archive: zipfile.ZipFile, name: str, length: int, blocks: Iter
 
 def require_checkpoint(path: Path) -> None:
     """Raise CaromError where a checkpoint would replace a file that is not a checkpoint."""
-    try:
-        is_other = path.exists() and not zipfile.is_zipfile(path)
-    except OSError as error:
-        raise CaromError(f"{path}: expected a checkpoint to replace, got: {error.strerror}") from None
+    if not path.exists():
+        return
+    with open_regular(path, "a checkpoint to replace") as file:
+        is_other = not zipfile.is_zipfile(file)
     if is_other:
         raise CaromError(
             f"{path}: expected a checkpoint or a new file, got an existing file of another kind; choose a new name"
@@ -147,11 +147,7 @@ def load_checkpoint(
     carom.errors.CaromError: missing.npz: expected a checkpoint, got: No such file or directory
     """
     path = as_path("load_checkpoint", path)
-    try:
-        raw = path.open("rb")
-    except OSError as error:
-        raise CaromError(f"{path}: expected a checkpoint, got: {error.strerror}") from None
-    with raw:
+    with open_regular(path, "a checkpoint") as raw:
         state = _Arrays(path, raw)
         about = state.about
         if about["format"] != FORMAT:

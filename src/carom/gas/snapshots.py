@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from carom.data.table_cells import parse_numbers
 from carom.errors import CaromError, Fault, suggestion
-from carom.files import atomic_path, cannot_write, import_optional, read_text, require_unpacked_size
+from carom.files import atomic_path, cannot_write, import_optional, open_regular, read_text, require_unpacked_size
 from carom.formatting import format_bytes
 from carom.gas.gas import Gas
 from carom.gas.npz import ArrayHeader, npz_headers, require_npz_size
@@ -246,11 +246,7 @@ def read_initial_state(path: Path, axes: int, size: tuple[float, ...], count: in
     With the number of balls that is expected, arrays of another number are refused by their headers, before they are unpacked.
     Raises CaromError, one line, for what is missing or not a finite number.
     """
-    try:
-        with path.open("rb"):
-            pass
-    except OSError as error:
-        raise CaromError(f"{path}: expected a file with positions, got: {error.strerror}") from None
+    open_regular(path, "a file with positions").close()
     kind = path.suffix.lower()
     start = (
         _read_csv(path, axes)
@@ -319,7 +315,7 @@ def _require_headers(path: Path, headers: dict[str, ArrayHeader], count: int | N
 
 def _read_npz(path: Path, count: int | None) -> InitialState:
     try:
-        with path.open("rb") as raw:
+        with open_regular(path) as raw:
             headers = npz_headers(path, raw)
             _require_headers(path, headers, count)
             require_npz_size(path, headers)

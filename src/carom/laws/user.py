@@ -7,13 +7,14 @@ import importlib.util
 import math
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from carom.core.jit.kernel import kernel
 from carom.errors import CaromError, Fault, require_type, shown, suggestion
+from carom.files import read_regular
 from carom.laws.arrays import WallKernel
 from carom.laws.law import Answer, Card, Law, Meeting, wall_law
 from carom.laws.registry import law_named
@@ -49,9 +50,9 @@ def find_law(name: str) -> Law:
         return law_named(name)
     path = Path(file)
     try:
-        text = path.read_bytes()
-    except OSError as error:
-        raise CaromError(Fault("", f"`law` {file}", "a Python file", f": {error.strerror}")) from None
+        text = read_regular(path, "a Python file")
+    except CaromError as error:
+        raise CaromError(*(replace(one, where="", field=f"`law` {file}") for one in error.records)) from None
     # The module's name depends on the file's content: compiled loops are cached by it, and an edited law is a different law.
     module_name = f"carom_law_{hashlib.sha256(str(path.resolve()).encode() + text).hexdigest()[:16]}"
     spec = importlib.util.spec_from_file_location(module_name, path)
@@ -111,7 +112,7 @@ class LawOfFile(Law):
 def law_of_file(source: str, digest: str) -> Law:
     """Return the law that was pickled; CaromError where its file is not there, or has changed."""
     path = Path(source.rpartition(":")[0])
-    if path.is_file() and hashlib.sha256(path.read_bytes()).hexdigest() != digest:
+    if path.is_file() and hashlib.sha256(read_regular(path)).hexdigest() != digest:
         raise CaromError(
             Fault("law", str(path), "the file as it was when the law was pickled", "one that has changed since")
         )

@@ -8,18 +8,17 @@ from pathlib import Path
 from typing import Any
 
 from carom.errors import CaromError, Fault, shortened_list
+from carom.files import read_regular
 
 __all__ = ["parse_toml", "read_toml"]
 
 
 def read_toml(path: Path, remedy: str, what: str = "a scene file") -> dict[str, Any]:
     """Return the table in a TOML file. CaromError, one line, if it has none; ``remedy`` helps where there is no file."""
+    if path.is_dir():
+        raise CaromError(Fault(f"{path}", "", what, "a folder", _scenes_in(path)))
     try:
-        text = path.read_bytes().decode("utf-8-sig")  # with or without a byte-order mark
-    except OSError as error:
-        got = "a folder" if path.is_dir() else f": {error.strerror}"
-        advice = remedy if isinstance(error, FileNotFoundError) else _scenes_in(path)
-        raise CaromError(Fault(f"{path}", "", what, got, advice)) from None
+        text = read_regular(path, what, advice=remedy).decode("utf-8-sig")  # with or without a byte-order mark
     except UnicodeDecodeError as error:
         raise CaromError(Fault(f"{path}", "", "text in UTF-8", f"byte {error.object[error.start]:#04x}")) from None
     return parse_toml(str(path), text)
@@ -27,8 +26,6 @@ def read_toml(path: Path, remedy: str, what: str = "a scene file") -> dict[str, 
 
 def _scenes_in(folder: Path) -> str:
     """Return advice where a folder is given in the place of a file: the files that may be meant."""
-    if not folder.is_dir():
-        return ""
     names = sorted(str(file) for file in folder.glob("*.toml"))
     return (
         f"name a file in it: {shortened_list(names, 4)}" if names else "name a file; it has none that ends with .toml"

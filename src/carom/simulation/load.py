@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.files import as_path, import_optional, require_unpacked_size
+from carom.files import as_path, import_optional, open_regular, require_unpacked_size
 from carom.scene.scene import Scene
 from carom.scene.schema import from_file
 from carom.simulation.records import LOG
@@ -48,11 +48,7 @@ def load_trajectory(path: str | Path, *, allow_own_laws: bool = False) -> Trajec
     path = as_path("load_trajectory", path)
     if path.suffix.lower() not in FORMATS:
         raise CaromError(f"{path}: expected a name that ends with {' or '.join(FORMATS)}, got {path.suffix!r}")
-    try:
-        with path.open("rb"):
-            pass
-    except OSError as error:
-        raise CaromError(f"{path}: expected a run that carom saved, got: {error.strerror}") from None
+    open_regular(path, "a run that carom saved").close()
     try:
         about, fields = _from_netcdf(path) if path.suffix.lower() == ".nc" else _from_parquet(path)
     except UnicodeDecodeError:

@@ -13,7 +13,7 @@ from carom.data.rebound_files import read_rebounds
 from carom.data.rebounds import Kind, Rebounds
 from carom.data.where import Where, rows_where
 from carom.errors import CaromError, FaultList, collected, noting
-from carom.files import text_encoding
+from carom.files import open_regular, text_encoding
 from carom.formatting import counted
 from carom.public.defaults import GRAVITY, WINDOW
 from carom.public.progress import Progress
@@ -426,9 +426,9 @@ def are_films(paths: Sequence[Path]) -> bool:
 
 def is_track(path: Path) -> bool:
     """Return whether a file is taken for a track: it has no column of a rebound. Raises CaromError for a file that is not text."""
-    if path.suffix.lower() in (".parquet", ".pq") or not path.is_file():
+    if path.suffix.lower() in (".parquet", ".pq") or path.is_dir() or not path.exists():
         return False
-    with path.open("rb") as opened:
+    with open_regular(path) as opened:
         raw = opened.read(START_BYTES)
     wanted = f"{path}: expected a table of rebounds or a track, as text"
     if not raw.strip():

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from carom.data.columns import Columns, as_columns, is_columns, read_columns
 from carom.errors import CaromError, Fault, FaultList
-from carom.files import as_path
+from carom.files import MOST_TABLE, as_path, read_regular
 from carom.formatting import counted
 
 __all__ = ["EXACT", "FEW", "BallPath", "PathPiece", "read_paths"]
@@ -153,8 +153,9 @@ def _columns(path: Path, notes: list[str]) -> Columns:
         columns = {} if path.suffix.lower() == ".msgpack" else read_columns(path)[0]
         return columns if {"t", "x", "y"} <= set(columns) else _of_tracks(path, columns, notes)
     expected = f"{path}: expected a table (.csv, .parquet), or JSON with t, balls and position as frames are saved"
+    raw = read_regular(path, most=MOST_TABLE)
     try:
-        given = json.loads(path.read_text(encoding="utf-8"))
+        given = json.loads(raw)
         count, balls = len(given["t"]), given["balls"]
         found: Columns = {"t": np.repeat(np.array(given["t"], dtype=float), len(balls))}
         for key, axes in (("position", "x y z"), ("spin", "wx wy wz")):
@@ -162,8 +163,6 @@ def _columns(path: Path, notes: list[str]) -> Columns:
                 flat = np.array(given[key], dtype=float).reshape(count * len(balls), 3)
                 found |= dict(zip(axes.split(), flat.T, strict=True))
         found |= {key: np.tile([ball[key] for ball in balls], count) for key in ("name", "radius", "mass")}
-    except OSError as error:
-        raise CaromError(f"{path}: expected a file that can be read, got: {error.strerror}") from None
     except json.JSONDecodeError as error:
         raise CaromError(f"{expected}, got text that is no JSON in line {error.lineno}") from None
     except KeyError as error:

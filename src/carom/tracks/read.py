@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import csv
 import io
 import re
@@ -17,7 +16,7 @@ from numpy.typing import NDArray
 from carom.data.columns import as_columns, is_columns
 from carom.data.rebound_files import heads_rebounds
 from carom.errors import CaromError, Fault, FaultList, suggestion
-from carom.files import as_path, read_text
+from carom.files import as_path, open_regular, read_text
 from carom.laws.results import GRAVITY
 from carom.tracks.exchanged import with_one_name, with_own_names
 from carom.tracks.formats import (
@@ -232,7 +231,7 @@ def film_of(one: Any, number: int, calibration: Calibration) -> Path | TrackFile
 
 def require_text(path: Path, wanted: str) -> None:
     """Raise CaromError for a file that is a project, a picture or a spreadsheet, with the menu that exports a table of text."""
-    with contextlib.suppress(OSError), path.open("rb") as file:
+    with open_regular(path) as file:
         foreign = foreign_file(path, file.read(START))
         if foreign is not None:
             raise CaromError(f"{path}: expected {wanted}, as text, got {foreign.what}; {foreign.advice}")

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.files import as_path, atomic_path
+from carom.files import MOST_TABLE, as_path, atomic_path, open_regular
 
 __all__ = ["FILE", "NAME", "SHOTS", "SOURCE", "WrittenTracks", "write_carom_tracks"]
 
@@ -134,10 +134,10 @@ def write_carom_tracks(source: str | Path, out: str | Path) -> WrittenTracks:
 def _shots(path: Path) -> list[list[Columns]]:
     """Return the first thirty shots, each as three arrays (N, 3): t, x, y in the file's axes and units."""
     try:
-        with path.open("rb") as file:
+        with open_regular(path, most=MOST_TABLE) as file:
             found = _NumbersOnly(file).load()
-    except OSError as error:
-        raise CaromError(f"{path}: expected a file that can be read, got: {error.strerror}") from None
+    except CaromError:
+        raise
     except Exception as error:  # (a damaged pickle raises anything)
         raise CaromError(f"{path}: expected a file of Shot Analyzer (a pickle), got: {error}") from None
     shots = found.get("Shot") if isinstance(found, dict) else None

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError, did_you_mean
-from carom.files import import_optional
+from carom.files import MOST_TABLE, import_optional, read_regular
 
 __all__ = ["Field", "open_file"]
 
@@ -106,10 +106,7 @@ def open_file(path: Path) -> Field:
             f"{path}: expected a file of pooltool's, with a name that ends with .json or .msgpack, got"
             f" {path.suffix or 'none'!r}; save the shot with system.save('shot.json')"
         )
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise CaromError(f"{path}: expected a file of pooltool's, got: {error.strerror}; check the name") from None
+    data = read_regular(path, "a file of pooltool's", MOST_TABLE, "check the name")
     if path.suffix.lower() == ".msgpack":
         return Field(_unpacked(path, data), str(path))
     try:
