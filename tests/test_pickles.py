@@ -135,7 +135,10 @@ def a_whole_shot() -> Any:
 
 
 EXAMPLES: dict[str, Callable[[], list[Any]]] = {
-    "rolling": lambda: [run := billiards.putt(1.2, 0.03), run.at([0.0, 0.1]), billiards.putts([1.0, 2.0], [0.0, 0.03])],
+    "rolling": lambda: [
+        run := billiards.roll(billiards.surfaces.bowl(1.0), (0, 0, -0.9), (1.0, 0, 0), ball=carom.Ball(0.1, 1.0)),
+        run.at([0.0, 0.1]),
+    ],
     "periodic orbits": lambda: [
         found := billiards.periodic_orbits(billiards.circle(), 2, law="mirror", starts=20),
         found[0],

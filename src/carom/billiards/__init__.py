@@ -11,7 +11,7 @@
 - Transport: `mean_flight`, `diffusion`, `corridors`, `recurrence`; `escape(...).decay()`.
 - Stability: `tangent_map`, `lyapunov`; periodic orbits: `periodic_orbits`, `continue_orbit`.
 - Symbols: `itinerary`, `words`, `codes`.
-- Rolling on surfaces: `roll`, `surfaces`, `putt`.
+- Rolling on surfaces: `roll`, `surfaces`.
 """
 
 from carom.public.names import attach_public as _attach_public

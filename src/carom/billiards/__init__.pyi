@@ -16,10 +16,6 @@ from .coded_orbits import codes as codes
 from .continuation import BranchPoint as BranchPoint
 from .continuation import OrbitBranch as OrbitBranch
 from .continuation import continue_orbit as continue_orbit
-from .golf import OUTCOMES as OUTCOMES
-from .golf import Putts as Putts
-from .golf import putt as putt
-from .golf import putts as putts
 from .manifolds import Manifold as Manifold
 from .manifolds import manifold as manifold
 from .open_tables import Escape as Escape
@@ -34,7 +30,6 @@ from .periodic import periodic_orbits as periodic_orbits
 from .periodic import refine_orbit as refine_orbit
 from .periodic_records import PeriodicOrbit as PeriodicOrbit
 from .periodic_records import PeriodicOrbits as PeriodicOrbits
-from .pocket_rim import pocket_rim as pocket_rim
 from .rolling_run import RollingEvent as RollingEvent
 from .rolling_run import RollingRun as RollingRun
 from .rolling_run import RollingStates as RollingStates

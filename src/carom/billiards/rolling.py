@@ -1,6 +1,6 @@
 """A ball that rolls without slipping on a surface, leaves it, flies, and lands on it again.
 
-In space of any number of dimensions, with the ball's angular velocity as an antisymmetric matrix W (W y = omega x y in three), the
+With the ball's angular velocity as an antisymmetric matrix W (W y = omega x y), the
 normal n from the contact point to the centre x, and the ball's radius r:
 
     v = r W n                                            no slip at the contact point                            (R1)
@@ -51,7 +51,6 @@ class RollingMotion:
     def __init__(self, piece: SmoothPiece, ball: Ball, gravity: Array) -> None:
         self.piece, self.gravity = piece, gravity
         self.radius, self.kappa = float(ball.radius), float(ball.kappa)
-        self.dimension = gravity.size
 
     def forces(self, state: Array) -> Rolling:
         """Return the velocity, the acceleration and the forces of a state."""
@@ -93,8 +92,7 @@ class RollingMotion:
 
     def place_and_spin(self, state: Array) -> tuple[Array, Array]:
         """Split a state into the place of the centre and the matrix of the spin."""
-        d = self.dimension
-        return state[:d], state[d : d + d * d].reshape(d, d)
+        return state[:3], state[3:12].reshape(3, 3)
 
 
 def spin_matrix(spin: ArrayLike) -> Array:

@@ -127,7 +127,7 @@ def _watched(setting: RollingSetting, motion: RollingMotion, piece: int) -> list
         return setting.friction * now.pressure - size(now.friction)
 
     def at_place(function: Callable[[Array], float]) -> Callable[[Array], float]:
-        return lambda state: function(state[: motion.dimension])
+        return lambda state: function(state[:3])
 
     found = [] if setting.held else [_Watched("leaves", piece, lambda state: motion.forces(state).pressure)]
     found += [_Watched("slips", piece, grips)] if math.isfinite(setting.friction) else []

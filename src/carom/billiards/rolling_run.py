@@ -81,7 +81,7 @@ class RollingRun:
 
     @property
     def end(self) -> str:
-        """Why the run ended: "duration", "slips", "slides" after a landing, "leaves" (not in space), or an end of the surface."""
+        """Why the run ended: "duration", "slips", "slides" after a landing, or an end of the surface."""
         return self.events[-1].kind
 
     @property
@@ -104,7 +104,7 @@ def _state_of(phase: RollingPhase, t: float) -> tuple[Array, Array, Array, float
     state = phase.state(t)
     x, w = phase.motion.place_and_spin(state)
     if not phase.rolls:
-        return x, state[-x.size :], w, 0.0, 0.0, False
+        return x, state[-3:], w, 0.0, 0.0, False
     now = phase.motion.forces(state)
     return x, now.velocity, w, now.pressure, size(now.friction), True
 
@@ -113,7 +113,7 @@ def roll(
     surface: RollingSurface,
     place: ArrayLike,
     velocity: ArrayLike,
-    spin: ArrayLike = 0.0,
+    spin: float = 0.0,
     *,
     ball: Ball | None = None,
     gravity: ArrayLike | None = None,
@@ -131,16 +131,15 @@ def roll(
     ----------
     surface : RollingSurface
         From `carom.billiards.surfaces`, or your own.
-    place : array (d,)
+    place : array (3,)
         Of the ball's centre (m): it touches the surface.
-    velocity : array (d,)
+    velocity : array (3,)
         Of the centre (m/s), along the surface.
-    spin : float, or array (d, d)
-        About the normal (rad/s); in other than three dimensions the antisymmetric matrix of the spin that leaves the normal
-        in place.
+    spin : float
+        About the normal (rad/s).
     ball : Ball, optional
         Only its radius and kappa count; the default of `Ball` otherwise.
-    gravity : array (d,), optional
+    gravity : array (3,), optional
         m/s^2; 9.81 downwards along the last axis by default.
     duration : float
         s, > 0.
@@ -163,33 +162,32 @@ def roll(
     CaromError
         One line per problem: a ball that does not touch the surface, a velocity that is not along it.
     """
-    down = -GRAVITY * np.eye(surface.dimension)[-1]
     faults = FaultList("roll")
-    pull = _vector(faults, "gravity", down if gravity is None else gravity, surface.dimension)
+    pull = _vector(faults, "gravity", (0.0, 0.0, -GRAVITY) if gravity is None else gravity)
     setting = RollingSetting(surface, ball or Ball(), pull, duration, friction, held, contact, accuracy)
-    x = _vector(faults, "place", place, surface.dimension)
-    v = _vector(faults, "velocity", velocity, surface.dimension)
+    x = _vector(faults, "place", place)
+    v = _vector(faults, "velocity", velocity)
     _check(faults, setting)
     if not any(map(faults.has, ("gravity", "place", "velocity"))):
         _check_start(faults, setting, x, v)
-    about = _spin_about(faults, spin, surface.normal(x) if not faults else down)
+    (about,) = _vector(faults, "spin", [spin], 1)
     faults.raise_if_any()
 
     n = surface.normal(x)
     v = v - n * (v @ n)
     # (R1) and (R2)
-    w = (np.outer(v, n) - np.outer(n, v)) / setting.radius + about
+    w = (np.outer(v, n) - np.outer(n, v)) / setting.radius + spin_matrix(about * n)
     return _follow(setting, np.concatenate([x, w.ravel()]))
 
 
 def _follow(setting: RollingSetting, state: Array) -> RollingRun:
     """Follow the ball through rolling and flights until an event ends the run."""
-    t, rolls, piece = 0.0, True, setting.surface.at(state[: setting.gravity.size])
+    t, rolls, piece = 0.0, True, setting.surface.at(state[:3])
     events: list[RollingEvent] = []
     phases: list[RollingPhase] = []
 
     def note(kind: str, ended: Ended, v: Array) -> None:
-        events.append(RollingEvent(kind, ended.time, ended.state[: v.size].copy(), v.copy()))
+        events.append(RollingEvent(kind, ended.time, ended.state[:3].copy(), v.copy()))
 
     while len(events) < MOST_EVENTS:
         ended = roll_on(setting, piece, t, state) if rolls else fly(setting, t, state)
@@ -205,7 +203,7 @@ def _follow(setting: RollingSetting, state: Array) -> RollingRun:
             state = state[:-3] if rolls else state
             continue
         note(ended.kind, ended, v)
-        if ended.kind == "leaves" and v.size == 3:
+        if ended.kind == "leaves":
             rolls, state = False, np.concatenate([state, v])
         elif ended.kind != "crosses":
             return RollingRun(setting, tuple(events), tuple(phases))
@@ -231,7 +229,7 @@ def _check_start(faults: FaultList, setting: RollingSetting, x: Array, v: Array)
         faults.add("velocity", "a velocity along the surface", f"{across:.6g} m/s along its normal")
 
 
-def _vector(faults: FaultList, name: str, value: ArrayLike, count: int) -> Array:
+def _vector(faults: FaultList, name: str, value: ArrayLike, count: int = 3) -> Array:
     try:
         array = np.array(value, dtype=float)
     except (TypeError, ValueError):
@@ -240,22 +238,3 @@ def _vector(faults: FaultList, name: str, value: ArrayLike, count: int) -> Array
         return array
     faults.add(name, f"{count} finite numbers", repr(value))
     return np.zeros(count)
-
-
-def _spin_about(faults: FaultList, spin: ArrayLike, n: Array) -> Array:
-    """Return the matrix of the spin about the normal."""
-    about, d = np.asarray(spin, dtype=float), n.size
-    if about.ndim == 0 and (d == 3 or about == 0):
-        return spin_matrix(float(about) * n) if d == 3 else np.zeros((d, d))
-    if (
-        about.shape == (d, d)
-        and np.allclose(about, -about.T, atol=0)
-        and np.abs(about @ n).max() <= NEAR * np.abs(about).max()
-    ):
-        return about
-    faults.add(
-        "spin",
-        "a number" if d == 3 else f"an antisymmetric matrix of {d} rows that leaves the normal in place",
-        repr(spin),
-    )
-    return np.zeros((d, d))

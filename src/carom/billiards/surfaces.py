@@ -40,10 +40,11 @@ __all__ = [
 
 Array = NDArray[np.float64]
 NEWTON, CLOSE = 60, 4e-16
+UP = np.array([0.0, 0.0, 1.0])
 
 
 class SmoothPiece(Protocol):
-    """A smooth piece of a surface, in space of any number of dimensions; places are places of the ball's centre."""
+    """A smooth piece of a surface; places are places of the ball's centre."""
 
     def distance(self, x: Array) -> float:
         """From the surface to the centre's place x, positive on the ball's side."""
@@ -74,7 +75,7 @@ class FlatPiece:
 
 @dataclass(frozen=True)
 class RoundPiece:
-    """Places at a distance from a point or a line, a plane in more dimensions: sphere, cylinder. ``across`` is 0 along its axes."""
+    """Places at a distance from a point or a line: sphere, cylinder. ``across`` is 0 along its axes."""
 
     radius: float
     across: Array
@@ -186,7 +187,6 @@ class RollingSurface:
     """The piece that is nearest to a place."""
     ends: tuple[tuple[str, Callable[[Array], float]], ...] = ()
     """Names with functions of the centre's place: where one becomes negative, the run ends."""
-    dimension: int = 3
 
     def distance(self, x: ArrayLike) -> float:
         """Distance (m) from the surface to a place, positive on the side of the ball."""
@@ -199,16 +199,15 @@ class RollingSurface:
         return self.pieces[self.at(place)].normal(place)
 
 
-def plane(dimension: int = 3) -> RollingSurface:
+def plane() -> RollingSurface:
     """Make the plane z = 0, with the ball above it."""
-    return RollingSurface("plane", (FlatPiece(_last(dimension)),), dimension=dimension)
+    return RollingSurface("plane", (FlatPiece(UP),))
 
 
-def pipe(radius: float, inside: bool = True, dimension: int = 3) -> RollingSurface:
-    """Make a circular cylinder about the last axis, in space of 3 or more dimensions."""
+def pipe(radius: float, inside: bool = True) -> RollingSurface:
+    """Make a circular cylinder about the z axis."""
     (size,) = _sizes("pipe", radius=radius)
-    across = 1.0 - _last(dimension)
-    return RollingSurface("pipe", (RoundPiece(size, across, -1.0 if inside else 1.0),), dimension=dimension)
+    return RollingSurface("pipe", (RoundPiece(size, 1.0 - UP, -1.0 if inside else 1.0),))
 
 
 def cylinder(section: Any, ball: float, inside: bool = True, **sizes: Any) -> RollingSurface:
@@ -252,16 +251,16 @@ def cylinder(section: Any, ball: float, inside: bool = True, **sizes: Any) -> Ro
     return RollingSurface("cylinder", (section_piece(made.kind(), made.outline()[0], inside, small),))
 
 
-def bowl(radius: float, dimension: int = 3) -> RollingSurface:
+def bowl(radius: float) -> RollingSurface:
     """Make a sphere about the origin with the ball inside."""
     (size,) = _sizes("bowl", radius=radius)
-    return RollingSurface("bowl", (RoundPiece(size, 0.0 * _last(dimension) + 1.0, -1.0),), dimension=dimension)
+    return RollingSurface("bowl", (RoundPiece(size, np.ones(3), -1.0),))
 
 
-def dome(radius: float, dimension: int = 3) -> RollingSurface:
+def dome(radius: float) -> RollingSurface:
     """Make a sphere about the origin with the ball outside."""
     (size,) = _sizes("dome", radius=radius)
-    return RollingSurface("dome", (RoundPiece(size, 0.0 * _last(dimension) + 1.0, 1.0),), dimension=dimension)
+    return RollingSurface("dome", (RoundPiece(size, np.ones(3), 1.0),))
 
 
 def torus(ring: float, tube: float, inside: bool = False) -> RollingSurface:
@@ -277,7 +276,9 @@ def ellipsoid(half_axes: Sequence[float], inside: bool = True) -> RollingSurface
     finite = {f"half_axes[{i}]": one for i, one in enumerate(half_axes) if one != math.inf}
     _sizes("ellipsoid", **finite)
     axes = np.array(half_axes, dtype=float)
-    return RollingSurface("ellipsoid", (EllipsoidPiece(axes, -1.0 if inside else 1.0),), dimension=axes.size)
+    if axes.shape != (3,):
+        raise CaromError(Fault("ellipsoid", "half_axes", "three lengths", repr(half_axes)))
+    return RollingSurface("ellipsoid", (EllipsoidPiece(axes, -1.0 if inside else 1.0),))
 
 
 def plate(radius: float) -> RollingSurface:
@@ -303,7 +304,7 @@ def sheets(radius: float, gap: float, ball: float) -> RollingSurface:
 def _two_faces(name: str, ring: float, tube: float, side: float) -> RollingSurface:
     """Two faces at the distance ``tube`` from a disc, joined around its edge; ``side`` is 1 for a ball outside."""
 
-    up, edge = side * _last(3), RingPiece(ring, tube, side)
+    up, edge = side * UP, RingPiece(ring, tube, side)
     pieces = (
         FlatPiece(up, side * tube),
         FlatPiece(-up, side * tube),
@@ -328,7 +329,7 @@ def hole(radius: float = 0.054, depth: float = 0.1, ball: float = 0.02135) -> Ro
     if small >= size:
         raise CaromError(Fault("hole", "ball", f"a radius below that of the hole, {size:g} m", f"{small:g}"))
 
-    green, rim, wall = FlatPiece(_last(3)), RingPiece(size, 0.0, 1.0), RoundPiece(size, 1.0 - _last(3), -1.0)
+    green, rim, wall = FlatPiece(UP), RingPiece(size, 0.0, 1.0), RoundPiece(size, 1.0 - UP, -1.0)
     outside, inside = partial(_outside, size), partial(_inside, size)
     borders = (((outside, 1),), ((inside, 0), (_above, 2)), ((_below, 1),))
     ends = (("bottom", partial(_above, low=small - bottom)), ("away", partial(_inside, 2.0 * size)))
@@ -358,12 +359,6 @@ def _below(x: Array) -> float:
 
 def _from_axis(x: Array) -> float:
     return _length(x[:-1])
-
-
-def _last(dimension: int) -> Array:
-    if not isinstance(dimension, int) or dimension < 2:
-        raise CaromError(Fault("", "dimension", "an integer of 2 or more", repr(dimension)))
-    return np.array(np.eye(dimension)[-1])
 
 
 def _sizes(where: str, **sizes: float) -> list[float]:

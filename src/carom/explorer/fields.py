@@ -73,8 +73,8 @@ def scene_fields() -> dict[str, Any]:
 
 
 def _part(model: type[Model], rules: str | None = None, **own: Any) -> dict[str, Any]:
-    # (a strike has become velocity and spin, and a rack positions, before a scene is shown; the page has no rims of pockets)
-    names = [name for name in model.model_fields if name not in ("strike", "rack", "pockets")]
+    # (a strike has become velocity and spin, and a rack positions, before a scene is shown)
+    names = [name for name in model.model_fields if name not in ("strike", "rack")]
     fields = {name: own.get(name) or _field(model, name, model.model_fields[name]) for name in names}
     return {"kind": "part", "what": "a table of fields", "fields": fields, "rules": rules}
 

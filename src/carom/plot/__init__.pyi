@@ -19,7 +19,6 @@ from .periodic_orbits import plot_manifolds as plot_manifolds
 from .periodic_orbits import plot_periodic as plot_periodic
 from .portrait import plot_boundary as plot_boundary
 from .portrait import plot_portrait as plot_portrait
-from .rolling import plot_putts as plot_putts
 from .rolling import plot_roll as plot_roll
 from .shots import plot_shot as plot_shot
 from .shots import plot_shots as plot_shots

@@ -1,4 +1,4 @@
-"""Plot balls that roll on surfaces: a run from above and from the side, and maps of putts."""
+"""Plot balls that roll on surfaces: a run from above and from the side."""
 
 from __future__ import annotations
 
@@ -7,21 +7,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from carom.billiards.golf import OUTCOMES, Putts
 from carom.billiards.rolling_run import RollingRun
-from carom.errors import CaromError
 from carom.plot.style import GREY, INK, new_figure, style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["plot_putts", "plot_roll"]
+__all__ = ["plot_roll"]
 
 ROLLS, FLIES = "#0072B2", "#D55E00"
-CAUGHT = {
-    "caught": "#009E73", "lips out": "#D55E00", "rolls past": "#8a8a8a", "goes round": "#56B4E9", "flies over": "#CCCCCC"
-}  # fmt: skip
-FROM_HOLE = "lips out of the hole", "#7B1FA2"
 POINTS = 1200
 
 
@@ -31,26 +25,21 @@ def plot_roll(run: RollingRun) -> Figure:
     Parameters
     ----------
     run : RollingRun
-        In space.
 
     Returns
     -------
     Figure
         A Matplotlib figure.
 
-    Raises
-    ------
-    CaromError
-        A run that is not in three dimensions.
-
     Examples
     --------
+    >>> import carom
     >>> from carom import billiards, plot
-    >>> len(plot.plot_roll(billiards.putt(1.2, 0.03)).axes)
+    >>> ball, bowl = carom.Ball(0.1, 1.0), billiards.surfaces.bowl(1.0)
+    >>> run = billiards.roll(bowl, (0.0, 0.0, -0.9), (1.0, 0.0, 0.0), ball=ball, duration=1.0)
+    >>> len(plot.plot_roll(run).axes)
     2
     """
-    if run.setting.surface.dimension != 3:
-        raise CaromError(f"plot_roll: run: expected one in three dimensions, got {run.setting.surface.dimension}")
     states = run.at(np.linspace(0.0, run.duration, POINTS))
     path, rolls = 1e3 * states.place, states.rolls
     with style():
@@ -71,53 +60,4 @@ def plot_roll(run: RollingRun) -> Figure:
         above.set(xlabel="x (mm)", ylabel="y (mm)", title="from above")
         side.set(xlabel="time (s)", ylabel="height of the centre (mm)", title=f"ends: {run.end}")
         side.legend(loc="best")
-    return figure
-
-
-def plot_putts(found: Putts) -> Figure:
-    """Draw which putts are caught, by offset and speed, coloured by outcome.
-
-    Parameters
-    ----------
-    found : Putts
-        From `carom.billiards.putts`, of at least two speeds and two offsets.
-
-    Returns
-    -------
-    Figure
-        A Matplotlib figure.
-
-    Examples
-    --------
-    >>> from carom import billiards, plot
-    >>> len(plot.plot_putts(billiards.putts([0.5, 1.5], [0.0, 0.03])).axes)
-    1
-    """
-    if found.speeds.size < 2 or found.offsets.size < 2:
-        raise CaromError(
-            f"plot_putts: putts: expected at least two speeds and two offsets, got {found.speeds.size} and {found.offsets.size}"
-        )
-    from matplotlib.colors import ListedColormap
-
-    shown = np.where(found.lips_out_of_hole, len(OUTCOMES), found.outcome)
-    names = {**{name: CAUGHT[name] for name in OUTCOMES}, FROM_HOLE[0]: FROM_HOLE[1]}
-    colours = ListedColormap(list(names.values()))
-    with style():
-        figure = new_figure(6.4, 4.6)
-        axes = figure.add_subplot()
-        axes.pcolormesh(
-            1e3 * found.offsets,
-            found.speeds,
-            shown,
-            cmap=colours,
-            vmin=-0.5,
-            vmax=len(names) - 0.5,
-            shading="nearest",
-            alpha=0.8,
-        )
-        for name in (name for k, name in enumerate(names) if (shown == k).any()):
-            axes.plot([], [], "s", ms=9, color=names[name], alpha=0.8, label=name)
-        axes.set(xlabel="offset from the centre (mm)", ylabel="speed at the edge (m/s)")
-        axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3)
-        figure.subplots_adjust(top=0.84)
     return figure

@@ -20,7 +20,6 @@ __all__ = ["Film"]
 WORDS = {
     "flight": "in the air", "bouncing": "bouncing", "sliding": "sliding", "rolling": "rolling",
     "pivoting": "spinning on the spot", "rest": "at rest", "held": "held", "left": "gone", "pocketed": "in a pocket",
-    "rim": "on the rim of a pocket",
 }  # fmt: skip
 
 Array = NDArray[np.float64]

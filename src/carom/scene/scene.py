@@ -15,9 +15,7 @@ from numpy.typing import NDArray
 from pydantic import (
     BeforeValidator,
     Field,
-    SerializerFunctionWrapHandler,
     field_validator,
-    model_serializer,
     model_validator,
 )
 from pydantic_core.core_schema import ValidationInfo
@@ -67,8 +65,6 @@ class Run(Model):
     max_events : whole number; default: no limit
     floor_contact : "with" (default): wall and floor act at once on a ball that the wall presses on the floor; "after": one after
         the other
-    pockets : "catch" (default): a ball whose centre passes a pocket's edge falls; "rim": one that rolls there goes over the rim,
-        and falls or comes out again (:func:`carom.billiards.pocket_rim`); in single runs only
 
     Raises CaromError, one line per problem.
 
@@ -83,15 +79,6 @@ class Run(Model):
     duration: Time | None = None
     max_events: Count | None = None
     floor_contact: Literal["with", "after"] = "with"
-    pockets: Literal["catch", "rim"] = "catch"
-
-    @model_serializer(mode="wrap")
-    def _written(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        """Return the fields, without the last one where it says nothing new: the explorer's page has no rims."""
-        found: dict[str, Any] = handler(self)
-        if self.pockets == "catch":
-            found.pop("pockets", None)
-        return found
 
 
 GRAVITY = Number("an acceleration in m/s^2, or 3 of them", "m/s^2")

@@ -11,7 +11,7 @@ from carom.core.motion.phases import HELD, LEFT, POCKETED
 from carom.formatting import counted, format_length
 from carom.laws.hertz import contact_modulus, contact_time, stiffness
 from carom.scene.scene import Scene
-from carom.simulation.records import BALL, ON_RIM
+from carom.simulation.records import BALL
 from carom.simulation.run_record import RunRecord
 
 __all__ = ["OverlapInTime", "overlap_note", "overlaps"]
@@ -52,7 +52,7 @@ def overlaps(run: RunRecord) -> list[OverlapInTime]:
             # of several events of an instant, those up to this one have happened, and the others not yet
             place = np.searchsorted(rows, row + 1, side="right")
             last, later = rows[place - 1], rows[place : place + 1]
-            if log["phase"][last] in (HELD, LEFT, POCKETED, ON_RIM):
+            if log["phase"][last] in (HELD, LEFT, POCKETED):
                 x[ball] = np.nan
             elif log["t"][last] == log["t"][row]:
                 v[ball] = log["v"][last]

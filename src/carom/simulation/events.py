@@ -11,12 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.bodies import State
+from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, Fault, did_you_mean
 from carom.formatting import html_table
 from carom.laws.results import REGIME_NAMES as NAMES
 from carom.scene.paths import ball_index
 from carom.simulation.contacts.kinds import partner_names
-from carom.simulation.records import EVENT_KINDS, PHASE_NAMES, kind_names
+from carom.simulation.records import EVENT_KINDS, kind_names
 from carom.simulation.run_record import RunRecord
 from carom.simulation.tables import events_table
 
@@ -47,15 +48,14 @@ class Event:
     kind: str
     """ "wall", "floor", "ball"; "rolling", "pivoting", "rest": the phase that begins; "settled": the end of infinitely many
     bounces; "left": it cleared a wall; "held": a force presses it on a wall or a ball, and it is followed no further;
-    "pocketed": it fell into a pocket, and is followed no further; "rim": it rolls over the rim of a pocket, or meets it again
-    after a "flight"."""
+    "pocketed": it fell into a pocket, and is followed no further."""
     ball: int
     other: int
     """Number of the wall, of the other ball (the first of several), or of the pocket (in ``scene.pocket_names``); -1 for none."""
     name: str
     """Name of the wall, of the other ball, or of the pocket; empty for none."""
     phase: str
-    """The phase that begins: flight, sliding, rolling, pivoting, rest, bouncing, held, left, pocketed, rim."""
+    """The phase that begins: flight, sliding, rolling, pivoting, rest, bouncing, held, left, pocketed."""
     before: State
     after: State
     """Velocity, spin, position."""
@@ -189,7 +189,7 @@ def _event(run: RunRecord, row: Any) -> Event:
         ball=i,
         other=other,
         name=names[other] if names else "",
-        phase=PHASE_NAMES[row["phase"]],
+        phase=PHASES[row["phase"]],
         before=before,
         after=after,
         impulse=np.array(row["impulse"]),

@@ -17,15 +17,13 @@ from carom.simulation.break_statistics import break_statistics
 from carom.simulation.contacts.kinds import CONTACTS, partner_names
 from carom.simulation.contacts.wall import cushion_side
 from carom.simulation.contacts_in_time import overlap_note
-from carom.simulation.phrases import at, direction, listed, speed, when
+from carom.simulation.phrases import direction, listed, speed, when
 from carom.simulation.records import (
     BALL,
     CLUSTERS,
     FLOOR,
     HELD_EVENT,
     IN_CLUSTER,
-    ON_RIM,
-    RIM_EVENT,
     START,
     WALL_IN_CLUSTER,
 )
@@ -34,7 +32,7 @@ from carom.simulation.run_record import RunRecord
 __all__ = ["describe_run"]
 
 # The events that begin a sentence.
-IMPACT_KINDS = (START, IN_CLUSTER, RIM_EVENT, *(one.code for one in CONTACTS.values() if one.sentence is not None))
+IMPACT_KINDS = (START, IN_CLUSTER, *(one.code for one in CONTACTS.values() if one.sentence is not None))
 # How many impacts of a ball are described, the first and the last; those between are counted.
 FIRST, LAST = 6, 3
 # Lower bounces (m) and shorter phases (s) are not mentioned.
@@ -49,7 +47,6 @@ PHASE_VERBS = {
     PIVOTING: "spins on the spot",
     REST: "rests",
     BOUNCING: "bounces",
-    ON_RIM: "rolls over a rim",
 }
 
 Rows = NDArray[np.void]
@@ -108,8 +105,6 @@ def _ball(run: RunRecord, features: Any, rows: Rows) -> str:
     # what is held is held by what it met at that instant: one sentence
     firsts = [k for k in firsts if not (rows["kind"][k] == HELD_EVENT and k > 0 and rows["t"][k] == rows["t"][k - 1])]
     firsts = [k for k in firsts if not _is_further(rows[k])]
-    # (a ball that flies over a pocket, and lands on its rim again, is still on its way over it)
-    firsts = [k for k in firsts if rows["kind"][k] != RIM_EVENT or rows["phase_before"][k] == ROLLING]
     parts = [rows[a:b] for a, b in zip(firsts, [*firsts[1:], len(rows)], strict=True)]
     ends = [float(part["t"][0]) for part in parts[1:]] + [run.end]
     shown = range(len(parts))
@@ -163,8 +158,6 @@ def _sentence(run: RunRecord, features: Any, part: Rows, end: float) -> str:
     kind = int(row["kind"])
     if kind == START:
         head = _start(run, row)
-    elif kind == RIM_EVENT:
-        return _rim(run, part, end)
     else:
         contact = CONTACTS[BALL if kind == IN_CLUSTER else kind]
         assert contact.sentence is not None
@@ -177,22 +170,6 @@ def _sentence(run: RunRecord, features: Any, part: Rows, end: float) -> str:
         return f"{head} and is held there, pressed on it: it is followed no further."
     then = _then(run, part[[not (k and _is_further(row)) for k, row in enumerate(part)]], end)
     return f"{head}{'; it ' if then else ''}{listed(then) if then else ''}."
-
-
-def _rim(run: RunRecord, part: Rows, end: float) -> str:
-    """Describe a way over the rim of a pocket, and the motion of a ball that comes out again."""
-    pocket, name = run.scene.pocket_names[part["other"][0]], format_number(speed(part["v"][0]))
-    head = f"{at(part[0])} it rolls over the rim of the {pocket} at {name} m/s"
-    phases, kinds = part["phase"], part["kind"]
-    back = len(part)
-    while back > 1 and phases[back - 1] != ON_RIM and kinds[back - 1] != RIM_EVENT:
-        back -= 1
-    back += back < len(part) and phases[back] == FLIGHT and phases[back - 1] == ON_RIM
-    if back >= len(part):
-        return f"{head}."
-    then = _then(run, part[back:], end)
-    out = f"{head} and comes out at {when(part['t'][back])} at {format_number(speed(part['v'][back]))} m/s"
-    return f"{out}{direction(part['v'][back])}{'; it ' if then else ''}{listed(then) if then else ''}."
 
 
 def _start(run: RunRecord, row: Any) -> str:

@@ -16,7 +16,7 @@ from carom.core.motion.phases import PHASES
 
 __all__ = [
     "BALL", "BALLS", "CLUSTERS", "EVENT_KINDS", "FLOOR", "HELD_EVENT", "IN_CLUSTER", "KINDS", "LEFT_EVENT", "LOG", "MEETINGS",
-    "NOTHING", "NO_REGIME", "ON_RIM", "PHASE", "PHASE_NAMES", "POCKETED_EVENT", "RIM_EVENT", "SEEN", "SETTLED", "START", "WALL",
+    "NOTHING", "NO_REGIME", "PHASE", "POCKETED_EVENT", "SEEN", "SETTLED", "START", "WALL",
     "WALLS", "WALL_IN_CLUSTER", "WORLD", "are_in_clusters", "event_numbers", "first_kinds", "kind_names",
 ]  # fmt: skip
 
@@ -27,22 +27,16 @@ __all__ = [
 (
     START, WALL, FLOOR, BALL, PHASE, SETTLED, LEFT_EVENT, HELD_EVENT, NOTHING, POCKETED_EVENT, IN_CLUSTER, WALL_IN_CLUSTER
 ) = range(12)  # fmt: skip
-# Not of the loop, but written around it (carom.simulation.rims): a ball comes to the rim of a pocket, and its phase there.
-RIM_EVENT, ON_RIM = 12, len(PHASES)
-PHASE_NAMES = (*PHASES, "rim")
 # As files have them. People see that a phase ends by the name of the one that begins, and "ball" or "wall" in a cluster.
 KINDS = (
     "start", "wall", "floor", "ball", "phase", "settled", "left", "held", "nothing", "pocketed", "in-cluster", "wall-in-cluster",
-    "rim",
 )  # fmt: skip
 MEETINGS, WALLS, CLUSTERS = (BALL, IN_CLUSTER), (WALL, WALL_IN_CLUSTER), (IN_CLUSTER, WALL_IN_CLUSTER)
 # Kinds of the loop by number as people see them
 SEEN = (*KINDS[:IN_CLUSTER], KINDS[BALL], KINDS[WALL])
 # The kinds that people see; the end of a phase is called by the phase that begins.
 EVENT_KINDS = tuple(
-    dict.fromkeys(
-        kind for kind in (*KINDS[:IN_CLUSTER], *PHASES, KINDS[RIM_EVENT]) if kind not in ("start", "phase", "nothing")
-    )
+    dict.fromkeys(kind for kind in (*KINDS[:IN_CLUSTER], *PHASES) if kind not in ("start", "phase", "nothing"))
 )
 
 _NUMBER, _WHOLE, _VECTOR = "f8", "i8", ("f8", (3,))
@@ -155,8 +149,8 @@ LOG = np.dtype(
 
 def kind_names(rows: NDArray[np.void]) -> NDArray[Any]:
     """Return the kinds of a log's rows as people see them."""
-    kinds = np.array((*SEEN, KINDS[RIM_EVENT]), dtype=object)[rows["kind"]]
-    phases = np.array(PHASE_NAMES, dtype=object)[rows["phase"]]
+    kinds = np.array(SEEN, dtype=object)[rows["kind"]]
+    phases = np.array(PHASES, dtype=object)[rows["phase"]]
     names: NDArray[Any] = np.where(rows["kind"] == PHASE, phases, kinds)
     return names
 

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from carom.scene.scene import Scene
 from carom.simulation.contacts.contact import DONE
 from carom.simulation.loop import LIMIT
-from carom.simulation.rims import follow_over_rims
 from carom.simulation.scene_loop import SceneLoop
 from carom.simulation.setup import SceneArrays
 
@@ -51,8 +50,7 @@ def run_scene(scene: Scene, progress: Callable[[int, float], None] | None = None
     """
     until, most = run_limits(scene)
     loop = SceneLoop(scene)
-    follow = follow_over_rims if scene.run.pockets == "rim" else SceneLoop.follow
-    status, _events, log = follow(loop, until, most, progress)
+    status, _events, log = loop.follow(until, most, progress)
     if status == LIMIT:
         end, ended = loop.last, "max_events"
     elif status == DONE and until < math.inf:

@@ -16,11 +16,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.motion.phases import PHASES
 from carom.errors import CaromError
 from carom.files import atomic_path, import_optional, require_writable
 from carom.scene.scene import Scene
 from carom.scene.toml import require_named_laws
-from carom.simulation.records import KINDS, LOG, PHASE_NAMES
+from carom.simulation.records import KINDS, LOG
 from carom.simulation.run_record import RunRecord
 from carom.simulation.tables import UNITS
 
@@ -28,7 +29,7 @@ __all__ = ["FORMAT", "FORMATS", "NAMED", "digest_of", "log_columns", "save", "ve
 
 FORMAT = 1
 FORMATS = (".parquet", ".nc")
-NAMED = {"kind": KINDS, "met": KINDS, "phase_before": PHASE_NAMES, "phase": PHASE_NAMES}
+NAMED = {"kind": KINDS, "met": KINDS, "phase_before": PHASES, "phase": PHASES}
 AXES = ("x", "y", "z")
 # The log's vectors, by what their columns are called.
 VECTORS = {

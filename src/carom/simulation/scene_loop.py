@@ -20,7 +20,7 @@ from carom.simulation.loop import FULL, LIMIT, QUIET
 from carom.simulation.records import LOG
 from carom.simulation.setup import set_up
 
-__all__ = ["FIRST_ROWS", "SceneLoop", "joined"]
+__all__ = ["FIRST_ROWS", "SceneLoop"]
 
 # Rows of the log that the loop fills before it is called again: enough for a shot, then more each time.
 FIRST_ROWS, MOST_ROWS = 128, 65_536
@@ -32,10 +32,10 @@ class SceneLoop:
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self._interpreted = worth_interpreting(scene)
-        self.arrays = set_up(scene, compiled=not self._interpreted, with_rims=True)
+        self.arrays = set_up(scene, compiled=not self._interpreted)
         """The scene as the loop reads it."""
         if self._interpreted and len(self.arrays.features) > MOST_FEATURES:
-            self._interpreted, self.arrays = False, set_up(scene, with_rims=True)
+            self._interpreted, self.arrays = False, set_up(scene)
         self.balls = self.arrays.balls_to_move()
         """(B,) of BALLS, each at its last event."""
         self.slow = -1.0
@@ -65,7 +65,7 @@ class SceneLoop:
             if status == FULL:
                 if self._interpreted and (answer is None or not worth_interpreting(self.scene)):
                     self._interpreted, self._loop = False, compiled_engine().run
-                    self.arrays = set_up(self.scene, with_rims=True)
+                    self.arrays = set_up(self.scene)
                 rows = 4 * len(log)
                 if answer is not None:
                     pace.done(written)
@@ -75,7 +75,7 @@ class SceneLoop:
                     progress(events, self.last)
         if status not in (DONE, QUIET, LIMIT):
             raise _refusal(status, self.scene, self.balls[at_fault], at_fault)
-        return status, events, joined(parts)
+        return status, events, _joined(parts)
 
 
 def _refusal(code: int, scene: Scene, ball: Any, i: int) -> CaromError:
@@ -90,7 +90,7 @@ def _rows(count: int) -> NDArray[np.void]:
     return np.frombuffer(np.empty(count * LOG.itemsize, np.uint8), LOG)
 
 
-def joined(parts: list[NDArray[np.void]]) -> NDArray[np.void]:
+def _joined(parts: list[NDArray[np.void]]) -> NDArray[np.void]:
     """Parts of a log as one (records as bytes: NumPy copies the fields of records one by one, which takes a while)."""
     if len(parts) == 1:
         return parts[0]

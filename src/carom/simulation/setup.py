@@ -10,13 +10,12 @@ from numpy.typing import NDArray
 from carom.core.geometry.circles import rim_address
 from carom.core.geometry.curve_features import arc_address
 from carom.core.geometry.features import CURVE, RIM
-from carom.errors import CaromError, Fault
 from carom.laws.callbacks import user_address
 from carom.laws.law import CALLED_WALL, CONTACT_WALL
 from carom.scene.scene import Scene
 from carom.simulation.records import BALLS, WORLD
 
-__all__ = ["SceneArrays", "refuse_rims", "set_up"]
+__all__ = ["SceneArrays", "set_up"]
 
 
 class SceneArrays(NamedTuple):
@@ -41,29 +40,16 @@ class SceneArrays(NamedTuple):
         return self._replace(balls=np.tile(self.balls, (count, 1)))
 
 
-def set_up(scene: Scene, compiled: bool = True, *, with_rims: bool = False) -> SceneArrays:
+def set_up(scene: Scene, compiled: bool = True) -> SceneArrays:
     """Return the arrays of a scene. The scene keeps them: a run of a shot takes less time than making them.
 
     With ``compiled`` false nothing is compiled but laws of the user's, and only Python can run the event loop on these arrays.
-    CaromError for a scene with rims of pockets, which only single runs follow, ``with_rims``.
     """
-    if not with_rims:
-        refuse_rims(scene)
     key = "compiled arrays" if compiled else "arrays"
     if key not in scene.kept:
         scene.kept[key] = _set_up(scene, compiled)
     found: SceneArrays = scene.kept[key]
     return found
-
-
-def refuse_rims(scene: Scene) -> None:
-    """Raise CaromError for a scene whose balls roll over the rims of pockets."""
-    if scene.run.pockets == "rim":
-        raise CaromError(
-            Fault(
-                "run.pockets", "", "'catch', as only single runs follow balls over rims, without derivatives", "'rim'"
-            )
-        )
 
 
 def _set_up(scene: Scene, compiled: bool) -> SceneArrays:

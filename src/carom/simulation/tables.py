@@ -11,10 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.bodies import Numbers
+from carom.core.motion.phases import PHASES
 from carom.files import import_optional
 from carom.laws.results import REGIME_NAMES as NAMES
 from carom.simulation.contacts.kinds import PARTNERS
-from carom.simulation.records import PHASE_NAMES, START, kind_names
+from carom.simulation.records import START, kind_names
 from carom.simulation.run_record import EventSource, RunRecord
 
 if TYPE_CHECKING:
@@ -66,8 +67,8 @@ def event_columns(run: EventSource, rows: NDArray[np.void]) -> Columns:
         "ball": np.array(rows["ball"]),
         "other": np.array(rows["other"]),
         "name": name,
-        "phase_before": np.array(PHASE_NAMES, dtype=object)[rows["phase_before"]],
-        "phase": np.array(PHASE_NAMES, dtype=object)[rows["phase"]],
+        "phase_before": np.array(PHASES, dtype=object)[rows["phase_before"]],
+        "phase": np.array(PHASES, dtype=object)[rows["phase"]],
     }
     _parts(columns, "", rows["x"])
     _parts(columns, "v", rows["v_before"], "_before")

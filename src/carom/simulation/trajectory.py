@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Numbers, State
+from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, float_array
 from carom.files import as_path
 from carom.public.other_rooms import figure_maker
@@ -21,10 +22,9 @@ from carom.simulation.break_statistics import BreakStatistics, break_statistics
 from carom.simulation.events import Events
 from carom.simulation.frames import FRAME_RATE, save_frames
 from carom.simulation.narrate import describe_run
-from carom.simulation.records import ON_RIM, PHASE_NAMES, START
-from carom.simulation.rims import Rides
+from carom.simulation.records import START
 from carom.simulation.save import save
-from carom.simulation.setup import SceneArrays, refuse_rims, set_up
+from carom.simulation.setup import SceneArrays, set_up
 from carom.simulation.states import orientations, states
 from carom.simulation.tables import kinetic_energy, states_dataset, states_table
 
@@ -83,7 +83,7 @@ class Trajectory:
     @functools.cached_property
     def arrays(self) -> SceneArrays:
         """The scene as the event loop reads it, with the balls at their starts."""
-        return set_up(self.scene, compiled=False, with_rims=True)
+        return set_up(self.scene, compiled=False)
 
     # --- what happened ---------------------------------------------------------------------------------------------
 
@@ -102,11 +102,6 @@ class Trajectory:
     def _rows_of(self) -> list[NDArray[np.int64]]:
         """Numbers of the log's rows of each ball."""
         return [np.flatnonzero(self.log["ball"] == i) for i in range(len(self.scene.balls))]
-
-    @functools.cached_property
-    def _rides(self) -> Rides:
-        """The ways of balls over the rims of pockets, computed again from the log."""
-        return Rides(self.scene, self.log)
 
     def _find(self, t: ArrayLike) -> tuple[Array, Array, NDArray[np.int64]]:
         """Times (T,), and for each time and ball (T, B) the row of the log that it follows and by how much."""
@@ -132,18 +127,14 @@ class Trajectory:
         times before the start or after the end of the run.
         """
         times, after, rows = self._find(t)
-        followed = self._rides.followed(self.log[rows.ravel()])
-        x, v, w, _phase = states(self.arrays.world, self.arrays.balls, followed, after.ravel())
-        self._rides.fill(rows.ravel(), after.ravel(), x, v, w)
+        x, v, w, _phase = states(self.arrays.world, self.arrays.balls, self.log[rows.ravel()], after.ravel())
         shape = (*times.shape, len(self.scene.balls), 3)
         return State.of(v.reshape(shape), w.reshape(shape), x.reshape(shape))
 
     def phase(self, t: ArrayLike) -> NDArray[np.str_]:
         """Return the names of the phases at a time or times, s: (B,) or (..., B)."""
         times, _after, rows = self._find(t)
-        found: NDArray[np.str_] = np.array(PHASE_NAMES)[self.log["phase"][rows]].reshape(
-            *times.shape, len(self.scene.balls)
-        )
+        found: NDArray[np.str_] = np.array(PHASES)[self.log["phase"][rows]].reshape(*times.shape, len(self.scene.balls))
         return found
 
     def index(self, ball: int | str) -> int:
@@ -155,7 +146,7 @@ class Trajectory:
         rows = self.log[self._rows_of[self.index(ball)]]
         found: list[tuple[float, float, str]] = []
         for start, end, phase in zip(rows["t"], [*rows["t"][1:], self.end], rows["phase"], strict=True):
-            name = PHASE_NAMES[phase]
+            name = PHASES[phase]
             if found and found[-1][2] == name:
                 found[-1] = (found[-1][0], float(end), name)
             elif end > start or start == self.end:
@@ -183,7 +174,7 @@ class Trajectory:
     @property
     def final_phase(self) -> list[str]:
         """Return the final phase of each ball."""
-        return [PHASE_NAMES[self.log["phase"][own[-1]]] for own in self._rows_of]
+        return [PHASES[self.log["phase"][own[-1]]] for own in self._rows_of]
 
     @functools.cached_property
     def _turned(self) -> Array:
@@ -191,10 +182,9 @@ class Trajectory:
         q = np.zeros((len(self.log), 4))
         for own in self._rows_of:
             turn = orientations(
-                self.arrays.world, self.arrays.balls, self._rides.followed(self.log[own[:-1]]), np.diff(self.log["t"][own]),
+                self.arrays.world, self.arrays.balls, self.log[own[:-1]], np.diff(self.log["t"][own]),
                 np.tile([1.0, 0.0, 0.0, 0.0], (len(own) - 1, 1)),
             )  # fmt: skip
-            turn = self._rides.turns(own[:-1], np.diff(self.log["t"][own]), turn)
             q[own[0]] = last = np.array([1.0, 0.0, 0.0, 0.0])
             for row, by in zip(own[1:], turn, strict=True):
                 last = _product(by, last)
@@ -209,11 +199,7 @@ class Trajectory:
         """
         times, after, rows = self._find(t)
         which = rows.ravel()
-        followed = self._rides.followed(self.log[which])
-        q = orientations(self.arrays.world, self.arrays.balls, followed, after.ravel(), self._turned[which])
-        for k in np.flatnonzero(self.log["phase"][which] == ON_RIM):
-            by = self._rides.turns(which[k : k + 1], after.ravel()[k : k + 1], np.array([[1.0, 0.0, 0.0, 0.0]]))
-            q[k] = _product(by[0], self._turned[which[k]])
+        q = orientations(self.arrays.world, self.arrays.balls, self.log[which], after.ravel(), self._turned[which])
         return q.reshape(*times.shape, len(self.scene.balls), 4)
 
     # --- energy ----------------------------------------------------------------------------------------------------
@@ -280,7 +266,6 @@ class Trajectory:
         """
         from carom.simulation.sensitivity.sensitivity import sensitivity
 
-        refuse_rims(self.scene)
         return sensitivity(self, wrt)
 
     def lyapunov(self) -> DisplacementGrowth:
@@ -290,7 +275,6 @@ class Trajectory:
         """
         from carom.simulation.sensitivity.lyapunov import lyapunov
 
-        refuse_rims(self.scene)
         return lyapunov(self)
 
     def break_statistics(self) -> BreakStatistics:

@@ -66,7 +66,7 @@ EVENT_KINDS = {
     **{
         name: k
         for k, name in enumerate(KINDS)
-        if name not in ("start", "phase", "nothing", "in-cluster", "wall-in-cluster", "rim")
+        if name not in ("start", "phase", "nothing", "in-cluster", "wall-in-cluster")
     },
     **{name: PHASES_FROM + k for k, name in enumerate(PHASES) if name not in KINDS},
 }
