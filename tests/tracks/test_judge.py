@@ -17,6 +17,7 @@ from carom.errors import CaromError
 from carom.tracks import judge
 
 R, M, G = 0.03, 0.2, 9.80665
+TIMES = np.arange(60) / 200
 
 
 def parabola(t: Any, x: Any, v: Any, a: Any) -> Any:
@@ -24,10 +25,15 @@ def parabola(t: Any, x: Any, v: Any, a: Any) -> Any:
 
 
 def two_balls(
-    *, after: tuple[Any, Any], spin_after: Any = (0, 0, 0), noise: float = 0.0, seed: int = 1, rate: float = 200.0
+    *,
+    after: tuple[Any, Any],
+    spin_after: Any = (0, 0, 0),
+    noise: float = 0.0,
+    seed: int = 1,
+    t: Any = TIMES,
 ) -> dict[str, Any]:
     """One ball slides without friction to another at rest, and both go on with given velocities from 0.1037 s on."""
-    t, at = np.arange(60) / rate, 0.1037
+    at = 0.1037
     rng = np.random.default_rng(seed)
     rows: dict[str, list[Any]] = {name: [] for name in ("t", "ball", "x", "y", "z", "wx", "wy", "wz")}
     for name, x, before, then in (
@@ -83,6 +89,25 @@ def test_contacts_of_two_balls(after: Any, laws: set[str], noise: float) -> None
         assert one is not None
         assert one.size == pytest.approx(gained, abs=4 * one.error + 1e-9)
         assert one.balls == ("a", "b")
+
+
+@pytest.mark.parametrize("gaps", [False, True])
+@pytest.mark.parametrize("decimals", [2, 3, 4, 6])
+def test_rounded_times_hide_nothing(decimals: int, gaps: bool) -> None:
+    """As found with exact times, at 240 frames a second: rows that share a time, rounding of an eighth of a frame, gaps."""
+    t = np.delete(np.arange(60), [7, 8, 34, 35, 41] if gaps and decimals > 2 else []) / 240
+    rows = two_balls(after=((0.1, 0, 0), (1.2, 0, 0)), t=t)
+    expected, found = judge(rows, radius=R), judge(dict(rows, t=np.round(rows["t"], decimals)), radius=R)
+    assert laws_of(found) == laws_of(expected) == {"momentum": 1, "energy": 1}
+    for one, other in zip(found.violations, expected.violations, strict=True):
+        assert one.size == pytest.approx(other.size, rel=5e-3)
+
+
+def test_uneven_times_of_a_program_are_its_own() -> None:
+    t = np.arange(60) / 200 + 4e-4 * np.random.default_rng(1).uniform(-1, 1, 60)
+    found = judge(two_balls(after=((0.1, 0, 0), (1.2, 0, 0)), t=t), radius=R)
+    assert laws_of(found) == {"momentum": 1, "energy": 1}
+    assert found.of("momentum")[0].size == pytest.approx(0.3 * 0.17, rel=1e-6)
 
 
 def test_friction_of_two_balls() -> None:

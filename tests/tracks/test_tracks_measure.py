@@ -23,8 +23,9 @@ from carom.tracks.contact_models import slide_would_show
 from carom.tracks.events import _bends
 from carom.tracks.flight_fits import _position, _slope_in_vacuum
 from carom.tracks.floor import pool_floor, shared_fraction
+from carom.tracks.frame_clock import camera_clock
 from carom.tracks.least_squares import ContactFit, Prior
-from carom.tracks.preprocess import camera_clock, position_noise, rounding_step, without_outliers
+from carom.tracks.preprocess import position_noise, rounding_step, without_outliers
 from carom.tracks.table_contact import COUNT, at_contact, contact_path, contact_slopes
 from carom.tracks.table_motion import moved_slopes, slide_then_roll
 

@@ -10,9 +10,7 @@ import pytest
 from carom.errors import CaromError
 from carom.tracks import Calibration, Settings, Track, TrackFile, measure, read_tracks
 from carom.tracks.film_files import rebounds_of_films
-from carom.tracks.frame_clock import even_interval, rounding_of_times
-from carom.tracks.frame_numbers import at_rate, without_rounding
-from carom.tracks.preprocess import on_camera_clock
+from carom.tracks.frame_clock import at_rate, even_interval, on_camera_clock, rounding_of_times, without_rounding
 
 RATE = 119.88
 
@@ -45,12 +43,16 @@ def speeds(found: TrackFile) -> list[float]:
     return [-one.fit["vn_in"] for one in contacts if one.fit is not None]
 
 
-def test_times_rounded_to_a_hundredth_ask_for_the_rate() -> None:
-    t = np.arange(90) / 60
-    ball = Track("ball", np.round(t, 2), np.stack([t, 1.5 * t - 4.9 * t**2], axis=-1))
-    notes: list[str] = []
-    on_camera_clock([ball], notes)
-    assert "rounded to 0.01 s: `rate` gives the frame rate (about 60" in notes[-1]
+@pytest.mark.parametrize("gaps", [False, True])
+@pytest.mark.parametrize(("rate", "decimals"), [(15, 2), (29.97, 2), (60, 2), (60, 3), (240, 3), (300, 4)])
+def test_rounded_times_are_on_the_camera_s_clock(rate: float, decimals: int, gaps: bool) -> None:
+    t = 0.3 + np.arange(200) / rate
+    if gaps:
+        t = t[np.random.default_rng(1).random(200) > 0.1]
+    (found,), interval = on_camera_clock([Track("ball", np.round(t, decimals), np.stack([t, t], axis=-1))], [])
+    assert interval == pytest.approx(1 / rate, rel=3e-4)
+    np.testing.assert_allclose(found.time, t, atol=0.5 * 10.0**-decimals)
+    assert len(found) == len(t)
 
 
 def test_rounded_times_give_way_to_the_rate(film: Path) -> None:

@@ -1,19 +1,27 @@
-"""The clock behind the times of a file: the interval from frame to frame, and the number of the frame of each row.
+"""The camera's clock behind the times of a file: the interval from frame to frame, and the number of the frame of each row.
 
 Times are rounded, rows are missing, and a slow-motion film has the times of its playback. A clock explains times if every row has
-a frame of its own, within the rounding of its time.
+a frame of its own, within the rounding of its time. A frame rate that is given overrides the times of the file.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.tracks.preprocess import MIN_INTERVAL_S, camera_clock
-
-__all__ = ["OFF_CLOCK", "even_interval", "file_interval", "frame_count", "repeated_rows", "rounding_of_times"]
+from carom.errors import CaromError
+from carom.tracks.track import Track
 
 Array = NDArray[np.float64]
+MIN_INTERVAL_S = 1e-9  # between two frames: no camera is faster
+SAME_RATE = 2e-4  # relative difference of two frame rates that is not reported
+MIN_ROWS = 20  # fewer do not show a clock behind times that repeat
+MIN_REPEATED = 0.02  # share of rows with the time of the row before, by which rounding is recognised
+EXACT_TIMES = 1e-9  # in frames: times so near an even clock are its own
+ROUNDED_TIMES = 2e-3  # in frames: a note says that times were rounded more coarsely
 MOST_DECIMALS = 7
 NEIGHBOURS = 8  # rows to each side that are rounded alike
 OFF_CLOCK = 0.1  # in frames: largest deviation of a time from its clock, if it is not rounded more coarsely
@@ -29,6 +37,174 @@ MOST_NUMBERS = 4_000_000  # intervals, phases and rows at once; more intervals t
 MOST_TRIED = 10_000_000  # intervals at once
 MOST_CHECKED = 40  # of the intervals that are found, from the longest on
 SHORTEST = 0.5  # share of the upper bound down to which a clock is searched
+
+
+@dataclass(frozen=True, eq=False)
+class CameraClock:
+    """The times at which a camera took its frames."""
+
+    interval: float
+    """From frame to frame, s."""
+    time: Array
+    """(n,) s: on the clock if the file's times were rounded, else as they are in the file."""
+    frame: NDArray[np.bool_]
+    """(n,): rows that are frames; the others lie between frames, interpolated by a program."""
+    rounded: float
+    """Step to which the file's times were rounded, s; 0 if they are exact enough."""
+    steady: bool
+    """Whether the frames are evenly spaced."""
+
+
+def camera_clock(time: Array) -> CameraClock:
+    """Find the clock behind sorted times (n,), s, which may have gaps, duplicates, rounding, and rows between the frames."""
+    steps = np.diff(time)
+    steps = steps[steps > MIN_INTERVAL_S]
+    if len(steps) < 3:
+        interval = float(steps.min()) if len(steps) else np.nan
+        return CameraClock(interval, time, np.ones(len(time), bool), 0.0, False)
+    step = rounding_of_times(time)
+    if (even := _behind_rounding(time, step, np.arange(len(time), dtype=float))) is not None:
+        return even
+    clock, count = _commonest_clock(time, steps)
+    if not clock.steady:
+        missing, interval = _slowest_clock(time, step)
+        count = frame_count(time, step, interval, float(time[0]))[0] if missing < len(time) / 4 else None
+    even = None if count is None or not clock.frame.all() else _behind_rounding(time, step, count)
+    return clock if even is None else even
+
+
+def _commonest_clock(time: Array, steps: Array) -> tuple[CameraClock, Array | None]:
+    """Return the clock on which most times (n,) are, and the frame (n,) of each; its ``steps`` are the commonest."""
+    every = np.ones(len(time), bool)
+    interval = _commonest(steps)
+    grid = _grid(time)
+    start = _start(time, interval)
+    if start is None:
+        return CameraClock(interval, time, every, 0.0, False), None
+    first, size = start
+    zero = float(time[first])
+    reach, near = size, np.zeros(len(time), bool)
+    while True:
+        rows = slice(max(first - reach, 0), first + reach)
+        count = np.round((time[rows] - zero) / interval)
+        off = time[rows] - zero - count * interval
+        near = np.abs(off) < 0.08 * interval + grid
+        if near.sum() < 3:
+            return CameraClock(interval, time, every, 0.0, False), None
+        interval, zero = (float(x) for x in np.polyfit(count[near], time[rows][near], 1))
+        if reach >= len(time):
+            break
+        reach *= 2
+    count = np.round((time - zero) / interval)
+    off = time - zero - count * interval
+    near = np.abs(off) < 0.08 * interval + grid
+    if near.mean() < 0.7:
+        return CameraClock(interval, time, every, 0.0, False), None
+    spread = float(np.median(np.abs(off[near])))
+    frame = np.abs(off) < max(4 * spread, 1e-3 * interval)
+    if grid > 0:
+        frame &= np.abs(time / grid - np.round(time / grid)) < 0.02
+    # of two rows in one frame the nearer to the clock
+    order = np.lexsort((np.abs(off), count))
+    doubled = np.zeros(len(time), bool)
+    doubled[order[1:]] = count[order][1:] == count[order][:-1]
+    frame &= ~doubled
+    rounded = max(grid, 4 * spread) if spread > ROUNDED_TIMES * interval else 0.0
+    clock = np.where(frame, zero + count * interval, time) if rounded else time
+    return CameraClock(interval, clock, frame, rounded, True), count
+
+
+def _behind_rounding(time: Array, step: Array, frame: Array) -> CameraClock | None:
+    """Return the even clock whose times, rounded to ``step`` (n,), are these, if there is one; ``frame``: (n,) of each row."""
+    interval = even_interval(time, step, frame, off=0.0)
+    if interval is None:
+        return None
+    even = time.mean() + interval * (frame - frame.mean())
+    off = np.abs(even - time)
+    exact = off.max() < EXACT_TIMES * interval
+    rounded = float(step.max()) if np.median(off) > ROUNDED_TIMES * interval else 0.0
+    return CameraClock(interval, time if exact else even, np.ones(len(time), bool), rounded, True)
+
+
+def times_behind_rounding(times: Sequence[Array], notes: list[str]) -> list[Array]:
+    """Return the sorted times (n,), s, of each ball in a film or run, without their rounding if an even clock explains it.
+
+    Times that are uneven by more than their rounding may be a program's own, and stay as they are; a note says so.
+    """
+    tracks = without_rounding([Track("", t, np.zeros((len(t), 2))) for t in times], notes)
+    every = np.unique(np.concatenate([track.time for track in tracks]))
+    clock = camera_clock(every)
+    if clock.steady and (np.abs(clock.time - every) < rounding_of_times(every)).all():
+        return [clock.time[np.searchsorted(every, track.time)] for track in tracks]
+    notes.append("times are not evenly spaced: used as given")
+    return [track.time for track in tracks]
+
+
+def on_camera_clock(tracks: Sequence[Track], notes: list[str]) -> tuple[list[Track], float]:
+    """Return the tracks with only the frames in which balls were found, on the clock of their group, and the interval, s."""
+    seen = []
+    intervals = []
+    groups: dict[str, list[Track]] = {}
+    for track in tracks:
+        if track.position.shape[1] != 2:
+            raise CaromError(
+                f"track {track.name!r}: expected positions in a plane, got three coordinates; omit the third column"
+            )
+        groups.setdefault(track.group, []).append(track.select(track.seen))
+    off = rounded = unsteady = 0
+    for members in groups.values():
+        times = np.unique(np.concatenate([track.time for track in members]))
+        clock = camera_clock(times)
+        off += int((~clock.frame).sum())
+        rounded += clock.rounded > 0
+        unsteady += not clock.steady
+        if np.isfinite(clock.interval):
+            intervals.append(clock.interval)
+        seen += [_on_clock(track, times, clock) for track in members]
+    interval = float(np.median(intervals)) if intervals else np.nan
+    if off:
+        notes.append(f"{off:,} rows lie between the camera's frames: interpolated by a program, and omitted")
+    if rounded:
+        notes.append(
+            f"times were rounded: replaced by the times of the camera's clock, one frame every {1e3 * interval:.4g} ms"
+        )
+    if unsteady:
+        notes.append(
+            f"frames are not evenly spaced in {unsteady} of {len(groups)} files or shots: times are used as given"
+        )
+    return [track for track in seen if len(track)], interval
+
+
+def _on_clock(track: Track, times: Array, clock: CameraClock) -> Track:
+    rows = np.searchsorted(times, track.time)
+    return replace(track, time=clock.time[rows]).select(clock.frame[rows])
+
+
+def _commonest(steps: Array) -> float:
+    """Return the smallest common step: a slow ball may have rows in every second frame only."""
+    steps = np.sort(steps)
+    count = np.searchsorted(steps, 1.04 * steps) - np.searchsorted(steps, 0.96 * steps)
+    least = float(steps[np.flatnonzero(count >= 0.25 * count.max())[0]])
+    return float(np.median(steps[np.abs(steps / least - 1) < 0.08]))
+
+
+def _start(time: Array, interval: float) -> tuple[int, int] | None:
+    """Return the middle and half the length of the longest run of even steps."""
+    even = np.abs(np.diff(time) - interval) < 0.1 * interval
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], even, [False]]).astype(int)))
+    runs = edges.reshape(-1, 2)
+    if not len(runs):
+        return None
+    low, high = runs[np.argmax(runs[:, 1] - runs[:, 0])]
+    return (int(low + high) // 2, max((int(high - low) + 1) // 2, 2)) if high - low >= 3 else None
+
+
+def _grid(time: Array) -> float:
+    """Return the round step (10 ms, 1 ms, 0.5 ms, 0.1 ms) of which nearly all times are multiples; 0 if there is none."""
+    for grid in (1e-2, 1e-3, 5e-4, 1e-4):
+        if (np.abs(time / grid - np.round(time / grid)) < 0.02).mean() > 0.8:
+            return grid
+    return 0.0
 
 
 def rounding_of_times(time: Array) -> Array:
@@ -109,10 +285,11 @@ def _interval_with_gaps(
     return clock.interval if clock.steady else None
 
 
-def even_interval(time: Array, step: Array, frame: Array | None = None) -> float | None:
+def even_interval(time: Array, step: Array, frame: Array | None = None, off: float = OFF_CLOCK) -> float | None:
     """Return the time from frame to frame, s, if rows (n,) are on an even clock, within the rounding ``step`` (n,) of their times.
 
-    ``frame``: the frame (n,) of each row; by default each row is the next frame.
+    ``frame``: the frame (n,) of each row; by default each row is the next frame. ``off``: share of a frame by which times may
+    deviate however finely they are rounded.
     """
     row = np.arange(len(time), dtype=float) if frame is None else frame
     row = row - row.mean()
@@ -120,7 +297,7 @@ def even_interval(time: Array, step: Array, frame: Array | None = None) -> float
     interval = float(row @ time) / square if square > 0 else 0.0  # (one row, or rows of one frame, have no interval)
     if not interval > MIN_INTERVAL_S:
         return None
-    half = np.maximum(step / 2, OFF_CLOCK * interval) * (1 + 1e-6)
+    half = np.maximum(step / 2, off * interval) * (1 + 1e-6)
     low, high = (interval + sign * 4 * half.max() / np.ptp(row) for sign in (-1, 1))
     # the strip of least height that holds all times: convex in its slope
     for _ in range(60):
@@ -236,3 +413,131 @@ def _fitting(time: Array, half: Array, intervals: Array) -> Array:
         number = _earliest(at.reshape(len(time), -1), (1.25 * wide + wide[0] / PHASES + 0 * at).reshape(len(time), -1))
         found.append(some[np.isfinite(number[0]).reshape(len(some), -1).any(axis=1)])
     return np.concatenate(found)
+
+
+# --- frame numbers, and a rate that is given ----------------------------------------------------------------------
+
+
+def at_rate(tracks: Sequence[Track], rate: float, name: str, notes: list[str]) -> list[Track]:
+    """Return the tracks with the times of frames taken at ``rate``; add a note where the times of the file differ.
+
+    The frame of a row is its frame number, if the file has one; else its time over the interval of the file's own clock, so that
+    frames without a row stay missing. Times have to be sorted.
+
+    Raises CaromError if the times are on no clock, so that the frames cannot be counted.
+    """
+    return _by_group(tracks, lambda group: _group_at_rate(group, rate, name, notes))
+
+
+def without_rounding(tracks: Sequence[Track], notes: list[str]) -> list[Track]:
+    """Return the tracks with even times where the file's times are rounded so far that rows share one; add a note.
+
+    The rows are taken for successive frames if the times, with the rounding that they show, allow it: one clock per group.
+    """
+
+    def even(group: list[Track]) -> list[Track]:
+        longest = max(group, key=len)
+        interval = _interval_behind_rounding(longest.time)
+        if interval is None:
+            return group
+        notes.append(
+            f"times are rounded to {1e3 * rounding_of_times(longest.time).max():g} ms, so that rows share one: taken as successive"
+            f" frames, one every {1e3 * interval:.4g} ms (`rate` gives the true frame rate)"
+        )
+        return _group_at_rate(group, 1 / interval, "", [])
+
+    return _by_group(tracks, even)
+
+
+def _by_group(tracks: Sequence[Track], change: Callable[[list[Track]], list[Track]]) -> list[Track]:
+    found = list(tracks)
+    for name in dict.fromkeys(track.group for track in tracks):
+        members = [i for i, track in enumerate(tracks) if track.group == name and len(track)]
+        for i, track in zip(members, change([tracks[i] for i in members]) if members else [], strict=True):
+            found[i] = track
+    return found
+
+
+def _group_at_rate(tracks: Sequence[Track], rate: float, name: str, notes: list[str]) -> list[Track]:
+    """Return tracks that were filmed together, none of them empty, with the times of frames taken at ``rate``."""
+    longest = max(tracks, key=len)
+    zero = min(float(track.time[0]) for track in tracks)
+    written = [track.frame for track in tracks if _frames_increase(track)]
+    if len(written) == len(tracks):
+        first = min(float(frame[0]) for frame in written if frame is not None)
+        numbers = [np.asarray(frame) - first for frame in written]
+        interval = _interval_by_frames(longest)
+    else:
+        known = file_interval(longest.time, rate)
+        if known is None:
+            raise CaromError(
+                f"{name}: `rate`: expected times of evenly spaced frames, or none, got times on no clock (first"
+                f" {', '.join(f'{t:g}' for t in longest.time[:4])} s); leave `rate` out, or the column of times"
+            )
+        interval = known
+        counted = [_frames(track.time, interval, zero) for track in tracks]
+        # (None: rows between the frames of an even clock)
+        numbers = [(track.time - zero) / interval if number is None else number
+                   for track, number in zip(tracks, counted, strict=True)]  # fmt: skip
+    begin = zero / (interval * rate)
+    found = [replace(track, time=begin + number / rate) for track, number in zip(tracks, numbers, strict=True)]
+    moved = max(float(np.abs(new.time - old.time).max()) for new, old in zip(found, tracks, strict=True))
+    _compare(interval, longest, rate, moved * rate > OFF_CLOCK / 2, notes)
+    return found
+
+
+def _frames_increase(track: Track) -> bool:
+    """Return whether the file has a frame number for each row, and they increase with the time."""
+    if track.frame is None or not np.isfinite(track.frame).all():
+        return False
+    return bool((np.diff(track.frame)[np.diff(track.time) > 0] > 0).all() and (np.diff(track.frame) >= 0).all())
+
+
+def _frames(time: Array, interval: float, zero: float) -> Array | None:
+    """Return the frames (n,) of rows from ``zero`` on: successive ones if the times are even, and of this interval."""
+    step = rounding_of_times(time)
+    kept = ~repeated_rows(time, step)
+    even = even_interval(time[kept], step[kept]) if len(time) >= MIN_ROWS else None
+    if even == interval:
+        return np.asarray(np.cumsum(kept) - 1.0 + np.round((time[0] - zero) / interval))
+    return frame_count(time, step, interval, zero)[0]
+
+
+def _interval_behind_rounding(time: Array) -> float | None:
+    """Return the time between frames, s, if rows share times and can be successive frames; else None."""
+    if len(time) < MIN_ROWS or (np.diff(time) == 0).mean() < MIN_REPEATED:
+        return None
+    step = rounding_of_times(time)
+    interval = None if repeated_rows(time, step).any() else even_interval(time, step)
+    # where rounding makes rows share a time, no time of its grid is skipped
+    if interval is None or (np.diff(time)[step[1:] <= interval] == 0).any():
+        return None
+    coarse = step[1:] > interval
+    return None if (np.diff(time)[coarse] > 1.5 * step[1:][coarse]).any() else interval
+
+
+def _interval_by_frames(track: Track) -> float:
+    """Return the time of the file from frame to frame, s; the time of one frame if there is only one."""
+    frame = np.asarray(track.frame)
+    span = float(track.time[-1] - track.time[0])
+    return span / float(frame[-1] - frame[0]) if frame[-1] > frame[0] and span > MIN_INTERVAL_S else np.inf
+
+
+def _compare(interval: float, track: Track, rate: float, moved: bool, notes: list[str]) -> None:
+    """Add a note if the file's times differ from the times of the rate, or are rounded to much of a frame and so ``moved``."""
+    step = float(rounding_of_times(track.time).max())
+    span = float(track.time[-1] - track.time[0])
+    note = ""
+    error = 4 * step / (span * np.sqrt(len(track))) if span > MIN_INTERVAL_S else np.inf
+    whole = interval == 1 and track.frame is None and (track.time == np.round(track.time)).all()
+    if whole and rate != 1:
+        note = f"the times are whole numbers: taken as the numbers of frames, {rate:g} per second"
+    elif np.isfinite(interval) and abs(interval * rate - 1) > max(SAME_RATE, error):
+        note = (
+            f"the file's times say {1 / interval:.5g} frames per second; `rate` {rate:g} overrides them (leave it out if they are"
+            " right)"
+        )
+    elif moved and step * rate > OFF_CLOCK and track.frame is None:
+        note = f"the file's times are rounded to {1e3 * step:g} ms; `rate` {rate:g} replaces them, one row per frame"
+    if note and note not in notes:
+        notes.append(note)

@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,7 @@ from carom.data.columns import Columns, as_columns, is_columns, read_columns
 from carom.errors import CaromError, Fault, FaultList
 from carom.files import MOST_TABLE, as_path, read_regular
 from carom.formatting import counted
+from carom.tracks.frame_clock import times_behind_rounding
 
 __all__ = ["EXACT", "FEW", "BallPath", "PathPiece", "read_paths"]
 
@@ -106,42 +107,66 @@ def read_paths(
     known = _known_rows(faults, numbers, notes)
     if "z" not in numbers:
         notes.append("no column z: all balls lie on the floor")
-    spins = {"wx", "wy", "wz"} <= set(numbers)
-    if not spins:
+    if not {"wx", "wy", "wz"} <= set(numbers):
         notes.append("no columns wx, wy, wz: spins are unknown; a contact may add as much energy as rolling has")
-    label = next((name for name in ("name", "ball") if name in columns), None)
-    names = np.full(len(numbers["t"]), "ball")
+    rows = _rows_of_balls(where, columns, numbers, known, radius, mass, notes)
+    if not any(len(one.t) > FEW for one in rows):
+        raise CaromError(f"{where}: expected more than {FEW} frames of a ball, got fewer")
+    # (rows share a time in some frames only where times are rounded)
+    several = [one.name for one in rows if len(one.t) > FEW and np.unique(one.t, return_counts=True)[1].min() > 1]
+    clock = [one.t for one in rows] if several else times_behind_rounding([one.t for one in rows], notes)
+    several += [one.name for one, t in zip(rows, clock, strict=True) if len(t) > FEW and np.any(np.diff(t) <= 0)]
+    if several:
+        raise CaromError(
+            f"{where}: {several[0]}: expected one row per frame, got two of the same time; give each ball a name"
+        )
+    rows = [one._replace(t=t) for one, t in zip(rows, clock, strict=True)]
+    sigma = _noise(rows) if noise is None else float(noise)
+    sigma = max(sigma, 4e-16 * max(float(np.abs(one.x).max(initial=0.0)) for one in rows))
+    return [BallPath(name, t, x, a, m, tuple(_pieces(t, x, w, sigma))) for name, t, x, w, a, m in rows], sigma, notes
+
+
+class _Rows(NamedTuple):
+    """A ball with its rows, sorted by time; its spins (n, 3) if they are known, radius and mass."""
+
+    name: str
+    t: Array
+    x: Array
+    w: Array | None
+    radius: float
+    mass: float
+
+
+def _rows_of_balls(
+    where: str, columns: Columns, numbers: dict[str, Array], known: NDArray[np.bool_], radius: float | None, mass: float,
+    notes: list[str],
+) -> list[_Rows]:  # fmt: skip
+    """Return the rows of each ball; a note says where a radius was assumed. Raises for balls whose radius is not known."""
+    count, label = len(known), next((name for name in ("name", "ball") if name in columns), None)
+    names = np.full(count, "ball")
     if label:  # (numbers are read as such: ball 1, not 1.0)
         names = np.array([f"{one:g}" if isinstance(one, float) else str(one) for one in columns[label]])
-    split = []
-    for name in dict.fromkeys(names.tolist()):
-        own = np.flatnonzero(names == name)
-        own = own[np.argsort(numbers["t"][own], kind="stable")]
-        own = own[known[own]]
-        if len(own) == 0:
-            continue
+    spins = np.stack([numbers[f"w{axis}"] for axis in "xyz"], axis=-1) if {"wx", "wy", "wz"} <= set(numbers) else None
+    if radius is None and "radius" not in numbers:
+        assumed = "its least height" if "z" in numbers else f"{POOL_BALL:g} m, a pool ball's"
+        notes.append(f"no radius: each ball's is assumed to be {assumed}")
+    used, inverse = np.unique(names[known], return_inverse=True)
+    order = np.lexsort((numbers["t"][known], inverse))
+    by_name = np.split(np.flatnonzero(known)[order], np.cumsum(np.bincount(inverse))[:-1]) if len(used) else []
+    faults, rows = FaultList(where), list[_Rows]()
+    for own in sorted(by_name, key=lambda one: int(one.min())):
+        name = str(names[own[0]])
         least = float(numbers["z"][own].min()) if "z" in numbers else POOL_BALL
         a = float(numbers["radius"][own][0]) if "radius" in numbers else least if radius is None else radius
         if not a > 0:
             got = f"none, and a least height of {a:g} m"
             faults.add(name, "the radius of the ball", got, "give it, or heights of the ball's centre")
-            continue
         m = float(numbers["mass"][own][0]) if "mass" in numbers else mass
-        z = numbers["z"] if "z" in numbers else np.full(len(names), a)
-        x = np.stack([numbers["x"], numbers["y"], z], axis=-1)[own]
-        w = np.stack([numbers[f"w{axis}"] for axis in "xyz"], axis=-1)[own] if spins else None
-        if len(own) > FEW and np.any(np.diff(numbers["t"][own]) <= 0):
-            raise CaromError(
-                f"{where}: {name}: expected one row per frame, got two of the same time; give each ball a name"
-            )
-        split.append((name, numbers["t"][own], x, w, a, m))
+        z = numbers["z"][own] if "z" in numbers else np.full(len(own), a)
+        x = np.stack([numbers["x"][own], numbers["y"][own], z], axis=-1)
+        rows.append(_Rows(name, numbers["t"][own], x, None if spins is None else spins[own], a, m))
     faults.raise_if_any()
-    if not any(len(one[1]) > FEW for one in split):
-        raise CaromError(f"{where}: expected more than {FEW} frames of a ball, got fewer")
-    sigma = _noise([one[2] for one in split]) if noise is None else float(noise)
-    scale = max(float(np.abs(one[2]).max(initial=0.0)) for one in split)
-    sigma = max(sigma, 4e-16 * scale)
-    return [BallPath(name, t, x, a, m, tuple(_pieces(t, x, w, sigma))) for name, t, x, w, a, m in split], sigma, notes
+    return rows
 
 
 def _columns(path: Path, notes: list[str]) -> Columns:
@@ -231,10 +256,24 @@ def _numbers(faults: FaultList, name: str, column: NDArray[Any]) -> Array:
     return numbers
 
 
-def _noise(places: Sequence[Array]) -> float:
+def _third_differences(t: Array, x: Array) -> Array:
+    """Return third differences (n - 3, 3) of places (n, 3) at any times: a parabola has none, noise as many as at even times."""
+    windows = np.lib.stride_tricks.sliding_window_view(t, 4)
+    apart = windows[:, :, None] - windows[:, None, :] + np.eye(4)
+    weights = 1 / apart.prod(axis=2)
+    weights *= math.sqrt(20) / np.linalg.norm(weights, axis=1, keepdims=True)  # (of even times 1, 3, 3, 1)
+    found: Array = np.einsum("wk,wik->wi", weights, np.lib.stride_tricks.sliding_window_view(x, 4, axis=0))
+    return found
+
+
+def _noise(rows: Sequence[_Rows]) -> float:
     """Estimate the noise of a coordinate from third differences, which events affect in few frames: their median is taken."""
     sizes = np.concatenate(
-        [np.abs(np.diff(x, 3, axis=0))[np.abs(x[3:] - x[:-3]).max(axis=1) > 0].ravel() for x in places]
+        [
+            np.abs(_third_differences(t, x))[np.abs(x[3:] - x[:-3]).max(axis=1) > 0].ravel()
+            for _name, t, x, *_rest in rows
+            if len(t) > 3
+        ]
     )
     # the median of |N(0, 1)| is 0.6745; 1 + 9 + 9 + 1 = 20
     return float(np.median(sizes[sizes > 0]) / 0.6745 / math.sqrt(20)) if (sizes > 0).any() else 0.0
@@ -244,10 +283,7 @@ def _pieces(t: Array, x: Array, w: Array | None, sigma: float) -> Iterator[PathP
     """Yield pieces of constant acceleration: runs of frames in which third differences are noise."""
     if len(t) < FEW:
         return
-    step = np.diff(t)
-    even = np.abs(step - np.median(step)) < 1e-3 * np.median(step)
-    calm = (np.abs(np.diff(x, 3, axis=0)) < 6 * math.sqrt(20) * sigma + 1e-9).all(axis=1)
-    calm &= even[:-2] & even[1:-1] & even[2:]
+    calm = (np.abs(_third_differences(t, x)) < 6 * math.sqrt(20) * sigma + 1e-9).all(axis=1)
     edges = np.flatnonzero(np.diff(np.concatenate([[False], calm, [False]])))
     for low, high in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
         first, last = low, high + 2  # window i has the frames i to i + 3

@@ -19,6 +19,7 @@ from carom.tracks.elsewhere import elsewhere_note, facing_up, with_turns
 from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
 from carom.tracks.flights import STILL_AIR, Air, air_and_notes
 from carom.tracks.floor import FloorEstimates, WithError
+from carom.tracks.frame_clock import on_camera_clock
 from carom.tracks.free_fall import axis_points_down, constant_acceleration, what_would_give
 from carom.tracks.plausibility import (
     GRAVITY_TOLERANCE,
@@ -27,7 +28,7 @@ from carom.tracks.plausibility import (
     shared_error_notes,
     why_implausible,
 )
-from carom.tracks.preprocess import guess_view, initial_noise, on_camera_clock, rounding_step, without_outliers
+from carom.tracks.preprocess import guess_view, initial_noise, rounding_step, without_outliers
 from carom.tracks.smooth_turns import certainly_sharp, turns_smoothly
 from carom.tracks.track import Track
 from carom.tracks.turned_camera import without_turned

@@ -1,32 +1,17 @@
-"""Preparation of tracks for fits: times on the camera's clock, rounding and noise of positions, and the camera's view."""
+"""Preparation of tracks for fits: rounding and noise of positions, wrong positions, and the camera's view."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError
 from carom.tracks.contact import View
 from carom.tracks.free_fall import MIN_FALLING_SHARE, constant_acceleration, falling_share
 from carom.tracks.track import Track
 
-__all__ = [
-    "MIN_INTERVAL_S",
-    "CameraClock",
-    "camera_clock",
-    "guess_view",
-    "initial_noise",
-    "on_camera_clock",
-    "position_noise",
-    "rounding_step",
-    "without_outliers",
-]
-
 Array = NDArray[np.float64]
-MIN_INTERVAL_S = 1e-9  # between two frames: no camera is faster
 # Smallest share of the series (and at least two) that has to show the same rounding step: fast and resting balls show none.
 MIN_AGREEING_SHARE = 0.1
 MAX_OFF_STEP = 0.2  # of a step, by which differences of rounded positions may miss a multiple
@@ -34,95 +19,6 @@ MAX_OFF_STEP = 0.2  # of a step, by which differences of rounded positions may m
 # between these frames it lies 5.3 times as far at most, beside two contacts 11 times.
 OUTLYING = 12.0
 AROUND = np.array([-3.0, -2.0, -1.0, 1.0, 2.0, 3.0])  # frames
-
-
-@dataclass(frozen=True, eq=False)
-class CameraClock:
-    """The times at which a camera took its frames."""
-
-    interval: float
-    """From frame to frame, s."""
-    time: Array
-    """(n,) s: on the clock if the file's times were rounded, else as they are in the file."""
-    frame: NDArray[np.bool_]
-    """(n,): rows that are frames; the others lie between frames, interpolated by a program."""
-    rounded: float
-    """Step to which the file's times were rounded, s; 0 if they are exact enough."""
-    steady: bool
-    """Whether the frames are evenly spaced."""
-
-
-def camera_clock(time: Array) -> CameraClock:
-    """Find the clock behind sorted times (n,), s, which may have gaps, duplicates, rounding, and rows between the frames."""
-    n = len(time)
-    every = np.ones(n, bool)
-    steps = np.diff(time)
-    steps = steps[steps > MIN_INTERVAL_S]
-    if len(steps) < 3:
-        return CameraClock(float(steps.min()) if len(steps) else np.nan, time, every, 0.0, False)
-    interval = _commonest(steps)
-    grid = _grid(time)
-    start = _start(time, interval)
-    if start is None:
-        return CameraClock(interval, time, every, 0.0, False)
-    first, size = start
-    zero = float(time[first])
-    reach, near = size, np.zeros(n, bool)
-    while True:
-        rows = slice(max(first - reach, 0), first + reach)
-        count = np.round((time[rows] - zero) / interval)
-        off = time[rows] - zero - count * interval
-        near = np.abs(off) < 0.08 * interval + grid
-        if near.sum() < 3:
-            return CameraClock(interval, time, every, 0.0, False)
-        interval, zero = (float(x) for x in np.polyfit(count[near], time[rows][near], 1))
-        if reach >= n:
-            break
-        reach *= 2
-    count = np.round((time - zero) / interval)
-    off = time - zero - count * interval
-    near = np.abs(off) < 0.08 * interval + grid
-    if near.mean() < 0.7:
-        return CameraClock(interval, time, every, 0.0, False)
-    spread = float(np.median(np.abs(off[near])))
-    frame = np.abs(off) < max(4 * spread, 1e-3 * interval)
-    if grid > 0:
-        frame &= np.abs(time / grid - np.round(time / grid)) < 0.02
-    # of two rows in one frame the nearer to the clock
-    order = np.lexsort((np.abs(off), count))
-    doubled = np.zeros(n, bool)
-    doubled[order[1:]] = count[order][1:] == count[order][:-1]
-    frame &= ~doubled
-    rounded = max(grid, 4 * spread) if spread > 2e-3 * interval else 0.0
-    clock = np.where(frame, zero + count * interval, time) if rounded else time
-    return CameraClock(interval, clock, frame, rounded, True)
-
-
-def _commonest(steps: Array) -> float:
-    """Return the smallest common step: a slow ball may have rows in every second frame only."""
-    steps = np.sort(steps)
-    count = np.searchsorted(steps, 1.04 * steps) - np.searchsorted(steps, 0.96 * steps)
-    least = float(steps[np.flatnonzero(count >= 0.25 * count.max())[0]])
-    return float(np.median(steps[np.abs(steps / least - 1) < 0.08]))
-
-
-def _start(time: Array, interval: float) -> tuple[int, int] | None:
-    """Return the middle and half the length of the longest run of even steps."""
-    even = np.abs(np.diff(time) - interval) < 0.1 * interval
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], even, [False]]).astype(int)))
-    runs = edges.reshape(-1, 2)
-    if not len(runs):
-        return None
-    low, high = runs[np.argmax(runs[:, 1] - runs[:, 0])]
-    return (int(low + high) // 2, max((int(high - low) + 1) // 2, 2)) if high - low >= 3 else None
-
-
-def _grid(time: Array) -> float:
-    """Return the round step (10 ms, 1 ms, 0.5 ms, 0.1 ms) of which nearly all times are multiples; 0 if there is none."""
-    for grid in (1e-2, 1e-3, 5e-4, 1e-4):
-        if (np.abs(time / grid - np.round(time / grid)) < 0.02).mean() > 0.8:
-            return grid
-    return 0.0
 
 
 def rounding_step(series: Sequence[Array]) -> float:
@@ -195,51 +91,6 @@ def position_noise(time: Array, position: Array, interval: float) -> float:
         return 0.0
     # the median of |N(0, 1)| is 0.6745; 1 + 16 + 36 + 16 + 1 = 70
     return float(np.median(sizes) / 0.6745 / np.sqrt(70.0))
-
-
-def on_camera_clock(tracks: Sequence[Track], notes: list[str]) -> tuple[list[Track], float]:
-    """Return the tracks with only the frames in which balls were found, on the clock of their group, and the interval, s."""
-    seen = []
-    intervals = []
-    groups: dict[str, list[Track]] = {}
-    for track in tracks:
-        if track.position.shape[1] != 2:
-            raise CaromError(
-                f"track {track.name!r}: expected positions in a plane, got three coordinates; omit the third column"
-            )
-        groups.setdefault(track.group, []).append(track.select(track.seen))
-    off = rounded = unsteady = 0
-    hint = ""
-    for members in groups.values():
-        times = np.unique(np.concatenate([track.time for track in members]))
-        clock = camera_clock(times)
-        off += int((~clock.frame).sum())
-        rounded += clock.rounded > 0
-        unsteady += not clock.steady
-        grid = _grid(times)
-        if not clock.steady and len(times) > 3 and np.ptp(times) < 3 * grid * (len(times) - 1):
-            mean = (len(times) - 1) / np.ptp(times)
-            hint = f"; they seem to be rounded to {grid:g} s: `rate` gives the frame rate (about {mean:.3g} per second)"
-        if np.isfinite(clock.interval):
-            intervals.append(clock.interval)
-        seen += [_on_clock(track, times, clock) for track in members]
-    interval = float(np.median(intervals)) if intervals else np.nan
-    if off:
-        notes.append(f"{off:,} rows lie between the camera's frames: interpolated by a program, and omitted")
-    if rounded:
-        notes.append(
-            f"times were rounded: replaced by the times of the camera's clock, one frame every {1e3 * interval:.4g} ms"
-        )
-    if unsteady:
-        notes.append(
-            f"frames are not evenly spaced in {unsteady} of {len(groups)} files or shots: times are used as given{hint}"
-        )
-    return [track for track in seen if len(track)], interval
-
-
-def _on_clock(track: Track, times: Array, clock: CameraClock) -> Track:
-    rows = np.searchsorted(times, track.time)
-    return replace(track, time=clock.time[rows]).select(clock.frame[rows])
 
 
 def without_outliers(tracks: Sequence[Track], interval: float, gravity: float, notes: list[str]) -> list[Track]:

@@ -37,9 +37,9 @@ from carom.tracks.formats.missing import without_marked_places
 from carom.tracks.formats.pooltool_fields import open_file
 from carom.tracks.formats.projects import START, foreign_file
 from carom.tracks.formats.text_table import Calibration, first_rows
-from carom.tracks.frame_numbers import at_rate, without_rounding
+from carom.tracks.frame_clock import MIN_INTERVAL_S, at_rate, without_rounding
 from carom.tracks.free_fall import likely_unit
-from carom.tracks.preprocess import MIN_INTERVAL_S, position_noise
+from carom.tracks.preprocess import position_noise
 from carom.tracks.track import Track
 
 MESSAGE_PACK = ".msgpack"

@@ -24,7 +24,8 @@ from carom.tracks.events import (
     position_at,
     turning_points,
 )
-from carom.tracks.preprocess import initial_noise, on_camera_clock, rounding_step, without_outliers
+from carom.tracks.frame_clock import on_camera_clock
+from carom.tracks.preprocess import initial_noise, rounding_step, without_outliers
 from carom.tracks.track import Track
 
 __all__ = ["FilmedEvent", "FilmedShot", "Films", "filmed_shots", "require_on_table"]
