@@ -59,7 +59,7 @@ def forked() -> Iterator[Forked]:
     """
     with forking(
         "carom.laws.comparison", "pydantic.main", "pydantic.types", "carom.scene.plausible", "rich.table",
-        "carom.simulation.simulate", "carom.gas.session", "h5netcdf", "xarray", "pyarrow.parquet", "gsd.hoomd",
+        "carom.simulation.simulate", "carom.gas.session", "xarray", "pyarrow.parquet", "gsd.hoomd",
     ) as run:  # fmt: skip
         yield run
 

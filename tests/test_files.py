@@ -207,7 +207,6 @@ READERS = {
     "checkpoint": carom.gas.load_checkpoint,
     "start.csv": lambda path: read_initial_state(Path(path), 3, (1.0, 1.0, 1.0)),
     "run.parquet": carom.load_trajectory,
-    "run.nc": carom.load_trajectory,
     "rebounds": carom.data.read_rebounds,
     "rebounds.parquet": carom.data.read_rebounds,
     "states": carom.predict,

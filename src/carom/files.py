@@ -54,8 +54,6 @@ __all__ = [
 # Each optional library: its name in prose, and carom's extra that installs it.
 OPTIONAL = {
     "gsd": ("gsd", "gsd"),
-    "h5netcdf": ("h5netcdf", "xarray"),
-    "h5py": ("h5py", "xarray"),
     "imageio_ffmpeg": ("imageio-ffmpeg", "film"),
     "jax": ("JAX", "jax"),
     "matplotlib": ("Matplotlib", "plot"),

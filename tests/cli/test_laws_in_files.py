@@ -66,7 +66,6 @@ def test_no_file_runs_a_law(kind: str, tmp_path: Path) -> None:
         pytest.importorskip("zarr")
     if kind == "run":
         pytest.importorskip("pyarrow")
-        pytest.importorskip("h5netcdf")
     answers = Counter[str]()
     for i, case in enumerate(few(kind)):
         everyone = kind in ("scene", "sweep") and case.place in LAW_FIELDS

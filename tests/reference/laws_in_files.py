@@ -288,7 +288,6 @@ def _runs(law: str, every: bool) -> Iterator[Case]:
         yield Case(
             "run", place, "run.parquet", lambda file, whole=whole: save.write_parquet(columns, {"carom": whole}, file)
         )
-        yield Case("run", place, "run.nc", lambda file, signed=signed: save._to_netcdf(run.log, signed, file))
 
 
 def _checkpoints(law: str, every: bool) -> Iterator[Case]:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from reference.commands import command, fails
 from reference.pressed_shots import LIMIT, compare_shot
 from reference.sensitivity_differences import compare
 
@@ -194,3 +197,22 @@ def test_a_spin_has_three_columns_on_the_floor_too() -> None:
     many = carom.sensitivities(scene, "balls.*.spin")
     assert many.columns == [f"balls.*.spin.{name}" for name in "xyz"]
     assert np.array_equal(many.derivatives.velocity[0, ..., 2], alone.final.velocity[..., 0])
+
+
+def test_the_table_of_what_matters(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    ball = "radius = 0.03\nmass = 0.2\nvelocity = [1.0, 0.2]\nposition = [0, 0]\nrolling = true\n"
+    (tmp_path / "shot.toml").write_text(f"[floor]\nfriction = 0.2\nrolling_resistance = 0.02\n[[balls]]\n{ball}")
+    words = ["simulate", str(tmp_path / "shot.toml"), "--sensitivity"]
+    code, told, notes = command(capsys, *words, "balls.0.velocity,floor.rolling_resistance", "--json")
+    assert code == 0, notes
+    rows = json.loads(told)["sensitivity"]
+    # the way is v^2 / (2 c g): 2 % of the part along x for 1 % of v_x, and the resistance's 1 %
+    way = (1.0 + 0.04) / (2 * 0.02 * 9.80665)
+    assert [row["parameter"] for row in rows] == [
+        "balls.0.velocity.x",
+        "balls.0.velocity.y",
+        "floor.rolling_resistance",
+    ]
+    assert rows[2]["mm_per_cent"][0] == pytest.approx(10 * way, rel=1e-6)
+    assert "What matters" in command(capsys, *words, "balls.0.velocity,floor.rolling_resistance")[1]
+    assert "did you mean 'balls.0.velocity'" in " ".join(fails(capsys, *words, "balls.0.velocty"))

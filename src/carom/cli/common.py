@@ -73,7 +73,6 @@ GAS_FILMS = (".svg", ".gif", ".mp4")
 LIBRARIES = {
     **dict.fromkeys((*PICTURES, ".mp4", ".gif"), ("matplotlib",)),
     **dict.fromkeys((".parquet", ".pq"), ("pyarrow",)),
-    ".nc": ("xarray", "h5netcdf", "h5py"),
     ".gsd": ("gsd",),
 }
 """The optional libraries that a file needs, by its ending."""

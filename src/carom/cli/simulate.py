@@ -74,7 +74,7 @@ def simulate(
     plot: Annotated[Path | None, shared("plot")] = None,
     animate: Annotated[Path | None, option(OUTPUT, "Write an animation: .mp4, .gif or .html.", metavar="FILE")] = None,
     save: Annotated[
-        Path | None, option(OUTPUT, "Save the run for carom.load_trajectory: .parquet or .nc.", metavar="FILE")
+        Path | None, option(OUTPUT, "Save the run for carom.load_trajectory: .parquet.", metavar="FILE")
     ] = None,
     table: Annotated[Path | None, option(OUTPUT, "Write all events: .csv or .parquet.", metavar="FILE")] = None,
     out: Annotated[

@@ -29,7 +29,7 @@ def load_trajectory(path: str | Path, *, allow_own_laws: bool = False) -> Trajec
     Parameters
     ----------
     path : str or Path
-        A .parquet file (the extra ``parquet``) or a .nc file (the extra ``xarray``).
+        A .parquet file (the extra ``parquet``).
     allow_own_laws : bool, optional
         Whether a custom law, a Python file that the stored scene names, is run. Default: it is refused, so that opening a file runs
         no code.
@@ -43,14 +43,14 @@ def load_trajectory(path: str | Path, *, allow_own_laws: bool = False) -> Trajec
     >>> import carom
     >>> carom.load_trajectory("run.csv")
     Traceback (most recent call last):
-    carom.errors.CaromError: run.csv: expected a name that ends with .parquet or .nc, got '.csv'
+    carom.errors.CaromError: run.csv: expected a name that ends with .parquet, got '.csv'
     """
     path = as_path("load_trajectory", path)
     if path.suffix.lower() not in FORMATS:
         raise CaromError(f"{path}: expected a name that ends with {' or '.join(FORMATS)}, got {path.suffix!r}")
     open_regular(path, "a run that carom saved").close()
     try:
-        about, fields = _from_netcdf(path) if path.suffix.lower() == ".nc" else _from_parquet(path)
+        about, fields = _from_parquet(path)
     except UnicodeDecodeError:
         raise _damaged(path, "one with invalid characters") from None
     log = np.zeros(len(fields["t"]), LOG)
@@ -129,43 +129,6 @@ def _numbers(path: Path, table: Any, name: str) -> Array:
     if column.null_count or values.dtype.kind not in "if":
         raise _damaged(path, f"a column {name!r} that is not all numbers")
     return values
-
-
-def _from_netcdf(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
-    h5py = import_optional("h5py", path.name)
-    try:
-        # as HDF5, which NetCDF is: nothing is decoded, neither times nor missing numbers
-        with h5py.File(path) as file:
-            about = {name: _plain(value) for name, value in file.attrs.items()}
-            if "carom_format" not in about:
-                raise _foreign(path, "a NetCDF file")
-            _known_format(path, about)
-            known = [name for name in file if name in (LOG.names or ())]
-            require_unpacked_size(path, sum(file[name].nbytes for name in known))
-            found = {name: (file[name][()], file[name].attrs.get("flag_meanings")) for name in known}
-    except CaromError:
-        raise
-    except Exception as error:  # HDF5 tells of damage in many classes
-        first = (str(error).splitlines() or [type(error).__name__])[0]
-        raise CaromError(f"{path}: expected an undamaged NetCDF file, got: {first}") from None
-    fields: dict[str, Any] = {}
-    for field in LOG.names or ():
-        if field not in found:
-            raise _damaged(path, f"no variable {field!r}")
-        values, meanings = found[field]
-        if values.shape != (len(found["t"][0]), *LOG[field].shape) or values.dtype.kind not in "if":
-            raise _damaged(path, f"a variable {field!r} of another shape")
-        if field in NAMED:
-            names = str(meanings).split()
-            fields[field] = [names[i] if 0 <= i < len(names) else str(i) for i in values.tolist()]
-        else:
-            fields[field] = values
-    return about, fields
-
-
-def _plain(value: Any) -> Any:
-    """An attribute as Python has it."""
-    return np.ravel(value)[0].item() if isinstance(value, (np.ndarray, np.generic)) and np.size(value) == 1 else value
 
 
 def _codes(path: Path, field: str, names: list[Any]) -> list[int]:

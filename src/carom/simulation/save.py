@@ -1,4 +1,4 @@
-"""Write a run to a file: Parquet (the extra ``parquet``) or NetCDF (the extra ``xarray``).
+"""Write a run to a file: Parquet (the extra ``parquet``).
 
 The file holds the log of events and the scene, from which :func:`carom.load_trajectory` makes the same
 :class:`~carom.Trajectory`, bit for bit. Kinds of events and phases are written by name, so that a later version of carom may number
@@ -8,7 +8,6 @@ them otherwise.
 from __future__ import annotations
 
 import hashlib
-import io
 import json
 from pathlib import Path
 from typing import Any
@@ -28,7 +27,7 @@ from carom.simulation.tables import UNITS
 __all__ = ["FORMAT", "FORMATS", "NAMED", "digest_of", "log_columns", "save", "version", "write_parquet"]
 
 FORMAT = 1
-FORMATS = (".parquet", ".nc")
+FORMATS = (".parquet",)
 NAMED = {"kind": KINDS, "met": KINDS, "phase_before": PHASES, "phase": PHASES}
 AXES = ("x", "y", "z")
 # The log's vectors, by what their columns are called.
@@ -37,24 +36,21 @@ VECTORS = {
     "impulse": "impulse_{}", "floor_impulse": "floor_impulse_{}",
 }  # fmt: skip
 SCALARS = {"t": "t", "ball": "ball", "other": "other", "required": "required_friction", "regime": "regime"}
-# Fields of the log: the unit of a vector or scalar.
-UNIT_OF = {"t": "s", "x": "m", "v_before": "m/s", "v": "m/s", "w_before": "rad/s", "w": "rad/s"}
-UNIT_OF |= {"impulse": "N s", "floor_impulse": "N s"}
 
-TABLES = (".csv", ".xlsx", ".xls", ".json", ".txt")  # for which somebody wants the numbers, not the run
+TABLES = (".csv", ".nc", ".xlsx", ".xls", ".json", ".txt")  # for which somebody wants the numbers, not the run
 
 Array = NDArray[Any]
 
 
 def save(run: RunRecord, path: Path) -> Path:
-    """Write a run to a .parquet or .nc file, completely or not at all.
+    """Write a run to a .parquet file, completely or not at all.
 
     Raises CaromError for another ending, a place that cannot be written to, and a run with a law that has no file.
     """
     if path.suffix.lower() in TABLES:
         raise CaromError(
             f"{path}: expected a name that ends with {' or '.join(FORMATS)}, got {path.suffix!r}; for a table of states use"
-            " run.table() (a pandas DataFrame), of events run.events.table()"
+            " run.table() (a pandas DataFrame) or run.to_xarray(), of events run.events.table()"
         )
     require_writable(path, FORMATS)
     about = {
@@ -66,10 +62,7 @@ def save(run: RunRecord, path: Path) -> Path:
     }
     about["sha256"] = digest_of(run.log, about)
     with atomic_path(path) as part:
-        if path.suffix.lower() == ".nc":
-            _to_netcdf(run.log, about, part)
-        else:
-            write_parquet(log_columns(run.log), {"carom": json.dumps(about)}, part)
+        write_parquet(log_columns(run.log), {"carom": json.dumps(about)}, part)
     return path
 
 
@@ -121,22 +114,3 @@ def log_columns(log: Array) -> dict[str, Array]:
             for k, axis in enumerate(AXES):
                 columns[VECTORS[field].format(axis)] = np.ascontiguousarray(log[field][:, k])
     return columns
-
-
-def _to_netcdf(log: Array, about: dict[str, Any], path: Path) -> None:
-    xarray = import_optional("xarray", path.name)
-    for name in ("h5netcdf", "h5py"):
-        import_optional(name, path.name)
-    variables = {}
-    for field in LOG.names or ():
-        note: dict[str, Any] = {"units": UNIT_OF[field]} if field in UNIT_OF else {}
-        if field in NAMED:
-            note = {"flag_values": np.arange(len(NAMED[field])), "flag_meanings": " ".join(NAMED[field])}
-        dims = ("row", "axis") if field in VECTORS else ("row",)
-        variables[field] = (dims, np.ascontiguousarray(log[field]), note, {"_FillValue": None})
-    dataset = xarray.Dataset(variables, attrs=about)
-    # in memory first: where the disk is full, HDF5 ends the process
-    whole = io.BytesIO()
-    with import_optional("h5netcdf", path.name).File(whole, "w") as file:
-        dataset.dump_to_store(xarray.backends.H5NetCDFStore(file))
-    path.write_bytes(whole.getvalue())

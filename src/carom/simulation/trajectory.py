@@ -33,7 +33,6 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
-    from carom.simulation.sensitivity.lyapunov import DisplacementGrowth
     from carom.simulation.sensitivity.sensitivity import Sensitivity
 
 __all__ = ["Trajectory"]
@@ -247,7 +246,7 @@ class Trajectory:
         Sensitivity
             ``columns`` (p names), ``final`` and ``at(t)`` with ``position``, ``velocity``, ``spin`` (B, 3, p) at a fixed time,
             ``events[i]`` with ``time`` (p,) and ``position``, ``velocity``, ``spin`` (3, p), ``margin`` (distance of each event to
-            the next change of regime), ``near_misses``, ``radius``, ``one_sided()``.
+            the next change of regime), ``near_misses``, ``radius``.
 
         Raises CaromError for an unknown path, for a path to what is no finite real number, for the motion of a ball at rest, at an
         exact graze, and for a law of one's own that calls more than Python's ``math``.
@@ -267,15 +266,6 @@ class Trajectory:
         from carom.simulation.sensitivity.sensitivity import sensitivity
 
         return sensitivity(self, wrt)
-
-    def lyapunov(self) -> DisplacementGrowth:
-        """Compute how small displacements of the balls grow: ``t`` (N,), ``stretch`` (N,), ``exponent``, ``horizon(error, size)``.
-
-        They end before a graze, where no derivative exists. Raises CaromError for a law that has none.
-        """
-        from carom.simulation.sensitivity.lyapunov import lyapunov
-
-        return lyapunov(self)
 
     def break_statistics(self) -> BreakStatistics:
         """Compute figures of the break of a rack: ``fast``, ``median``, ``share``, ``distance``, ``pocketed``; ``describe()``.
@@ -302,7 +292,7 @@ class Trajectory:
         )
 
     def save(self, path: str | Path) -> Path:
-        """Write the run to a .parquet or .nc file; :func:`carom.load_trajectory` gives back the same bits."""
+        """Write the run to a .parquet file; :func:`carom.load_trajectory` gives back the same bits."""
         return save(self, as_path("Trajectory.save", path))
 
     def save_frames(self, path: str | Path, rate: float = FRAME_RATE) -> Path:

@@ -19,7 +19,7 @@ from carom.simulation.sensitivity.interpreted import follow_interpreted
 from carom.simulation.sensitivity.parameters import Parameters
 from carom.simulation.sensitivity.passages import Passages
 
-__all__ = ["follow", "follow_to_graze"]
+__all__ = ["follow"]
 
 # What one row of a log takes Python, s.
 PER_ROW = 1e-3
@@ -44,7 +44,7 @@ def follow(scene: Any, parameters: Parameters, log: NDArray[np.void], end: float
 
     Raises CaromError at a graze, and for a law that takes no dual numbers.
     """
-    passages, graze = follow_to_graze(scene, parameters, log, end)
+    passages, graze = _follow_to_graze(scene, parameters, log, end)
     if graze >= 0:
         row = log[graze]
         pressed = row["kind"] == WALL and np.any(row["floor_impulse"])
@@ -57,7 +57,7 @@ def follow(scene: Any, parameters: Parameters, log: NDArray[np.void], end: float
     return passages
 
 
-def follow_to_graze(scene: Any, parameters: Parameters, log: NDArray[np.void], end: float) -> tuple[Passages, int]:
+def _follow_to_graze(scene: Any, parameters: Parameters, log: NDArray[np.void], end: float) -> tuple[Passages, int]:
     """Return the passages of a run, and the row of the first event without a derivative, up to which they hold, or -1."""
     global _spent  # noqa: PLW0603
     found = None

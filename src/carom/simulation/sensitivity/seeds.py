@@ -21,7 +21,7 @@ from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
 from carom.simulation.setup import SceneArrays, set_up
 
-__all__ = ["MOST_COLUMNS", "Column", "Tangents", "linear_slopes", "shifted_scene", "tangents_of"]
+__all__ = ["MOST_COLUMNS", "Column", "Tangents", "linear_slopes", "tangents_of"]
 
 Array = NDArray[np.float64]
 Tangents = dict[str, dict[str, Array]]

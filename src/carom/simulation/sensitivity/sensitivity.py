@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import warnings
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
@@ -11,11 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.errors import CaromError
 from carom.formatting import format_number, html_table
-from carom.simulation.records import START
+from carom.simulation.records import BALL, START, WALL
 from carom.simulation.sensitivity.follow import follow
-from carom.simulation.sensitivity.margins import Margin, margins
+from carom.simulation.sensitivity.margins import EXACT, Margin, impacts_at_once, margins
 from carom.simulation.sensitivity.near_misses import NearMiss, near_misses
-from carom.simulation.sensitivity.one_sided import OneSided, one_sided, warn_of_switches
 from carom.simulation.sensitivity.parameters import Parameters, parameters_of
 from carom.simulation.sensitivity.passages import PLACES, Passages, StateSensitivity
 
@@ -102,13 +102,6 @@ class Sensitivity:
         radii = [one.radius for one in self.margin] + [one.radius for one in self.near_misses]
         return min(radii, default=np.inf)
 
-    def one_sided(self) -> OneSided:
-        """Return ``below`` and ``above``: derivatives of the final states for smaller and for greater values of each parameter.
-
-        They differ where an event is at a switch. Raises CaromError where they grow without bound (a ball that just touches).
-        """
-        return one_sided(self._run, self.parameters)
-
     def what_matters(self) -> Array:
         """Return how far each ball's final place moves when a parameter changes by 1 %: (B, p), m."""
         return np.asarray(np.linalg.norm(self.final.position, axis=1) * np.abs(self.values) / 100)
@@ -135,5 +128,38 @@ def sensitivity(run: Any, wrt: str | Iterable[str]) -> Sensitivity:
         raise CaromError("sensitivity: expected a run with a complete log")
     parameters = parameters_of(scene, run.arrays, wrt, first["phase"].tolist())
     passages = follow(scene, parameters, log, run.end)
-    warn_of_switches(run, passages)
+    _warn_of_switches(run, passages)
     return Sensitivity(run, parameters, passages)
+
+
+def _warn_of_switches(run: Any, passages: Passages) -> None:
+    """Warn of events that are exactly at a switch, where derivatives are one-sided."""
+    log, first = run.log, len(run.scene.balls)
+    required, friction = passages.values["required"], passages.values["friction"]
+    border = np.flatnonzero((required >= (1 - EXACT) * friction) & (required <= (1 + EXACT) * friction))
+    found = {k: "at the border of sticking and slipping" for k in border.tolist() if _sticks_just(log[k], friction[k])}
+    found |= dict.fromkeys(_ties(log), "at the same time as another impact of this ball")
+    if found:
+        k = min(found)
+        more = f" (and {len(found) - 1} more)" if len(found) > 1 else ""
+        warnings.warn(
+            f"sensitivity: events[{k - first}] ({log['t'][k]:.9g} s, ball {int(log['ball'][k])}): {found[k]}{more}: derivatives are"
+            " those of one side",
+            stacklevel=4,
+        )
+
+
+def _sticks_just(row: Any, friction: float) -> bool:
+    """Return whether the required friction is the border's (a pressed ball that slides requires all there is)."""
+    return bool(0 < friction < np.inf and not np.any(row["floor_impulse"]))
+
+
+def _ties(log: Any) -> list[int]:
+    """Return the rows of impacts at the same time as another impact of their ball."""
+    t, kind = log["t"], log["kind"]
+    hits = (kind == WALL) | (kind == BALL)
+    soon = np.flatnonzero(hits[1:] & hits[:-1] & (t[1:] - t[:-1] <= EXACT * t[1:]))
+    # (of most there is nothing to look at: the two rows of one meeting of two balls)
+    ball, other = log["ball"], log["other"]
+    met = (kind[soon + 1] == BALL) & (other[soon] == ball[soon + 1]) & (ball[soon] == other[soon + 1])
+    return [k for k in (soon[~met] + 1).tolist() if impacts_at_once(log, k, [ball[k]])[:k].any()]
