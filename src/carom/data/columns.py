@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.csv import CsvTable, TableChunk
+from carom.data.csv import CsvTable, TableChunk, row_label
 from carom.data.plan import TablePlan
 from carom.data.table_cells import decimal_commas, parse_numbers
 from carom.errors import CaromError
@@ -91,8 +91,9 @@ def read_columns(path: Path) -> tuple[Columns, list[str]]:
     A column of which every cell is a number or empty is one of floats, NaN where empty; another one is text. Raises CaromError, one
     line, for a file that cannot be opened.
     """
-    open_regular(path, most=MOST_TABLE).close()
-    if path.suffix.lower() in (".parquet", ".pq"):
+    with open_regular(path, most=MOST_TABLE) as file:
+        start = file.read(4)
+    if start == b"PAR1" or path.suffix.lower() in (".parquet", ".pq"):
         from carom.data.parquet import ParquetTable
 
         with ParquetTable(path) as table:
@@ -116,9 +117,9 @@ def read_columns(path: Path) -> tuple[Columns, list[str]]:
 class ColumnTable:
     """Columns in memory, read in chunks as a file is; what is added is gathered in ``made``."""
 
-    def __init__(self, columns: Columns, rows: Sequence[str] = ()) -> None:
-        """Take columns (N,) by name, and the labels of their rows."""
-        self.columns, self.rows = columns, rows
+    def __init__(self, columns: Columns) -> None:
+        """Take columns (N,) by name."""
+        self.columns = columns
         self.headers = list(columns)
         self.size = max(len(next(iter(columns.values()), ())), 1)
         self.done = 0
@@ -155,10 +156,7 @@ class ColumnTable:
                     notes[i] = f"{notes[i]}; {fault}" if i in notes else fault
             chunk = {name: column[start:stop].copy() for name, column in numbers.items()}
             self.done = stop
-            yield TableChunk(chunk, notes, self._label(start), None)
-
-    def _label(self, start: int) -> Any:
-        return lambda i: self.rows[start + i] if self.rows else f"row {start + i + 1}"
+            yield TableChunk(chunk, notes, row_label(start), None)
 
     def write_head(self, _file: BinaryIO | None, plan: TablePlan) -> None:
         """Note the names of the added columns."""

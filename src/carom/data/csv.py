@@ -348,3 +348,8 @@ class CsvTable:
 
 def _line_label(numbers: Sequence[int]) -> Callable[[int], str]:
     return lambda i: f"line {numbers[i]}"
+
+
+def row_label(start: int) -> Callable[[int], str]:
+    """Return the labels of rows of a chunk that begins so far into a table without lines."""
+    return lambda i: f"row {start + i + 1}"

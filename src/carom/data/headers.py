@@ -8,6 +8,7 @@ Case does not matter, nor does a space for an underscore.
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -26,6 +27,7 @@ __all__ = [
     "header_with_unit",
     "missing_unit",
     "parse_header",
+    "series_headings",
     "with_units_below",
     "without_unit",
 ]
@@ -70,6 +72,7 @@ WRITTEN_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
             "angle_out",
             "angle_out_from_normal",
             "rebound_angle",
+            "reflection_out",
             "theta2",
             "angle2",
         ),
@@ -85,7 +88,8 @@ WRITTEN_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
     "time_before": ("time", ("flight_time_in", "t_before", "time_in")),
     "time_after": ("time", ("flight_time_out", "t_after", "time_out")),
     "flight_time": ("time", ("time_between_bounces", "bounce_interval", "interval")),
-    **{f"v{k}_{side}": ("speed", (f"v_{k}_{side}", f"velocity_{k}_{side}")) for k in "xy" for side in ("in", "out")},
+    **{f"v{k}_in": ("speed", (f"v_{k}_in", f"velocity_{k}_in", f"velocity_{k}", f"v_{k}", f"v{k}")) for k in "xy"},
+    **{f"v{k}_out": ("speed", (f"v_{k}_out", f"velocity_{k}_out")) for k in "xy"},
     **{
         f"normalised_spin_{side}": (
             "number",
@@ -94,6 +98,20 @@ WRITTEN_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
         for side in ("in", "out")
     },
 }
+# Words of the headers of a series, one quantity of one ball bounce after bounce (h0, h1, h2; bounce 1 height): quantity -> its
+# dimension, and the words that name it. Words beside these; and words of the value before the first bounce, which has no number.
+SERIES_WORDS = {
+    "height": ("length", {"h", "height", "heights"}),
+    "speed": ("speed", {"v", "speed", "velocity"}),
+    "flight time": ("time", {"t", "time", "interval", "flight", "duration"}),
+    "angle": ("angle", {"theta", "angle"}),
+}  # fmt: skip
+_FILLERS = {
+    "after", "apex", "at", "ball", "bounce", "bounces", "impact", "max", "maximum", "nd", "no", "nr", "number", "of", "peak", "rd",
+    "rebound", "st", "th", "the",
+}  # fmt: skip
+_FIRST = {"drop", "dropped", "initial", "release", "start", "starting", "from"}
+_ORDINALS = {"first": "1", "second": "2", "third": "3", "fourth": "4", "fifth": "5", "sixth": "6"}
 # A column of the table of rebounds, and its cell in rows of which only the direction after the contact is known
 DIRECTION_COLUMN, DIRECTION_UNIT = "unit_of_v_t_out", "speed_out"
 # Names of other columns in tables of the release before: new -> old. They are read as the new ones.
@@ -135,8 +153,7 @@ class ColumnNames:
             later: name
             for name, (_dimension, others) in names.items()
             for alias in (name, *others)
-            for later in (alias, alias.replace("_in", "_before"), alias.replace("_out", "_after"))
-            if later == alias or alias.endswith(("_in", "_out"))
+            for later in _sided(alias)
         }
         self.by_length = sorted(self.known, key=len, reverse=True)
 
@@ -197,6 +214,68 @@ def with_units_below(kinds: Sequence[ColumnNames], headers: Sequence[str], row: 
             return None
         found[i] = f"{header.strip()} [{unit}]"
     return found if found != list(headers) else None
+
+
+def _sided(alias: str) -> list[str]:
+    """Return a name with its side of the contact written in other ways: v_in, v_before, inbound_v, incoming_v."""
+    for side, others in (("_in", ("_before", "inbound_", "incoming_")), ("_out", ("_after", "outbound_", "outgoing_"))):
+        if alias.endswith(side):
+            stem = alias.removesuffix(side)
+            return [alias, *(stem + other if other.startswith("_") else other + stem for other in others)]
+    return [alias]
+
+
+def series_headings(headers: Sequence[str], faults: list[Fault]) -> dict[int, Heading]:
+    """Return the meanings of columns that are a series, by place: the quantity is "height 0", "speed 2", or "sigma_height 0".
+
+    Of a series of two whose names are known, such as v1 and v2, there are none. A number that is missing or there twice is a fault.
+    """
+    every = {i: meaning for i, header in enumerate(headers) if (meaning := _of_series(header)) is not None}
+    known, found = ColumnNames(WRITTEN_COLUMNS), dict[int, Heading]()
+    for quantity in SERIES_WORDS:
+        places = [i for i, one in every.items() if one.quantity.rpartition(" ")[0] == quantity]
+        numbers = sorted(int(every[i].quantity.rpartition(" ")[2]) for i in places)
+        names = [None if (one := known.parse(headers[i])) is None else one.quantity for i in places]
+        if len(places) < 2 or (len(places) == 2 and None not in names and names[0] != names[1]):
+            continue
+        if numbers != list(range(numbers[0], numbers[0] + len(numbers))):
+            columns = ", ".join(repr(headers[i]) for i in places)
+            faults.append(
+                Fault("", f"columns {columns}", f"each {quantity} of a series once", f"the numbers {numbers}")
+            )
+        of_it = {f"{prefix}{quantity} {k}" for prefix in ("", "sigma_") for k in numbers}
+        found |= {i: one for i, one in every.items() if one.quantity in of_it}
+    return found
+
+
+def _of_series(header: str) -> Heading | None:
+    """Return the meaning of a header as one of a series; None for any other."""
+    text = _normalized(re.sub(r"[\[({](\d+)[\])}]", r"_\1_", unicodedata.normalize("NFKC", header)))
+    style: Style = "bracket"
+    if (found := BRACKETS.match(text)) or ((found := _NAME_AND_UNIT.match(text)) and not re.search(r"\d", found[2])):
+        text, name = found[1], found[2].replace("_", " ")
+    else:
+        name = next((suffix for suffix in _SUFFIXES if text.endswith("_" + suffix)), "")
+        text, name, style = text.removesuffix("_" + name), name.replace("_", "/"), "suffix" if name else "plain"
+    words = [_ORDINALS.get(word, word) for word in re.findall(r"[^\W\d_]+|\d+", text)]
+    prefix = "sigma_" if words and words[0] in ("sigma", "u") else ""
+    number = [word for word in words if word.isdecimal()]
+    rest = set(words[bool(prefix) :]).difference(number)
+    first = not number and bool(rest & _FIRST)
+    of_unit = [dimension for dimension in UNITS if name and unit_named(name, dimension) is not None]
+    for quantity, (dimension, names) in SERIES_WORDS.items():
+        said = bool(rest & names) or (dimension != "angle" and rest and dimension in of_unit)
+        if not said or not (len(number) == 1 or first) or rest - names - _FILLERS - (_FIRST if first else set()):
+            continue
+        unit = (
+            unit_named(name, dimension)
+            if name
+            else None
+            if dimension == "angle"
+            else next(iter(UNITS[dimension].values()))
+        )
+        return Heading(f"{prefix}{quantity} {int(*number)}", text, unit, style, dimension)
+    return None
 
 
 STATE_NAMES = ColumnNames(STATE_COLUMNS)

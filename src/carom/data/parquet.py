@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.csv import TableChunk
+from carom.data.csv import TableChunk, row_label
 from carom.data.plan import TablePlan
 from carom.errors import CaromError
 from carom.files import import_optional, open_regular, require_unpacked_size
@@ -84,7 +84,7 @@ class ParquetTable:
                     name: self._numbers(batch.column(s.index), s.header, notes, name in plan.may_be_empty)
                     for name, s in plan.sources.items()
                 }
-                yield TableChunk(columns, notes, _row_label(start), batch)
+                yield TableChunk(columns, notes, row_label(start), batch)
                 start += batch.num_rows
                 self.done = start
 
@@ -127,7 +127,3 @@ class ParquetTable:
         if self.writer is not None:
             with contextlib.suppress(self.pa.ArrowException, OSError, ValueError):
                 self.writer.close()
-
-
-def _row_label(start: int) -> Callable[[int], str]:
-    return lambda i: f"row {start + i + 1}"

@@ -9,7 +9,7 @@ from typing import Literal
 
 from carom.bodies import Ball, rolling
 from carom.core.units import UNITS, Unit
-from carom.data.headers import Heading, header_with_unit, missing_unit, parse_header, without_unit
+from carom.data.headers import Heading, Style, header_with_unit, missing_unit, parse_header, without_unit
 from carom.data.limits import bad_numbers
 from carom.errors import CaromError, Fault, FaultList, did_you_mean, near_name, require_type
 from carom.laws.law import LIKE_SOLIDS, SURFACES, Law, Meeting
@@ -310,14 +310,15 @@ def _added(
     speed_unit = first.unit if first.quantity != "incidence" and first.unit else UNITS["speed"]["m_s"]
     spin = next((columns[name][1] for name in ("spin_in", "spin_z_in", "spin_x") if name in columns), None)
     spin_unit = spin.unit if spin and spin.unit else UNITS["spin"]["rad_s"]
-    names: list[tuple[str, str, Unit]] = []  # before and after the stage's name, and the unit
+    names: list[tuple[str, str, Unit, Style]] = []  # before and after the stage's name, the unit and how it is written
 
     def add(stage: str, speeds: list[str], spins: list[str]) -> None:
-        names.extend((name, stage, speed_unit) for name in speeds)
-        names.extend((name, stage, spin_unit) for name in spins)
+        names.extend((name, stage, speed_unit, first.style) for name in speeds)
+        names.extend((name, stage, spin_unit, first.style) for name in spins)
         if form == "angle":
-            names.append(("speed", stage, speed_unit))
-            names.append(("reflection", stage, columns["incidence"][1].unit or UNITS["angle"]["deg"]))
+            angle = columns["incidence"][1]
+            names.append(("speed", stage, speed_unit, first.style))
+            names.append(("reflection", stage, angle.unit or UNITS["angle"]["deg"], angle.style))
 
     if form == "vector":
         for stage in ("out", "rolling")[: 1 + rolls]:
@@ -332,7 +333,7 @@ def _added(
     there = {without_unit(header) for header in headers}
     asked = None if not settings.suffix else settings.suffix.strip("_")
     tail, remarks = ("", []) if not asked else ("_" + asked, [])
-    bases = [f"{name}_{stage}" for name, stage, _ in names] + ["note"]
+    bases = [f"{name}_{stage}" for name, stage, *_ in names] + ["note"]
     if not asked and any(base in there for base in bases):
         tail = "_predicted"
         clash = [base for base in bases if base in there]
@@ -344,7 +345,7 @@ def _added(
             " with `suffix`"
         )
     added = [
-        OutputColumn(header_with_unit(f"{name}_{stage}{tail}", unit, first.style), unit) for name, stage, unit in names
+        OutputColumn(header_with_unit(f"{name}_{stage}{tail}", unit, how), unit) for name, stage, unit, how in names
     ]
     return added, f"note{tail}", remarks
 

@@ -7,6 +7,7 @@ are in :mod:`carom.data.headers` and in the guide, "Predict a table".
 from __future__ import annotations
 
 import os
+import tempfile
 import time
 from collections.abc import Callable, Sequence
 from contextlib import nullcontext
@@ -335,19 +336,25 @@ def predict(
         floor_friction=floor_friction, floor_tangential_restitution=floor_tangential_restitution,
         floor_contact=floor_contact, gravity=gravity,
     )  # fmt: skip
-    if out is not None and not is_columns(table):
-        target = None if str(out) == STANDARD_OUTPUT else out
-        return predict_table(table, target, settings, strict=strict, progress=progress, say=say)
     if is_columns(table) or not isinstance(table, str | os.PathLike):
         if out is not None:
             raise CaromError(f"predict: out: expected none with columns in memory, got {str(out)!r}; save the result")
         memory = ColumnTable(as_columns(table, "predict: table"))
-    else:
-        path = as_path("predict", table)
-        _first_bytes(path)
-        memory = ColumnTable(*read_columns(path))
-    summary = _add_predictions(memory, None, None, settings, strict, progress, say)
-    summary.columns = memory.made()
+        summary = _add_predictions(memory, None, None, settings, strict, progress, say)
+        summary.columns = memory.made()
+        return summary
+    path = as_path("predict", table)
+    if out is not None:
+        target = None if str(out) == STANDARD_OUTPUT else out
+        return predict_table(path, target, settings, strict=strict, progress=progress, say=say)
+    with tempfile.TemporaryDirectory() as folder:  # (what the command writes, read back)
+        made = Path(folder) / f"predicted{path.suffix}"
+        summary = predict_table(path, made, settings, strict=strict, progress=progress, say=say)
+        summary.out, summary.columns = None, read_columns(made)[0]
+    note = summary.added[-1]
+    summary.columns[note] = np.array(
+        [said if isinstance(said, str) else "" for said in summary.columns[note].tolist()], str
+    )
     return summary
 
 

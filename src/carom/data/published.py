@@ -43,8 +43,18 @@ def published_name(text: str) -> str | None:
 
 
 def published_at(path: Path) -> Published | None:
-    """Return the set that a path names, where there is no such file; None where it names none, or more than one."""
-    name = None if path.exists() else published_name(str(path))
+    """Return the set that a path names, where there is no such file, or of which it is a copy; None for any other path."""
+    if not path.exists():
+        name = published_name(str(path))
+    else:
+        size = path.stat().st_size if path.is_file() else -1
+        sets = {name: load(name).path for name in _READ}
+        same = (
+            name
+            for name, ours in sets.items()
+            if ours.stat().st_size == size and read_regular(ours) == read_regular(path)
+        )
+        name = next(same, None)
     return None if name is None else published_rebounds(name)
 
 

@@ -17,7 +17,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.data.csv import LEADING_LINES, CsvTable
-from carom.data.headers import BRACKETS, DIRECTION_COLUMN, DIRECTION_UNIT, Heading, missing_unit
+from carom.data.headers import (
+    BRACKETS,
+    DIRECTION_COLUMN,
+    DIRECTION_UNIT,
+    Heading,
+    missing_unit,
+    series_headings,
+    without_unit,
+)
 from carom.data.rebounds import NAMED, Kind, Rebounds, make_rebounds, rows_of_stage, stages_of_column
 from carom.data.remarks import EMPTY_CELL, which_rows
 from carom.data.table_cells import (
@@ -29,8 +37,8 @@ from carom.data.table_cells import (
     relative_header,
     split_errors,
 )
-from carom.data.written_forms import TARGETS, WRITTEN, components
-from carom.errors import CaromError, FaultList, suggestion
+from carom.data.written_forms import SERIES, TARGETS, WRITTEN, components
+from carom.errors import CaromError, FaultList, shortened_list, suggestion
 from carom.files import MOST_TABLE, as_path, open_regular
 
 __all__ = ["heads_rebounds", "read_rebounds", "rebounds_of_columns"]
@@ -40,11 +48,12 @@ Errors = tuple[Array, NDArray[np.bool_]]
 """Error bars (N,), NaN where there is none, and which are in per cent."""
 Numbers = tuple[Array, Errors | None]
 PERCENT = 100.0
-# Words in headers of measurements and their error bars, and in none of the other columns that a table of carom's own has
-MEASURED_WORDS = {
-    "angle", "angles", "delta", "err", "error", "errors", "height", "incidence", "reflection", "sd", "speed", "std", "stdev",
-    "theta", "unc", "uncertainty", "velocity",
-}  # fmt: skip
+# Columns of numbers that are known and passed on: labels, and what carom's own tables of contacts have beside the velocities
+PASSED_ON = re.compile(
+    r"use|shot|sheet|ball|film|drop|wall|cushion|camera|surface|racket|contact|bounce|striking|struck|plane|t|t_s|sigma_t|air_drag|sigma_air_drag"
+    r"|(sigma_)?floor_friction|(sigma_)?rolling_resistance|(sigma_)?slip_[nt]_(in|out)|covariance_v_[nt]|(blind|cloth|rolling|drag|roll)_.*"
+)
+TIMES = {"t", "time", "frame", "frames", "timestamp"}  # columns of a track
 LEAST_SHARE = 0.05  # of the median size: error bars in per cent do not shrink below this where a value is nearly 0
 
 
@@ -102,6 +111,8 @@ def heads_rebounds(text: str) -> bool:
 
 def _heads_rebounds(line: str) -> bool:
     plain = [_plain(cell.strip().strip('"')) for cell in re.split(r"[;\t|,]", COMMENT.sub("", line, count=1))]
+    if not TIMES.intersection(map(without_unit, plain)) and series_headings(plain, []):
+        return True
     found = {meaning.quantity for cell in plain if (meaning := NAMED.parse(cell) or WRITTEN.parse(cell)) is not None}
     after = any(
         "out" in name or name.startswith(("e_", "beta", "reflection", "rebound", "time_after")) for name in found
@@ -122,6 +133,7 @@ def rebounds_of_columns(
     extra: dict[str, NDArray[Any]] = {}
     stages: Any = stage
     meanings = _meanings(headers, source, faults)
+    notes = _with_unit_of_other_angle(headers, meanings)
     relative: dict[str, Array] = {}
     for i, header in enumerate(headers):
         name = header.strip().lower()
@@ -149,15 +161,12 @@ def rebounds_of_columns(
                 filled = np.where(known, sigma, np.median(sigma[known]) if known.any() else np.nan)
                 measured[f"sigma_{meaning.quantity}"] = np.where(np.isnan(value), np.nan, filled)
     # (the components that a quantity without a unit would have given are missing as well)
-    if any(
-        one.unit is None and (one.quantity in TARGETS or one.quantity.startswith("spin")) for one in meanings.values()
-    ):
+    if any(one.unit is None and (_targets(one) or one.quantity.startswith("spin")) for one in meanings.values()):
         faults.raise_if_any()
     for name, share in relative.items():
         if (of := measured.get(name.removeprefix("sigma_"))) is not None:
             measured[name] = np.where(np.isnan(of), np.nan, _share_of(of, share))
-    found = components(measured, ball, extra, faults)
-    measured = found.columns
+    measured = (found := components(measured, ball, extra, faults)).columns
     if found.rows is not None:
         extra, rows = (
             {name: column[found.rows] for name, column in extra.items()},
@@ -169,7 +178,7 @@ def rebounds_of_columns(
         and stages is None
     )
     kind = kind or ("planar" if planar else _kind_of_columns(measured, stages is not None, headers, faults))
-    extra |= _directions(found.directions, kind, faults)
+    extra = found.extra | extra | _directions(found.directions, kind, faults)
     if faults:
         # check the columns as well, to report all problems at once
         more = FaultList()
@@ -185,28 +194,25 @@ def rebounds_of_columns(
     if kind == "planar" and stage is None:
         stages = None
     made = make_rebounds(kind, measured, stage=stages, extra=extra, rows=rows, source=source)
-    return rows_of_stage(replace(made, notes=(*found.notes, *_unread(extra), *made.notes)), stage)
+    return rows_of_stage(replace(made, notes=(*notes, *found.notes, *_unread(extra), *made.notes)), stage)
 
 
 def _unread_cells(headers: Sequence[str], meanings: Mapping[int, Heading], faults: FaultList) -> bool:
     """Return whether a cell that gives components is no number, so that these are empty."""
-    return any(one.quantity in TARGETS and faults.has(headers[i].strip()) for i, one in meanings.items())
+    return any(_targets(one) and faults.has(headers[i].strip()) for i, one in meanings.items())
 
 
 def _unread(extra: Mapping[str, NDArray[Any]]) -> list[str]:
-    """Return a note on columns of numbers that are headed as a measurement or an error bar, under a name that is not known."""
+    """Return a note on columns of numbers that are not used."""
     found = [
         header
         for header, cells in extra.items()
-        if MEASURED_WORDS.intersection(re.split(r"[\W\d_]+", header.lower()))
-        and NAMED.parse(_plain(header)) is None
-        and WRITTEN.parse(_plain(header)) is None
-        and _has_numbers([str(cell) for cell in cells])
+        if not PASSED_ON.fullmatch(header.lower()) and _has_numbers([str(cell) for cell in cells])
     ]
     if not found:
         return []
     names = "incidence_deg, reflection_deg, speed_in, e_n, e_t, and sigma_ before one of these for an error bar"
-    return [f"not read: {', '.join(map(repr, found))}; names that are read are for example {names}"]
+    return [f"not read: {shortened_list([repr(one) for one in found])}; names that are read are for example {names}"]
 
 
 def _has_numbers(cells: Sequence[str]) -> bool:
@@ -243,14 +249,36 @@ def _meanings(headers: Sequence[str], source: str, faults: FaultList) -> dict[in
     """Return the meaning of each column that is read. A column of another form is read only for what has no column of its own."""
     plain = [_plain(header) for header in headers]
     found = {i: meaning for i, header in enumerate(plain) if (meaning := NAMED.parse(header)) is not None}
+    if any(
+        meaning.quantity.startswith("spin_z") for meaning in found.values()
+    ):  # (of all three a ball on a table has one)
+        found = {i: meaning for i, meaning in found.items() if not meaning.alias.startswith("spin_y")}
     own = {meaning.quantity for meaning in found.values()}
+    in_series = series_headings(plain, faults)
     for i, header in enumerate(plain):
-        if i in found or (meaning := WRITTEN.parse(header)) is None:
-            continue
-        targets = TARGETS[meaning.quantity.removeprefix("sigma_")]
-        if not own.intersection(targets):
+        meaning = in_series.get(i) or WRITTEN.parse(header)
+        if i not in found and meaning is not None and not own.intersection(_targets(meaning)):
             found[i] = meaning
     return found
+
+
+def _with_unit_of_other_angle(headers: Sequence[str], meanings: dict[int, Heading]) -> list[str]:
+    """Put the unit of the angles in one unit to those without one, and return a note on it."""
+    angles = {i: one for i, one in meanings.items() if one.dimension == "angle"}
+    units = {one.unit for one in angles.values() if one.unit is not None}
+    bare = [i for i, one in angles.items() if one.unit is None and one.style == "plain"]
+    if not bare or len(units) != 1:
+        return []
+    (unit,) = units
+    meanings |= {i: replace(meanings[i], unit=unit) for i in bare}
+    return [f"{', '.join(headers[i].strip() for i in bare)}: no unit, taken in {unit.name} as the other angle"]
+
+
+def _targets(meaning: Heading) -> tuple[str, ...]:
+    """Return the components that a quantity gives; none for one that is a component."""
+    quantity = meaning.quantity.removeprefix("sigma_")
+    series = SERIES.get(quantity.rpartition(" ")[0], (quantity,))
+    return tuple(to for one in series for to in TARGETS.get(one, ()))
 
 
 def _plain(header: str) -> str:

@@ -50,7 +50,7 @@ def _aliases(name: str) -> tuple[str, ...]:
         return ("vn_in", "v_n", "normal_speed")
     if name.startswith("v_"):
         return (name.replace("v_", "v", 1),)
-    return () if name.startswith("spin_z") else (name.replace("spin", "spin_y", 1),)
+    return {"spin_z_in": ("spin_z",), "spin_z_out": ()}.get(name, (name.replace("spin", "spin_y", 1),))
 
 
 _NAMES = {name: ("spin" if name.startswith("spin") else "speed", _aliases(name)) for name in _MEASURED}

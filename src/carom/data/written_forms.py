@@ -26,6 +26,7 @@ Array = NDArray[np.float64]
 Measured = Mapping[str, Array]
 GRAVITY = 9.80665  # m/s^2
 ANGLE_WORDS = re.compile(r"theta|angle|[\[(](?:deg(?:rees)?|rad|°)[\])]", re.IGNORECASE)
+SPEED_WORDS = re.compile(r"speed|veloc|[\[(](?:[cm]?m ?/ ?s|ft/s|in/s|m s\^?-1|km/?h|kph|mph)[\])]", re.IGNORECASE)
 WRITTEN = ColumnNames(
     WRITTEN_COLUMNS | {f"sigma_{name}": (kind, tuple(f"{prefix}_{other}" for other in (name, *others) for prefix in ("sigma", "u")
                                                  if (prefix, other) != ("sigma", name)))
@@ -45,6 +46,12 @@ TARGETS = {
     "normalised_spin_in": ("spin_in", "spin_z_in"), "normalised_spin_out": ("spin_out", "spin_z_out"),
 }  # fmt: skip
 SEQUENCE = ("ball", "drop", "film", "shot", "surface")  # columns that divide times in a row into sequences
+# Series of one ball (:func:`carom.data.headers.series_headings`): the quantities before and after the contact between two of it
+SERIES = {
+    "height": ("drop_height", "rebound_height"), "speed": ("speed_in", "speed_out"),
+    "flight time": ("time_before", "time_after"), "angle": ("incidence", "reflection"),
+}  # fmt: skip
+MOST_RISING = 0.1  # of the values of a series: of more, each column is another measurement of one bounce
 
 
 @dataclass
@@ -57,6 +64,8 @@ class WrittenComponents:
     """Whether the form alone says that the ball was in flight."""
     rows: NDArray[np.int64] | None = None
     """Rows of the table from which the rebounds come, if they are not all."""
+    extra: dict[str, NDArray[Any]] = field(default_factory=dict)
+    """(N,) which rebounds are bounces of one ball in a row."""
     directions: NDArray[np.bool_] | None = None
     """(N,) rows of which only the direction after is known, whose v_t_out is in units of the speed after; None: none."""
 
@@ -78,7 +87,7 @@ def components(
         Takes what is missing or contradicts itself.
     """
     found = _Conversion(dict(measured), ball, faults, WrittenComponents({}))
-    if not any(name in measured for form in _FORMS for name in form):
+    if not any(name in measured for form in _FORMS for name in form) and not any(" " in name for name in measured):
         if measured and not any(name.removeprefix("sigma_").startswith("v_") for name in measured):
             faults.add(
                 "columns", "a velocity before the wall", "spins alone",
@@ -87,6 +96,7 @@ def components(
             )  # fmt: skip
         return WrittenComponents(dict(measured))
     for step in (
+        found.series,
         found.surface_angles,
         found.plane,
         found.heights,
@@ -117,25 +127,61 @@ class _Conversion:
         self, have: dict[str, Array], ball: tuple[float, float] | None, faults: FaultList, result: WrittenComponents
     ) -> None:
         self.have, self.ball, self.faults, self.result = have, ball, faults, result
+        self.taken, self.ways = "", {name: name for name in have}
 
     def take(self, name: str) -> tuple[Array, Array] | None:
         """Return a quantity with its error bar (NaN: none), and remove it; None where it was not measured."""
         if name not in self.have:
             return None
-        value = self.have.pop(name)
+        value, self.taken = self.have.pop(name), name
         return value, self.have.pop(f"sigma_{name}", np.full(len(value), np.nan))
 
     def put(self, name: str, value: Array, sigma: Array) -> None:
         """Add a component, with an error bar where one is known."""
         if name in self.have:
-            self.faults.add(f"column {name!r}", f"one way to {name}", "two", "leave one of them out")
+            ways = f"{self.ways[name]} and {self.taken}"
+            self.faults.add("columns", f"one way to {name}", f"two, {ways}", "leave one of them out")
             return
-        self.have[name] = value
+        self.have[name], self.ways[name] = value, self.taken
         known = np.isfinite(sigma) & (sigma > 0)
         if known.any():
             self.have[f"sigma_{name}"] = np.where(
                 np.isnan(value), np.nan, np.where(known, sigma, np.median(sigma[known]))
             )
+
+    def series(self) -> None:
+        """Take a series of one ball as pairs: a value is that after a contact, and that before the next."""
+        for kind, (before, after) in SERIES.items():
+            numbers = sorted(int(name.rpartition(" ")[2]) for name in self.have if name.rpartition(" ")[0] == kind)
+            if not numbers:
+                continue
+            names = [f"{kind} {k}" for k in numbers]
+            value, sigma = (np.stack(part, axis=-1) for part in zip(*map(self.take, names), strict=True))
+            others = [name for name in self.have if not name.startswith("sigma_")]
+            with np.errstate(invalid="ignore"):
+                rising = int((value[:, 1:] > value[:, :-1]).sum())
+            if len(names) > 2 and (kind == "angle" or others):
+                got = f"{len(names)} of them" + f" beside {shortened_list(others)}" * bool(others)
+                self.faults.add(
+                    f"columns {kind}", "two, before and after one contact, or a series of a ball alone", got
+                )
+                return
+            if kind != "angle" and rising > MOST_RISING * np.isfinite(value[:, 1:]).sum():
+                got = f"{rising} that rise"
+                self.faults.add(f"columns {kind}", "values that fall from bounce to bounce of one ball", got,
+                                "write measurements of one bounce as rows")  # fmt: skip
+            pairs = np.isfinite(value[:, :-1] + value[:, 1:]) | (len(names) == 2)
+            rows, which = np.nonzero(pairs)
+            self.have = {name: column[rows] for name, column in self.have.items()} | {
+                before: value[rows, which], f"sigma_{before}": sigma[rows, which],
+                after: value[rows, which + 1], f"sigma_{after}": sigma[rows, which + 1],
+            }  # fmt: skip
+            self.ways |= {before: names[0], after: names[-1]}
+            if len(names) > 2:
+                self.result.rows, self.result.planar = rows, True
+                self.result.extra = {"drop": rows + 1, "bounce": np.array(numbers)[which] - numbers[0] + 1}
+                said = f"{names[0]} to {numbers[-1]}: taken as those of one ball from bounce to bounce, {len(rows)} bounces"
+                self.result.notes.append(said)
 
     def surface_angles(self) -> None:
         """Take angles from the surface as 90 degrees less those from the normal."""
@@ -181,7 +227,12 @@ class _Conversion:
 
     def times(self, extra: Mapping[str, Any]) -> None:
         """Take times of flight before and after a bounce, or times between bounces in a row: v = g t / 2, without air."""
-        if (each := self.take("flight_time")) is not None:
+        each = self.take("flight_time")
+        if each is not None and any(name in self.have for name in ("v_n_in", "speed_in", "time_before")):
+            self.have["time_after"], self.have["sigma_time_after"] = (
+                each  # (of a ball whose speed before is known otherwise)
+            )
+        elif each is not None:
             labels = [tuple(extra[name][i] for name in SEQUENCE if name in extra) for i in range(len(each[0]))]
             pairs = np.array([i for i in range(len(labels) - 1) if labels[i] == labels[i + 1]], dtype=int)
             self.result.rows = pairs
@@ -208,8 +259,9 @@ class _Conversion:
         for side, angle in angles.items():
             name = "incidence" if side == "in" else "reflection"
             if side == "out":
-                self.normal_ratio()
+                self.normal_ratio(extra)
             speed = self.take(f"speed_{side}")
+            self.taken = f"speed_{side}" if speed is not None else name
             if angle is None:
                 if speed is not None:
                     self._speed_alone(side, speed, extra)
@@ -225,9 +277,8 @@ class _Conversion:
                 if side == "out":
                     speed[0][:] = np.nan
                 else:
-                    self.result.notes.append(
-                        "no speed is given: taken as 1 m/s before the wall, which laws with constants do not depend on"
-                    )
+                    said = "taken as 1 m/s before the wall, which laws with constants do not depend on"
+                    self._no_speed(said, extra)
             v, sigma_v, sigma_angle = speed[0], np.nan_to_num(speed[1]), np.nan_to_num(angle[1])
             unknown = np.isnan(speed[1]) & np.isnan(angle[1])
             alone = np.isnan(v) & np.isfinite(angle[0]) if side == "out" else np.zeros(len(v), bool)
@@ -253,12 +304,25 @@ class _Conversion:
                 "a name of an angle that is read (incidence_deg, reflection_deg, or incidence_from_surface_deg)", "another name",
                 "rename it; without an angle the speed would be that along the wall's normal",
             )  # fmt: skip
-        if side == "in" or "v_n_in" in self.have:
+        v, along = speed[0], self.have.get(f"v_t_{side}")
+        if along is not None:
+            v_n = np.sqrt(np.maximum(v * v - along * along, 0.0))
+            self.put(f"v_n_{side}", v_n, speed[1] * v / np.where(v_n > 0, v_n, 1.0))
+        elif side == "out" and ("v_n_in" not in self.have or np.nan_to_num(self.have.get("v_t_in", v * 0)).any()):
+            self.faults.add("column 'speed_out'", "an angle beside it (reflection_deg)", repr(angle) if angle else "none",
+                            "balls that came in obliquely have a speed along the wall")  # fmt: skip
+        else:
             self.put(f"v_n_{side}", *speed)
-            if side == "in":
-                self.result.notes.append("speed_in without an angle: taken as normal to the wall")
-            return
-        self.faults.add("column 'speed_out'", "an angle beside it (reflection_deg)", "none")
+            self.result.notes.append(f"speed_{side} without an angle: taken as normal to the wall")
+
+    def _no_speed(self, said: str, extra: Mapping[str, Any]) -> None:
+        """Note that a speed is taken; a fault where something else has a unit, such as spins."""
+        absolute = [name for name in self.have if name.startswith(("spin", "v_", "speed"))]
+        if absolute := [name for name in absolute if np.nan_to_num(self.have[name]).any()]:
+            near = next(filter(SPEED_WORDS.search, extra), None)
+            self.faults.add("columns", "a speed before the wall (speed_in)", f"none beside {shortened_list(absolute)}",
+                            f"is it {near!r}? rename it" if near else "")  # fmt: skip
+        self.result.notes.append(f"no speed is given: {said}")
 
     def _check_angles(self, name: str, angle: Array) -> None:
         most = math.pi / 2 if name == "incidence" else math.pi / 2 + 0.2
@@ -267,14 +331,14 @@ class _Conversion:
             self.faults.add(f"column {name!r}", "angles from the normal, below 90 degrees", f"{worst:.4g}",
                             f"angles from the surface are called {name}_from_surface")  # fmt: skip
 
-    def normal_ratio(self) -> None:
+    def normal_ratio(self, extra: Mapping[str, Any]) -> None:
         """Take the ratio of the normal speeds after and before."""
         if (normal := self.take("e_n")) is None:
             return
         if "v_n_in" not in self.have:
             count = len(normal[0])
+            self._no_speed("taken as 1 m/s, normal to the wall, before it", extra)
             self.put("v_n_in", np.ones(count), np.full(count, np.nan))
-            self.result.notes.append("no speed is given: taken as 1 m/s, normal to the wall, before it")
         self.put("v_n_out", normal[0] * self.have["v_n_in"], normal[1] * self.have["v_n_in"])
         self.result.planar = True
 
