@@ -13,6 +13,7 @@ from carom.data.datasets import Dataset, load, names
 from carom.data.headers import DIRECTION_COLUMN, DIRECTION_UNIT
 from carom.data.rebound_files import read_rebounds
 from carom.data.rebounds import Rebounds, make_rebounds
+from carom.files import read_regular
 
 __all__ = ["Published", "published_at", "published_name", "published_rebounds"]
 
