@@ -172,7 +172,7 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
             0.3, (shots.PredictedShot("1", *(np.zeros((2, 1)),) * 4, np.zeros((2, 2, 1), dtype=bool), 0.001),)
         ),
         shots.LawErrors(),
-        GasFit({"restitution": 0.9}, {"restitution": 0.01}, "tracks", 30),
+        GasFit({"restitution": 0.9}, {"restitution": 0.01}, 30),
         shots.ComparedForm("cushion", "not yielding", 3.0, 1.0, {"e": 0.8}, (1, 2)),
         gas.TransportCoefficients(*3 * [gas.Coefficient(0.2, 0.01, np.ones(3), np.ones(3))]),
         gas.enskog(0.1),

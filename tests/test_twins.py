@@ -45,7 +45,7 @@ TWINS: dict[str, tuple[Callable[..., Any], set[str], set[str]]] = {
         OUTPUT | {"out", "stage", "sliding", "balls"},
         {"progress"},
     ),  # (of its table: found.rebounds())
-    "fit gas": (carom.fit_gas, OUTPUT, {"progress"}),
+    "fit gas": (carom.fit_gas, OUTPUT, set()),
     "judge": (carom.tracks.judge, OUTPUT | {"slope"}, {"kappa", "gravity", "slope"}),  # (two numbers, a text X,Y)
     "compare": (carom.incoming, OUTPUT | {"law"}, set()),  # (carom.compare(laws, ...) hands its numbers on)
 }

@@ -1,4 +1,4 @@
-"""Made-up films of gases: tracks of discs with noise, and cooling curves."""
+"""Made-up films of gases: tracks of discs with noise."""
 
 from __future__ import annotations
 
@@ -37,19 +37,3 @@ def film(one, frames=150, interval=0.15, noise=0.001, spin_noise=0.05, seed=1):
     table[:, 2 : 2 + axes] += noise * rng.standard_normal((len(table), axes))
     table[:, 2 + axes :] += spin_noise * rng.standard_normal((len(table), len(spins)))
     return dict(zip(("t", "ball", *names, *spins), table.T, strict=True))
-
-
-def cooling(one, times):
-    """Temperatures at some times, of all balls."""
-    gas, found = build(one), []
-    for t in times:
-        if t > 0:
-            gas.advance(until=float(t))
-        now = gas.balls()
-        v = now.velocity - now.velocity.mean(axis=0)
-        found.append(((v**2).sum(axis=1).mean() / 2, (0.125 * now.spin**2).sum(axis=1).mean()))
-    return {
-        "t": np.array(times, dtype=float),
-        "temperature": np.array(found)[:, 0],
-        "temperature_rotational": np.array(found)[:, 1],
-    }
