@@ -115,10 +115,7 @@ def test_planar_bounce_of_a_ball_in_flight(tmp_path):
     assert "v_n_rolling" not in rows[0]
 
 
-@pytest.mark.parametrize("large", [False, True])
-def test_empty_spins_are_0_at_the_first_bounce_and_unknown_later(tmp_path, large, monkeypatch):
-    if large:
-        monkeypatch.setattr("carom.data.csv.LARGE_FILE", 1)
+def test_empty_spins_are_0_at_the_first_bounce_and_unknown_later(tmp_path):
     given = {"restitution": 0.8, "friction": 0.2, "radius": 0.02, "kappa": 2 / 3}
     for spin in (None, "none"):
         rows, summary = predict(
@@ -729,40 +726,7 @@ def test_compiling_is_told_and_loading_is_not(tmp_path):
         assert progress is None  # nobody looks
 
 
-HARD_ROWS = [
-    "a;b,1.5,0.5,3", " ,2,-0.25,1e-7", "x,1,0.1,-4.0", "x,+1.25,.5,2.", "é,1.75, 0.5 ,3", 'q,1.5,"0.5",3', '"two, one",1.5,0.5,3',
-    "x,1_0,0.5,3", "x,nan,0.5,3", "x,inf,0.5,3", "x,,0.5,3", "x,1.5,0.5", "x,1.5,0.5,3,4", "", "x,-1.5,0.5,3", "x,word,0.5,3",
-    "x,1e400,0.5,3", "x,1.5,1e-320,3", 'open,"1.5,0.5,3', "x,123456789.5,98765432101.5,3e15", "x,0.00001,0.5,0",
-]  # fmt: skip
-
-
-@pytest.mark.parametrize("end", ["\n", "\r\n"])
-@pytest.mark.parametrize("last", ["", "end"])
-def test_a_large_table_has_the_same_bytes_and_the_same_faults(tmp_path, monkeypatch, end, last):
-    pytest.importorskip("pyarrow")
-    rng = np.random.default_rng(1)
-    rows = [f"n{i},{v!r},{t!r},{s!r}" for i, (v, t, s) in enumerate(np.abs(rng.normal(size=(300, 3))).tolist())]
-    for k, hard in enumerate(HARD_ROWS):
-        rows.insert(11 * k + 20, hard)
-    source = write(tmp_path / "in.csv", end.join(["name,v_n_in,v_t_in,spin_in", *rows]) + (end if last else ""))
-    settings = PredictSettings(find_law("two-step"), given=GIVEN)
-    monkeypatch.setattr(text, "CHUNK_ROWS", 4)
-    monkeypatch.setattr(text, "LARGE_CHUNK_ROWS", 6)
-    slow = predict_table(source, tmp_path / "slow.csv", settings)
-    read: list[object] = []
-    monkeypatch.setattr(text, "LARGE_FILE", 0)
-    parsed = text.parsed_columns
-    monkeypatch.setattr(text, "parsed_columns", lambda *given: read.append(found := parsed(*given)) or found)
-    fast = predict_table(source, tmp_path / "fast.csv", settings)
-    assert (tmp_path / "fast.csv").read_bytes() == (tmp_path / "slow.csv").read_bytes()
-    assert (fast.rows, fast.answered, fast.faults) == (slow.rows, slow.answered, slow.faults)
-    assert any(found is None for found in read)
-    assert sum(found is not None for found in read) > 10
-
-
-def test_a_large_table_keeps_bytes_that_are_not_utf8(tmp_path, monkeypatch):
-    pytest.importorskip("pyarrow")
-    monkeypatch.setattr(text, "LARGE_FILE", 0)
+def test_a_table_keeps_bytes_that_are_not_utf8(tmp_path):
     source, out = write(tmp_path / "in.csv", b"name,v_n_in,v_t_in,spin_in\n\xe9,1.5,0.5,3\n"), tmp_path / "out.csv"
     summary = predict_table(source, out, PredictSettings(find_law("mirror"), given={"restitution": 0.5}))
     assert summary.answered == 1

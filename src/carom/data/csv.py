@@ -14,7 +14,6 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.csv_arrow import LARGE_FILE, arrow_installed, joined_rows, parsed_columns
 from carom.data.headers import ColumnNames, with_units_below
 from carom.data.plan import BOUNCE, TablePlan
 from carom.data.table_cells import COMMENT, EMPTY, SPREADSHEET, decimal_commas, parse_numbers
@@ -25,7 +24,6 @@ __all__ = ["CHUNK_ROWS", "LEADING_LINES", "CsvTable", "TableChunk"]
 
 Array = NDArray[np.float64]
 CHUNK_ROWS = 1 << 14
-LARGE_CHUNK_ROWS = 1 << 16  # of a large file
 START_BYTES = 512  # in which a file that is not text shows its zeros
 DELIMITERS = ",;\t|"
 LEADING_LINES = 12  # among which the header is sought, below a title or comments
@@ -134,9 +132,6 @@ class CsvTable:
         self.head = self._text(self.lines.consumed())
         self._take_units_below()
         self.decimal = "."
-        # (with another delimiter than a comma the decimal sign may be one)
-        plain = self.encoding.codec == "utf-8" and self.delimiter == ","
-        self.large = plain and self.size >= LARGE_FILE and arrow_installed()
 
     def _without_lines_above(self, first: str) -> str:
         """Return the line of the header, and keep the lines above it: a title and comments, one of which may be the header."""
@@ -223,29 +218,12 @@ class CsvTable:
         batch = list(itertools.islice(records, CHUNK_ROWS))
         return [row[0] for row in batch], [row[1] for row in batch], [row[2] for row in batch]
 
-    def _arrow_chunks(self, plan: TablePlan) -> Iterator[TableChunk]:
-        """Iterate over chunks of a large file that Arrow can read; the first that has to be read cell by cell is pushed back."""
-        lines = self.lines
-        width, indices = len(self.headers), [source.index for source in plan.sources.values()]
-        while self.large and not lines.pushed:
-            first = lines.number + 1
-            taken = lines.take(LARGE_CHUNK_ROWS)
-            text = "".join(taken)
-            columns = None if '"' in text else parsed_columns(text, self.delimiter, width, indices, len(taken))
-            if columns is None:
-                lines.push_back(taken)
-                return
-            texts = [line.rstrip("\r\n") for line in taken]
-            numbers = range(first, first + len(taken))
-            yield TableChunk(dict(zip(plan.sources, columns, strict=True)), {}, _line_label(numbers), texts)
-
     def chunks(self, plan: TablePlan) -> Iterator[TableChunk]:
         """Iterate over the rows in chunks."""
         width = len(self.headers)
         records = self.records()
         first = True
         while True:
-            yield from self._arrow_chunks(plan)
             numbers, texts, rows = self._batch(records)
             if not rows:
                 if self._over():
@@ -319,11 +297,6 @@ class CsvTable:
         notes = [""] * len(chunk.rows)
         for i, note in chunk.notes.items():
             notes[i] = self.quoted(note)
-        if self.large:
-            data = joined_rows(chunk.rows, added, notes if chunk.notes else None, self.delimiter, self.end)
-            if data is not None:
-                file.write(data)
-                return
         columns = [self._cells(column) for column in added]
         lines = map(self.delimiter.join, zip(chunk.rows, *columns, notes, strict=True))
         file.write(self._bytes(self.end.join(lines) + self.end))
