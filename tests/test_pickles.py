@@ -242,14 +242,11 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
         data.PredictSettings(carom.LAWS["contact"]),
     ],
     "fits": lambda: [
-        fitting.fit_laws(rebounds(), fitting.Setting(radius=0.02), ["sticking", "mirror"], bootstrap=0),
+        ranking := fitting.fit_laws(rebounds(), fitting.Setting(radius=0.02), ["sticking", "mirror"], bootstrap=0),
+        ranking.predict([[6.0, 1.0, 0.0]]),
         fitting.Setting(0.03),
         fitting.RankingsBy("surface"),
         fitting.Outlier("line 7", 3.0, "far"),
-        population := fitting.fit_population(
-            data.published_rebounds("tt_rackets").rebounds, fitting.Setting(0.02, 2 / 3), by="racket"
-        ),
-        population.predict([[6.0, 1.0, 0.0]]),
     ],
     "films": lambda: [
         *a_film_from_above(),

@@ -3,7 +3,6 @@
     python docs/dev/contest.py                                              the published sets
     python docs/dev/contest.py TABLE.csv --radius 0.02 --inertia hollow     a table of your own; --by COLUMN: each surface apart
     python docs/dev/contest.py --only films                                 the sets whose name contains a text
-    python docs/dev/contest.py --few 4                                      few rows of one racket, alone and beside the other
 
 Everything is chosen and fitted within the four fifths that train: the law by AICc, forms and splines by held-out rows among them.
 The log score is the mean log density of a held-out row, in m/s (a spin counts as the radius times its size). The lengths are
@@ -27,7 +26,7 @@ import numpy as np
 
 from carom.bodies import inertia_number
 from carom.data import published_rebounds, read_rebounds
-from carom.fitting import Setting, fit_law, fit_population, make_problem
+from carom.fitting import Setting, fit_law, make_problem
 from carom.fitting.data import Problem
 from carom.fitting.form_choice import choose_forms
 from carom.fitting.laws import laws_for
@@ -293,25 +292,6 @@ def where_it_wins(problem: Problem, gain: Any) -> str:
     return f"(beyond {np.median(speed):.3g} m/s, {np.median(angle):.3g} degrees) " + "; ".join(parts)
 
 
-def few_rows(count: int, draws: int = 20) -> None:
-    """Print the score of a racket's other rows after a fit to few of them, alone and in a population with the other racket."""
-    chosen, rng = published_rebounds("tt_rackets"), np.random.default_rng(1)
-    rows, setting = chosen.rebounds, Setting(**chosen.setting)
-    racket = rows.extra["racket"]
-    for name in np.unique(racket):
-        scores = []
-        for _ in range(draws):
-            own = rng.permutation(np.flatnonzero(racket == name))
-            some = np.sort(np.r_[own[:count], np.flatnonzero(racket != name)])
-            one = fit_population(rows.select(some), setting, by="racket").surfaces[name]
-            others = make_problem(rows.select(own[count:]), setting)[0]
-            scores.append([predictive_of(fit).log_density(others).mean() for fit in (one.alone, one.fit)])
-        alone, both = np.array(scores).T
-        error = (both - alone).std(ddof=1) / math.sqrt(draws)
-        print(f"{count} rows of {name}: alone {alone.mean():.2f} per row, beside the other {both.mean():.2f},", end=" ")
-        print(f"gain {(both - alone).mean():.2f} ± {error:.2f}, in {(both > alone).sum()} of {draws} draws", flush=True)
-
-
 def sets(arguments: Any) -> list[tuple[str, Problem]]:
     """Return the data sets as problems."""
     if arguments.table:
@@ -346,12 +326,8 @@ def main() -> None:
     parser.add_argument("--inertia", default="solid")
     parser.add_argument("--by")
     parser.add_argument("--only")
-    parser.add_argument("--few", type=int)
     arguments = parser.parse_args()
     warnings.filterwarnings("ignore")
-    if arguments.few:
-        few_rows(arguments.few)
-        return
     print("| set | rows | contestant | log score per row | error of the velocity, m/s | error of the spin, rad/s |")
     print("|---|---:|---|---:|---:|---:|", flush=True)
     for label, problem in sets(arguments):

@@ -135,9 +135,6 @@ def fit(
     by: Annotated[
         str | None, option(DATA, "Fit the rows of each value of this column, such as surface.", metavar="COLUMN")
     ] = None,
-    population: Annotated[
-        bool, option(DATA, "With --by: fit a common distribution of the values' numbers, too.", "--population")
-    ] = False,
     sigma_v: Annotated[float | None, shared("sigma_v", default="of the table")] = None,
     sigma_spin: Annotated[float | None, shared("sigma_spin", default="of the table")] = None,
     spin: Annotated[
@@ -226,7 +223,7 @@ def fit(
         "floor_restitution": floor_restitution, "roll": roll, "kind": kind, "stage": stage, "rate": rate,
         "scale": faults.attempt(parse_length, "scale", scale), "view": view, "balls": balls, "whole": whole,
         "cushions": cushions, "shot": shot, "table": table,
-        "noise": faults.attempt(parse_length, "noise", noise), "where": where or (), "by": by, "population": population,
+        "noise": faults.attempt(parse_length, "noise", noise), "where": where or (), "by": by,
         "sigma_v": sigma_v,
         "sigma_spin": sigma_spin, "spin": spin, "every_contact": every_contact, "scatter": scatter, "bootstrap": bootstrap,
         "profiles": profiles, "seed": seed,

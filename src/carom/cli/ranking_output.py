@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from carom.formatting import counted
 
 if TYPE_CHECKING:
-    from carom.fitting import Fit, Population, Ranked, Ranking, RankingsBy
+    from carom.fitting import Fit, Ranked, Ranking, RankingsBy
     from carom.fitting.form_choice import FormChoice
     from carom.fitting.shots import ShotsRanking
     from carom.fitting.tracks import TrackRanking
@@ -77,33 +77,6 @@ def show_each(rankings: RankingsBy) -> None:
     for value, ranking in rankings.items():
         out().print(Text(f"{rankings.column} {value}", style="bold"))
         show(ranking)
-    if rankings.population is not None:
-        _print_population(rankings.population, rankings.column)
-
-
-def _print_population(population: Population, column: str) -> None:
-    """Print the numbers of all surfaces with the share that their common distribution has in each, and that distribution."""
-    from rich import box
-    from rich.table import Table
-    from rich.text import Text
-
-    from carom.cli.console import out
-
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
-    for head in (column, "rows", *population.names):
-        table.add_column(Text(head), justify="left" if head == column else "right")
-    for name, one in population.surfaces.items():
-        each = zip(one.values.tolist(), one.stderr.tolist(), one.shrinkage.tolist(), strict=True)
-        table.add_row(
-            Text(name), str(one.rows), *(f"{value:.3f} ± {bar:.3f} ({share:.0%})" for value, bar, share in each)
-        )
-    both = zip(population.mean.tolist(), population.width.tolist(), strict=True)
-    table.add_row("a new one", "0", *(f"{mean:.3f} ± {width:.3f}" for mean, width in both))
-    out().print(Text(f"{population.law}, with a common distribution of its numbers", style="bold"), table, sep="\n")
-    said = (
-        "In parentheses: the share of a number that comes from the common distribution (0 %: from its own rows alone)."
-    )
-    out().print(said, soft_wrap=True)
 
 
 def _in_lines(parameters: str, room: int) -> str:

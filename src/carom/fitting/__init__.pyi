@@ -9,8 +9,6 @@ from .gas_fit import fit_gas as fit_gas
 from .laws import FITTED as FITTED
 from .laws import FittedLaw as FittedLaw
 from .outliers import Outlier as Outlier
-from .population import Population as Population
-from .population import fit_population as fit_population
 from .predictive import Prediction as Prediction
 from .profile_likelihood import with_profiles as with_profiles
 from .ranking import Ranking as Ranking

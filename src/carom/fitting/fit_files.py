@@ -39,7 +39,7 @@ __all__ = ["TRACK_NUMBERS", "check_fit", "fit"]
 TRACK_NUMBERS = ("rolling_resistance", "spin_loss", "wall_left", "wall_right", "wall_bottom", "wall_top")
 """Parameters of whole tracks that a table of rebounds does not have."""
 OF_CONTACTS = (
-    "sigma_v", "sigma_spin", "bootstrap", "profiles", "every_contact", "by", "population", "kind", "stage", "seed", "robust",
+    "sigma_v", "sigma_spin", "bootstrap", "profiles", "every_contact", "by", "kind", "stage", "seed", "robust",
     "forms", "scatter", "balls", "roll",
 )  # fmt: skip
 OF_FRAMES = ("noise", "cushions")
@@ -80,7 +80,6 @@ def fit(
     noise: float | None = None,
     where: Where = (),
     by: str | None = None,
-    population: bool = False,
     sigma_v: float | None = None,
     sigma_spin: float | None = None,
     spin: float | str | None = None,
@@ -133,8 +132,6 @@ def fit(
         As for :func:`carom.fitting.usable_rows`.
     by : str, optional
         A column of the table, such as surface: laws are fitted to the rows of each of its values.
-    population : bool
-        With ``by``: whether the values' numbers are fitted with a common distribution as well (``.population`` of the result).
     scatter : "share" or "absolute", optional
         Of contacts beyond the error bars.
     bootstrap, profiles, seed
@@ -179,7 +176,7 @@ def fit(
         "profiles": profiles, "bootstrap": bootstrap, "seed": seed or 0, "progress": progress,
     }  # fmt: skip
     if by is not None:
-        return fit_by(rebounds, ready.setting, ready.laws or None, by, forms=forms, population=population, **how)
+        return fit_by(rebounds, ready.setting, ready.laws or None, by, forms=forms, **how)
     shifted = ready.published.shifted if ready.published else ()
     ranking = fit_laws(rebounds, ready.setting, ready.laws or None, shifted=shifted, **how)
     return ranking.with_forms(progress) if forms else ranking
@@ -233,8 +230,6 @@ def _checked(asked: SimpleNamespace) -> _Request:
     unused = _given(asked, OF_CONTACTS if asked.whole else OF_FRAMES)
     wanted = "no `whole`, which fits frames instead of contacts" if asked.whole else "`whole` as well"
     faults += [Fault("", f"`{name}`", wanted, advice="omit it") for name in unused]
-    if asked.population and asked.by is None and not asked.whole:
-        faults.add("`population`", "`by` as well, a column that names the surface of each row", "none")
     names = [asked.laws] if isinstance(asked.laws, str) else list(asked.laws or [])
     faults += _strange_words(asked, names)
     before = FaultList()
