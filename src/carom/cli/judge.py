@@ -42,6 +42,7 @@ def judge(
         float | None,
         typer.Option(help="Standard deviation of a coordinate, m. Default: estimated.", **quantity("--noise", "m")),
     ] = None,
+    strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 where a law is violated.")] = False,
     plot: Annotated[Path | None, shared("plot")] = None,
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
@@ -67,13 +68,15 @@ def judge(
 
         plot_judgement(found, plot)
         wrote(plot)
+    if strict and found.violations:
+        raise typer.Exit(1)
 
 
 def _show(found: Judgement) -> None:
     from rich.table import Table
 
     from carom.cli.console import out
-    from carom.formatting import counted, format_number
+    from carom.formatting import format_number
     from carom.tracks.judgement import LAWS
 
     table = Table(box=None)
@@ -86,13 +89,10 @@ def _show(found: Judgement) -> None:
         table.add_column(name, justify=side)  # type: ignore[arg-type]
     for law, text in LAWS.items():
         worst = found.worst(law)
-        said = text if found.checked[law] else "not checked: no such motion, or not enough columns"
+        said = f"not checked: {found.unchecked[law]}" if law in found.unchecked else text
         if worst is not None:
             errors = "more than 1000" if worst.sigmas > 1000 else format_number(worst.sigmas, 2)
             said = f"{worst.time:.4g} s, {' and '.join(worst.balls)}: {worst.text} ({errors} errors)"
         table.add_row(law, f"{found.checked[law]:,}", f"{len(found.of(law)):,}", said)
     out().print(table)
-    count = len(found.violations)
-    out().print(
-        f"\n{counted(count, 'violation') if count else 'No violation'}; noise of a coordinate {found.noise:.2g} m"
-    )
+    out().print(f"\nnoise of a coordinate {found.noise:.2g} m\n{found.verdict}")

@@ -11,13 +11,15 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
-from carom.errors import FaultList, checked_number
+from carom.errors import CaromError, FaultList, checked_number
+from carom.formatting import counted
 from carom.laws.results import GRAVITY
 from carom.scene.floor import gravity_on_slope
 from carom.tracks.judgement_paths import EXACT, FEW, BallPath, PathPiece, read_paths
@@ -39,6 +41,8 @@ LEAST = 1e-6  # relative: what is less is the rounding of a file
 RESOLVED = 2e-3  # relative: more than two events between the same two frames change
 PRESSED = 0.03  # of the impulse: the floor's friction on a ball that another presses down takes more of the momentum
 SAME = 1e-3  # of the speed: a ball that slips less rolls
+CELLS = 2**40  # along an axis: cells farther apart may have one number
+MOST_PAIRS = 50_000_000  # of places in cells beside each other
 
 
 @dataclass(frozen=True)
@@ -75,6 +79,15 @@ class Judgement:
     """How often each law was checked."""
     violations: list[Violation] = field(default_factory=list)
     """In order of time."""
+    unchecked: dict[str, str] = field(default_factory=dict)
+    """Why the other laws could not be checked."""
+
+    @property
+    def verdict(self) -> str:
+        """How many laws were checked, and how many violations there are in them."""
+        laws, count = len(LAWS) - len(self.unchecked), len(self.violations)
+        found = counted(count, "violation") if count else "no violation"
+        return f"checked {laws} of {len(LAWS)} laws: {found} in {'it' if laws == 1 else 'them'}"
 
     def of(self, law: str) -> list[Violation]:
         """Return the violations of a law."""
@@ -163,8 +176,7 @@ def judge(
         _in_the_floor(ball, sigma, found)
         for piece in ball.pieces:
             _between_contacts(ball, piece, sigma, pull, floor_friction, found)
-    for one, other in ((a, b) for i, a in enumerate(balls) for b in balls[i + 1 :]):
-        _overlap(one, other, sigma, found)
+    _overlaps(balls, sigma, found)
     for event in path_events(balls, sigma):
         t, late = event_time(event)
         if not math.isnan(t):
@@ -172,7 +184,27 @@ def judge(
             if len(event.members) == 2:
                 _momentum(t, late, event, friction, gravity, found)
     found.violations.sort(key=lambda one: one.time)
+    found.unchecked = {law: _why_unchecked(law, balls) for law, count in found.checked.items() if not count}
     return found
+
+
+def _why_unchecked(law: str, balls: Sequence[BallPath]) -> str:
+    pieces = [piece for ball in balls for piece in ball.pieces]
+    if not pieces:
+        return f"no ball has more than {FEW} frames on a smooth path: too few frames, or too much noise"
+    if law == "gravity" and all(np.ptp(ball.x[:, 2]) == 0 for ball in balls):
+        return "no ball leaves the floor, or heights are not known"
+    if law == "momentum" and len(balls) == 1:
+        return "there is one ball only"
+    if law == "slip" and all(piece.spins is None for piece in pieces):
+        return "spins are not known"
+    return {
+        "gravity": f"no ball is in the air for more than {FEW} frames",
+        "momentum": "no collision of two balls, and of them alone, was seen",
+        "energy": "no event was seen whose balls moved before it",
+        "friction": f"no ball is on the floor for more than {FEW} frames, and no collision was seen",
+        "slip": f"no ball with a spin is on the floor for more than {FEW} frames",
+    }[law]
 
 
 # --- without contacts ---------------------------------------------------------------------------------------------------
@@ -185,15 +217,48 @@ def _in_the_floor(ball: BallPath, sigma: float, found: Judgement) -> None:
     found.check("penetration", float(ball.t[k]), [ball.name], float(depth[k]), sigma, least, "the ball is in the floor")
 
 
-def _overlap(one: BallPath, other: BallPath, sigma: float, found: Judgement) -> None:
-    _times, i, j = np.intersect1d(one.t, other.t, return_indices=True)
-    if len(i):
-        depth = one.radius + other.radius - np.linalg.norm(one.x[i] - other.x[j], axis=1)
-        k = int(np.argmax(depth))
-        names, error = [one.name, other.name], math.sqrt(2) * sigma
-        found.check(
-            "penetration", float(one.t[i[k]]), names, float(depth[k]), error, 1e-4 * one.radius, "the balls overlap"
-        )
+def _overlaps(balls: Sequence[BallPath], sigma: float, found: Judgement) -> None:
+    """Check all pairs of balls that have frames in common; only places in cells beside each other are compared."""
+    begin, end = (np.sort([ball.t[k] for ball in balls]) for k in (0, -1))
+    # (all pairs but those of which one has ended before the other begins)
+    pairs = len(balls) * (len(balls) - 1) // 2 - int(np.searchsorted(end, begin, side="left").sum())
+    found.checked["penetration"] += pairs
+    of = np.repeat(np.arange(len(balls)), [len(ball.t) for ball in balls])
+    x, radius = np.concatenate([ball.x for ball in balls]), np.array([ball.radius for ball in balls])[of]
+    t = np.concatenate([ball.t for ball in balls])
+    frame = np.unique(t, return_inverse=True)[1]
+    cell = np.mod(np.floor(x / (2 * radius.max())), CELLS).astype(np.int64)
+    key = _hashed(frame, cell)
+    order = np.argsort(key, kind="stable")
+    worst: dict[tuple[int, int], tuple[float, int]] = {}
+    budget = MOST_PAIRS
+    for step in product((-1, 0, 1), repeat=3):
+        if step < (0, 0, 0):
+            continue
+        beside = _hashed(frame, (cell + step) % CELLS)
+        low, high = (np.searchsorted(key[order], beside, side=side) for side in ("left", "right"))
+        budget -= int((high - low).sum())
+        if budget < 0:
+            raise CaromError(
+                f"judge: expected balls apart, got more than {MOST_PAIRS:,} pairs of places less than two diameters"
+                " apart; is the radius, or its unit, right?"
+            )
+        i = np.repeat(np.arange(len(key)), high - low)
+        j = order[np.arange(len(i)) + np.repeat(high - np.cumsum(high - low), high - low)]
+        depth = radius[i] + radius[j] - np.linalg.norm(x[i] - x[j], axis=1)
+        for k in np.flatnonzero((depth > 0) & (of[i] != of[j]) & (frame[i] == frame[j])).tolist():
+            pair = (int(min(of[i[k]], of[j[k]])), int(max(of[i[k]], of[j[k]])))
+            worst[pair] = max(worst.get(pair, (0.0, 0)), (float(depth[k]), -int(min(i[k], j[k]))))
+    found.checked["penetration"] -= len(worst)
+    for (one, other), (size, row) in sorted(worst.items()):
+        names, error, least = [balls[one].name, balls[other].name], math.sqrt(2) * sigma, 1e-4 * balls[one].radius
+        found.check("penetration", float(t[-row]), names, size, error, least, "the balls overlap")
+
+
+def _hashed(frame: NDArray[np.int64], cell: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Return a number (n,) for each frame and cell (n, 3); another cell's may be the same."""
+    found: NDArray[np.int64] = frame * 2654435761 + cell @ np.array([73856093, 19349669, 83492791]) * 1000003
+    return found
 
 
 def _between_contacts(
@@ -263,7 +328,7 @@ class _Event(NamedTuple):
 
 
 def nearest_image(r: Array, sides: Array | None) -> Array:
-    """Return the distance (3,) between two places by the shortest way, in a box with periodic sides (inf: not periodic)."""
+    """Return the distance (..., 3) between two places by the shortest way, in a box with periodic sides (inf: not periodic)."""
     if sides is None:
         return r
     around = np.isfinite(sides)
@@ -284,48 +349,68 @@ def path_events(balls: Sequence[BallPath], sigma: float, sides: Array | None = N
         if b.first - a.last <= most
     ]
     changes.sort(key=lambda one: float(one.ball.t[one.before.last]))
-    used: set[int] = set()
+    index = {id(ball): k for k, ball in enumerate(balls)}
+    of = np.array([index[id(one.ball)] for one in changes], dtype=int)
+    lows = np.array([one.ball.t[one.before.last] for one in changes])
+    middle = np.array([one.before.middle for one in changes])
+    numbers = np.array([one.before.numbers for one in changes]).reshape(-1, 3, 3)
+    radius = np.array([ball.radius for ball in balls])
+    beside = _Beside(balls, sigma, sides)
+    used = np.zeros(len(changes), dtype=bool)
     for i, first in enumerate(changes):
-        if i in used:
+        if used[i]:
             continue
-        low, high = float(first.ball.t[first.before.last]), float(first.ball.t[first.after.first])
-        group = [first]
-        for j in range(i + 1, len(changes)):
-            other = changes[j]
-            if float(other.ball.t[other.before.last]) >= high:
+        low, high = float(lows[i]), float(first.ball.t[first.after.first])
+        stop = max(int(np.searchsorted(lows, high, side="left")), i + 1)
+        group, near, k = [i], np.zeros(stop - i, dtype=bool), i
+        while True:  # (what a ball of the group reaches belongs to the group, in order of time)
+            rest = slice(k + 1, stop)
+            tau = (lows[k] - middle[rest])[:, None]
+            x, v, half = (numbers[rest, power] for power in range(3))
+            here, own = changes[k].before.place(float(lows[k]))[0], changes[k].before.velocity(float(lows[k]))[0]
+            gap = np.linalg.norm(nearest_image(here - (x + v * tau + half * tau**2), sides), axis=1)
+            gap -= radius[of[k]] + radius[of[rest]]
+            closing = np.linalg.norm(own - (v + 2 * half * tau), axis=1)
+            reached = (gap < SIGMAS * sigma + 2 * closing * (high - low)) & (of[rest] != of[k])
+            near[k + 1 - i :] |= reached & ~used[rest]
+            following = np.flatnonzero(near[k + 1 - i :])
+            if not len(following):
                 break
-            if j not in used and any(_in_reach(member, other, high - low, sigma, sides) for member in group):
-                group.append(other)
-                used.add(j)
-        if not any(_takes_part(ball, group, low, high, sigma, sides) for ball in balls):
-            yield _Event(low, high, tuple(group))
+            k += 1 + int(following[0])
+            group.append(k)
+            used[k] = True
+        members = tuple(changes[g] for g in group)
+        if not beside.takes_part(members, low, high):
+            yield _Event(low, high, members)
 
 
-def _takes_part(
-    ball: BallPath, group: Sequence[_Change], low: float, high: float, sigma: float, sides: Array | None
-) -> bool:
-    """Return whether a ball beside a group is in reach of it, and is not on one path meanwhile: the event is not resolved."""
-    if any(one.ball is ball for one in group):
-        return False
-    if any(ball.t[piece.first] <= low and ball.t[piece.last] >= high for piece in ball.pieces):
-        return False
-    k = int(np.argmin(np.abs(ball.t - low)))
-    fastest = max(*(one.ball.fastest for one in group), ball.fastest)
-    gaps = [
-        np.linalg.norm(nearest_image(ball.x[k] - one.ball.x[one.before.last], sides)) - ball.radius - one.ball.radius
-        for one in group
-    ]
-    return bool(min(gaps) < SIGMAS * sigma + 4 * fastest * (high - low))
+class _Beside:
+    """The balls beside an event: finds whether one of them takes part in it, so that the event is not resolved."""
 
+    def __init__(self, balls: Sequence[BallPath], sigma: float, sides: Array | None) -> None:
+        self.balls, self.sigma, self.sides = balls, sigma, sides
+        self.of = np.repeat(np.arange(len(balls)), [len(ball.t) for ball in balls])
+        t = np.concatenate([ball.t for ball in balls])
+        order = np.argsort(t, kind="stable")
+        self.t, self.x, self.of = t[order], np.concatenate([ball.x for ball in balls])[order], self.of[order]
+        self.radius, self.fastest = (
+            np.array([getattr(ball, name) for ball in balls]) for name in ("radius", "fastest")
+        )
 
-def _in_reach(one: _Change, other: _Change, interval: float, sigma: float, sides: Array | None) -> bool:
-    if one.ball is other.ball:
-        return False
-    t = float(one.ball.t[one.before.last])
-    closing = float(np.linalg.norm(one.before.velocity(t)[0] - other.before.velocity(t)[0]))
-    apart = nearest_image(one.before.place(t)[0] - other.before.place(t)[0], sides)
-    gap = np.linalg.norm(apart) - one.ball.radius - other.ball.radius
-    return bool(gap < SIGMAS * sigma + 2 * closing * interval)
+    def takes_part(self, members: Sequence[_Change], low: float, high: float) -> bool:
+        """Return whether a ball beside the members is in reach of one, and is not on one path meanwhile."""
+        rows = slice(*np.searchsorted(self.t, [low - (high - low), high + (high - low)], side="left"))
+        x, of = self.x[rows], self.of[rows]
+        near = np.zeros(len(x), dtype=bool)
+        for ball, before, _after in members:
+            gap = np.linalg.norm(nearest_image(x - ball.x[before.last], self.sides), axis=1)
+            fastest = np.maximum(self.fastest[of], max(one.ball.fastest for one in members))
+            near |= gap - ball.radius - self.radius[of] < SIGMAS * self.sigma + 4 * fastest * (high - low)
+        return any(
+            not any(ball.t[piece.first] <= low and ball.t[piece.last] >= high for piece in ball.pieces)
+            for ball in (self.balls[k] for k in np.unique(of[near]))
+            if all(one.ball is not ball for one in members)
+        )
 
 
 def event_time(event: _Event) -> tuple[float, float]:

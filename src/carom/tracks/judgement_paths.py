@@ -258,11 +258,15 @@ def _numbers(faults: FaultList, name: str, column: NDArray[Any]) -> Array:
 
 def _third_differences(t: Array, x: Array) -> Array:
     """Return third differences (n - 3, 3) of places (n, 3) at any times: a parabola has none, noise as many as at even times."""
-    windows = np.lib.stride_tricks.sliding_window_view(t, 4)
-    apart = windows[:, :, None] - windows[:, None, :] + np.eye(4)
-    weights = 1 / apart.prod(axis=2)
-    weights *= math.sqrt(20) / np.linalg.norm(weights, axis=1, keepdims=True)  # (of even times 1, 3, 3, 1)
-    found: Array = np.einsum("wk,wik->wi", weights, np.lib.stride_tricks.sliding_window_view(x, 4, axis=0))
+    a, b, c = np.diff(t)[:-2], np.diff(t)[1:-1], np.diff(t)[2:]
+    weights = np.array(
+        [1 / (a * (a + b) * (a + b + c)), 1 / (a * b * (b + c)), 1 / ((a + b) * b * c), 1 / ((a + b + c) * (b + c) * c)]
+    )
+    weights *= (
+        np.array([-1, 1, -1, 1])[:, None] * math.sqrt(20) / np.linalg.norm(weights, axis=0)
+    )  # (of even times 1, 3, 3, 1)
+    # (relative to the first place, so that a coordinate at rest has none at all)
+    found: Array = sum(weights[k][:, None] * (x[k : len(x) - 3 + k] - x[:-3]) for k in (1, 2, 3))
     return found
 
 
