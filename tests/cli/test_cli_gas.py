@@ -270,6 +270,16 @@ def test_a_signal_ends_it_with_a_checkpoint(folder, struck, which):
     assert answer("long.toml", "--resume", "c.npz") == whole_long_run()
 
 
+def test_a_signal_while_the_gas_is_made_ends_the_command(folder, monkeypatch, capsys):
+    """A dense start takes minutes; a note of the signal was kept until it was made."""
+    monkeypatch.setattr("carom.gas.session.build", lambda *_: signal.raise_signal(signal.SIGINT))
+    monkeypatch.setattr(sys, "argv", ["carom", "gas", "rough.toml"])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 128 + signal.SIGINT
+    assert len(list(folder.iterdir())) == 3
+
+
 def test_a_signal_without_a_checkpoint_asked_for_makes_one(folder, struck):
     code, _out, err = struck("a frame", 3, signal.SIGINT, "long.toml", "--snapshots", "s.gsd", "--every", "1000 events")
     assert code == 130

@@ -118,3 +118,19 @@ def test_bad_input_is_one_line():
         GasScene(**fast, contacts=contacts, run={"max_events": 10})
     with pytest.raises(CaromError, match=r"shear_rate: expected a box that is periodic .* got walls left"):
         GasScene(**scene, contacts=contacts, run={"max_events": 10})
+
+
+def test_a_gas_of_which_each_step_looks_at_many_images_can_be_stopped():
+    """Of 65,536 first steps each looked at 256 images of each ball of a row: no stop was heard for hours."""
+    side = (4000.0, 8.0, 8.0)
+    gas = Gas([Species(Ball(0.5, 1.0), 4000, temperature=1e6)], side, contacts=Surface(0.9, 0, 0), shear_rate=1e8)
+    gas.advance(10**9, stop=lambda: True)
+    assert gas.arrays.system[0]["planned"] < 4000
+    assert gas.collisions == 0
+
+
+def test_a_sheared_gas_at_rest_has_no_pressure():
+    gas = Gas([Species(Ball(0.5, 1.0), 8, temperature=0)], (6.0, 6.0, 6.0), contacts=Surface(0.9, 0, 0), shear_rate=0.1)
+    run = gas.run(until=0.01)
+    assert (run.pressure, run.shear.viscosity) == (0, 0)
+    assert math.isnan(run.shear.normal_difference)

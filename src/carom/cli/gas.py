@@ -131,8 +131,10 @@ def gas(
     progress = Progress(quiet)
     if ensemble is not None:
         return run_ensemble(given, ensemble, progress, plot, measures, as_json, quiet)
+    session = _session(
+        given, resume, progress
+    )  # (until it is made nothing can be kept: signals end the command at once)
     with stop_requests() as signals:
-        session = _session(given, resume, progress)
         snapshot_every = _keep_outputs(
             session, {"--snapshots": snapshots, "--measures": measures, "--plot": plot}, snapshot_every, progress
         )

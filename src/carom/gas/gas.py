@@ -352,7 +352,7 @@ class Gas:
         tell = loop_callback(progress, lambda now: lambda gas, done: now(done, total, "collisions"))
         before, done, self.ended_early = self.collisions, 0, None
         if not self._compiled:  # (nothing happens before that time: this compiles the loop, whose time is not measured)
-            engine.advance(self.arrays, -1.0, 1)
+            engine.advance(self.arrays, -1.0, 1, stop)
             self._compiled = True
         while done < most:
             begin = clocks.thread_time()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import asdict, dataclass, field, fields
 from typing import Any, NamedTuple
 
@@ -68,7 +69,8 @@ class ShearRun:
         p = means.stress
         # (of rough balls: the force along x over a distance along y does the work)
         work = -rate * volume_time * float(p[1, 0]) if volume_time > 0 else 0.0
-        return cls(rate, -float(p[0, 1] + p[1, 0]) / (2 * rate), float(p[0, 0] - p[1, 1]) / means.pressure, work)
+        difference = float(p[0, 0] - p[1, 1]) / means.pressure if means.pressure else math.nan  # (of balls at rest)
+        return cls(rate, -float(p[0, 1] + p[1, 0]) / (2 * rate), difference, work)
 
 
 class Mark(NamedTuple):

@@ -45,6 +45,7 @@ from carom.gas.edmd.gas_records import (
     Scratch,
     WallRecords,
 )
+from carom.gas.edmd.shear import MOST_IMAGES
 
 __all__ = [
     "STATE", "GasArrays", "SystemRecords", "advance", "arrays_at_start", "averages_until", "compiled_loops", "heat_until",
@@ -54,7 +55,10 @@ __all__ = [
 ]  # fmt: skip
 
 BINS_PER_BALL = 4  # of the calendar
-FIRST_STEPS = 1 << 16  # of the first call of the compiled loop
+FIRST_LOOKS = 1 << 20  # at other balls, in the first call of the compiled loop; a step may look at all of them
+MOST_LOOKS = (
+    1 << 27
+)  # in any call of a sheared gas: a step looks at one image, or at all images of a whole row of balls
 CACHE_LINE = 64  # bytes
 BLOCK = 1 << 16  # balls that are copied at once: of ten million, a copy of all takes as much memory as the gas
 
@@ -319,9 +323,13 @@ def advance(arrays: GasArrays, until: float, max_collisions: int, stop: Callable
     That is asked some times a second, however rare collisions are.
     """
     run, one, features = compiled_loops().run, arrays.system[0], _features(arrays)
-    last, pace = _collisions(one) + max_collisions, Pace(FIRST_STEPS)
+    last, pace = _collisions(one) + max_collisions, Pace(max(FIRST_LOOKS // len(arrays.balls.motions), 1))
+    row = (
+        3 * len(arrays.balls.motions) / math.prod(one["cells"][1:].tolist())
+    )  # balls, on average, across a sheared border
+    most = max(int(MOST_LOOKS / (row * MOST_IMAGES)), 1) if len(arrays.shear) else 1 << 62
     while True:
-        steps = pace.begin()
+        steps = min(pace.begin(), most)
         status = run(one, *arrays[1:-3], until, last - _collisions(one), steps, features)
         if status != LIMIT or _collisions(one) >= last or stop():
             return
