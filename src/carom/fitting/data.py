@@ -27,6 +27,7 @@ MAX_SHARED_VARIANCE = 0.95  # of a variance: the rest is a row's own
 MAX_CORRELATION = 0.95  # of errors before and after: a row with fully correlated errors would carry no information
 FLOOR_FRICTION = 0.2  # of a billiard table, by default
 CARRIED_WORK = 10  # in that of a spin that is integrated over by itself
+LEAST_UNITS = 3  # films, shots or chains that rows are divided into
 FEW_DRAWN = 4  # spins from which the width of their prior is hardly known
 FEW_ROWS, SAME_ANGLE, SAME_SPEED = 12, 3.0, 1.3  # rows; degrees; ratio of the fastest to the slowest
 
@@ -84,6 +85,31 @@ class Problem:
         """(M, L) rows of contacts that follow each other (:func:`carom.fitting.spin_chains.chains_of`)."""
         return chains_of(self.rebounds)
 
+    @functools.cached_property
+    def units(self) -> NDArray[np.int64]:
+        """(N,) number of the film, sheet, shot or chain of contacts of each row: rows of one are held out together.
+
+        The largest of which there are enough; films not where their errors in common are fitted.
+        """
+        chain = np.empty(len(self.x), np.int64)
+        for k, rows in enumerate(self.chains):
+            chain[rows[rows >= 0]] = k
+        levels = [*(() if self.shared else (("film",), ("sheet",))), ("film", "sheet", "shot")]
+        for level in levels:
+            labels = [self.rebounds.extra[name].astype(str).tolist() for name in level if name in self.rebounds.extra]
+            numbers = _numbered(list(zip(*labels, strict=True)))
+            if labels and numbers.max() >= LEAST_UNITS - 1:
+                return numbers
+        return _numbered(chain.tolist()) if self.carried or np.ptp(chain) >= LEAST_UNITS - 1 else np.arange(len(chain))
+
+    def some(self, count: int) -> Problem:
+        """Return the problem with about so many of its rows, of units that are far from each other."""
+        if count >= len(self.x):
+            return self
+        kinds = int(self.units.max()) + 1
+        chosen = np.linspace(0, kinds - 1, max(round(count * kinds / len(self.x)), 1)).astype(int)
+        return self.select(np.isin(self.units, chosen))
+
     @property
     def drawn(self) -> NDArray[np.bool_]:
         """(N,) mask of rows whose spin before the wall is a draw of the prior."""
@@ -110,6 +136,12 @@ class Problem:
         """Return the number of law evaluations per evaluation of the likelihood; ``heavy``: of a costly law."""
         each = 0 if self.spins is None else len(self.spins.sigma) * (CARRIED_WORK if self.carried else 1)
         return float(len(self.x) + self.unknown.sum() * each) * (100.0 if heavy else 1.0)
+
+
+def _numbered(labels: list[Any]) -> NDArray[np.int64]:
+    """Return numbers of labels (N,), from 0 in the order in which they come."""
+    numbers: dict[Any, int] = {}
+    return np.array([numbers.setdefault(label, len(numbers)) for label in labels], np.int64)
 
 
 def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[str]]:

@@ -81,7 +81,7 @@ def outliers_of(fit: Fit) -> OutlierSearch:
     steady = fit
     if not problem.estimated.any() and not problem.nu and fit.names:
         # (the scatter between contacts, if it was fitted, is in the error bars; of many rows some tell the parameters well enough)
-        few = problem.select(np.linspace(0, len(d) - 1, min(len(d), STEADY_ROWS)).astype(int))
+        few = problem.some(STEADY_ROWS)
         robust = replace(few, setting=replace(problem.setting, robust=True, scatter=""))
         if problem.spins is not None and not judged(place_near(fit.law, robust, fit.numbers), NEARLY)[1]:
             return OutlierSearch()

@@ -178,10 +178,11 @@ def predictive_of(fit: Any, weights: Array | None = None) -> Predictive:
 def held_out_score(fit: VaryingFit, folds: int = FOLDS) -> tuple[float, Array]:
     """Return the mean log density of a row that was left out, per (m/s)^3, and the density of each row (N,).
 
-    Every fifth row is left out in turn, and all numbers, the scatter among them, are fitted to the others, from the fit to all.
+    Every fifth row (film, sheet, shot, or chain of contacts) is left out in turn, and all numbers and the scatter are fitted
+    to the others, from the fit to all.
     """
     model, n = fit.model, len(fit.model.problem.x)
-    fold = np.arange(n) % min(folds, n)
+    fold = fit.model.problem.units % folds
     weights = np.array([fold != one for one in range(fold.max() + 1)], float)
     q, value, information = model.minimize(np.tile(fit.q, (len(weights), 1)), weights)
     # a search may end at a kink: where the end of another is better, it is continued from there

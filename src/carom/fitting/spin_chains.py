@@ -33,7 +33,7 @@ from carom.fitting.parameters import NUMBERS
 __all__ = ["chain_information", "chains_of", "evaluate_chains"]
 
 Array = NDArray[np.float64]
-OF_BALL = ("film", "shot", "ball")
+OF_BALL = ("film", "shot", "drop", "ball")
 COMPONENTS, REACH, NARROW = 101, 3.2, 0.064  # of the prior: number, ends of the centres and own width, in its widths
 LEAST = 1e-300  # weight of a component that has none left
 LEAST_SPIN, LEAST_VARIANCE = 1e-6, 1e-12  # of v/a, for a derivative at a known spin; of a spin, (rad/s)^2
@@ -43,7 +43,8 @@ STEP = 1e-4  # of a speed before the wall, for its derivative where it has a sma
 def chains_of(rebounds: Rebounds) -> NDArray[np.int64]:
     """Return the rows (M, L) of chains of contacts that follow each other, in order; -1: the chain is shorter.
 
-    A contact follows another of the same ball, shot and film if its number in the column ``bounce`` (else ``contact``) is the next.
+    A contact follows another of the same ball, drop, shot and film if its number in the column ``bounce`` (else ``contact``) is the
+    next.
     """
     n, name = len(rebounds), next((one for one in ("bounce", "contact") if one in rebounds.extra), None)
     if name is None:
