@@ -31,8 +31,14 @@ def test_regions_hold_their_share_of_rows_that_were_not_fitted(rows: int, bars: 
             make_problem(make_rebounds("planar", drawn_table(n, draw, sigma=0.1, bars=bars, **TRUTH)), SETTING)[0]
             for n, draw in ((rows, seed), (200, 1000 + seed))
         )
-        said = predictive_of(fit_law(CONTACT, seen)).of_rows(problem)
+        fit = fit_law(CONTACT, seen)
+        said = predictive_of(fit).of_rows(problem)
         inside[seed] = [said.inside(problem.y, share).mean() for share in (0.68, 0.95)]
+        # (with the error bars of the table, of the rows, and of columns beside the states)
+        beside = dict(zip(("v_n_in", "v_t_in", "spin_in"), problem.x.T, strict=True))
+        bars = {"sigma_v_n_out": 0.1, "sigma_v_t_out": 0.1, "sigma_spin_out": 0.1 / RADIUS} if bars else {}
+        for before in (problem.x, problem.rebounds, beside | bars):
+            assert fit.predict(before).inside(problem.y, 0.68).tolist() == said.inside(problem.y, 0.68).tolist()
     # (rows of one table share its fit: the counting error is that of tables)
     error = inside.std(axis=0, ddof=1) / np.sqrt(tables)
     assert np.all(np.abs(inside.mean(axis=0) - (0.68, 0.95)) < 3 * error + (0.03, 0.012)), (inside.mean(axis=0), error)
@@ -63,6 +69,19 @@ def test_regions_of_a_prediction_by_hand() -> None:
     # the root of chi^2 with 3 degrees of freedom at 0.68 is 1.872
     assert one.inside(np.array([[0.187, 0.0, 0.0]]), 0.68)[0]
     assert not one.inside(np.array([[0.188, 0.0, 0.0]]), 0.68)[0]
+
+
+def test_what_has_no_error_bar_is_not_compared() -> None:
+    columns = drawn_table(12, 1, sigma=0.1, **TRUTH)
+    del columns["spin_out"], columns["sigma_spin_out"]
+    fit = fit_law(CONTACT, make_problem(make_rebounds("planar", columns), SETTING)[0])
+    with pytest.raises(carom.CaromError, match="expected an error bar of the spin after, got none"):
+        fit.predict([[6.0, 1.0, -20.0]]).inside([[4.0, 0.9, 0.0]], 0.95)
+    assert fit.predict([[6.0, 1.0, -20.0]]).inside([[4.2, 1.0, np.nan]], 0.95).shape == (1,)
+    before = {"v_n_in": 6.0, "v_t_in": 1.0, "spin_in": -20.0, "sigma_v_n_in": 0.5, "sigma_spin_out": 9.0}
+    said = fit.predict(before)
+    assert said.stderr[0, 0] == pytest.approx(0.5 * fit.numbers[0], rel=0.1)
+    assert said.inside(said.mean, 0.1).all()
 
 
 def test_every_law_goes_back_into_a_scene(tmp_path: Path) -> None:

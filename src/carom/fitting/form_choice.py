@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from carom.fitting.fit import fit_law
 from carom.fitting.noise import ERRORS, NORMAL, Noise
 from carom.fitting.parameters import FORMS, PLACES
-from carom.fitting.predictive import Prediction, held_out_score, impacts, predictive_of
+from carom.fitting.predictive import Prediction, held_out_score, predictive_of
 from carom.fitting.result import Fit
 from carom.fitting.smooth import Smooth, smooth_parameter
 from carom.fitting.varying import VaryingFit, VaryingModel, fit_varying, varying_model
@@ -100,7 +100,7 @@ class FormChoice:
 
     def predict(self, before: Any) -> Prediction:
         """Return mean and covariance of the states after the wall, as :meth:`carom.fitting.Fit.predict`."""
-        return predictive_of(self.best.fit).at(impacts(self.best.base.problem, before))
+        return predictive_of(self.best.fit).of_states(before)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the choice for JSON."""

@@ -51,18 +51,30 @@ class Prediction:
     nu: float = 0.0
     """Degrees of freedom of Student's t; 0: normal."""
     errors: str = "normal"
+    bars: Array | None = None
+    """Error bars (..., 3) of measured states beyond the covariance: those given beside the state (sigma_v_n_out, ...), else the
+    median of the table's; NaN where it has none. None: the covariance has all."""
 
     @property
     def stderr(self) -> Array:
-        """Standard errors (..., 3)."""
+        """Standard errors (..., 3) of the state, without those of a measurement of it."""
         return np.asarray(np.sqrt(np.einsum("...ii->...i", self.covariance)))
 
     def distance(self, measured: Array) -> tuple[Array, NDArray[np.int64]]:
-        """Return r' covariance^-1 r (...) and the count of measured outputs; NaN: not measured."""
+        """Return r' S^-1 r (...), S the covariance with the error bars, and the count of measured outputs; NaN: not measured.
+
+        Raises CaromError for an output that has neither error bar nor scatter.
+        """
         seen = np.isfinite(measured)
         pair = seen[..., :, None] & seen[..., None, :]
         r = np.where(seen, measured - self.mean, 0.0)
-        q = np.linalg.inv(np.where(pair, self.covariance, np.eye(3)))
+        bars = np.zeros(3) if self.bars is None else self.bars
+        s = self.covariance + np.square(bars)[..., None] * np.eye(3)
+        if (without := seen & ~(np.einsum("...ii->...i", s) > 0)).any():
+            name = ("v_n_out", "v_t_out", "the spin after")[int(np.argwhere(without)[0, -1])]
+            raise CaromError(Fault("inside", "measured", f"an error bar of {name}", "none",
+                                   "give it beside the state (column sigma_...), or leave that output out (NaN)"))  # fmt: skip
+        q = np.linalg.inv(np.where(pair, s, np.eye(3)))
         return np.einsum("...i,...ij,...j->...", r, q, r), seen.sum(axis=-1)
 
     def inside(self, measured: Array, share: float) -> NDArray[np.bool_]:
@@ -128,6 +140,18 @@ class Predictive:
         spread += np.einsum("bni,bnj->nij", off, off) / 2  # (a slope does not see kinks)
         spread = spread if errors is None else spread + errors
         return Prediction(here, spread, self.nu, self.model.noise.errors)
+
+    def of_states(self, before: Any) -> Prediction:
+        """Return the prediction for states as :meth:`carom.fitting.Fit.predict` takes them, with the error bars beside them."""
+        problem = self.model.problem
+        names, x = COLUMNS[problem.rebounds.kind], impacts(problem, before)
+        sigma = np.array([np.broadcast_to(_bar_of(before, name), len(x)) for name in names], float).T
+        wide = np.square(np.nan_to_num(sigma[:, :3]))
+        j = self.model.by_inputs(self.q, x, wide)
+        every = [problem.rebounds.sigma.get(name, np.empty(0)) for name in names[3:]]
+        table = [np.median(one[np.isfinite(one)]) if np.isfinite(one).any() else np.nan for one in every]
+        bars = np.where(problem.estimated, 0.0, np.where(np.isnan(sigma[:, 3:]), table, sigma[:, 3:]))
+        return replace(self.at(x, np.einsum("nio,no,njo->nij", j, wide, j)), bars=bars)
 
     def of_rows(self, problem: Problem) -> Prediction:
         """Return the predictions for other rows, with their error bars."""
@@ -210,6 +234,13 @@ def impacts(problem: Problem, before: State | Mapping[str, Any] | Rebounds | Any
         i, j = wrong[0].tolist()
         raise CaromError(Fault("predict", "state", "finite numbers", f"{names[j]} {x[i, j]} in row {i + 1}"))
     return x
+
+
+def _bar_of(before: Any, name: str) -> Any:
+    """Return the error bars of a column beside states, NaN where there are none."""
+    if isinstance(before, Rebounds):
+        return before.sigma.get(name, np.nan)
+    return before.get(f"sigma_{name}", np.nan) if isinstance(before, Mapping) else np.nan
 
 
 def _impacts(names: tuple[str, ...], before: Any) -> Array:

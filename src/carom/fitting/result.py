@@ -162,14 +162,14 @@ class Fit:
         ----------
         before : State, mapping of columns, or array (N, 3)
             Balls that meet a wall with normal (1, 0, 0); or v_n_in, v_t_in (m/s) and spin_in (rad/s), for a ball on a table
-            spin_z_in.
+            spin_z_in. Columns ``sigma_...`` are error bars of these, and of states measured after the wall.
 
         Returns
         -------
         Prediction
-            Of v_n, v_t and spin; measured states have their error bars besides, where the scatter was not estimated.
+            Of v_n, v_t and spin; ``inside`` adds the error bars of measured states, where the scatter was not estimated.
         """
-        return predictive_of(self).at(impacts(self.problem, before))
+        return predictive_of(self).of_states(before)
 
     def to_surface(self, before: Any = None) -> Surface:
         """Return restitution, friction and tangential restitution as :func:`carom.impact` takes them.
