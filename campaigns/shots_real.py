@@ -1,6 +1,6 @@
-"""Whole shots of a film of your own: distances by horizon, numbers of the table, forms, halves, what first parts predict.
+"""Whole shots of a film of your own: distances by horizon, numbers of the table, halves, what first parts predict.
 
-    python campaigns/shots_real.py [N] --films FILE [--radius METRES] [--only fit|forms|rest|halves|alone]
+    python campaigns/shots_real.py [N] --films FILE [--radius METRES] [--only fit|rest|halves|alone]
 
 Without a film, N shots (2) that carom draws are fitted, whose numbers are known. Halves: the shots with even and odd numbers are
 fitted by themselves from the numbers of all; theirs are compared in error bars, and each half predicts the shots of the other from
@@ -17,14 +17,15 @@ from pathlib import Path
 from typing import Any
 
 from campaign import Campaign, campaign
+from held_out_shots import HeldOut, predict_rest
 
 import carom
 from carom.fitting.result import with_error_bar
-from carom.fitting.shots import HeldOut, ShotsFit, compare_forms, drawn_films, fit_of_some, predict_rest
+from carom.fitting.shots import ShotsFit, drawn_films, fit_of_some
 from carom.fitting.shots.result import HORIZONS
 from carom.tracks.film_tracks import films_of
 
-KINDS = ("fit", "forms", "rest", "halves", "alone")
+KINDS = ("fit", "rest", "halves", "alone")
 PARTS = ((1 / 3, "first third"), (1 / 2, "first half"))
 
 
@@ -83,7 +84,7 @@ def alone(run: Campaign, tracks: Any, table: Any) -> None:
 
 
 def main(words: Sequence[str] | None = None) -> None:
-    """A line a horizon, a line a number, a line a form."""
+    """A line a horizon, a line a number."""
     options = {"films": {"type": Path}, "radius": {"type": float, "default": 0.03075}}
     with campaign("shots_real", __doc__, words, count=2, small=1, **options) as run:
         if run.given.films:
@@ -96,9 +97,6 @@ def main(words: Sequence[str] | None = None) -> None:
         if run.given.only == "alone":
             return
         best = fitted(run, tracks, table)
-        if run.wants("forms", KINDS) and best.names:
-            for form in compare_forms(best):
-                run.say(form.describe())
         for share, what in PARTS if run.wants("rest", KINDS) and run.given.films else ():
             said_of(run, [predict_rest(best, share)], what)
         if run.wants("halves", KINDS) and run.given.films:

@@ -17,7 +17,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import carom
 from carom import billiards, data, derive, fitting, gas, scene, sweeps, tracks
-from carom.fitting import GasFit, shots
+from carom.fitting import GasFit
 from carom.fitting.shots import drawn_films
 from carom.fitting.tracks import fit_tracks
 from carom.gas.time_averages import LayerAverages
@@ -168,12 +168,7 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
     ],
     "whole shots": a_whole_shot,
     "parts of longer fits and runs": lambda: [
-        shots.HeldOut(
-            0.3, (shots.PredictedShot("1", *(np.zeros((2, 1)),) * 4, np.zeros((2, 2, 1), dtype=bool), 0.001),)
-        ),
-        shots.LawErrors(),
         GasFit({"restitution": 0.9}, {"restitution": 0.01}, 30),
-        shots.ComparedForm("cushion", "not yielding", 3.0, 1.0, {"e": 0.8}, (1, 2)),
         gas.TransportCoefficients(*3 * [gas.Coefficient(0.2, 0.01, np.ones(3), np.ones(3))]),
         gas.enskog(0.1),
         gas.LayerProfiles(*2 * [LayerAverages("z", *7 * [np.ones(3)])]),

@@ -13,7 +13,6 @@ from reference.synthetic_bounces import measured_bounces as bounces
 
 import carom
 from carom import cli
-from carom.cli.fit_shots import show_shots
 from carom.cli.ranking_output import _in_lines
 from carom.data import published_rebounds
 from carom.data.datasets import load
@@ -490,13 +489,6 @@ def test_a_whole_shot_is_fitted_drawn_and_told(here, monkeypatch, capsys):
     assert code == 0, err
     assert json.loads(out)["ranking"][0]["shots"][0]["rms"] < 3e-3
     assert (here / "film.png").stat().st_size > 10_000
-
-
-def test_other_forms_of_whole_shots_are_told(capsys):
-    tracks, scenes = drawn_films(1, seed=3, until=0.3)
-    free = ["floor.rolling_resistance", "floor.rolling_drag"]
-    show_shots(carom.fit_shots(tracks, scenes[0], free=free, forms=True))
-    assert "cloth: rolling resistance without drag: AICc " in capsys.readouterr().out
 
 
 def test_a_file_of_the_program_that_ends_early_is_no_interrupt(monkeypatch):

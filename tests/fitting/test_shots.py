@@ -10,16 +10,15 @@ import pytest
 import carom
 from carom.core.motion.phases import REST
 from carom.fitting.identifiability import NOT_IDENTIFIABLE
-from carom.fitting.shots import LawErrors, compare_forms, drawn_films, fit_of_some, predict_rest
+from carom.fitting.shots import drawn_films, fit_of_some
 from carom.fitting.shots.errors import Optimum
 from carom.fitting.shots.film import filmed_shots
 from carom.fitting.shots.fit import DRAWS, _Together
-from carom.fitting.shots.followed import belief_of_start, followed
-from carom.fitting.shots.forms import FORMS, searched_together
 from carom.fitting.shots.joint import PRIOR_WIDTH, JointFit, TablePrior, likely_widths
-from carom.fitting.shots.search import SearchSettings, _drawn, descend, refined, rms, search_start
+from carom.fitting.shots.search import SearchSettings, _drawn, descend, rms, search_start
 from carom.fitting.shots.start import VELOCITY, residuals
 from carom.fitting.shots.table import FREE, TERMS, TableModel, begun, scene_of_films
+from carom.fitting.shots.together import searched_together
 from carom.simulation.sensitivity.parameters import parameters_of
 from carom.simulation.setup import set_up
 from carom.tracks import Track
@@ -240,43 +239,10 @@ def test_a_scatter_between_shots_is_found_and_widens_the_errors():
     assert 0 < abs(some.estimates[name].value - estimate.value) < 3 * some.estimates[name].stderr
     own = [one.scene.walls[0].restitution.value for one in best.shots]
     assert own == pytest.approx([estimate.value + one.deviations[name] for one in best.shots], abs=1e-12)
-    # laws and forms are compared on one table for all shots, as AICc is
+    # laws are compared on one table for all shots, as AICc is
     again = searched_together([best, best], lambda _done, _text: None)
     assert [one.deviance for one in again] == pytest.approx([best.deviance] * 2, abs=0.1)
     assert len(some.one_table.starts) == 3
-
-
-def test_the_first_part_predicts_the_rest_within_its_regions(ranking):
-    found = predict_rest(ranking.best, 0.6, draws=60)
-    assert found.median < 0.02
-    assert found.coverage[0] > 0.4
-    assert found.coverage[1] > 0.75
-    for until, far, expected, count in found.against_time((0, 0.5, 1.0)):
-        assert 0 < until <= 1
-        assert 0.1 < far / expected < 10
-        assert count == 2
-    # laws with larger errors leave wider regions
-    films = [one.film for one in ranking.best.shots]
-    wide = predict_rest(ranking.best, 0.6, films, draws=60, errors=LawErrors(share=0.2))
-    assert wide.coverage[1] > 0.95
-    assert wide.against_time((0, 1.0))[0][2] > 2 * found.against_time((0, 1.0))[0][2]
-    with pytest.raises(carom.CaromError, match="share: expected a number between 0 and 1"):
-        predict_rest(ranking.best, 1.5)
-
-
-def test_a_shot_that_is_followed_is_known_within_its_errors(ranking, films):
-    _tracks, scenes = films
-    for one, start, scene in zip(ranking.best.shots, ranking.best.starts, scenes, strict=True):
-        table, frames = ranking.best.table, one.film.horizons["ball"]
-        errors = LawErrors(frame=1.5e-3).times(0.2)
-        belief = belief_of_start(table, start, refined(table, start, frames, 9, 3).start, frames, errors)
-        until = followed(table, one.film, belief, errors)
-        state = carom.simulate(scene).at(until.belief.time - one.time)
-        known = until.belief.mean.reshape(3, 7)
-        error = np.sqrt(np.diag(until.belief.covariance)).reshape(3, 7)
-        apart = np.hstack([known[:, :2] - state.position[:, :2], known[:, 2:4] - state.velocity[:, :2]])
-        assert (np.abs(apart) < 4 * error[:, :4] + 1e-3).all()
-        assert 1e-3 < until.distance < 3e-3
 
 
 def test_the_table_at_other_numbers_is_that_of_its_scene(films):
@@ -299,21 +265,6 @@ def test_the_table_at_other_numbers_is_that_of_its_scene(films):
                 for name in getattr(made, array).dtype.names:
                     one, other = getattr(found.arrays, array)[name], getattr(made, array)[name]
                     assert one == pytest.approx(other, rel=1e-12, abs=1e-12, nan_ok=True), name
-
-
-def test_forms_are_compared_on_the_same_shots(ranking):
-    cushion, one = compare_forms(ranking.best, [FORMS[1], FORMS[-1]])
-    # both contain the fit's form: its optimum is one of their tables
-    assert max(cushion.deviance, one.deviance) <= 1e-9
-    assert cushion.aicc > 0
-    assert set(cushion.numbers) == {f"walls.0.restitution.coefficients.{k}" for k in range(2)}
-    assert (one.part, set(one.numbers)) == (
-        "balls",
-        {"ball_contact.friction.at_rest", "ball_contact.friction.at_speed"},
-    )
-    assert one.nearer[1] == 2
-    assert one.describe().startswith("balls: friction that falls with the slip: AICc ")
-    assert compare_forms(ranking.best, FORMS[:1]) == ()  # (its cushions do not yield anyway)
 
 
 def test_laws_are_searched_from_each_others_optimum(ranking):
@@ -515,14 +466,6 @@ def test_a_cushion_that_differs_is_found():
     for name, true in (("walls.0.restitution", 0.85), (path, 0.75)):
         assert abs(found[name].value - true) < 4 * found[name].stderr, name
         assert found[name].stderr < 0.02, name
-    # one number for all cushions, and in its place four
-    alike = carom.fit_shots(tracks, table, free=["walls.0.restitution"], seed=1).best
-    form = next(one for one in FORMS if one.name == "cushions that differ")
-    (compared,) = compare_forms(alike, [form])
-    assert compared.aicc < -20
-    assert compared.numbers[path] == pytest.approx(0.75, abs=0.005)
-    others = [e for name, e in compared.numbers.items() if name != path]
-    assert others == pytest.approx([0.85] * 3, abs=0.01)
 
 
 def test_a_law_that_holds_the_friction_holds_that_of_a_cushion_too(films):

@@ -76,8 +76,7 @@ def fit(
         bool,
         option(
             LAWS,
-            "Choose a form or a spline for each parameter of the best law, and the tails of errors, by rows held out; of whole"
-            " shots: compare other forms of cushion, cloth and balls.",
+            "Choose a form or a spline for each parameter of the best law, and the tails of errors, by rows held out.",
             "--forms",
         ),
     ] = False,

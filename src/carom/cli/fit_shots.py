@@ -44,7 +44,7 @@ def show_shots(ranking: ShotsRanking) -> None:
 
     said = f"\nRMS distances in mm: median of the shots, to the first ball, through its cushions, to rest. Errors: {_errors(best)}"
     print_ranking(ranking, ("ball", "1", "2", "3 cushions", "whole"), cells, said)
-    for line in (*best.describe()[1:], *(one.describe() for one in ranking.forms)):
+    for line in best.describe()[1:]:
         out().print(Text(line), soft_wrap=True)
 
 

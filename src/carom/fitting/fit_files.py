@@ -108,8 +108,7 @@ def fit(
         Constant, linear or exponential in the slip (the last two: in slip/v_n), or in what a colon precedes: v_n, slip, slip/v_n,
         speed.
     forms : bool
-        Whether to choose a form, or a spline, for each parameter, and heavy tails, by the score of rows held out; with ``shot``,
-        whether other forms of cushion, cloth and balls are compared with the best fit.
+        Whether to choose a form, or a spline, for each parameter, and heavy tails, by the score of rows held out.
     fit, fix, bound : optional
         Parameters to fit as well; held ones with their values; bounds of fitted ones.
     robust : bool

@@ -300,7 +300,7 @@ def write_shots_report(ranking: ShotsRanking, source: str, path: str | Path) -> 
         f"<h1>Whole shots: {html.escape(name)}</h1>", f'<p class="verdict">{html.escape(ranking.verdict)}</p>',
         *(f"<p>{html.escape(line)}</p>" for line in best.describe()), *_all_shots(best),
         "<h2>The laws, best first</h2>", _laws(ranking), "<h2>The table</h2>", _numbers(ranking),
-        listed("Other forms", [one.describe() for one in ranking.forms]), "<h2>The shots, the farthest from the film first</h2>",
+        "<h2>The shots, the farthest from the film first</h2>",
         _legend_of_marks(), *map(_shot, order),
         listed("Unconstrained parameters", ranking.degenerate), listed("Notes", list(ranking.notes)),
         f"<footer>carom {__version__}. {ranking.aicc_note}</footer>",

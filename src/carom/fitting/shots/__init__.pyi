@@ -3,13 +3,6 @@ from .film import FilmedEvent as FilmedEvent
 from .film import FilmedShot as FilmedShot
 from .fit import fit_of_some as fit_of_some
 from .fit import fit_shots as fit_shots
-from .followed import LawErrors as LawErrors
-from .forms import compare_forms as compare_forms
-from .held_out import HeldOut as HeldOut
-from .held_out import PredictedShot as PredictedShot
-from .held_out import errors_of_laws as errors_of_laws
-from .held_out import predict_rest as predict_rest
-from .result import ComparedForm as ComparedForm
 from .result import EventMatch as EventMatch
 from .result import FittedShot as FittedShot
 from .result import ShotsFit as ShotsFit

@@ -27,7 +27,6 @@ TAKEN = (
     "scale",
     "where",
     "seed",
-    "forms",
     "shot",
     "table",
     "progress",
@@ -55,5 +54,5 @@ def fit_asked(asked: SimpleNamespace, defaults: Mapping[str, Any]) -> ShotsRanki
         raise CaromError(f"`table`: expected a scene, or its file, got {type(table).__name__}")
     return fit_shots(
         asked.files, table, asked.radius, laws=asked.laws or None, free=(*FREE, *asked.fit), fix=asked.fix, bound=asked.bound,
-        rate=asked.rate, scale=asked.scale, where=asked.where, seed=asked.seed or 0, forms=asked.forms, progress=asked.progress,
+        rate=asked.rate, scale=asked.scale, where=asked.where, seed=asked.seed or 0, progress=asked.progress,
     )  # fmt: skip

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -323,12 +323,3 @@ def _velocity_changes(event: TrackEvent, one: Track, other: Track, noise: float)
         if np.hypot(*(v - u)) > 0.1 + 0.15 * max(np.hypot(*u), np.hypot(*v)):
             return True
     return False
-
-
-def until_time(shot: FilmedShot, share: float) -> FilmedShot:
-    """Return the first part of a shot: a share of its time."""
-    frames = max(shot.frames_until(shot.time[0] + share * (shot.time[-1] - shot.time[0])), 4)
-    return replace(
-        shot, time=shot.time[:frames], position=shot.position[:frames], measured=shot.measured[:frames],
-        events=tuple(one for one in shot.events if one.high < shot.time[frames - 1]),
-    )  # fmt: skip

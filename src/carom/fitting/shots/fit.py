@@ -20,7 +20,6 @@ from carom.fitting.identifiability import Identified
 from carom.fitting.laws import FittedLaw, track_laws_named
 from carom.fitting.shots.errors import Optimum, identified
 from carom.fitting.shots.film import Films, filmed_shots, require_on_table
-from carom.fitting.shots.forms import compare_forms, searched_together
 from carom.fitting.shots.joint import (
     FEWEST,
     PRIOR_WIDTH,
@@ -37,6 +36,7 @@ from carom.fitting.shots.result import FittedShot, OneTable, ShotsFit, ShotsRank
 from carom.fitting.shots.search import FAILED, SearchSettings, ShotStart, refined, rms, search_start
 from carom.fitting.shots.start import FIRST_PLACE, SPIN, VELOCITY, distances, start_size
 from carom.fitting.shots.table import FREE, TableModel, begun, of_table, scene_of_films, table_of, with_balls
+from carom.fitting.shots.together import searched_together
 from carom.fitting.table_numbers import TableNumbers
 from carom.formatting import counted
 from carom.laws.registry import one_or_several
@@ -72,7 +72,6 @@ def fit_shots(
     scale: float | None = None,
     where: Any = (),
     seed: int = 0,
-    forms: bool = False,
     progress: Progress | None = None,
 ) -> ShotsRanking:
     """Fit whole filmed shots, from the stroke to rest, with all balls and all their contacts, as ``carom fit`` with ``shot``.
@@ -104,8 +103,6 @@ def fit_shots(
         The tracks that enter, ``"shot=NAME"`` or ``"ball=NAME"``.
     seed : int
         Of the starts that are drawn; one seed gives the same answer.
-    forms : bool
-        Whether other forms of cushion, cloth and balls are compared with the best fit.
     progress : callable(done, total, text), optional
 
     Returns
@@ -150,7 +147,7 @@ def fit_shots(
     paths = _paths(scene, paths)
     fits: list[ShotsFit] = []
     together = len(chosen) > 1 and len(films.shots) >= FEWEST
-    steps = len(chosen) + together + forms
+    steps = len(chosen) + together
 
     def tell(done: float, text: str) -> None:
         if progress is not None:
@@ -166,10 +163,7 @@ def fit_shots(
     if together and paths:
         fits = searched_together(fits, tell)
     fits.sort(key=lambda one: one.aicc)
-    ranking = _ranked(fits, [*reading, *films.notes, *notes])
-    if not forms:
-        return ranking
-    return replace(ranking, forms=compare_forms(ranking.best, tell=lambda done, text: tell(together + done, text)))
+    return _ranked(fits, [*reading, *films.notes, *notes])
 
 
 def _check_paths(scene: Scene, free: Sequence[str]) -> None:

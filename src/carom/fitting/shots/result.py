@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -27,7 +26,7 @@ from carom.scene.scene import Scene
 from carom.simulation.simulate import simulate
 from carom.simulation.trajectory import Trajectory
 
-__all__ = ["HORIZONS", "ComparedForm", "EventMatch", "FittedShot", "OneTable", "ShotsFit", "ShotsRanking", "criterion"]
+__all__ = ["HORIZONS", "EventMatch", "FittedShot", "OneTable", "ShotsFit", "ShotsRanking", "criterion"]
 
 Array = NDArray[np.float64]
 HORIZONS = ("ball", "cushion 1", "cushion 2", "cushion 3", "whole")
@@ -158,7 +157,7 @@ class FittedShot:
 
 
 class OneTable(NamedTuple):
-    """The fit on one table for all shots, before numbers scatter between them: there laws and forms are compared."""
+    """The fit on one table for all shots, before numbers scatter between them: there laws are compared."""
 
     values: Array
     """(P,)"""
@@ -294,46 +293,10 @@ class ShotsFit:
         )
 
 
-@dataclass(frozen=True, eq=False)
-class ComparedForm:
-    """Another form of a part of the table beside the one that was fitted; made by :func:`compare_forms`."""
-
-    part: str
-    """cushion, cloth or balls."""
-    name: str
-    aicc: float
-    """Its AICc above that of the fit at the joint horizon: negative where it is better."""
-    deviance: float
-    """Its deviance above that of the fit: not positive, of a form that contains it."""
-    numbers: dict[str, float]
-    """Its fitted values of the numbers that the fit does not have."""
-    nearer: tuple[int, int]
-    """Shots to which it is nearer than the fit, and shots in all."""
-    held_out: float = math.nan
-    """Deviance of each half of the shots on the table of the other half, above that of the fit's form; NaN of few shots."""
-    distances: tuple[float, float] = (math.nan, math.nan)
-    """m: median distance to shots of the other half, of this form and of the fit's."""
-
-    def describe(self) -> str:
-        """Return one line."""
-        numbers = "".join(f", {name} {value:.3g}" for name, value in self.numbers.items())
-        here, there = (1e3 * one for one in self.distances)
-        held = f", held out {self.held_out:+.1f} ({here:.1f} mm; {there:.1f} of the fit)" if here > 0 else ""
-        nearer = f"nearer in {self.nearer[0]} of {self.nearer[1]} shots"
-        return f"{self.part}: {self.name}: AICc {self.aicc:+.1f}{held}, {nearer}{numbers}."
-
-
 @dataclass(frozen=True, eq=False, repr=False)
 class ShotsRanking(RankedByShots[ShotsFit]):
     """Laws of the cushions fitted to whole shots, best first, with a verdict; made by :func:`carom.fit_shots`."""
 
-    forms: tuple[ComparedForm, ...] = ()
-    """Other forms of cushion, cloth and balls beside those of the best fit, where they were asked for."""
-
     def describe(self) -> list[str]:
         """Return the sentences of the best fit, after the verdict."""
-        return [self.verdict, *self.best.describe(), *(one.describe() for one in self.forms)]
-
-    def as_dict(self) -> dict[str, Any]:
-        """Return the ranking for JSON."""
-        return super().as_dict() | {"forms": [json_value(vars(one)) for one in self.forms]}
+        return [self.verdict, *self.best.describe()]
