@@ -169,6 +169,33 @@ class Layout:
     encoding: str = "utf-8"
 
 
+# Names of a column of frame numbers in programs and spreadsheets; any other name is as good where the numbers rise with jumps.
+CLOCK_NAMES = (
+    "frame", "Frame", "FRAME", "Frame #", "Frame No.", "Frame nr", "frameNumber", "frame_number", "Frames", "frame idx", "FrameID",
+    "Image", "Image #", "image_id", "img_num", "Slice", "Slice n\u00b0", "Slice number", "Bild", "Bildnummer", "Bild-Nr.", "trame",
+    "vue", "cuadro", "fotograma", "quadro", "kader", "ruta", "klatka", "n\u00b0", "No.", "Nr.", "#", "n", "N", "k", "i", "f", "fr",
+    "num", "number", "index", "idx", "id", "step", "timestep", "time step", "tick", "sample", "point", "row", "trial", "picture",
+    "Photo", "Time [frames]", "", "Unnamed: 0",
+)  # fmt: skip
+
+
+def clock_of_frames(name: str, order: str, frame: np.ndarray) -> Callable[[Film], str]:
+    """Columns of a clock under a name, x, y in pixels, and others that are no clock, in the order of their letters: c, x, y, and
+    the size, the mean, the number of the track."""
+
+    def write(one: Film) -> str:
+        place = pixels(one)[frame]
+        rng = np.random.default_rng(len(frame))
+        known = {
+            "c": (name, (frame + 5).tolist()), "x": ("x", cells(place[:, 0], ".3f")), "y": ("y", cells(place[:, 1], ".3f")),
+            "s": ("Area", rng.integers(90, 140, len(frame)).tolist()), "m": ("Mean", cells(rng.random(len(frame)), ".3f")),
+            "t": ("Track n\u00b0", [1] * len(frame)),
+        }  # fmt: skip
+        return table(",".join(known[k][0] for k in order), [known[k][1] for k in order])
+
+    return write
+
+
 PX = {"scale": PIXEL, "rate": RATE, "down": True}
 LOGGER_PRO = ["Vernier Format 2", "ball.cmbl 6/11/2024 14:32:02", "Latest", "Time\tX\tY", "t\tX\tY"]
 MINUS, ARABIC = "\u2212", "\u061c-"
@@ -227,6 +254,13 @@ LAYOUTS: dict[str, Layout] = {
         framed("LABEL,ID,TRACK_ID,POSITION_X,POSITION_Y,FRAME", "lfkxyf", l=lambda one: [f"ID{i}" for i in range(len(one.time))],
                k=same("0")), **PX),
     "mtrack2": Layout(framed(["Tracks 1 to 1", "Frame\tX1\tY1\tFlag1"], "fxys", "\t", s=same(" ")), **PX),
+    "mtrack2, names once": Layout(
+        lambda one: framed(["Frame\tX1\tY1\tFlag1", "Tracks 1 to 1"], "fxys", "\t", s=same(" "))(one)
+        + "\nTrack \tLength\tDistance traveled\tNr of Frames\n1\t1234.5\t400.2\t110\n", **PX),
+    "mtrack2, two blocks": Layout(
+        lambda one: framed(["Frame\tX1\tY1\tFlag1", "Tracks 1 to 1"], "fxys", "\t", s=same(" "))(one)
+        + framed(["Tracks 2 to 2"], "fzys", "\t", s=same("*"), z=lambda one: cells(pixels(one)[:, 0] + 40, ".3f"))(one),
+        **PX, tracks=2),
     "idtracker": Layout(framed("X1\tY1\tProbId1", "xyp", "\t", p=same("1")), **PX),
     "napari": Layout(
         framed("track_id,t,y,x,id,parent_id", "kfyxfq", k=same("1"),
@@ -258,5 +292,16 @@ LAYOUTS: dict[str, Layout] = {
     "two balls, named": Layout(beside(["t\tred x\tred y\twhite x\twhite y"]), tracks=2),
     "two balls, repeated": Layout(beside(["t\tx\ty\tx\ty"]), tracks=2),
     "two balls, with their times": Layout(beside(["t\tx\ty\tt\tx\ty"], shared=False), tracks=2),
+    "ball and unit": Layout(plain("time_s,ball_x_m,ball_y_m")),
+    "metres beside pixels": Layout(
+        lambda one: table("time_s,ball_u_px,ball_x_px,ball_y_px,ball_x_m,ball_y_m",
+                          [cells(a) for a in (one.time, *pixels(one).T[[0, 0, 1]], *one.place.T)]), note="not used: column"),
+    "pixels beside metres": Layout(
+        lambda one: table("frame,x_px,y_px,x_m,y_m", [range(len(one.time)), *(cells(a) for a in (*pixels(one).T, *one.place.T))]),
+        **PX),
+    "steps of time": Layout(lambda one: table("dt,x,y", [cells(np.diff(one.time, prepend=0)), *(cells(a) for a in one.place.T)])),
+    "across and up": Layout(plain("t;x;z", ";")),
+    "names of pictures": Layout(
+        framed("image,x,y", "pxy", p=lambda one: [f"IMG_{i + 31:04d}.jpg" for i in range(len(one.time))]), **PX),
     "clock": Layout(lambda one: table("time,x,y", [[f"00:00:{t:09.6f}" for t in one.time], *(cells(a) for a in one.place.T)])),
 }  # fmt: skip

@@ -6,7 +6,18 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from reference.film_layouts import HEIGHT, LAYOUTS, PIXEL, RATE, RESTITUTION, film
+from reference.film_layouts import (
+    CLOCK_NAMES,
+    HEIGHT,
+    LAYOUTS,
+    PIXEL,
+    RATE,
+    RESTITUTION,
+    cells,
+    clock_of_frames,
+    film,
+    table,
+)
 
 from carom.errors import CaromError
 from carom.tracks import Calibration, Settings, measure, read_tracks
@@ -27,6 +38,32 @@ def test_the_film_comes_back(tmp_path: Path, name: str) -> None:
         aside = [0.5 * k, 0.0] if layout.scale is None else [40 * PIXEL * k, 0.0]
         np.testing.assert_allclose(track.position[seen], one.place[seen] + shift + aside, atol=2e-5)
     assert any(layout.note in note for note in found.notes) or not layout.note
+
+
+@pytest.mark.parametrize("name", CLOCK_NAMES)
+def test_whole_numbers_that_rise_with_jumps_are_the_clock(tmp_path: Path, name: str) -> None:
+    one, path = film(), tmp_path / "film.csv"
+    kept = np.flatnonzero(np.arange(len(one.time)) % 7 != 3)
+    for order in ("cxysmt", "tmxcys", "xyc"):
+        path.write_text(clock_of_frames(name, order, kept)(one), encoding="utf-8")
+        found = read_tracks(path, calibration=Calibration(PIXEL, RATE, down=True))
+        (track,) = found.tracks
+        np.testing.assert_allclose(track.time - track.time[0], one.time[kept], atol=1e-9, err_msg=order)
+        assert all(any(f"'{other}'" in note for note in found.notes) for other in ("Area", "Mean") if order != "xyc")
+
+
+def test_columns_that_rise_but_are_no_frames_are_not_counted_as_such(tmp_path: Path) -> None:
+    one, path = film(), tmp_path / "film.csv"
+    path.write_text(
+        table("counts,x,y", [range(len(one.time)), *map(cells, one.place.T)])
+    )  # no more than the rows themselves
+    (track,) = read_tracks(path, calibration=Calibration(rate=RATE)).tracks
+    np.testing.assert_allclose(track.time, one.time, atol=1e-12)
+    kept = np.arange(len(one.time)) % 7 != 3
+    for clock in (one.time, one.time + 0.5):  # of a unit that nobody knows: the rows are not counted
+        path.write_text(table("clock,x,y", [cells(a[kept]) for a in (clock, *one.place.T)]))
+        with pytest.raises(CaromError, match="'clock', which rises"):
+            read_tracks(path, calibration=Calibration(rate=RATE))
 
 
 def test_the_restitution_of_a_film_with_marks(tmp_path: Path) -> None:

@@ -2,19 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["BEYOND", "EMPTY_CELL", "WITHOUT_ERROR_BARS", "speed_remarks", "which_rows"]
+from carom.errors import shortened_list
+
+__all__ = ["BEYOND", "EMPTY_CELL", "WITHOUT_ERROR_BARS", "not_used", "speed_remarks", "which_rows"]
 
 Array = NDArray[np.float64]
 # A larger ratio of the speeds before and after a contact suggests mixed units.
 MAX_SPEED_RATIO = 20.0
 BEYOND = 3.0  # error bars by which a number has to exceed what is possible
+MOST_NAMED = 24  # columns in one note
 EMPTY_CELL = "an empty cell"  # as messages name a number that is not there
 WITHOUT_ERROR_BARS = 0.02  # relative excess that is reported where error bars are unknown
+
+
+def not_used(headers: Iterable[str]) -> list[str]:
+    """Return the note on columns of a table, of films or of rebounds, that were not used; none if there are none.
+
+    Examples
+    --------
+    >>> not_used(["Area", "Mean"]), not_used([" "])
+    (["not used: columns 'Area', 'Mean'"], [])
+    """
+    names = [repr(header.strip()) for header in headers if header.strip()]
+    return [f"not used: column{'s' if len(names) > 1 else ''} {shortened_list(names, MOST_NAMED)}"] if names else []
 
 
 def which_rows(bad: NDArray[np.bool_] | Sequence[int], rows: Sequence[str]) -> str:

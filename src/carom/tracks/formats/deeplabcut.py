@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import numpy as np
 
@@ -73,4 +74,5 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
             )
         )
     table.raise_faults()
-    return tracks
+    headed = [" ".join(filter(None, cells)) for cells in zip(*titles.values(), strict=False)]
+    return [replace(track, notes=(*track.notes, *table.unused(headed, first))) for track in tracks]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import numpy as np
 
@@ -24,7 +25,7 @@ def matches(text: str) -> bool:
 
 
 def read(name: str, text: str, calibration: Calibration) -> list[Track]:
-    """Read one track per animal; the columns of probabilities are ignored. Rows are numbered from 0."""
+    """Read one track per animal, without the probabilities. Rows are numbered from 0."""
     table = split_rows(name, text)
     header = [cell.strip() for cell in table.rows[0]]
     clock = next((i for i, cell in enumerate(header) if cell.lower() in CLOCK), None)
@@ -51,4 +52,4 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
         x, y = (table.column(places[axis], 1, f"{axis}{number}") for axis in "XY")
         tracks.append(Track(number, time, scale * np.stack([x, sign * y], axis=-1), frame=frame))
     table.raise_faults()
-    return tracks
+    return [replace(track, notes=tuple(table.unused(header, 1))) for track in tracks]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -59,7 +60,7 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
         position = np.stack([table.column(columns[axis], 1, f"{point}/{axis}") for axis in "XY"], axis=-1)
         tracks.append(Track(point.removesuffix("/0"), time, position * scale * flip, notes=tuple(notes)))
     table.raise_faults()
-    return tracks
+    return [replace(track, notes=(*track.notes, *table.unused(header, 1))) for track in tracks]
 
 
 def _trajectories(name: str, text: str, scale: np.ndarray) -> list[Track]:

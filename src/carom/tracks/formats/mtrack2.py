@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import numpy as np
 
-from carom.errors import CaromError
 from carom.tracks.formats.text_table import IN_PIXELS, Calibration, first_rows, require_calibration, split_rows
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
 
 PROGRAM = "MTrack2"
-COLUMN = re.compile(r"^(X|Y|Flag)(\d+)$")
-BLOCK = re.compile(r"^Tracks \d+ to \d+")
+COLUMN = re.compile(r"^(X|Y|Flag)\d+$")
+BLOCK = re.compile(r"^Tracks (\d+) to \d+")
 SUMMARY = re.compile(r"^Track\b")
 
 
@@ -24,31 +24,44 @@ def matches(text: str) -> bool:
 
 
 def read(name: str, text: str, calibration: Calibration) -> list[Track]:
-    """Read one track per object; objects beyond the 75th are in blocks of their own, one below the other."""
+    """Read one track per object; objects beyond the 75th are in blocks of their own, one below the other.
+
+    The row of names stands above the first block, or in each one; a block without it has the columns of the block before, as far
+    as they go. A table of the lengths of tracks may follow the last one.
+    """
     require_calibration(name, PROGRAM, calibration, **IN_PIXELS)
     table = split_rows(name, text, "\t" if "\t" in text else None)
-    starts = [i for i, row in enumerate(table.rows) if row[0].strip() == "Frame"]
-    tracks: list[Track] = []
     scale, rate = calibration.scale or 1.0, calibration.rate or 1.0
     sign = 1.0 if calibration.down is False else -1.0
-    for start in starts:
-        header = [cell.strip() for cell in table.rows[start]]
-        end = next((i for i in range(start + 1, len(table.rows)) if _ends(table.rows[i][0])), len(table.rows))
-        block = table.between(start + 1, end)
-        frame = block.column(0, 0, "Frame")
-        objects = {found[2]: i for i, cell in enumerate(header) if (found := COLUMN.match(cell)) and found[1] == "X"}
-        for number, i in objects.items():
-            if header[i + 1 : i + 2] != [f"Y{number}"]:
-                raise CaromError(f"{name}: {PROGRAM}: expected a column Y{number} beside X{number}, got none")
-            x, y = block.column(i, 0, f"X{number}"), block.column(i + 1, 0, f"Y{number}")
-            tracks.append(
-                Track(f"object {number}", frame / rate, scale * np.stack([x, sign * y], axis=-1), frame=frame)
-            )
-        table.faults += block.faults
+    tracks: list[Track] = []
+    header: list[str] = []
+    first = low = 0
+    for high, row in enumerate([*table.rows, ["Track"]]):
+        cell = row[0].strip()
+        block, named = BLOCK.match(cell), cell == "Frame"
+        if not (block or named or SUMMARY.match(cell)):
+            continue
+        if high > low and header:
+            some = table.between(low, high)
+            frame = some.column(0, 0, "Frame")
+            width = max(map(len, some.rows))
+            places = [i for i, title in enumerate(header[: width - 1]) if title.startswith("X")]
+            for number, i in enumerate(places, first):
+                x, y = some.column(i, 0, f"X{number}"), some.column(i + 1, 0, f"Y{number}")
+                place = scale * np.stack([x, sign * y], axis=-1)
+                tracks.append(Track(f"object {number}", frame / rate, place, frame=frame))
+            table.faults += some.faults
+        if not (block or named):
+            break
+        low = high + 1
+        if block:
+            first = int(block[1])
+        else:
+            header = [title.strip() for title in row]
+            first = first or 1
+            wrong = [(title, f"Y{title[1:]}") for title, beside in zip(header, [*header[1:], ""], strict=True)
+                     if COLUMN.match(title) and title[0] == "X" and beside != f"Y{title[1:]}"]  # fmt: skip
+            for title, other in wrong:
+                table.faults.add(PROGRAM, f"a column {other} beside {title}", "none")
     table.raise_faults()
-    return tracks
-
-
-def _ends(cell: str) -> bool:
-    """Return whether a block of rows ends at the row that begins with this cell."""
-    return cell.strip() == "Frame" or bool(BLOCK.match(cell.strip()) or SUMMARY.match(cell.strip()))
+    return [replace(track, notes=tuple(table.unused(header, 0))) for track in tracks]

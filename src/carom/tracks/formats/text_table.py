@@ -8,11 +8,12 @@ import io
 import itertools
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.data.remarks import not_used
 from carom.data.table_cells import SIGNS, SPREADSHEET, decimal_commas, number_advice, parse_numbers, plain_number
 from carom.errors import MAX_MAGNITUDE, CaromError, FaultList
 
@@ -66,6 +67,8 @@ class TextTable:
     """Whether a lone comma is a decimal sign."""
     notes: list[str] = field(default_factory=list)
     faults: FaultList = field(default_factory=FaultList)
+    used: set[int] = field(default_factory=set)
+    """Columns that were read."""
 
     def __post_init__(self) -> None:
         """Say in all faults which file it is."""
@@ -73,12 +76,25 @@ class TextTable:
 
     def column(self, i: int, first: int, label: str) -> Array:
         """Return column ``i`` from row ``first`` on as numbers (n,); missing ones are NaN, other texts are faults."""
-        cells = [row[i] if i < len(row) else "" for row in self.rows[first:]]
+        cells = self.cells(i, first)
         return numbers(cells, self.decimal_comma, lambda k: self.lines[first + k], label, self.faults)
+
+    def cells(self, i: int, first: int) -> list[str]:
+        """Return the cells of column ``i`` from row ``first`` on, without the blanks around them."""
+        self.used.add(i)
+        return [row[i].strip() if i < len(row) else "" for row in self.rows[first:]]
+
+    def unused(self, header: Sequence[str], first: int) -> list[str]:
+        """Return a note on the columns with a header and cells from row ``first`` on that were not read; none if there are none."""
+        return not_used(
+            cell
+            for i, cell in enumerate(header)
+            if i not in self.used and any(i < len(row) and row[i].strip() for row in self.rows[first:])
+        )
 
     def between(self, low: int, high: int) -> TextTable:
         """Return some of the rows as a table of their own, without faults."""
-        return TextTable(self.name, self.rows[low:high], self.lines[low:high], self.delimiter, self.decimal_comma)
+        return replace(self, rows=self.rows[low:high], lines=self.lines[low:high], faults=FaultList())
 
     def raise_faults(self) -> None:
         """Raise CaromError with all faults, if there are any."""
@@ -159,8 +175,7 @@ def _number_alone(word: str) -> bool:
 
 def time_column(table: TextTable, i: int, first: int, label: str, notes: list[str]) -> Array:
     """Return a column of times as numbers (n,), time codes such as ``0:00:01:25`` in seconds; add a note on these."""
-    cells = [row[i] if i < len(row) else "" for row in table.rows[first:]]
-    coded = time_codes(cells, notes)
+    coded = time_codes(table.cells(i, first), notes)
     return table.column(i, first, label) if coded is None else coded
 
 

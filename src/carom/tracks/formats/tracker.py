@@ -37,7 +37,7 @@ def matches(text: str) -> bool:
 
 
 def read(name: str, text: str, calibration: Calibration) -> list[Track]:
-    """Read the tracks of a file. Columns other than t, x, y (or pixelx, pixely, with a scale) are ignored."""
+    """Read the tracks of a file: the columns t, x, y (or pixelx, pixely, with a scale), and frame."""
     first, _end, rest = text.lstrip().partition("\n")
     multi = first.lower().startswith("#multi")
     table = split_rows(name, rest if multi else text.lstrip())
@@ -67,7 +67,9 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
         tracks.append(_one(table, title, time, columns, units, calibration))
     frame = _frames(table, header)
     table.raise_faults()
-    return [replace(track, frame=frame) for track in tracks]
+    table.used |= {i for i, cell in enumerate(header) if cell == "t"}  # (each of several tracks may have it)
+    notes = tuple(table.unused(table.rows[1], 2))
+    return [replace(track, frame=frame, notes=(*track.notes, *notes)) for track in tracks]
 
 
 def _name_and_unit(cell: str) -> tuple[str, str]:

@@ -37,7 +37,7 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
             f"{name}: {PROGRAM}: expected columns {', '.join(missing)}, got none; export all columns of the spots"
         )
     first = _first_row(table, column[X])
-    track_id = _cells(table, column[TRACK], first)
+    track_id = table.cells(column[TRACK], first)
     spots = np.array([cell.isdecimal() for cell in track_id], bool)
     if not spots.any():
         raise CaromError(
@@ -60,6 +60,7 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     place = scale * np.stack([x, y if calibration.down is False else -y], axis=-1)
     lost = int((~spots).sum())
     notes = (f"{lost:,} spots that belong to no track were left out",) if lost else ()
+    notes += tuple(table.unused(table.rows[0], first))
     return [
         _one(number, np.flatnonzero(spots & (np.array(track_id) == number)), time, place, frame, notes)
         for number in sorted({cell for cell, good in zip(track_id, spots, strict=True) if good}, key=int)
@@ -81,10 +82,6 @@ def _first_row(table: TextTable, x: int) -> int:
         if cell[:1].isdigit() or cell[:1] in ("-", "+", "."):
             return i
     return min(len(table.rows), 4)
-
-
-def _cells(table: TextTable, column: int, first: int) -> list[str]:
-    return [row[column].strip() if column < len(row) else "" for row in table.rows[first:]]
 
 
 def _unit(table: TextTable, column: int | None, first: int, si: str) -> float | None:

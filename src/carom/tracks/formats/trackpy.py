@@ -32,6 +32,7 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     notes: tuple[str, ...] = ()
     if numbers_rows([f"{one:g}" for one in particle.tolist()]):
         particle, notes = np.zeros(len(x)), (ROW_NUMBERS.format("particle"),)
+    notes += tuple(table.unused(header, 1))
     order = np.lexsort((frame, particle))
     edges = np.flatnonzero(np.diff(particle[order], prepend=np.nan, append=np.nan) != 0)
     sign = -1.0 if calibration.down in (None, True) else 1.0
