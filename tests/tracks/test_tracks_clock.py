@@ -7,7 +7,7 @@ import pytest
 
 from carom.errors import CaromError
 from carom.tracks import Track
-from carom.tracks.frame_clock import at_rate
+from carom.tracks.frame_clock import at_rate, on_camera_clock, without_rounding
 
 CLOCKS = [
     (0.01, 5), (0.02, 5), (0.1, 5), (1.0, 5),
@@ -49,6 +49,52 @@ def test_missing_rows_stay_missing_at_any_rate(interval: float, decimals: int, s
 def test_rows_that_are_missing_regularly_stay_missing_at_the_rate_of_the_file() -> None:
     number = np.flatnonzero(np.arange(107) % 9 != 4)
     np.testing.assert_allclose(frames(np.round(number / 100, 5), 100.0), number, atol=1e-6)
+
+
+@pytest.mark.parametrize("rate", [25.0, 50.0, 100.0, 119.88])
+@pytest.mark.parametrize("every", [3, 4, 6, 10])
+@pytest.mark.parametrize("decimals", [2, 3, 6])
+def test_rows_that_are_missing_regularly_stay_missing_with_a_rate_and_without(
+    rate: float, every: int, decimals: int
+) -> None:
+    """Every sixth frame of 100 a second, to 10 ms, is as even as 83.3 frames a second: the clock is that of the exact times."""
+    if 10.0**-decimals * rate > 1:
+        return  # (rows share a time)
+    number = np.flatnonzero(np.arange(200) % every != every - 1)
+    time = np.round(number / rate, decimals)
+    for given in (240.0, 1000.0):
+        np.testing.assert_allclose(frames(time, given), number, atol=1e-6)
+    (found,), interval = on_camera_clock([Track("ball", time, np.stack([time, time], axis=-1))], [])
+    assert interval == pytest.approx(1 / rate, rel=1e-3)
+    np.testing.assert_allclose((found.time - found.time[0]) * rate, number, atol=0.1)
+
+
+@pytest.mark.parametrize("digits", [3, 4, 5, 6])
+@pytest.mark.parametrize(
+    ("rate", "start", "rows"), [(120, 0.0, 278), (120, 0.4, 150), (60, 3.0, 600), (240, 0.0, 500), (30, 8.0, 300)]
+)
+def test_times_of_significant_digits_are_rounded_row_by_row(digits: int, rate: float, start: float, rows: int) -> None:
+    """As programs write 1.0167E+00 below 8.3333E-03: each row is a frame, whatever its rounding; no row is left out."""
+    number = np.arange(rows)
+    exact = start + number / rate
+    time = np.array([float(f"{t:.{digits - 1}E}") for t in exact])
+    for kept in (number, np.flatnonzero(number % 11 != 5)):
+        if 10.0 ** (np.ceil(np.log10(exact[-1])) - digits) * rate > 0.5 and len(kept) < rows:
+            continue  # (rounded to more than a frame: which one is missing is lost)
+        notes: list[str] = []
+        (ball,) = without_rounding([Track("ball", time[kept], np.stack([exact, exact], axis=-1)[kept])], notes)
+        (found,), _interval = on_camera_clock([ball], notes)
+        assert len(found) == len(kept), notes
+        np.testing.assert_allclose((found.time - found.time[0]) * rate, kept - kept[0], atol=0.12)
+        np.testing.assert_allclose(frames(time[kept], 1.7 * rate), kept - kept[0], atol=1e-6)
+
+
+def test_rows_between_the_frames_are_listed() -> None:
+    time = np.sort(np.append(np.round(np.arange(90) / 120, 4), [0.2212, 0.5131]))
+    notes: list[str] = []
+    (found,), _interval = on_camera_clock([Track("ball", time, np.stack([time, time], axis=-1))], notes)
+    assert len(found) == 90
+    assert any("t = 0.2212, 0.5131 s" in note for note in notes)
 
 
 def test_whole_numbers_are_frame_numbers() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -60,10 +61,42 @@ def test_columns_that_rise_but_are_no_frames_are_not_counted_as_such(tmp_path: P
     (track,) = read_tracks(path, calibration=Calibration(rate=RATE)).tracks
     np.testing.assert_allclose(track.time, one.time, atol=1e-12)
     kept = np.arange(len(one.time)) % 7 != 3
-    for clock in (one.time, one.time + 0.5):  # of a unit that nobody knows: the rows are not counted
+    for clock in (
+        one.time,
+        np.round(1000 * one.time),
+        one.time + 0.5,
+    ):  # of a unit that nobody knows: the rows are not counted
         path.write_text(table("clock,x,y", [cells(a[kept]) for a in (clock, *one.place.T)]))
         with pytest.raises(CaromError, match="'clock', which rises"):
             read_tracks(path, calibration=Calibration(rate=RATE))
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        lambda t: f"{1617472415.25 + t:.6f}",
+        lambda t: f"{1000 * (1617472415.25 + t):.3f}",
+        lambda t: f"{1617472415250000 + round(1e6 * t)}",
+        lambda t: f"{1617472415250000000 + round(1e9 * t)}",
+        lambda t: f"2021-04-03T17:53:{35.25 + t:.6f}+00:00",
+    ],
+)
+@pytest.mark.parametrize("rate", [None, 240.0])
+def test_times_of_another_day_count_from_the_first(
+    tmp_path: Path, written: Callable[[float], str], rate: float | None
+) -> None:
+    one, path = film(), tmp_path / "film.csv"
+    path.write_text(table("timestamp,x,y", [list(map(written, one.time)), *map(cells, one.place.T)]))
+    (track,) = read_tracks(path, calibration=Calibration(rate=rate)).tracks
+    np.testing.assert_allclose(track.time * (rate or RATE) / RATE, one.time, atol=2e-6 if rate is None else 1e-9)
+
+
+def test_a_height_alone(tmp_path: Path) -> None:
+    one, path = film(), tmp_path / "film.csv"
+    for head in ("t,y", "t [s],height [m]", '"Latest: Time (s)","Latest: Position (m)"', "time_s,ball_y_m"):
+        path.write_text(table(head, [cells(one.time), cells(one.place[:, 1])]))
+        (track,) = read_tracks(path).tracks
+        np.testing.assert_allclose(track.position, one.place * [0, 1], atol=1e-6)
 
 
 def test_the_restitution_of_a_film_with_marks(tmp_path: Path) -> None:

@@ -11,6 +11,7 @@ from types import ModuleType, SimpleNamespace
 import numpy as np
 import pytest
 from reference.exploring import tried
+from reference.film_layouts import RESTITUTION, film
 from reference.synthetic_tracks import HIGH, LOW, RADIUS, Camera, bounce, filmed, seen, shot, surfaces, truth
 
 import carom
@@ -254,8 +255,43 @@ def test_settings_are_checked() -> None:
     with pytest.raises(CaromError) as error:
         measure([bare(60)], Settings(noise=0.0, floor_friction=-1.0, window=0.0))
     assert len(error.value.faults) == 3
-    with pytest.raises(CaromError, match="three coordinates"):
-        measure([Track("ball", np.arange(9.0), np.zeros((9, 3)))])
+    t = np.arange(60) / 60
+    with pytest.raises(CaromError, match="three coordinates of which none falls"):
+        measure([Track("ball", t, np.stack([t, 0.5 * t, 0.3 * t], axis=-1))])
+
+
+def test_three_coordinates_are_the_height_and_the_place_along_the_motion() -> None:
+    (ball,) = [bare(60)]
+    flat = measure([ball], Settings(view="above"))
+    with_floor = replace(ball, position=np.insert(ball.position, 2, 0.03, axis=1))
+    again = measure([with_floor], Settings(view="above"))
+    values = [[one.fit.value.tolist() for one in found.contacts if one.fit] for found in (flat, again)]
+    assert values[0] == values[1]
+    one = film()
+    rng, (x, y) = np.random.default_rng(3), one.place.T
+    aside = 0.3 * x + rng.normal(0, 3e-4, len(x))  # seen obliquely: 1.044 times as far
+    found = []
+    for place in (
+        np.stack([x, y], axis=-1),
+        *(np.stack([x, aside, y], axis=-1)[:, order] for order in ([0, 1, 2], [2, 0, 1], [1, 2, 0])),
+    ):
+        (contact,) = measure([Track("ball", one.time, place)], Settings(view="side")).measured
+        assert contact.fit is not None
+        found.append(contact.fit)
+    for fit in found[1:]:
+        assert fit["vn_out"] / -fit["vn_in"] == pytest.approx(RESTITUTION, abs=2e-3)
+        assert fit["vt_in"] == pytest.approx(found[0]["vt_in"] * np.hypot(1, 0.3), abs=4 * fit.error("vt_in"))
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_height_alone_holds_the_restitution(seed: int) -> None:
+    """As well as the film with both coordinates does where its drag is known; the noise is that of one coordinate."""
+    one = film(seed=seed)
+    made = measure([Track("ball", one.time, one.place * [0, 1])], Settings(view="side", drag=0.0))
+    (contact,) = made.measured
+    assert contact.fit is not None
+    assert made.noise == pytest.approx(3e-4, rel=0.25)
+    assert contact.fit["vn_out"] / -contact.fit["vn_in"] == pytest.approx(RESTITUTION, abs=2e-3)
 
 
 # --- table of rebounds ---------------------------------------------------------------------------------------------------

@@ -80,9 +80,9 @@ class FittedFrames(NamedTuple):
     time: Array
     """(n,) s."""
     residuals: Array
-    """(n, 2): measured less fitted, m."""
+    """(n, c): measured less fitted, m, of the coordinates that were measured: two, or the height alone."""
     slope: Array
-    """(n, 2, p): derivatives of the fitted positions."""
+    """(n, c, p): derivatives of the fitted positions."""
     known: Array
     """(k, p): rows of prior knowledge, per standard deviation."""
     noise: float
@@ -186,7 +186,7 @@ def averaging_error(
     The mean over all correlations, less the covariance for the one that was ``used`` as the weights of the frames.
     """
     time, _residuals, slope, known, noise = fit
-    n, p = len(time), slope.shape[2]
+    n, c, p = slope.shape
     frames = FrameGroups(time, time, np.ones(n))
     assumed = _covariance(frames, used, interval)
     size = next(one.variance for one in likely if one.correlation == used)
@@ -195,7 +195,7 @@ def averaging_error(
         if one.probability:
             lacking += one.probability * one.variance / size * _covariance(frames, one.correlation, interval)
     slope = slope / noise
-    weighted = np.linalg.solve(assumed, slope.reshape(n, 2 * p)).reshape(n, 2, p)
+    weighted = np.linalg.solve(assumed, slope.reshape(n, c * p)).reshape(n, c, p)
     inverse = np.linalg.pinv(np.einsum("ncp,ncq->pq", slope, weighted) + known.T @ known, rcond=1e-14, hermitian=True)
     gain = np.einsum("pq,ncq->cpn", inverse, weighted)
     return np.asarray(np.einsum("cpn,nm,cqm->pq", gain, lacking, gain, optimize=True))
@@ -217,18 +217,18 @@ def _deviances(fits: Sequence[FittedFrames], interval: float) -> tuple[Array, Ar
     """Return minus twice the log of the restricted likelihood (g,) for GRID, at the best variance of the noise, and that (g,)."""
     total, squares, free = np.zeros(len(GRID)), np.zeros(len(GRID)), 0
     for time, residuals, slope, known, noise in fits:
-        n, p = len(residuals), slope.shape[2]
-        white, spread = _whitened(np.concatenate([slope.reshape(n, 2 * p), residuals], axis=1), time, interval)
+        n, c, p = slope.shape
+        white, spread = _whitened(np.concatenate([slope.reshape(n, c * p), residuals], axis=1), time, interval)
         knowns = np.broadcast_to(known, (len(GRID), *known.shape))
-        columns = np.concatenate([white[..., : 2 * p].reshape(len(GRID), 2 * n, p) / noise, knowns], axis=1)
-        r = np.concatenate([white[..., 2 * p :].reshape(len(GRID), 2 * n) / noise, np.zeros(knowns.shape[:2])], axis=1)
+        columns = np.concatenate([white[..., : c * p].reshape(len(GRID), c * n, p) / noise, knowns], axis=1)
+        r = np.concatenate([white[..., c * p :].reshape(len(GRID), c * n) / noise, np.zeros(knowns.shape[:2])], axis=1)
         size = np.sqrt((columns[0] ** 2).sum(axis=0)) + 1e-300  # (its constant is the same for every correlation)
         q, upper = np.linalg.qr(columns / size)
         r = r - np.einsum("grp,gp->gr", q, np.einsum("grp,gr->gp", q, r))
         squares += (r * r).sum(axis=1)
         free += r.shape[1] - p
         total += 2 * np.log(np.maximum(np.abs(np.diagonal(upper, axis1=1, axis2=2)), 1e-150)).sum(axis=1)
-        total += 2 * spread
+        total += c * spread
     variance = np.maximum(squares, 1e-300) / max(free, 1)
     return total + free * np.log(variance), variance
 

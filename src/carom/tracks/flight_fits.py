@@ -103,10 +103,12 @@ def fit_flight(
     rows = nearest_frames(time, best[TIME])
     t = time[rows]
     slopes = central_differences(lambda one: _position(one, t, used).ravel(), best, 1e-4 * scale)
-    fitted = FittedFrames(
-        t, position[rows] - _position(best, t, used), slopes.reshape(-1, 2, len(best)), rates[2 * len(time) :], noise
-    )
-    fit = replace(fit, residuals=position - _position(best, time, used), fitted=fitted)
+    measured = np.ptp(position, axis=0) > 0  # (of a height alone, the other coordinate is 0 throughout)
+    slopes = slopes.reshape(-1, 2, len(best))[:, measured]
+    gaps = position - _position(best, time, used)
+    fitted = FittedFrames(t, gaps[rows][:, measured], slopes, rates[2 * len(time) :], noise)
+    dof = fit.dof - (~measured).sum() * (len(time) - (PLACE.stop - PLACE.start) - 1)
+    fit = replace(fit, residuals=gaps, fitted=fitted, dof=float(dof))
     # velocities in the frame of a wall that is turned counter-clockwise, per radian
     turn = np.nan_to_num(_outputs(np.concatenate([np.zeros(3), *(_turned(best[of]) for of in (V_IN, V_OUT, GRAVITY))])))
     shifts = {"roll": turn * air.tilt_error} if air.tilt_error else {}

@@ -36,6 +36,7 @@ GAP_FRAMES = 4.5  # in a gap of so many frames the ball may have met something
 # Of gravity, by which a flight's own acceleration may differ from it: else the ball is held or rolls.
 GRAVITY_SHARE = 0.3
 MAX_SCATTER = 3.0  # times the noise; more is no free flight
+EXACT = 1e-9  # in error bars: so small a residual is none
 MAX_PATH_M = 1e6  # beyond this the steps of a fit have left all paths of balls
 SIGNIFICANT = 4.0  # error bars
 # 1/m: what is known of a ball's drag before its flights are seen. Golf, baseball 0.005; tennis, football, basketball, volleyball
@@ -316,7 +317,9 @@ def _covariance(parts: list[tuple[Array, Array]], free: NDArray[np.bool_]) -> Ar
     """Return the covariance (3, 3) of gravity and drag: from the residuals, or from how flights differ, if that is more."""
     slope, r = np.concatenate([b for b, _r in parts]), np.concatenate([r for _b, r in parts])
     inverse = np.linalg.pinv(slope.T @ slope, hermitian=True)
-    covariance = inverse * max(float(r @ r) / max(len(r) - 4 * len(parts) - int(free.sum()), 1), 1e-12)
+    measured = (np.abs(r) > EXACT).mean()  # (of a height alone, the other coordinate leaves no residuals)
+    dof = measured * (len(r) - 4 * len(parts) - int(free.sum()))
+    covariance = inverse * max(float(r @ r) / max(dof, 1), 1e-12)
     neighbours = sum(float((one[2:] * one[:-2]).sum()) for _b, one in parts) / max(float(r @ r), 1e-300)
     if neighbours > CORRELATED / np.sqrt(len(r)):  # noise that fades by this factor from frame to frame
         covariance = covariance * ((1 + neighbours) / (1 - neighbours))

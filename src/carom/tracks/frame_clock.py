@@ -1,7 +1,10 @@
-"""The camera's clock behind the times of a file: the interval from frame to frame, and the number of the frame of each row.
+"""The camera's clock behind the times of a file: the interval from frame to frame, and number and time of the frame of each row.
 
-Times are rounded, rows are missing, and a slow-motion film has the times of its playback. A clock explains times if every row has
-a frame of its own, within the rounding of its time. A frame rate that is given overrides the times of the file.
+Times are rounded, to decimals or to significant digits, rows are missing, a program puts rows between the frames, and a slow-motion
+film has the times of its playback. All readers ask here which clock the times show (:func:`camera_clock` gives each row the time of
+its frame, and says which rows are none), and when the frames were taken where a frame rate is given (:func:`at_rate`,
+:func:`file_interval`). A clock explains times if every row has a frame of its own, within the rounding of its time
+(:func:`rounding_of_times`).
 """
 
 from __future__ import annotations
@@ -12,7 +15,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError
+from carom.errors import CaromError, shortened_list
+from carom.tracks.free_fall import in_a_plane
 from carom.tracks.track import Track
 
 Array = NDArray[np.float64]
@@ -23,6 +27,10 @@ MIN_REPEATED = 0.02  # share of rows with the time of the row before, by which r
 EXACT_TIMES = 1e-9  # in frames: times so near an even clock are its own
 ROUNDED_TIMES = 2e-3  # in frames: a note says that times were rounded more coarsely
 MOST_DECIMALS = 7
+MOST_ROUNDED = 0.8  # share of the times that a rounding explains; the others lie between frames
+FINEST = 0.99e-4  # s: finer rounding of single times is left to the scatter about the clock
+COARSE = 0.5  # in frames: rounding that leaves open which steps between rows are even
+MOST_LISTED = 20  # times in a note
 NEIGHBOURS = 8  # rows to each side that are rounded alike
 OFF_CLOCK = 0.1  # in frames: largest deviation of a time from its clock, if it is not rounded more coarsely
 # Rows with so few missing ones may be even by chance, within the rounding of their times: a clock that is known is preferred.
@@ -56,39 +64,62 @@ class CameraClock:
 
 
 def camera_clock(time: Array) -> CameraClock:
-    """Find the clock behind sorted times (n,), s, which may have gaps, duplicates, rounding, and rows between the frames."""
+    """Find the clock behind sorted times (n,), s, which may have gaps, duplicates, rounding, and rows between the frames.
+
+    Returns
+    -------
+    CameraClock
+        ``steady`` where at least 70 % of the rows are on an even clock: then ``time`` has the times of the frames, without the
+        rounding of the file, and ``frame`` is False for rows between frames, and for all but one of the rows of one frame. Where no
+        clock is found, the times are those of the file, and ``frame`` is True throughout.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.tracks.frame_clock import camera_clock
+    >>> clock = camera_clock(np.round(np.delete(np.arange(60), [7, 20, 21]) / 119.88, 3))
+    >>> round(1 / clock.interval, 1), clock.rounded, bool(clock.frame.all())
+    (119.9, 0.001, True)
+    """
     steps = np.diff(time)
     steps = steps[steps > MIN_INTERVAL_S]
     if len(steps) < 3:
         interval = float(steps.min()) if len(steps) else np.nan
         return CameraClock(interval, time, np.ones(len(time), bool), 0.0, False)
     step = rounding_of_times(time)
+    missing, interval = _missing_steps(time)
+    if 0 < missing <= len(time) / 2 and float(step.max()) >= COARSE * interval:
+        # (rows of an exact clock that are missing regularly are as even as those of a slower one whose times are rounded)
+        return CameraClock(interval, time, np.ones(len(time), bool), 0.0, True)
     if (even := _behind_rounding(time, step, np.arange(len(time), dtype=float))) is not None:
         return even
-    clock, count = _commonest_clock(time, steps)
-    if not clock.steady:
+    clock, count = _commonest_clock(time, _commonest(steps))
+    if clock.steady and not clock.frame.all():
+        count = frame_count(time, step, clock.interval, float(time[0]))[0]
+    elif not clock.steady:
         missing, interval = _slowest_clock(time, step)
-        count = frame_count(time, step, interval, float(time[0]))[0] if missing < len(time) / 4 else None
-    even = None if count is None or not clock.frame.all() else _behind_rounding(time, step, count)
+        count = frame_count(time, step, interval, float(time[0]))[0] if missing < np.inf else None
+        count = None if count is None or _next_share(count) < MIN_NEXT else count
+    even = None if count is None else _behind_rounding(time, step, count)
     return clock if even is None else even
 
 
-def _commonest_clock(time: Array, steps: Array) -> tuple[CameraClock, Array | None]:
-    """Return the clock on which most times (n,) are, and the frame (n,) of each; its ``steps`` are the commonest."""
+def _commonest_clock(time: Array, interval: float) -> tuple[CameraClock, Array | None]:
+    """Return the clock on which most times (n,) are, and the frame (n,) of each; ``interval`` is about its own.
+
+    It is followed from the longest run of even steps on, to twice as many rows each time.
+    """
     every = np.ones(len(time), bool)
-    interval = _commonest(steps)
-    grid = _grid(time)
-    start = _start(time, interval)
+    step, gridded = _rounding(time)
+    start = _start(time, interval, step)
     if start is None:
         return CameraClock(interval, time, every, 0.0, False), None
-    first, size = start
-    zero = float(time[first])
-    reach, near = size, np.zeros(len(time), bool)
+    zero, reach, near = float(time[start]), 2, np.zeros(len(time), bool)
     while True:
-        rows = slice(max(first - reach, 0), first + reach)
+        rows = slice(max(start - reach, 0), start + reach)
         count = np.round((time[rows] - zero) / interval)
         off = time[rows] - zero - count * interval
-        near = np.abs(off) < 0.08 * interval + grid
+        near = np.abs(off) < 0.08 * interval + step[rows]
         if near.sum() < 3:
             return CameraClock(interval, time, every, 0.0, False), None
         interval, zero = (float(x) for x in np.polyfit(count[near], time[rows][near], 1))
@@ -97,21 +128,35 @@ def _commonest_clock(time: Array, steps: Array) -> tuple[CameraClock, Array | No
         reach *= 2
     count = np.round((time - zero) / interval)
     off = time - zero - count * interval
-    near = np.abs(off) < 0.08 * interval + grid
+    near = np.abs(off) < 0.08 * interval + step
     if near.mean() < 0.7:
         return CameraClock(interval, time, every, 0.0, False), None
     spread = float(np.median(np.abs(off[near])))
-    frame = np.abs(off) < max(4 * spread, 1e-3 * interval)
-    if grid > 0:
-        frame &= np.abs(time / grid - np.round(time / grid)) < 0.02
+    frame = gridded & (np.abs(off) < np.maximum(max(4 * spread, 1e-3 * interval), step))
     # of two rows in one frame the nearer to the clock
     order = np.lexsort((np.abs(off), count))
     doubled = np.zeros(len(time), bool)
     doubled[order[1:]] = count[order][1:] == count[order][:-1]
     frame &= ~doubled
-    rounded = max(grid, 4 * spread) if spread > ROUNDED_TIMES * interval else 0.0
+    coarse = float(np.quantile(np.abs(off[near]), 0.95)) > 2 * ROUNDED_TIMES * interval
+    rounded = max(float(step.max()), 4 * spread) if coarse or spread > ROUNDED_TIMES * interval else 0.0
     clock = np.where(frame, zero + count * interval, time) if rounded else time
     return CameraClock(interval, clock, frame, rounded, True), count
+
+
+def _rounding(time: Array) -> tuple[Array, NDArray[np.bool_]]:
+    """Return the step (n,) to which most times are rounded, s, and which (n,) are: to decimals, or to significant digits.
+
+    Programs write a number of decimals, or of significant digits, and rows that a program put between frames have more. The step
+    is 0 where it is finer than any that matters.
+    """
+    decimals = _decimals(time)
+    size = np.floor(np.log10(np.maximum(np.abs(time), 1e-300)))
+    digits = np.where(np.abs(time) > 0, np.maximum(size + 1 + decimals, 1), 1)
+    usual, figures = (int(np.quantile(one, MOST_ROUNDED, method="higher")) for one in (decimals, digits))
+    step = np.maximum(10.0**-usual, 10.0 ** (np.maximum(size, -MOST_DECIMALS) + 1 - figures))
+    step = np.where(step < FINEST, 0.0, step)
+    return step, (step == 0) | (decimals <= usual) | (digits <= figures)
 
 
 def _behind_rounding(time: Array, step: Array, frame: Array) -> CameraClock | None:
@@ -145,17 +190,14 @@ def on_camera_clock(tracks: Sequence[Track], notes: list[str]) -> tuple[list[Tra
     seen = []
     intervals = []
     groups: dict[str, list[Track]] = {}
-    for track in tracks:
-        if track.position.shape[1] != 2:
-            raise CaromError(
-                f"track {track.name!r}: expected positions in a plane, got three coordinates; omit the third column"
-            )
+    for track in in_a_plane(tracks, notes):
         groups.setdefault(track.group, []).append(track.select(track.seen))
-    off = rounded = unsteady = 0
+    off: list[str] = []
+    rounded = unsteady = 0
     for members in groups.values():
         times = np.unique(np.concatenate([track.time for track in members]))
         clock = camera_clock(times)
-        off += int((~clock.frame).sum())
+        off += [f"{t:.6g}" for t in times[~clock.frame]]
         rounded += clock.rounded > 0
         unsteady += not clock.steady
         if np.isfinite(clock.interval):
@@ -163,7 +205,10 @@ def on_camera_clock(tracks: Sequence[Track], notes: list[str]) -> tuple[list[Tra
         seen += [_on_clock(track, times, clock) for track in members]
     interval = float(np.median(intervals)) if intervals else np.nan
     if off:
-        notes.append(f"{off:,} rows lie between the camera's frames: interpolated by a program, and omitted")
+        notes.append(
+            f"{len(off):,} rows lie between the camera's frames: interpolated by a program, and omitted, at"
+            f" t = {shortened_list(off, MOST_LISTED)} s"
+        )
     if rounded:
         notes.append(
             f"times were rounded: replaced by the times of the camera's clock, one frame every {1e3 * interval:.4g} ms"
@@ -188,23 +233,15 @@ def _commonest(steps: Array) -> float:
     return float(np.median(steps[np.abs(steps / least - 1) < 0.08]))
 
 
-def _start(time: Array, interval: float) -> tuple[int, int] | None:
-    """Return the middle and half the length of the longest run of even steps."""
-    even = np.abs(np.diff(time) - interval) < 0.1 * interval
+def _start(time: Array, interval: float, step: Array) -> int | None:
+    """Return the middle of the longest run of steps that are even, but for a rounding that is finer than half a frame."""
+    even = np.abs(np.diff(time) - interval) < 0.1 * interval + np.where(step < COARSE * interval, step, 0.0)[1:]
     edges = np.flatnonzero(np.diff(np.concatenate([[False], even, [False]]).astype(int)))
     runs = edges.reshape(-1, 2)
     if not len(runs):
         return None
     low, high = runs[np.argmax(runs[:, 1] - runs[:, 0])]
-    return (int(low + high) // 2, max((int(high - low) + 1) // 2, 2)) if high - low >= 3 else None
-
-
-def _grid(time: Array) -> float:
-    """Return the round step (10 ms, 1 ms, 0.5 ms, 0.1 ms) of which nearly all times are multiples; 0 if there is none."""
-    for grid in (1e-2, 1e-3, 5e-4, 1e-4):
-        if (np.abs(time / grid - np.round(time / grid)) < 0.02).mean() > 0.8:
-            return grid
-    return 0.0
+    return int(low + high) // 2 if high - low >= 3 else None
 
 
 def rounding_of_times(time: Array) -> Array:
@@ -218,15 +255,20 @@ def rounding_of_times(time: Array) -> Array:
     >>> rounding_of_times(np.round(np.arange(20) / 119.88, 2))[:3]
     array([0.01, 0.01, 0.01])
     """
-    decimals = np.full(len(time), MOST_DECIMALS)
-    for d in range(MOST_DECIMALS - 1, -1, -1):
-        scaled = time * 10.0**d
-        decimals[np.abs(scaled - np.round(scaled)) < 1e-3] = d
-    padded = np.pad(decimals, NEIGHBOURS, constant_values=MOST_DECIMALS)
+    padded = np.pad(_decimals(time), NEIGHBOURS, constant_values=MOST_DECIMALS)
     finest = np.lib.stride_tricks.sliding_window_view(padded, NEIGHBOURS + 1).max(axis=1)
     # significant digits end at another decimal from 1 s on: the coarser of the rows before and after
     coarser = np.minimum(finest[: len(time)], finest[NEIGHBOURS:])
     return np.asarray(10.0 ** -coarser.astype(float))
+
+
+def _decimals(time: Array) -> NDArray[np.intp]:
+    """Return how many decimals (n,) times have, at most 7."""
+    decimals = np.full(len(time), MOST_DECIMALS)
+    for d in range(MOST_DECIMALS - 1, -1, -1):
+        scaled = time * 10.0**d
+        decimals[np.abs(scaled - np.round(scaled)) < 1e-3] = d
+    return decimals
 
 
 def repeated_rows(time: Array, step: Array) -> NDArray[np.bool_]:
@@ -240,9 +282,10 @@ def repeated_rows(time: Array, step: Array) -> NDArray[np.bool_]:
 def file_interval(time: Array, rate: float) -> float | None:
     """Return the time from frame to frame, s, as the times (n,) of a file have it; None if they are on no clock.
 
-    Whole numbers are frame numbers (1). Rows are successive frames where their times are even within their rounding. Otherwise
-    frames are missing: of the clocks that explain the times, that of ``rate``, 1/s, and the slowest of all, the one with fewer
-    missing frames is taken.
+    Whole numbers are frame numbers (1). Where the rate, 1/s, is not that of the times, and these show a clock of which rows
+    are missing (:func:`camera_clock`), it is this one. Else rows are successive frames where their times are even within
+    their rounding. Otherwise frames are missing: of the clocks that explain the times, that of ``rate`` and the slowest of
+    all, the one with fewer missing frames is taken.
     """
     if len(time) < 2 or not time[-1] - time[0] > MIN_INTERVAL_S:
         return 1 / rate
@@ -255,6 +298,10 @@ def file_interval(time: Array, rate: float) -> float | None:
     if np.abs(count - np.round(count)).max() < ON_CLOCK and _next_share(np.round(count)) >= MIN_NEXT:
         return 1 / rate
     known, whole = _missing_frames(time, step, 1 / rate), _missing_steps(time)
+    if known[0] > 0 and 0 < whole[0] < np.inf:
+        clock = camera_clock(time)
+        if clock.steady and clock.frame.all() and abs(clock.interval / whole[1] - 1) < SAME_CLOCK:
+            return whole[1]
     even = even_interval(time, step)
     if even is None:
         return _interval_with_gaps(time, step, known, whole)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.errors import CaromError
 from carom.laws.results import GRAVITY
 from carom.tracks.track import Track
 
@@ -26,6 +28,7 @@ PIECE_S, PIECE_FRAMES = 0.12, 8
 # Frames of a piece; longer ones, where noise hides the acceleration in a short one (a film that runs slower than the ball did)
 MORE_FRAMES = (12, 16, 24, 32)
 MIN_SIDE_SHARE = 0.2  # of these pieces, in which the ball rises, and in which it falls
+FLAT = 0.05  # of the next larger extent, at most, that of a coordinate which a ball on a table does not change
 MAX_PIECES = 400  # of a track
 GRAVITY_SHARE = 0.3  # of gravity, by which an acceleration may differ from it
 UNIT_SHARE = 0.15
@@ -102,6 +105,60 @@ def falling_share(tracks: Sequence[Track], gravity: float) -> float:
     """Return the share of the pieces of some tracks that fall with gravity, m/s^2 (negative: upward)."""
     found, _rises = pieces(tracks)
     return float((np.abs(found + gravity) < GRAVITY_SHARE * abs(gravity)).mean()) if len(found) else 0.0
+
+
+def in_a_plane(tracks: Sequence[Track], notes: list[str]) -> list[Track]:
+    """Return tracks with two coordinates in the place of three: the height, and the place along the motion; a note says which.
+
+    The height is the coordinate that falls; along the floor the places are measured in the direction in which the balls move most.
+    Where none falls, one that stays the same is left out. Raises CaromError where there is neither.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.tracks import Track
+    >>> from carom.tracks.free_fall import in_a_plane
+    >>> t = np.arange(80) / 200
+    >>> place = np.stack([3 * t, 1 + 2 * t - 9.81 / 2 * t**2, 4 * t], axis=-1)
+    >>> (ball,) = in_a_plane([Track("ball", t, place)], [])
+    >>> ball.position[-1].round(3)  # 5 m/s along the floor
+    array([ 0.988,  1.025])
+    """
+    if all(track.position.shape[1] == 2 for track in tracks):
+        return list(tracks)
+    seen = [track.select(track.seen) for track in tracks]
+    alone = [[replace(one, position=one.position[:, [axis, axis]]) for one in seen] for axis in range(3)]
+    fall = np.array([constant_acceleration(one) for one in alone])
+    share = np.array([max(falling_share(one, GRAVITY), falling_share(one, -GRAVITY)) for one in alone])
+    axes = ["x", "y", "z"]
+    from_mean = [one.position - one.position.mean(axis=0) for one in seen if len(one)]
+    moves = np.concatenate(from_mean or [np.zeros((1, 3))])
+    if np.isfinite(fall).any() or share.max() > MIN_FALLING_SHARE:
+        known = np.where(np.isfinite(fall), np.abs(fall), 0.0)
+        up = int(np.argmax(known)) if known.any() else int(np.argmax(share))
+        along = [axis for axis in range(3) if axis != up]
+        down = fall[up] > 0 or (not known[up] and falling_share(alone[up], GRAVITY) < MIN_FALLING_SHARE)
+        direction = np.linalg.eigh(moves[:, along].T @ moves[:, along])[1][:, 1]
+        direction *= np.sign(direction[np.argmax(np.abs(direction))])
+        off = float(np.abs(moves[:, along] @ np.array([-direction[1], direction[0]])).max())
+        turned = " and ".join(f"{part:.3g} {axes[axis]}" for part, axis in zip(direction, along, strict=True))
+        notes.append(
+            f"three coordinates: {axes[up]} falls, and is taken as the height{' (downward)' if down else ''}; along the floor the"
+            f" places are {turned}, from which the balls are up to {off:.2g} m off"
+        )
+        rows = np.zeros((3, 2))
+        rows[along, 0], rows[up, 1] = direction, -1.0 if down else 1.0
+    else:
+        size = np.ptp(moves, axis=0)
+        least = int(np.argmin(size))
+        if size[least] > FLAT * np.sort(size)[1]:
+            raise CaromError(
+                "tracks: expected positions in a plane, or a height that falls, got three coordinates of which none falls; keep two"
+                " columns, the height and the place along the motion (t, x, z), or the two on the table (t, x, y)"
+            )
+        notes.append(f"three coordinates: {axes[least]} stays the same within {size[least]:.2g} m, and is left out")
+        rows = np.delete(np.eye(3), least, axis=1)
+    return [replace(one, position=one.position @ rows) if one.position.shape[1] == 3 else one for one in tracks]
 
 
 def axis_points_down(tracks: Sequence[Track], gravity: float) -> float:

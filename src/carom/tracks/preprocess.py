@@ -80,13 +80,14 @@ def position_noise(time: Array, position: Array, interval: float) -> float:
     """
     parts = []
     span = 4.5 * interval if np.isfinite(interval) else np.inf
-    for k in range(position.shape[1]):
-        x = position[:, k]
+    for x in position.T:
+        if not np.nanmax(x) > np.nanmin(x):  # (a coordinate that was not measured: it is 0 throughout)
+            continue
         difference = x[4:] - 4 * x[3:-1] + 6 * x[2:-2] - 4 * x[1:-3] + x[:-4]
         moves = np.abs(position[4:] - position[:-4]).max(axis=1) > 0
         good = moves & (time[4:] - time[:-4] < span) & np.isfinite(difference)
         parts.append(np.abs(difference[good]))
-    sizes = np.concatenate(parts)
+    sizes = np.concatenate(parts or [np.zeros(0)])
     if len(sizes) < 4:
         return 0.0
     # the median of |N(0, 1)| is 0.6745; 1 + 16 + 36 + 16 + 1 = 70

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import io
 import re
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 
 from carom.data.columns import as_columns, is_columns
 from carom.data.rebound_files import heads_rebounds
-from carom.errors import CaromError, Fault, FaultList, suggestion
+from carom.errors import CaromError, Fault, FaultList, shortened_list, suggestion
 from carom.files import as_path, open_regular, read_text
 from carom.laws.results import GRAVITY
 from carom.tracks.exchanged import with_one_name, with_own_names
@@ -38,7 +39,7 @@ from carom.tracks.formats.pooltool_fields import open_file
 from carom.tracks.formats.projects import START, foreign_file
 from carom.tracks.formats.text_table import Calibration, first_rows
 from carom.tracks.frame_clock import MIN_INTERVAL_S, at_rate, without_rounding
-from carom.tracks.free_fall import likely_unit
+from carom.tracks.free_fall import in_a_plane, likely_unit
 from carom.tracks.preprocess import position_noise
 from carom.tracks.track import Track
 
@@ -61,6 +62,7 @@ __all__ = [
 MIN_POSITIONS = 9  # fewer cannot hold a contact
 # Beyond these a number is damaged, or its unit wrong.
 MAX_POSITION_M, MAX_TIME_S = 1e9, 1e9
+OTHER_DAY_S = 1e7  # no film is as long: such times count from another day than the film's
 # Of films without a word on their unit: larger, smaller or faster than those that are taken of balls, in m and m/s.
 SMALLEST_FILM_M, LARGEST_FILM_M, FASTEST_BALL = 5e-3, 20.0, 80.0
 USUAL_SHARE = 0.9  # of the steps from frame to frame: the fastest may be errors
@@ -193,7 +195,7 @@ def _checked_tracks(path: Path, name: str, tracks: Sequence[Track], calibration:
     """Return tracks with increasing times and on one clock, with notes; CaromError for times and places that cannot be right."""
     notes: list[str] = []
     faults = FaultList(str(path))
-    checked = [_in_order(track, notes, faults) for track in tracks]
+    checked = [_in_order(track, notes, faults) for track in _from_zero(tracks, notes)]
     faults.raise_if_any()
     if calibration.rate is not None:
         checked = at_rate(checked, calibration.rate, str(path), notes)
@@ -287,6 +289,22 @@ def _check(calibration: Calibration) -> None:
     faults.raise_if_any()
 
 
+def _from_zero(tracks: Sequence[Track], notes: list[str]) -> Sequence[Track]:
+    """Return tracks with times from the first row on, where they count from another day: seconds since 1970, or parts of them."""
+    times = np.concatenate([track.time[np.isfinite(track.time)] for track in tracks])
+    first = float(times.min()) if len(times) else 0.0
+    if first < OTHER_DAY_S:
+        return tracks
+    # (between 2001 and 2128, in units of 1, 1e-3, 1e-6 or 1e-9 s)
+    part = next((part for part in (1.0, 1e-3, 1e-6, 1e-9) if 1e9 <= first * part < 5e9), 1.0)
+    since = "" if part == 1 else f", counted in units of {part:g} s,"
+    notes.append(
+        f"times{since} begin at {first * part:.10g} s, as of a clock that counts from another day: the first is subtracted"
+    )
+    digits = int(-np.ceil(np.log10(np.spacing(float(times.max())) * part)))  # (those that such large numbers hold)
+    return [replace(track, time=np.round((track.time - first) * part, digits)) for track in tracks]
+
+
 def _in_order(track: Track, notes: list[str], faults: FaultList) -> Track:
     """Return the rows that have a time; times that decrease are a fault."""
     label = _label(track)
@@ -296,7 +314,9 @@ def _in_order(track: Track, notes: list[str], faults: FaultList) -> Track:
         far = np.flatnonzero(np.abs(values) > most)
         if len(far):
             got = f"{values[far[0]]:g} {unit} ({len(far)} in all)"
-            advice = "is the unit right? `scale` is the length of one unit of the file"
+            advice = "is the unit right?"
+            if unit == "m":
+                advice += " `scale` is the length of one unit of the file"
             faults.add(f"{label}: {name}", f"at most {most:g} {unit}", got, advice)
     known: NDArray[np.bool_] = np.isfinite(track.time)
     if (~known & np.isfinite(track.position).any(axis=1)).any():
@@ -315,11 +335,12 @@ def _one_row_per_time(track: Track, notes: list[str]) -> Track:
     """Return the track with increasing times: of rows with the same time the first."""
     again = np.diff(track.time, prepend=-np.inf) < MIN_INTERVAL_S
     if again.any():
-        moved = np.abs(np.diff(track.position, axis=0)).max(axis=1) > 0
-        if (moved & again[1:]).any():
-            notes.append(
-                f"{_label(track)}: {again.sum()} rows repeat the time of the row before at another position: the first is used"
-            )
+        moved = np.append(False, np.abs(np.diff(track.position, axis=0)).max(axis=1) > 0) & again
+        where = " at another position" if moved.any() else ""
+        at = shortened_list([f"{t:.6g}" for t in np.unique(track.time[moved if moved.any() else again])])
+        notes.append(
+            f"{_label(track)}: {again.sum()} rows repeat the time of the row before{where}: the first is used; t = {at} s"
+        )
         track = track.select(~again)
     return replace(track, position=np.ascontiguousarray(track.position))
 
@@ -338,6 +359,8 @@ def _speeds(track: Track) -> NDArray[np.float64]:
 
 def _require_likely_unit(tracks: list[Track], path: str) -> None:
     """Raise CaromError if a ball falls as if lengths taken as m were in cm or mm."""
+    with contextlib.suppress(CaromError):  # (three coordinates of which none is the height have no fall)
+        tracks = in_a_plane(tracks, [])
     unit, fall = likely_unit([track.select(track.seen) for track in tracks])
     if unit:
         raise CaromError(

@@ -178,7 +178,8 @@ def _ticks(table: TextTable, header: Header, i: int) -> bool:
     number = _rising(table, header, i, {})
     if number is None or (np.diff(number) == 1).all():
         return False
-    return camera_clock(number / np.median(np.diff(number))).steady
+    size = np.floor(np.log10(np.median(np.diff(number))))
+    return camera_clock(number / 10 ** (size + 2)).steady
 
 
 def _track(

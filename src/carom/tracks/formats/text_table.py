@@ -9,6 +9,7 @@ import itertools
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from datetime import UTC, datetime
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +30,7 @@ DELIMITER_NAMES = {"\t": "tabs", ";": "semicolons", ",": "commas", "|": "bars"}
 TIME_CODE = re.compile(
     r"^(?:(?P<clock>\d+:(?:\d{2}:)?\d{2})[.,](?P<decimals>\d+)|(?P<whole>\d+:(?:\d{2}:)?\d{2})[:;](?P<last>\d{2,3}))$"
 )
+DATE = re.compile(r"^\d{4}-\d{2}-\d{2}[T ]\d{2}:")
 FRAME_RATES = (24, 25, 30, 48, 50, 60, 100, 120, 240)
 HEAD_CHARACTERS = 4000  # in which the format and the delimiter show
 
@@ -189,6 +191,8 @@ def time_codes(cells: Sequence[str], notes: list[str]) -> Array | None:
     >>> time_codes(["0:00:01:25", "0:00:01:26"], []), time_codes(["00:01:02.5"], []), time_codes(["1.5"], [])
     (array([1.25, 1.26]), array([62.5]), None)
     """
+    if dates := _dates(cells):
+        return np.array(dates)
     found = [TIME_CODE.match(cell.translate(SIGNS).strip()) for cell in cells]
     if not any(found) or any(one is None and cell.strip() for one, cell in zip(found, cells, strict=True)):
         return None
@@ -207,6 +211,18 @@ def time_codes(cells: Sequence[str], notes: list[str]) -> Array | None:
         seconds = sum(x * 60**k for k, x in enumerate(reversed(whole))) + float(f"0.{one['decimals'] or 0}")
         values.append(seconds + (share * part if one["last"] else 0.0))
     return np.array(values)
+
+
+def _dates(cells: Sequence[str]) -> list[float]:
+    """Return dates with times of day (``2026-03-01T12:00:00.258``), s since 1970, NaN where a cell is empty; [] if one is none."""
+    if not all(DATE.match(cell) for cell in cells if cell):
+        return []
+    try:
+        dates = [datetime.fromisoformat(cell.replace(",", ".")) if cell else None for cell in cells]
+    except ValueError:
+        return []
+    utc = [one if one is None or one.tzinfo else one.replace(tzinfo=UTC) for one in dates]
+    return [np.nan if one is None else one.timestamp() for one in utc] if any(utc) else []
 
 
 def _last_field(last: Array, texts: Sequence[str]) -> tuple[float, str]:
