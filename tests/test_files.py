@@ -14,7 +14,6 @@ from reference.forking import Forked
 import carom
 from carom import files
 from carom.cli import main
-from carom.data.datasets.carom_tracks import write_carom_tracks
 from carom.errors import CaromError, MissingLibraryError
 from carom.files import OPTIONAL, atomic_path, install_command, require_library, require_writable, write_text
 from carom.gas.snapshots import read_initial_state
@@ -220,7 +219,6 @@ READERS = {
     "law.py": lambda path: find_law(OwnLaw(f"{path}:law")),
     "shot.json": carom.interop.pooltool.read,
     "shot.msgpack": carom.interop.pooltool.read,
-    "all.sapy": lambda path: write_carom_tracks(path, Path(path).parent / "out.csv"),
 }
 
 

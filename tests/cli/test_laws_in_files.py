@@ -165,11 +165,11 @@ def test_a_mark_is_kept_where_a_scene_is_changed_and_lost_in_a_file(evil: Path) 
 
 
 def test_one_module_runs_files() -> None:
-    """``exec_module`` stands in one place, and nothing unpickles but a reader that makes numbers alone, and Numba's cache."""
+    """``exec_module`` stands in one place, and nothing unpickles but Numba's cache."""
     words = re.compile(r"\b(exec_module|load_module|run_path|run_module|runpy|Unpickler|allow_pickle=True)\b")
     found = {
         (path.relative_to(ROOT).as_posix(), word)
         for path in ROOT.rglob("*.py")
         for word in words.findall(path.read_text(encoding="utf-8"))
     }
-    assert found == {("laws/user.py", "exec_module"), ("data/datasets/carom_tracks.py", "Unpickler")}
+    assert found == {("laws/user.py", "exec_module")}

@@ -104,24 +104,10 @@ def datasets(
     name: Annotated[str | None, typer.Argument(help="Name of a table. Default: list all.")] = None,
     out: Annotated[Path | None, typer.Option(help="Write the table to this file.")] = None,
     json_: Annotated[bool, shared("json")] = False,
-    from_: Annotated[
-        Path | None, typer.Option("--from", metavar="FILE", help="Your copy of the source of carom-tracks.")
-    ] = None,
 ) -> None:
-    """List the published measurements that come with carom, print one, or write it to a file.
-
-    carom-tracks (thirty filmed shots) is not shipped: it is read from your own copy of its source.
-    """
+    """List the published measurements that come with carom, print one, or write it to a file."""
     from carom.data.datasets import load, names
-    from carom.data.datasets.carom_tracks import NAME
 
-    if name == NAME:
-        _carom_tracks(from_, out, json_)
-        return
-    if from_ is not None:
-        raise CaromError(
-            f"--from {from_}: expected {NAME} before it, got {name or 'no name'}; the other tables come with carom"
-        )
     if name is None and out is not None:
         raise CaromError(
             f"--out {out}: expected the name of a table before it, got none; known are {', '.join(names())}"
@@ -153,44 +139,13 @@ def datasets(
         wrote(out)
 
 
-def _carom_tracks(source: Path | None, out: Path | None, as_json: bool) -> None:
-    """Write the thirty filmed shots from the reader's copy of their source."""
-    from carom.data.datasets.carom_tracks import FILE, NAME, SOURCE, write_carom_tracks
-
-    if source is None or out is None:
-        raise CaromError(
-            f"{NAME}: expected --from {FILE} --out TABLE.csv, with your own copy: {SOURCE} What carom measured on these shots is in"
-            " docs/data/carom_tracks_rebounds.csv of its repository"
-        )
-    faults = FaultList()
-    require_outputs(faults, {"--out": out}, {"--out": (".csv", ".txt")}, source=source)
-    faults.raise_if_any()
-    written = write_carom_tracks(source, out)
-    if as_json:
-        facts = {"name": NAME, "citation": SOURCE, "path": str(out), "rows": written.rows, "expected": written.expected}
-        say_json(facts, ensure_ascii=False)
-    console = err()
-    console.print(SOURCE, soft_wrap=True)
-    if written.rows != written.expected:
-        console.print(
-            f"{written.rows} rows; the table behind the validation pages has {written.expected}: not quite the same",
-            soft_wrap=True,
-        )
-    wrote(out)
-
-
 def _list(chosen: list[Any]) -> None:
     from rich.table import Table
     from rich.text import Text
 
     from carom.cli.console import out
-    from carom.data.datasets.carom_tracks import NAME, SOURCE
 
     table = Table(box=None, padding=(0, 2, 0, 0), show_header=False)
     for one in chosen:
         table.add_row(Text(one.name, "bold"), Text.assemble(f"{one.title}\n", (one.citation, "dim")))
-    table.add_row(
-        Text(NAME, "bold"),
-        Text.assemble("30 filmed three-cushion shots: not shipped, read by --from FILE\n", (SOURCE, "dim")),
-    )
     out().print(table)

@@ -1,5 +1,7 @@
 """Thirty filmed three-cushion shots, read from the reader's own copy of their source: no licence is stated, so carom has no copy.
 
+    python docs/dev/carom_tracks.py 20170524_01_M_Ersin_Cemal.sapy carom_tracks_50hz.csv
+
 The source is a file of the program Shot Analyzer (``.sapy``): a pickle of a dictionary whose list ``Shot`` has, of each shot, the
 balls (``Ball`` or ``Route``), and of each ball the columns ``t``, ``x``, ``y``. A pickle can run code when it is loaded; this
 one is read by an unpickler that makes numbers, texts, lists, dictionaries and NumPy arrays, and leaves everything else out.
@@ -9,6 +11,7 @@ from __future__ import annotations
 
 import csv
 import pickle
+import sys
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -19,9 +22,6 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.files import MOST_TABLE, as_path, atomic_path, open_regular
 
-__all__ = ["FILE", "NAME", "SHOTS", "SOURCE", "WrittenTracks", "write_carom_tracks"]
-
-NAME = "carom-tracks"
 FILE = "20170524_01_M_Ersin_Cemal.sapy"
 SOURCE = (
     f"GitHub repository erdo100/pooltool, branch test_scripts, BilliardData/{FILE}, shots 1 to 30; licence not stated."
@@ -107,13 +107,6 @@ def write_carom_tracks(source: str | Path, out: str | Path) -> WrittenTracks:
     ------
     CaromError
         For a file that cannot be read, of another layout, or with another first shot; nothing is written then.
-
-    Examples
-    --------
-    >>> from carom.data.datasets import carom_tracks
-    >>> carom_tracks.write_carom_tracks("none.sapy", "tracks.csv")
-    Traceback (most recent call last):
-    carom.errors.CaromError: none.sapy: expected a file that can be read, got: No such file or directory
     """
     path, target = as_path("write_carom_tracks", source), as_path("write_carom_tracks", out)
     shots = _shots(path)
@@ -191,3 +184,8 @@ def _moved(columns: Columns) -> Columns:
     keep = np.append(True, (np.diff(columns[:, 1:], axis=0) != 0).any(axis=1))
     keep[-1] = True
     return np.asarray(columns[keep])
+
+
+if __name__ == "__main__":
+    written = write_carom_tracks(*sys.argv[1:3])
+    print(f"{written.rows} rows; the table behind the validation pages has {written.expected}. {SOURCE}")
