@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.common import require_outputs, tell, write_report_page
+from carom.cli.common import require_outputs, tell, write_report_page, wrote
 from carom.cli.fit_shots import show_shots, write_shots_page
 from carom.cli.fit_tracks import show_whole, write_whole_page
 from carom.cli.option_names import with_options
@@ -178,7 +178,7 @@ def fit(
         Path | None, option(OUTPUT, "Write a report with figures to this file.", metavar="FILE.html")
     ] = None,
     plot: Annotated[
-        Path | None, shared("plot", help="Draw which rows slide or grip, and which decide; with --shot film and model.")
+        Path | None, shared("plot", help="Draw what was measured and what the best laws predict.")
     ] = None,
     explore: Annotated[
         Path | None,
@@ -209,8 +209,6 @@ def fit(
         faults.add(
             "", "", advice=f"--{'plot' if report is None else 'report'} has no effect with --by; omit one of them"
         )
-    if whole and plot is not None:
-        faults.add("", "", advice="--plot has no effect with --whole; omit one of them")
     if explore is not None and not shot:
         faults.add("", "", advice="--explore has no effect without --shot; omit it, or add --shot")
     options: dict[str, Any] = {
@@ -234,21 +232,24 @@ def fit(
     console = err()
     with _bar(console) as progress:
         ranking = fit_laws_to(files, progress=progress, **options)
-        written = [path for path in (report, plot, explore) if path is not None]
+    shows: list[tuple[bool, Any]] = [(shot, show_shots), (whole, show_whole), (by is not None, show_each)]
+    tell(ranking, next((one for wanted, one in shows if wanted), show), as_json, console, ())
+    with _bar(console) as progress:  # (what was computed is shown, whatever becomes of the files)
         if report is not None:
             write_report_page(
                 lambda: _page(with_options(ranking), files, report), lambda text, done: progress(done, 1.0, text)
             )
+            wrote(report)
         if plot is not None:
             from carom.plot.style import save
 
             save(_picture(ranking), plot)
+            wrote(plot)
         if explore is not None:
             from carom.explorer.page import explore as make_page
 
             make_page(ranking).save(explore)
-    shows: list[tuple[bool, Any]] = [(shot, show_shots), (whole, show_whole), (by is not None, show_each)]
-    tell(ranking, next((one for wanted, one in shows if wanted), show), as_json, console, written)
+            wrote(explore)
 
 
 def _held(
@@ -283,13 +284,15 @@ def _bar(console: Console) -> Iterator[Any]:
 
 
 def _picture(ranking: Any) -> Any:
-    """Return the figure of a fit: of whole shots film and model on each other, else which rows slide or grip."""
+    """Return the figure of a fit: film and model on each other, of rows what was measured and predicted."""
+    from carom.fitting import Ranking
     from carom.fitting.shots import ShotsRanking
-    from carom.plot.friction import plot_friction
+    from carom.plot.fit import plot_fit
+    from carom.plot.fit_tracks import plot_tracks
     from carom.plot.shots import plot_shot, plot_shots
 
     if not isinstance(ranking, ShotsRanking):
-        return plot_friction(ranking)
+        return plot_fit(ranking) if isinstance(ranking, Ranking) else plot_tracks(ranking)
     return plot_shots(ranking.best) if len(ranking.best.shots) > 1 else plot_shot(ranking.best.shots[0])
 
 

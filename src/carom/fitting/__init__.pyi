@@ -3,7 +3,6 @@ from .data import Problem as Problem
 from .data import make_problem as make_problem
 from .evidence import Ranked as Ranked
 from .fit import fit_law as fit_law
-from .friction_used import friction_used as friction_used
 from .gas_fit import GasFit as GasFit
 from .gas_fit import fit_gas as fit_gas
 from .laws import FITTED as FITTED

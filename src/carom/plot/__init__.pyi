@@ -5,7 +5,6 @@ from .billiards import plot_orbit as plot_orbit
 from .comparison import PathAfterWall as PathAfterWall
 from .comparison import compare as compare
 from .comparison import path_after_wall as path_after_wall
-from .friction import plot_friction as plot_friction
 from .gas import plot_gas as plot_gas
 from .gas_ensemble import plot_ensemble as plot_ensemble
 from .gas_film import animate_gas as animate_gas
