@@ -505,7 +505,19 @@ def test_a_file_of_the_program_that_ends_early_is_no_interrupt(monkeypatch):
 def test_a_fit_to_rows_of_any_kind_is_drawn(here, monkeypatch, capsys, data):
     """A fit to balls on a table ended in an error after all its work, without its ranking."""
     (here / "heights.csv").write_text("h0 (cm),h1 (cm),h2 (cm)\n100,64,31\n120,77,38\n150,95,47\n")
-    words = ("fit", data, "--laws", "mirror", "--radius", "0.02", "--bootstrap", "0", "--no-profiles", "--plot", "fit.svg")
+    words = (
+        "fit",
+        data,
+        "--laws",
+        "mirror",
+        "--radius",
+        "0.02",
+        "--bootstrap",
+        "0",
+        "--no-profiles",
+        "--plot",
+        "fit.svg",
+    )
     code, out, err = run(monkeypatch, capsys, *words)
     assert (code, "mirror" in out) == (0, True), err
     assert (here / "fit.svg").read_text().startswith("<?xml")
@@ -516,7 +528,18 @@ def test_what_was_computed_is_printed_whatever_becomes_of_its_files(here, monkey
         raise carom.CaromError("no picture")
 
     monkeypatch.setattr("carom.cli.fit._picture", broken)
-    words = ("fit", "tt_rackets", "--laws", "mirror", "--bootstrap", "0", "--no-profiles", "--json", "--plot", "fit.svg")
+    words = (
+        "fit",
+        "tt_rackets",
+        "--laws",
+        "mirror",
+        "--bootstrap",
+        "0",
+        "--no-profiles",
+        "--json",
+        "--plot",
+        "fit.svg",
+    )
     code, out, err = run(monkeypatch, capsys, *words)
     assert (code, json.loads(out)["ranking"][0]["law"]) == (2, "mirror")
     assert "no picture" in err

@@ -177,9 +177,7 @@ def fit(
     report: Annotated[
         Path | None, option(OUTPUT, "Write a report with figures to this file.", metavar="FILE.html")
     ] = None,
-    plot: Annotated[
-        Path | None, shared("plot", help="Draw what was measured and what the best laws predict.")
-    ] = None,
+    plot: Annotated[Path | None, shared("plot", help="Draw what was measured and what the best laws predict.")] = None,
     explore: Annotated[
         Path | None,
         typer.Option(
