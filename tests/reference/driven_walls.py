@@ -1,4 +1,4 @@
-"""Walls that move, yield and turn, apart from the engine: distances in small steps, impulses from a matrix of inverse masses."""
+"""Walls that move and yield, apart from the engine: distances in small steps, impulses from a matrix of inverse masses."""
 
 from __future__ import annotations
 
@@ -44,29 +44,6 @@ class Plane:
             self.place, self.speed, self.since = float(self.at(t)), self.rate(t) + impulse @ n / self.mass, t
 
 
-class Rotor:
-    """A disc with a fixed centre, which turns; contacts are at its rim. ``bare`` ones touch the centres of balls."""
-
-    def __init__(self, centre, radius, moment=math.inf, spin=0.0):
-        self.centre, self.radius, self.moment, self.spin = np.array([*centre, 0.0]), radius, moment, spin
-
-    def distance(self, x, radius, _t):
-        return np.linalg.norm(x - self.centre, axis=1) - self.radius - radius
-
-    def normal(self, x):
-        return (x - self.centre) / np.linalg.norm(x - self.centre)
-
-    def velocity(self, n, _t):
-        return self.spin * self.radius * np.array([-n[1], n[0], 0.0])
-
-    def inverse(self, n):
-        t = np.array([-n[1], n[0], 0.0])
-        return np.outer(t, t) * self.radius**2 / self.moment
-
-    def take(self, impulse, n, _t):
-        self.spin += self.radius * (n[0] * impulse[1] - n[1] * impulse[0]) / self.moment
-
-
 class Plate:
     """A thin wall from one place to another, with balls on both sides."""
 
@@ -96,21 +73,20 @@ class Plate:
 
 
 class DrivenRoom(Room):
-    """A room whose walls move; with ``points`` rotors touch the centres of balls, whose spins they leave alone."""
+    """A room whose walls move."""
 
-    def __init__(self, *given, walls, points=False):
+    def __init__(self, *given, walls):
         super().__init__(*given, walls=[(one.distance, one.normal, lambda _t: 0.0) for one in walls])
-        self.bodies, self.points = walls, points
+        self.bodies = walls
 
     def meet_wall(self, i, k):
         one = self.bodies[k]
         n = one.normal(self.x[i])
         e, mu, beta = self.wall(i, k)
-        has_arm = 0.0 if self.points and isinstance(one, Rotor) else 1.0
-        arm = -has_arm * self.radius[i] * n
+        arm = -self.radius[i] * n
         u = self.v[i] + np.cross(self.w[i], arm) - one.velocity(n, self.t)
         across = np.eye(3) - np.outer(n, n)
-        inverse = np.eye(3) / self.mass[i] + has_arm * across / (self.kappa[i] * self.mass[i]) + one.inverse(n)
+        inverse = np.eye(3) / self.mass[i] + across / (self.kappa[i] * self.mass[i]) + one.inverse(n)
         un = u @ n
         p = np.linalg.solve(inverse, -(1 + e) * un * n - (1 + beta) * (u - un * n))
         push = p @ n

@@ -110,12 +110,8 @@ def _flows(found: Report, error: Report | None) -> list[tuple[str, str]]:
         rows.append(("  per unit time, 1/s", _cell(flow, errors, "rate", 5)))
     for name, one in found["walls"].items():
         errors = None if error is None else error["walls"][name]
-        if "spins" in one and error is None:
-            squares = sum(spin * spin for spin in one["spins"]) / len(one["spins"])
-            rows.append((f"spins of {name} at the end, root mean square, rad/s", format_number(squares**0.5, 5)))
-        elif "spins" not in one:
-            rows.append((f"{name} at the end: displacement, m", _cell(one, errors, "displacement")))
-            rows.append(("  speed, m/s", _cell(one, errors, "speed", 5)))
+        rows.append((f"{name} at the end: displacement, m", _cell(one, errors, "displacement")))
+        rows.append(("  speed, m/s", _cell(one, errors, "speed", 5)))
     return rows
 
 

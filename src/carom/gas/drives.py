@@ -1,4 +1,4 @@
-"""Drives of a gas: walls that oscillate, slide, are moved by the gas, rotate or are heated; and a thermostat."""
+"""Drives of a gas: walls that oscillate, are moved by the gas, drag or are heated; and a thermostat."""
 
 from __future__ import annotations
 
@@ -12,9 +12,8 @@ from numpy.typing import NDArray
 
 from carom.errors import FaultList, checked_number, suggestion
 from carom.gas.containers import Container
-from carom.gas.edmd.gas_records import CURVE, FACE, OUTSIDE, PLANE
+from carom.gas.edmd.gas_records import CURVE, FACE
 from carom.gas.edmd.moving_walls import oscillation, place
-from carom.gas.faces import ContainerFace
 
 __all__ = ["Drive", "Thermostat", "WallMotion", "drive_faults", "face_records", "motion_of_walls"]
 
@@ -35,7 +34,7 @@ def _check(faults: FaultList, of: Any, **fields: tuple[str, Any]) -> None:
 
 @dataclass(frozen=True)
 class Drive:
-    """A wall that moves, or is heated, or both: it oscillates, slides at a constant speed, is a piston, drags, or rotates.
+    """A wall that moves, or is heated, or both: it oscillates, is a piston, or drags.
 
     Parameters
     ----------
@@ -53,23 +52,14 @@ class Drive:
         thermalization).
     temperature_rotational : float, optional
         k_B T of their spins; default: the same.
-    gradient : vector, optional
-        Of a heated wall's temperature along itself (J/m); ``temperature`` is then that at the corner of the box, x = y = z = 0.
-    speed : float, optional
-        Of a plane wall along its normal (m/s), into the gas; below 0 out of it. Of a piston: at the start.
-    travel : float, optional
-        Distance after which a wall of constant speed rests (m).
     mass : float, optional
         Of a piston (kg), a plane wall that balls push: it moves along its normal under ``force`` and their impulses.
+    speed : float, optional
+        Of a piston at the start, into the gas (m/s). Default: it rests.
     force : float, optional
         On a piston, into the gas (N): its weight, a spring of constant force. Default: none.
     surface_velocity : vector, optional
         Of a plane wall's surface along itself (m/s), as of a conveyor belt: it drags balls by friction.
-    spin : float or vector, optional
-        Of obstacles that rotate about their centres (rad/s): about z for discs, and for obstacles of x, y, radius.
-    moment : float, optional
-        Moment of inertia of each such obstacle (kg m^2), which balls turn by friction, from ``spin`` (default: 0) on. Without
-        one the spin is kept.
 
     Raises CaromError, one line per problem.
 
@@ -78,8 +68,6 @@ class Drive:
     >>> from carom.gas import Drive
     >>> Drive(amplitude=0.2, frequency=10.0).phase
     0.0
-    >>> Drive(speed=0.5, travel=2.0).mass is None
-    True
     >>> Drive(amplitude=0.2)
     Traceback (most recent call last):
     carom.errors.CaromError: Drive: frequency: expected a number > 0 for an oscillating wall, got 0.0
@@ -90,65 +78,47 @@ class Drive:
     phase: float = 0.0
     temperature: float | None = None
     temperature_rotational: float | None = None
-    gradient: Sequence[float] | None = None
-    speed: float | None = None
-    travel: float | None = None
     mass: float | None = None
+    speed: float | None = None
     force: float | None = None
     surface_velocity: Sequence[float] | None = None
-    spin: float | Sequence[float] | None = None
-    moment: float | None = None
 
     def __post_init__(self) -> None:  # noqa: D105
         faults = FaultList("Drive")
         _check(
             faults, self, amplitude=_WARM, frequency=_WARM, temperature=_WARM, temperature_rotational=_WARM,
-            phase=("a number from 0 to 1", lambda x: (x >= 0) & (x <= 1)), speed=_NUMBER, travel=_POSITIVE, mass=_POSITIVE,
-            force=_NUMBER, moment=_POSITIVE,
+            phase=("a number from 0 to 1", lambda x: (x >= 0) & (x <= 1)), speed=_NUMBER, mass=_POSITIVE, force=_NUMBER,
         )  # fmt: skip
-        for name in ("gradient", "surface_velocity", "spin"):
-            given = getattr(self, name)
-            if given is not None and not (np.ndim(given) <= 1 and np.size(given) <= 3 and np.isfinite(given).all()):
-                faults.add(name, "up to three numbers", f"{given!r:.60}")
+        along = self.surface_velocity
+        if along is not None and not (np.ndim(along) <= 1 and np.size(along) <= 3 and np.isfinite(along).all()):
+            faults.add("surface_velocity", "up to three numbers", f"{along!r:.60}")
         if self.amplitude > 0 and not self.frequency > 0:
             faults.add("frequency", "a number > 0 for an oscillating wall", f"{self.frequency!r}")
         if not self.moves and self.temperature is None:
-            expected = "an amplitude > 0, a temperature, a speed, a mass, a surface_velocity, a spin or a moment"
+            expected = "an amplitude > 0, a temperature, a mass or a surface_velocity"
             faults.add("amplitude", expected, "none of them")
         self._add_conflicts(faults)
         faults.raise_if_any()
 
     def _add_conflicts(self, faults: FaultList) -> None:
         """Add the faults of fields that another one needs, or excludes."""
-        slides = self.speed is not None or self.mass is not None
         ways = {
             "amplitude": self.amplitude > 0,
-            "mass" if self.mass is not None else "speed": slides,
+            "mass": self.mass is not None,
             "surface_velocity": self.surface_velocity is not None,
-            "moment" if self.moment is not None else "spin": self.turns,
         }
         if len(given := [name for name, there in ways.items() if there]) > 1:
             faults.add(given[1], "one way to move", " and ".join(given), "omit one of them")
-        if self.speed is not None and self.mass is None and self.travel is None:
-            faults.add("travel", "the distance after which a wall of constant speed rests", "none")
-        if self.mass is not None and self.travel is not None:
-            faults.add("travel", "none for a piston", f"{self.travel:g}", "omit it")
-        for name, needed in (("force", "mass"), ("gradient", "temperature")):
-            if getattr(self, name) is not None and getattr(self, needed) is None:
-                faults.add(needed, f"a {needed} with a {name}", "none")
-        if self.temperature is not None and (self.mass is not None or self.moment is not None):
+        for name in ("speed", "force"):
+            if getattr(self, name) is not None and self.mass is None:
+                faults.add("mass", f"a mass with a {name}", "none")
+        if self.temperature is not None and self.mass is not None:
             faults.add("temperature", "none for a wall that balls move", f"{self.temperature:g}", "omit it")
-
-    @property
-    def turns(self) -> bool:
-        """Whether it is a rotor."""
-        return self.spin is not None or self.moment is not None
 
     @property
     def moves(self) -> bool:
         """Whether the wall or its surface moves."""
-        given = (self.speed, self.mass, self.surface_velocity, self.spin, self.moment)
-        return self.amplitude > 0 or any(one is not None for one in given)
+        return self.amplitude > 0 or self.mass is not None or self.surface_velocity is not None
 
     @property
     def greatest_speed(self) -> float:
@@ -201,12 +171,10 @@ class WallMotion:
     """Along its normal since the start, into the gas (m)."""
     speed: float
     """Along its normal, into the gas (m/s)."""
-    spins: tuple[float, ...]
-    """Of obstacles that rotate, about z (rad/s): one for each, in their order."""
 
-    def to_dict(self) -> dict[str, float | list[float]]:
-        """Return the motion as plain numbers: displacement and speed of a plane, spins of obstacles."""
-        return {"spins": list(self.spins)} if self.spins else {"displacement": self.displacement, "speed": self.speed}
+    def to_dict(self) -> dict[str, float]:
+        """Return the motion as plain numbers."""
+        return {"displacement": self.displacement, "speed": self.speed}
 
 
 def motion_of_walls(faces: Any, names: Sequence[str], now: float, oscillating: bool = False) -> dict[str, WallMotion]:
@@ -218,13 +186,12 @@ def motion_of_walls(faces: Any, names: Sequence[str], now: float, oscillating: b
     for name in dict.fromkeys(names):
         those = [k for k, one in enumerate(names) if one == name and faces[k]["moving"] != 0]
         if those:
-            face, rotors = faces.view(np.recarray)[those[0]], [k for k in those if faces[k]["rotor"] == k]
-            displacement, speed, _half = place(face, now)
-            found[name] = WallMotion(float(displacement), float(speed), tuple(float(faces[k]["wz"]) for k in rotors))
+            displacement, speed, _half = place(faces.view(np.recarray)[those[0]], now)
+            found[name] = WallMotion(float(displacement), float(speed))
         shaken = [k for k, one in enumerate(names) if one == name and faces[k]["amplitude"] != 0]
         if oscillating and shaken:
             displacement, speed, _half, _left = oscillation(faces.view(np.recarray)[shaken[0]], now)
-            found[name] = WallMotion(float(displacement), float(speed), ())
+            found[name] = WallMotion(float(displacement), float(speed))
     return found
 
 
@@ -234,50 +201,15 @@ def drive_faults(drive: Drive, name: str, container: Container) -> list[tuple[st
     fixed = next((face.fixed_because for face in faces if face.fixed_because), "")
     found = [
         (field, "a plane wall to oscillate" if field == "amplitude" else "a plane wall", f"{name!r}, {fixed}")
-        for field in ("amplitude", "speed", "mass", "surface_velocity")
+        for field in ("amplitude", "mass", "surface_velocity")
         if getattr(drive, field) and fixed
     ]
-    if drive.turns and not all(_can_turn(face, container) for face in faces):
-        field = "moment" if drive.moment is not None else "spin"
-        found.append((field, "round obstacles, of discs or of spheres (x, y, z, radius)", f"{name!r}"))
-    axes = len(container.size)
-    for field in ("gradient", "surface_velocity", "spin"):
-        given = getattr(drive, field)
-        wanted = {1, 3} if field == "spin" and axes == 3 else {1} if field == "spin" else {axes}
-        if given is not None and np.size(given) not in wanted:
-            found.append((field, f"{max(wanted)} number{'s' * (max(wanted) > 1)}", f"{np.size(given)}"))
-    if drive.surface_velocity is not None and len(drive.surface_velocity) == axes:
-        along = np.array(drive.surface_velocity)
-        if any(abs(np.array(face.vector)[:axes] @ along) > 0 for face in faces):
-            found.append(("surface_velocity", "a velocity along the wall", f"{tuple(drive.surface_velocity)}"))
-    if drive.gradient is not None and drive.temperature is not None and len(drive.gradient) == axes:
-        steepest = sum(min(g * length, 0.0) for g, length in zip(drive.gradient, container.size, strict=True))
-        if drive.temperature + steepest < 0 and not _is_warm(drive, faces, container):
-            found.append(("gradient", "temperatures >= 0 all over the wall", f"{tuple(drive.gradient)}"))
+    axes, along = len(container.size), drive.surface_velocity
+    if along is not None and np.size(along) != axes:
+        found.append(("surface_velocity", f"{axes} numbers", f"{np.size(along)}"))
+    elif along is not None and any(abs(np.array(face.vector)[:axes] @ np.array(along)) > 0 for face in faces):
+        found.append(("surface_velocity", "a velocity along the wall", f"{tuple(along)}"))
     return found
-
-
-def _can_turn(face: ContainerFace, container: Container) -> bool:
-    """Return whether a face is a whole disc in the plane, or a sphere in space."""
-    return face.form == OUTSIDE and face.radius > 0 and (len(container.size) == 2 or face.vector[2] == 1.0)
-
-
-def _is_warm(drive: Drive, faces: Sequence[ContainerFace], container: Container) -> bool:
-    """Return whether plane walls of a box have temperatures >= 0 at all of their corners."""
-    assert drive.gradient is not None
-    assert drive.temperature is not None
-    for face in faces:
-        if face.form != PLANE:
-            return False
-        least = drive.temperature
-        for axis, slope in enumerate(drive.gradient):
-            ends = (0.0, container.size[axis])
-            if abs(face.vector[axis]) == 1:
-                ends = (face.centre[axis],) * 2
-            least += min(slope * end for end in ends)
-        if least < 0:
-            return False
-    return True
 
 
 def face_records(
@@ -291,7 +223,7 @@ def face_records(
         for field, expected, got in drive_faults(drives[name], name, container):
             faults.add(f"drives[{name!r}].{field}", expected, got)
     faults.raise_if_any()
-    for k, (record, face) in enumerate(zip(faces, container.faces, strict=True)):
+    for record, face in zip(faces, container.faces, strict=True):
         record["form"], record["area"], record["temperature"] = face.form, face.area, -1.0
         record["stop"], record["rotor"] = math.inf, -1
         for part, numbers in (("n", face.vector), ("m", face.centre), ("a", face.along)):
@@ -304,8 +236,6 @@ def face_records(
             record["depth"] = CENTRE_DEPTH * widest
         if (drive := drives.get(face.name)) is not None:
             _set_drive(record, drive)
-            if drive.turns:
-                record["rotor"] = _rotor(k, container)
     return faces
 
 
@@ -319,32 +249,10 @@ def _set_drive(record: Any, drive: Drive) -> None:
         record["spin_temperature"] = (
             drive.temperature if drive.temperature_rotational is None else drive.temperature_rotational
         )
-        for axis, slope in zip("xyz", drive.gradient or (), strict=False):
-            record["t" + axis] = slope
-    if drive.mass is not None or drive.speed:
-        record["moving"], record["speed"], record["mass"] = 1, drive.speed or 0.0, drive.mass or 0.0
-        record["reach"] = (
-            math.inf if drive.mass is not None else max(math.copysign(drive.travel or 0.0, drive.speed or 0.0), 0.0)
-        )
-        if drive.mass is not None:
-            record["pull"] = (drive.force or 0.0) / drive.mass
-        else:
-            record["stop"] = (drive.travel or 0.0) / abs(drive.speed or math.inf)
-    if drive.surface_velocity is not None or drive.turns:
-        record["moving"], record["moment"] = 2, drive.moment or 0.0
-        for axis, speed in zip("xyz", drive.surface_velocity or (), strict=False):
+    if drive.mass is not None:
+        record["moving"], record["speed"], record["mass"] = 1, drive.speed or 0.0, drive.mass
+        record["reach"], record["pull"] = math.inf, (drive.force or 0.0) / drive.mass
+    if drive.surface_velocity is not None:
+        record["moving"] = 2
+        for axis, speed in zip("xyz", drive.surface_velocity, strict=False):
             record["u" + axis] = speed
-        spin = np.atleast_1d(0.0 if drive.spin is None else drive.spin)
-        for axis, component in zip("z" if len(spin) == 1 else "xyz", spin.tolist(), strict=True):
-            record["w" + axis] = component
-
-
-def _rotor(k: int, container: Container) -> int:
-    """Return the face that has the motion of an obstacle: itself, or the one of which it is a periodic image."""
-    face, size = container.faces[k], np.ones(3)
-    size[: len(container.size)] = container.size
-    for number, other in enumerate(container.faces):
-        apart = (np.array(other.centre) - np.array(face.centre)) / size
-        if (other.name, other.radius) == (face.name, face.radius) and np.abs(apart - np.round(apart)).max() < 1e-9:
-            return number
-    return k

@@ -25,7 +25,6 @@ from carom.scene.figures import FIGURES, Figure, PlaneFigure
 from carom.scene.figures.sector import SectorFigure
 from carom.scene.figures.solids import CylinderFigure, SphereFigure
 from carom.scene.schema import (
-    Coefficient,
     Components,
     Count,
     CountOrZero,
@@ -36,7 +35,6 @@ from carom.scene.schema import (
     Share,
     Size,
     Speed,
-    Spin,
     Time,
     raise_faults,
     refused,
@@ -55,10 +53,7 @@ _DENSITY = Number("a density > 0 in kg/m^3 (discs: kg/m^2)", "", least=0, above=
 _RATE = Number("a rate > 0: kicks per ball per unit time", "1/s", least=0, above=True)
 _AMPLITUDE = Number("an amplitude >= 0", "m", least=0)
 _FORCE = Number("a force", "N")
-_MOMENT = Number("a moment of inertia > 0", "kg m^2", least=0, above=True)
-_GRADIENT = Components("2 or 3 numbers: the growth of k_B T per metre along x, y (and z)", (2, 3))
 _ALONG = Components("2 or 3 speeds along x, y (and z)", (2, 3))
-_ABOUT = Components("one spin, or 3 about x, y, z", (1, 3))
 _ENDINGS = (".csv", ".npz", ".gsd")
 
 
@@ -317,11 +312,6 @@ class GasContact(GasSurface):
     between: Annotated[tuple[str, str], BeforeValidator(Components("two names, such as ['a', 'wall']", (2,)))]
 
 
-def _spins(value: Any) -> Any:
-    several = isinstance(value, list | tuple | np.ndarray) and np.ndim(value) > 0
-    return _ABOUT(value if several else [value])
-
-
 # --- energy input --------------------------------------------------------------------------------------------------
 
 
@@ -334,14 +324,10 @@ class GasDrive(Model):
     phase: Share = 0.0
     temperature: Annotated[float, BeforeValidator(_TEMPERATURE)] | None = None
     temperature_rotational: Annotated[float, BeforeValidator(_TEMPERATURE)] | None = None
-    gradient: Annotated[tuple[Coefficient, ...], BeforeValidator(_GRADIENT)] | None = None
-    speed: Speed | None = None
-    travel: Size | None = None
     mass: Mass | None = None
+    speed: Speed | None = None
     force: Annotated[float, BeforeValidator(_FORCE)] | None = None
     surface_velocity: Annotated[tuple[Speed, ...], BeforeValidator(_ALONG)] | None = None
-    spin: Annotated[tuple[Spin, ...], BeforeValidator(_spins)] | None = None
-    moment: Annotated[float, BeforeValidator(_MOMENT)] | None = None
 
     @model_validator(mode="after")
     def _check(self) -> GasDrive:

@@ -17,7 +17,6 @@ from carom.errors import CaromError, FaultList
 from carom.files import require_library, require_writable, write_text
 from carom.gas.containers import Container
 from carom.gas.endings import EndedEarlyError
-from carom.gas.faces import Floats
 from carom.gas.gas import Gas
 from carom.gas.session import Session
 from carom.plot.animation import FASTEST_GIF, MOST_FRAMES, WIDE, ffmpeg, write_film
@@ -136,8 +135,6 @@ class _Reel:
     """(F, N) of spheres behind the middle of the container, in its depth; of discs 0."""
     walls: list[tuple[int, float, Array]]
     """Of each wall that moves: the axis of the picture along which it does, its place at rest, and its displacements (F,)."""
-    rotors: list[tuple[Floats, float, Array]]
-    """Of each obstacle that rotates: its centre, its radius, and its angles (F,)."""
 
     @property
     def window(self) -> tuple[Array, Array]:
@@ -170,7 +167,7 @@ def _filmed(session: Session, frames: int, interval: float | None, tell: Callabl
     radius = np.maximum(gas.arrays.materials.species["radius"][first.species], LEAST_SHOWN * size[pair].max())
     step = interval or _interval(session, first.velocity, float(radius.min()))
     names = list(gas.wall_motion(oscillating=True))
-    times, places, depths, spins, moved, turned = [], [], [], [], [], []
+    times, places, depths, spins, moved = [], [], [], [], []
     begin = gas.time
     for k in range(frames):
         if k:
@@ -185,7 +182,6 @@ def _filmed(session: Session, frames: int, interval: float | None, tell: Callabl
         spins.append(now.spin[:, 2] if flat else np.zeros(len(radius)))
         motion = gas.wall_motion(oscillating=True)
         moved.append([motion[name].displacement for name in names])
-        turned.append(motion["scatterer"].spins if flat and "scatterer" in motion else ())
         tell(k + 1, frames)
     if len(times) < 2:
         raise CaromError("animate_gas: expected a gas that goes on for two frames, got one that ends; film it earlier")
@@ -196,17 +192,8 @@ def _filmed(session: Session, frames: int, interval: float | None, tell: Callabl
         for face in box.faces[[one.name for one in box.faces].index(name) :][:1]
         if (axis := int(np.argmax(np.abs(face.vector)))) in pair and np.array(moved)[:, k].any()
     ]
-    faces = gas.arrays.walls.faces
-    # (the images of an obstacle in a periodic box have no area)
-    own = [
-        int(np.flatnonzero((faces["rotor"] == k) & (faces["area"] > 0))[0]) for k in np.unique(faces["rotor"]) if k >= 0
-    ]
-    centres = [(box.faces[k].centre[:2], box.faces[k].radius) for k in own]
-    rotors = (
-        [(*one, angles) for one, angles in zip(centres, _angles(turned, t).T, strict=True)] if centres and flat else []
-    )
     species = gas.groups[first.species]
-    return _Reel(box, pair, t, np.array(places), _angles(spins, t), radius, species, np.array(depths), walls, rotors)
+    return _Reel(box, pair, t, np.array(places), _angles(spins, t), radius, species, np.array(depths), walls)
 
 
 def _angles(spins: Any, t: Array) -> Array:
@@ -273,10 +260,6 @@ def _svg(reel: _Reel, fps: float) -> str:
         for name, value in zip(("x", "y", "width", "height"), (*corner, *across), strict=True)
     )
     lines = "".join(_moving_line(reel, wall, scale, seconds) for wall in reel.walls)
-    lines += "".join(
-        f'<g transform="translate({x * scale:.1f},{y * scale:.1f})">{_spoke(r * scale, angles, INK, seconds)}</g>'
-        for (x, y), r, angles in reel.rotors
-    )
     moving = (
         f'<clipPath id="seen"><rect {box}/></clipPath><g transform="translate({-low[0] * scale * points:.4f},'
         f'{high[1] * scale * points:.4f}) scale({points:.6f},{-points:.6f})"><g clip-path="url(#seen)"><g id="balls">'
@@ -384,10 +367,7 @@ class _GasFilm:
             angle = np.tile(reel.angle[n], len(reel.shifts))
             tips = x + 0.86 * self.radii[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
             self.spokes.set_segments(list(np.stack([x, tips], axis=1)[seen]))
-        lines = [
-            np.array([at, np.array(at) + 0.86 * r * np.array([math.cos(turned[n]), math.sin(turned[n])])])
-            for at, r, turned in reel.rotors
-        ]
+        lines = []
         for axis, rest, moved in reel.walls:
             ends = np.array([low, high])
             ends[:, axis] = rest + moved[n]
