@@ -58,7 +58,7 @@ class Settings:
     noise: float | None = None
     """Standard deviation of one coordinate of one frame, m."""
     floor_friction: float | None = None
-    """Coulomb friction of the floor."""
+    """Coulomb friction of the floor; 0: none, as on an air table."""
     rolling_resistance: float | None = None
     """Rolling resistance: deceleration / g."""
     gravity: float = 9.80665
@@ -75,6 +75,8 @@ class Settings:
     hops: bool | None = None
     """Whether a ball on a table hops off the walls, as off one that it touches at its centre, or stays down, as under the nose of
     a cushion. None: determined from the frames."""
+    slides: bool | None = None
+    """Whether the floor has friction, on which a ball slides after a wall. None: determined from the frames."""
 
     cloth = renamed_attribute("cloth", "floor_friction")
     rolling = renamed_attribute("rolling", "rolling_resistance")
@@ -82,13 +84,13 @@ class Settings:
     def check(self) -> None:
         """Raise CaromError, one line per problem, for a number out of range."""
         faults = FaultList("tracks")
-        for name, low in (("kappa", 0.0), ("gravity", 0.0), ("window", 0.0), ("noise", 0.0), ("floor_friction", 0.0)):
+        for name, low in (("kappa", 0.0), ("gravity", 0.0), ("window", 0.0), ("noise", 0.0)):
             value = getattr(self, name)
             if value is not None and not (isinstance(value, NUMBERS) and low < value < np.inf):
                 faults.add(name, "a number above 0", repr(value))
         if isinstance(self.kappa, NUMBERS) and 1 < self.kappa < np.inf:
             faults.add("kappa", "kappa = I/(m a^2), at most 1", repr(self.kappa))
-        for name in ("radius", "rolling_resistance", "blind", "drag"):
+        for name in ("radius", "floor_friction", "rolling_resistance", "blind", "drag"):
             value = getattr(self, name)
             if value is not None and not (isinstance(value, NUMBERS) and 0 <= value < np.inf):
                 faults.add(name, "a number of at least 0", repr(value))
@@ -96,8 +98,9 @@ class Settings:
             faults.add("radius", BALL_RADIUS, repr(self.radius))
         if self.view not in (None, "above", "side"):
             faults.add("view", "'above' or 'side'", repr(self.view))
-        if self.hops not in (None, True, False):
-            faults.add("hops", "True, False or None", repr(self.hops))
+        for name in ("hops", "slides"):
+            if getattr(self, name) not in (None, True, False):
+                faults.add(name, "True, False or None", repr(getattr(self, name)))
         faults.raise_if_any()
 
 
@@ -153,13 +156,15 @@ class TrackContact:
     scatter: float = np.nan
     """Noise estimated from the residuals of this contact alone, m."""
     planar: bool = False
-    """Whether the ball is in flight, not on a table."""
+    """Whether the ball is in flight, or on a floor without friction: its spin does not change its path."""
     prior: Prior = field(default_factory=Prior)
     """Prior knowledge of the floor that the fit used."""
     jump: VelocityJump | None = None
     """How much of the jump of the velocity the frames near the contact show; None if it was not fitted."""
     hop: HopVerdict = "none"
     """Whether the contacts with this wall show that a ball on a table hops off it, or may hop."""
+    friction_excess: float = 0.0
+    """By how much chi2 is higher if the ball slides off the wall than if the floor has no friction; 0 where that was not asked."""
 
     def why_not(self, stage: str) -> str:
         """Return why there is no rebound of a stage, ``"after_wall"`` or ``"rolling"``; empty if there is one."""

@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 from carom.formatting import counted
 from carom.tracks.blind import BlindTime, estimate_blind_time
 from carom.tracks.contact import Settings, TrackContact, TrackedSpin, View, motion_before_resolved
-from carom.tracks.contact_models import fit_table
+from carom.tracks.contact_models import fit_table, friction_excess
 from carom.tracks.correlation import (
     WHITE,
     Correlation,
     FittedFrames,
     FrameGroups,
+    averaged_frames,
     averaging_error,
     estimate_correlation,
     weigh_correlations,
@@ -28,7 +29,8 @@ from carom.tracks.flight_fits import fit_flight
 from carom.tracks.flights import STILL_AIR, Air
 from carom.tracks.floor import WithError, pool_floor, pool_gravity
 from carom.tracks.free_motion import flight_ends, velocity_jump
-from carom.tracks.hops import hop_notes, with_hops
+from carom.tracks.hops import DECISIVE, hop_notes, with_hops
+from carom.tracks.no_friction import on_either_floor
 from carom.tracks.least_squares import AT_CONTACT, ContactFit, Prior
 from carom.tracks.oblique import oblique_note, without_oblique
 from carom.tracks.smooth_turns import without_smooth_turns
@@ -40,8 +42,6 @@ Array = NDArray[np.float64]
 MIN_FRAMES_BEFORE, MIN_FRAMES_AFTER = 4, 5
 # Largest number of frames on each side of a fit: with more, errors of the model outweigh the noise.
 MAX_FRAMES = 500
-# If a side has more frames than this, they are averaged in this number of groups, except for those next to the contact.
-MAX_SINGLE_FRAMES, GROUPS, NEAR_FRAMES = 160, 56, 8
 # A fit that scatters more than this many times as much as the others is not free motion on both sides of a wall.
 MAX_EXCESS_SCATTER = 3.0
 # The first round has no noise estimate and takes the floor from the literature; the second estimates the floor from good starts.
@@ -84,6 +84,34 @@ class ContactFitter:
         notes: list[str],
         progress: Progress | None,
     ) -> list[TrackContact]:
+        """Fit all contacts; where they do not show that the floor has friction, on one without friction, too."""
+        bare = replace(self, settings=replace(self.settings, floor_friction=0.0))
+        said = list[str]()
+        found = self._fitted(tracks, events, said, progress)
+        excess = sum(one.friction_excess for one in found)
+        if any(one.friction_excess for one in found) and excess > -DECISIVE:
+            say = list[str]()
+            straight = bare._fitted(tracks, events, say, progress)
+            found, verdict = on_either_floor(found, straight, excess)
+            if excess > 0:
+                said = say
+                self.noise, self.blind, self.correlation, self.floor = bare.noise, bare.blind, bare.correlation, bare.floor
+            said += verdict
+        notes += said
+        return found
+
+    @property
+    def judges_friction(self) -> bool:
+        """Whether the frames have to say if the floor has friction."""
+        return self.view == "above" and self.settings.floor_friction is None and self.settings.slides is None
+
+    def _fitted(
+        self,
+        tracks: list[Track],
+        events: dict[tuple[str, str], list[TrackEvent]],
+        notes: list[str],
+        progress: Progress | None,
+    ) -> list[TrackContact]:
         """Fit all contacts: first with the floor of the literature, then with the estimate of all other contacts."""
         jobs = [
             (track, events[track.group, track.name], i)
@@ -106,6 +134,9 @@ class ContactFitter:
                 fits = [one.fit for one in hopping]
                 if self.view != "above":
                     self.floor = pool_gravity(fits)
+                    continue
+                if prior.mu_g == 0:
+                    self.floor = {"floor friction": WithError(0.0, 0.0)}
                     continue
                 # a ball that slides where rolling is assumed, or rolls where sliding is, would bias the estimate of the floor
                 usable, owners = [_determines_floor(one) for one in hopping], [(one.group, one.track) for one in found]
@@ -202,7 +233,8 @@ class ContactFitter:
         found = []
         for number, (job, prior) in enumerate(zip(jobs, priors, strict=True)):
             old = before[number] if before else None
-            found.append(old if old is not None and old.fit is None else self._contact(*job, prior, old))
+            judged = self.judges_friction and done >= ROUNDS - 1
+            found.append(old if old is not None and old.fit is None else self._contact(*job, prior, old, judged))
             if progress:
                 progress(min(done, ROUNDS - 1) * len(jobs) + number + 1, ROUNDS * len(jobs))
         found = without_smooth_turns(found, MAX_EXCESS_SCATTER * self.frame_noise)
@@ -214,7 +246,9 @@ class ContactFitter:
         given = self.settings
         k = given.kappa / (1 + given.kappa)
         prior = Prior(k=k)
-        if given.floor_friction is not None:
+        if given.floor_friction == 0 or given.slides is False:
+            prior = replace(prior, mu_g=0.0, c_g=0.0)
+        elif given.floor_friction is not None:
             mu_g = given.floor_friction * given.gravity
             prior = replace(prior, mu_g=mu_g, mu_g_error=1e-4 * given.floor_friction * given.gravity)
         if given.rolling_resistance is not None:
@@ -223,9 +257,14 @@ class ContactFitter:
         return prior
 
     def _contact(
-        self, track: Track, events: list[TrackEvent], i: int, prior: Prior, old: TrackContact | None = None
-    ) -> TrackContact:
-        """Fit one contact, or return the reason why it cannot be fitted. ``old``: the contact of the previous round."""
+        self, track: Track, events: list[TrackEvent], i: int, prior: Prior, old: TrackContact | None = None,
+        judged: bool = False,
+    ) -> TrackContact:  # fmt: skip
+        """Fit one contact, or return the reason why it cannot be fitted. ``old``: the contact of the previous round.
+
+        ``judged``: say whether it shows that the floor has friction.
+        """
+        excess = 0.0
         event, wall = events[i], self.walls[events[i].what]
         middle = (event.low + event.high) / 2 if old is None else old.time
         rows, why = self._rows(track, events, i, middle)
@@ -240,7 +279,7 @@ class ContactFitter:
             after,
             why=why,
             interval=self.interval,
-            planar=self.view == "side",
+            planar=self.view == "side" or prior.mu_g == 0,
             prior=prior,
         )
         if why:
@@ -251,10 +290,12 @@ class ContactFitter:
             single = t, x
             t, x, frames = averaged_frames(t, x, middle)
             known = None if old is None else old.fit
+            weight, white = np.sqrt(frames.number), self._whitening(frames)
             fit = fit_table(
-                t, x, middle, self.noise, prior, at, np.sqrt(frames.number), known, self.settings.gravity,
-                self._whitening(frames), single,
+                t, x, middle, self.noise, prior, at, weight, known, self.settings.gravity, white, single
             )  # fmt: skip
+            if judged:
+                excess = friction_excess(t, x, middle, self.noise, self._prior(), at, weight, white, fit)
         else:
             gravity = wall.turned(self.settings.gravity * np.array(self.air.down))
             white = self._whitening(FrameGroups(t, t, np.ones(len(t))))
@@ -275,6 +316,7 @@ class ContactFitter:
             last=float(track.time[rows[-1]]),
             scatter=scatter,
             spin=_tracked_spin(track, rows, fit["t"]),
+            friction_excess=excess,
         )
 
     def _whitening(self, frames: FrameGroups) -> Array | None:
@@ -382,32 +424,6 @@ def _fitted_frames(found: Sequence[TrackContact]) -> list[tuple[tuple[str, str],
 def _determines_floor(one: TrackContact) -> bool:
     """Whether a contact may be used to estimate the floor: its motion before the wall is known."""
     return one.fit is not None and motion_before_resolved(one, one.fit) and not one.fit.slid_until_contact
-
-
-def averaged_frames(t: Array, x: Array, middle: float) -> tuple[Array, Array, FrameGroups]:
-    """Average neighbouring frames if a side of the contact has more than MAX_SINGLE_FRAMES: times, positions, and which they are.
-
-    The frames next to the contact are kept. Over a few ms the path of a ball is straight to some micrometres, so a mean is as
-    good as its frames; and if their errors are not independent (pixels without noise), the means show it: they scatter more
-    than independent errors would.
-    """
-    times, places, ends = [], [], []
-    for side in (t < middle, t >= middle):
-        s, y = t[side], x[side]
-        size = max(1, (len(s) - NEAR_FRAMES) // GROUPS) if len(s) > MAX_SINGLE_FRAMES else 1
-        order = slice(None) if s[0] >= middle else slice(None, None, -1)  # counted from the contact
-        group = np.maximum((np.arange(len(s)) - NEAR_FRAMES) // size, -1)[order]
-        group = np.where(group < 0, np.arange(len(s))[order] - NEAR_FRAMES, group)
-        group -= group.min()
-        count = np.bincount(group)
-        keep = count > 0
-        means = [np.bincount(group, one)[keep] / count[keep] for one in (s, y[:, 0], y[:, 1])]
-        rows = np.argsort(means[0])
-        times.append(means[0][rows])
-        places.append(np.stack(means[1:], axis=-1)[rows])
-        last = np.append(np.flatnonzero(np.diff(group)), len(s) - 1)  # of each group, in order of time
-        ends.append(FrameGroups(s[np.append(0, last[:-1] + 1)], s[last], count[keep][rows].astype(float)))
-    return np.concatenate(times), np.concatenate(places), FrameGroups(*map(np.concatenate, zip(*ends, strict=True)))
 
 
 def pooled_noise(contacts: Sequence[TrackContact], otherwise: float) -> float:

@@ -49,7 +49,7 @@ from carom.tracks.table_contact import (
     first_slip,
 )
 
-__all__ = ["fit_table", "slide_would_show"]
+__all__ = ["fit_table", "friction_excess", "slide_would_show"]
 
 Array = NDArray[np.float64]
 Free = NDArray[np.bool_]
@@ -73,6 +73,12 @@ _NUMBERS = np.arange(COUNT)
 SLIDING = _NUMBERS != HOP
 ROLLING, SLIDING_UNTIL_CONTACT = SLIDING & (_NUMBERS != SLIP) & (_NUMBERS != ANGLE), SLIDING & (_NUMBERS != SLIP)
 FLOOR_HELD = _NUMBERS < MU_G
+# Without friction of the floor the spin does nothing: the ball moves as one that rolls all the time.
+STRAIGHT = ROLLING & (_NUMBERS != U_OUT.start) & (_NUMBERS != U_OUT.start + 1) & (_NUMBERS != MU_G)
+# The slip with which a ball that rolled into a wall leaves it: v_n, and this share of the spin that it brought along
+# (as a cushion or an upright wall leaves it), and the width of that share; the rise of chi2 beyond which no slide need be tried, and
+# the share of one contact in the sum of all.
+USUAL_SPIN, SPIN_WIDTH, CERTAIN_FRICTION, MOST_OF_ONE = 0.3, 0.25, 40.0, 12.0
 
 
 class _Candidate(NamedTuple):
@@ -281,6 +287,10 @@ def fit_table(
         The frames themselves, where rows are means.
     """
     weight = np.ones(len(time)) if weight is None else weight
+    if prior.mu_g == 0:
+        return _straight(
+            _TableContact(time, position, near, noise, replace(prior, mu_g=1.0, mu_g_error=1.0), wall, weight, whiten), single
+        )
     job = _TableContact(time, position, near, noise, prior, wall, weight, whiten)
     job.single = single or job.single
     k, since = job.k, job.since
@@ -298,6 +308,39 @@ def fit_table(
     if tied is None or loose is None:
         return fitted
     return replace(fitted, hopping=_fitted(job, loose), hop_chi2=tied.chi2 - chosen.chi2)
+
+
+def _straight(job: _TableContact, single: tuple[Array, Array] | None) -> ContactFit:
+    """Fit a contact on a floor without friction: straight paths, slowed down (or, on a slope, made faster) along them."""
+    job.single = single or job.single
+    job.low[C_G] = -np.inf
+    fit = _fitted(job, _Candidate(*job.solve(job.start, STRAIGHT), 0.0, STRAIGHT))
+    value = fit.value.copy()
+    value[[OUTPUTS.index(name) for name in ("un_in", "ut_in", "un_out", "ut_out")]] = np.nan
+    value[[OUTPUTS.index(name) for name in ("mu_g", "slides", "hop")]] = 0.0
+    return replace(fit, value=value)
+
+
+def friction_excess(
+    time: Array, position: Array, near: float, noise: float, prior: Prior, wall: float | None, weight: Array,
+    whiten: Array | None, fit: ContactFit,
+) -> float:  # fmt: skip
+    """Return by how much a ball that slides off the wall, as one that rolled into it does, raises chi2 above that of straight paths.
+
+    Parameters as in :func:`fit_table`, whose fit is ``fit``. Within MOST_OF_ONE: a contact may be mistracked.
+    """
+    job = _TableContact(time, position, near, noise, replace(prior, c_g=0.0), wall, weight, whiten)
+    job.low[C_G] = -np.inf
+    theta, straight = job.solve(job.start, STRAIGHT)
+    frames = job.residual(theta)[: 2 * len(time)]
+    if frames @ frames - fit.chi2 > CERTAIN_FRICTION:
+        return -MOST_OF_ONE
+    job = _TableContact(time, position, near, noise, prior, wall, weight, whiten)
+    lift = np.zeros((1, COUNT))
+    lift[0, [U_OUT.start, V_OUT.start, ROLL.start]] = 1.0, -1.0, USUAL_SPIN
+    job.lift = lift / (SPIN_WIDTH * abs(job.start[ROLL.start])), np.zeros(1)
+    slides = job.rolling(None)[1].chi2
+    return float(np.clip(slides - straight, -MOST_OF_ONE, MOST_OF_ONE))
 
 
 def _fitted(job: _TableContact, chosen: _Candidate) -> ContactFit:

@@ -22,6 +22,7 @@ __all__ = [
     "FittedFrames",
     "FrameGroups",
     "LikelyCorrelation",
+    "averaged_frames",
     "averaging_error",
     "estimate_correlation",
     "nearest_frames",
@@ -35,6 +36,8 @@ SIGNIFICANT = (
     14.0  # of twice the difference of log likelihoods, for two more parameters: by chance in one film of 1,000
 )
 MAX_FITS, MAX_FRAMES = 12, 200  # of a film, and of a fit: more would only take longer
+# If a side of a contact has more frames than this, they are averaged in this number of groups, except for those next to the contact.
+MAX_SINGLE_FRAMES, GROUPS, NEAR_FRAMES = 160, 56, 8
 CERTAIN_FRAMES = 400  # so many whose neighbours differ as independent ones do leave no doubt
 LEAST_PROBABILITY = 1e-4  # of a correlation that counts
 
@@ -117,6 +120,32 @@ def _covariance(frames: FrameGroups, correlation: Correlation, interval: float) 
     upper = np.triu(share * mean[:, None] * fades**apart * mean[None, :], 1)
     own = np.where(m > 1, ((1 + g) / (1 - g) - 2 * g * (1 - g**m) / (m * (1 - g) ** 2)) / m, 1.0)
     return np.asarray(upper + upper.T + np.diag((1 - share) / m + share * own))
+
+
+def averaged_frames(t: Array, x: Array, middle: float) -> tuple[Array, Array, FrameGroups]:
+    """Average neighbouring frames if a side of the contact has more than MAX_SINGLE_FRAMES: times, positions, and which they are.
+
+    The frames next to the contact are kept. Over a few ms the path of a ball is straight to some micrometres, so a mean is as
+    good as its frames; and if their errors are not independent (pixels without noise), the means show it: they scatter more
+    than independent errors would.
+    """
+    times, places, ends = [], [], []
+    for side in (t < middle, t >= middle):
+        s, y = t[side], x[side]
+        size = max(1, (len(s) - NEAR_FRAMES) // GROUPS) if len(s) > MAX_SINGLE_FRAMES else 1
+        order = slice(None) if s[0] >= middle else slice(None, None, -1)  # counted from the contact
+        group = np.maximum((np.arange(len(s)) - NEAR_FRAMES) // size, -1)[order]
+        group = np.where(group < 0, np.arange(len(s))[order] - NEAR_FRAMES, group)
+        group -= group.min()
+        count = np.bincount(group)
+        keep = count > 0
+        means = [np.bincount(group, one)[keep] / count[keep] for one in (s, y[:, 0], y[:, 1])]
+        rows = np.argsort(means[0])
+        times.append(means[0][rows])
+        places.append(np.stack(means[1:], axis=-1)[rows])
+        last = np.append(np.flatnonzero(np.diff(group)), len(s) - 1)  # of each group, in order of time
+        ends.append(FrameGroups(s[np.append(0, last[:-1] + 1)], s[last], count[keep][rows].astype(float)))
+    return np.concatenate(times), np.concatenate(places), FrameGroups(*map(np.concatenate, zip(*ends, strict=True)))
 
 
 def nearest_frames(time: Array, near: float) -> NDArray[np.intp]:

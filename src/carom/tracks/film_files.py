@@ -20,7 +20,7 @@ from carom.public.progress import Progress
 from carom.public.renamed import renamed_arguments
 from carom.tracks.contact import RENAMED, Settings
 from carom.tracks.events import wall_of_text
-from carom.tracks.films import air_together, combined_rebounds, film_names, hops_together
+from carom.tracks.films import air_together, combined_rebounds, film_names, friction_together, hops_together
 from carom.tracks.formats.columns import HEADER_EXAMPLE
 from carom.tracks.formats.text_table import Calibration
 from carom.tracks.measurement import Measured, measure
@@ -157,7 +157,7 @@ def measure_films(
     Returns
     -------
     MeasuredFilms
-        Whether balls hop off the wall is decided by all films together where they decide it.
+        Whether balls hop off the wall, and whether the floor has friction, is decided by all films together where they decide it.
 
     Raises
     ------
@@ -168,15 +168,19 @@ def measure_films(
     settings = settings or Settings()
     lines = [tuple(wall_of_text(text, film.tracks) for text in wall) or settings.walls for film in found]
 
-    def once(number: int, hops: bool | None = None) -> Measured:
+    known = [settings] * len(found)
+
+    def once(number: int, **verdict: bool) -> Measured:
         def told(done: int, total: int) -> None:
             if progress is not None:
                 progress(number + done / max(total, 1), len(found), "contacts")
 
-        return measure(found[number].tracks, replace(settings, walls=lines[number], hops=hops), told)
+        known[number] = replace(known[number], **verdict)
+        return measure(found[number].tracks, replace(known[number], walls=lines[number]), told)
 
     with noting(MeasuredFilms(found, ()).reading_notes):
-        films, notes = air_together(hops_together([once(number) for number in range(len(found))], once))
+        films = friction_together([once(i) for i in range(len(found))], lambda i, slides: once(i, slides=slides))
+        films, notes = air_together(hops_together(films, lambda i, hops: once(i, hops=hops)))
         return MeasuredFilms(found, tuple(films), tuple(notes))
 
 

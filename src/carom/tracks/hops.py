@@ -60,7 +60,7 @@ def _with_hop(one: TrackContact, excess: float, together: float, doubtful: bool)
 
 def averaged(one: ContactFit, other: ContactFit, share: float) -> ContactFit:
     """Return the mean of two fits with the probability ``share`` of the second; its errors contain the difference between them."""
-    gap = other.value - one.value
+    gap = np.nan_to_num(other.value - one.value)  # (what one of them does not have stays as it is)
     covariance = one.covariance + share * (other.covariance - one.covariance)
     return replace(
         one if share < 0.5 else other, value=one.value + share * gap,

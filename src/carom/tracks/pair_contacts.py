@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 from carom.data.rebounds import Rebounds, make_rebounds
 from carom.errors import CaromError
 from carom.formatting import counted
-from carom.tracks.contact_fits import MIN_FRAMES_AFTER, MIN_FRAMES_BEFORE, averaged_frames
-from carom.tracks.correlation import WHITE, FrameGroups, whitening
+from carom.tracks.contact_fits import MIN_FRAMES_AFTER, MIN_FRAMES_BEFORE
+from carom.tracks.correlation import WHITE, FrameGroups, averaged_frames, whitening
 from carom.tracks.events import TrackEvent
 from carom.tracks.floor import WithError
 from carom.tracks.least_squares import Prior, central_differences
@@ -35,6 +35,7 @@ RESTS_M, REST_NOISE = 0.003, 6.0  # a ball that moves by less, or by so many tim
 APART_FRAMES = 4  # between two meetings of the same balls, at least
 REST_S = 0.25  # before the contact
 MOST_REST_FRAMES = 10
+LEAST_DECELERATION = 1e-4  # m/s^2
 FLOOR_BETWEEN = 0.05  # by which share of itself the friction of a floor differs from place to place
 SIDESPIN = 1.0  # of its speed: the standard deviation of the speed with which sidespin turns the striking ball, if nothing shows it
 MAX_EXCESS_SCATTER = 2.0  # of the frames, as a multiple of all contacts'
@@ -271,6 +272,7 @@ def _prior(measured: Measured) -> Prior:
     for name, label in (("mu_g", "floor friction"), ("c_g", "rolling resistance")):
         if label in measured.floor:
             value, error = (measured.gravity * number for number in measured.floor[label])
+            value = max(value, LEAST_DECELERATION)  # (a slide has to end some time)
             error = float(np.hypot(error, FLOOR_BETWEEN * value))
             prior = replace(prior, **{name: value, f"{name}_error": error})
     return prior

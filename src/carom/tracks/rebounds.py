@@ -115,7 +115,7 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
     >>> table.kind, table["v_n_in"].round(3), table["v_n_out"].round(3)
     ('planar', array([2.]), array([1.6]))
     """
-    planar = measured.view == "side"
+    planar = measured.view == "side" or any(one.planar for one in measured.measured)
     kind: Kind = "planar" if planar else "table"
     spin = "spin" if planar else "spin_z"
     rows: list[dict[str, Any]] = []
@@ -219,7 +219,7 @@ def _floor(one: TrackContact, stage: str, measured: Measured) -> dict[str, float
     out = ("vn_roll", "vt_roll") if stage == "rolling" else ("vn_out", "vt_out")
     names = {"v_n_in": "vn_in", "v_t_in": "vt_in", "v_n_out": out[0], "v_t_out": out[1]}
     for label, inner, prefix in FLOOR:
-        if one.fit is None or label not in measured.floor:
+        if one.fit is None or one.planar or label not in measured.floor:
             continue
         value, sigma = measured.floor[label]
         found |= {label.replace(" ", "_"): value, f"sigma_{label.replace(' ', '_')}": sigma}

@@ -65,7 +65,7 @@ def starting_numbers(measured: Measured) -> dict[str, float]:
     """Return initial parameters; range_SIDE: distance within which a wall is searched for, if that is not WALL_RANGE (m)."""
     start = {}
     for name, label in (("floor_friction", "floor friction"), ("rolling_resistance", "rolling resistance")):
-        if label in measured.floor:
+        if label in measured.floor and measured.floor[label][0] > 0:
             start[name] = measured.floor[label][0]
     fitted = [(one.wall.name, one.fit) for one in measured.contacts if one.fit is not None]
     ratio = [fit["vn_out"] / -fit["vn_in"] for _wall, fit in fitted if fit["vn_in"] < -FAST]
