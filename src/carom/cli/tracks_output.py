@@ -218,13 +218,9 @@ def _contacts_table(console: Console, rows: Sequence[tuple[str, ...]]) -> tuple[
 def _restitution(one: TrackContact) -> str:
     """Return the ratio of the normal speeds after and before a contact, with its uncertainty."""
     assert one.fit is not None
-    before, after = -one.fit["vn_in"], one.fit["vn_out"]
-    if not before > 0 or not after > 0:
+    if not one.fit["vn_in"] < 0 < one.fit["vn_out"]:
         return ""
-    ratio, (v, w) = after / before, (one.fit.error("vn_in") / before, one.fit.error("vn_out") / after)
-    # the fit's v_n before the contact is negative
-    shared = 2 * one.fit.covariance_of("vn_in", "vn_out") / (before * after)
-    return uncertain(ratio, ratio * math.sqrt(max(v**2 + w**2 + shared, 0.0)))
+    return uncertain(*one.fit.restitution)
 
 
 def _without_names(why: str, names: Iterable[str]) -> str:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from carom.errors import FaultList
 from carom.public.renamed import renamed_arguments, renamed_attribute
@@ -14,6 +15,7 @@ from carom.tracks.contact_models import slide_would_show
 from carom.tracks.events import WallLine
 from carom.tracks.free_motion import VelocityJump
 from carom.tracks.least_squares import ContactFit, Prior
+from carom.tracks.track import Track
 
 __all__ = [
     "BALL_RADIUS",
@@ -25,6 +27,7 @@ __all__ = [
     "TrackedSpin",
     "View",
     "motion_before_resolved",
+    "tracked_spin",
 ]
 
 View = Literal["above", "side"]
@@ -214,3 +217,29 @@ def _not_leaving(one: TrackContact, fit: ContactFit) -> str:
     return "the speed at which it leaves is uncertain by more than 20 %" + (
         f": it slides for only {frames:.1f} frames" if frames < 4 else ""
     )
+
+
+def tracked_spin(track: Track, rows: NDArray[np.intp], contact: float) -> TrackedSpin:
+    """Return the spin before and after with their errors, if the track has an angle or a spin."""
+    source = track.spin if track.spin is not None else track.angle
+    if source is None:
+        return TrackedSpin()
+    values, errors = [], []
+    for side in (track.time[rows] < contact, track.time[rows] >= contact):
+        t, y = track.time[rows][side], source[rows][side]
+        good = np.isfinite(y)
+        t, y = t[good], y[good]
+        if len(t) < (2 if track.spin is not None else 3):
+            values.append(np.nan)
+            errors.append(np.nan)
+        elif track.spin is not None:
+            values.append(float(y.mean()))
+            errors.append(float(y.std(ddof=1) / np.sqrt(len(y))))
+        else:
+            y = np.unwrap(y)
+            t = t - t.mean()
+            slope = float(t @ y / (t @ t))
+            gap = y - y.mean() - slope * t
+            values.append(slope)
+            errors.append(float(np.sqrt(gap @ gap / max(len(t) - 2, 1) / (t @ t))))
+    return TrackedSpin(*values, *errors)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from carom.formatting import counted
 from carom.tracks.blind import BlindTime, estimate_blind_time
-from carom.tracks.contact import Settings, TrackContact, TrackedSpin, View, motion_before_resolved
+from carom.tracks.contact import Settings, TrackContact, View, motion_before_resolved, tracked_spin
 from carom.tracks.contact_models import fit_table, friction_excess
 from carom.tracks.correlation import (
     WHITE,
@@ -30,8 +30,8 @@ from carom.tracks.flights import STILL_AIR, Air
 from carom.tracks.floor import WithError, pool_floor, pool_gravity
 from carom.tracks.free_motion import flight_ends, velocity_jump
 from carom.tracks.hops import DECISIVE, hop_notes, with_hops
-from carom.tracks.no_friction import on_either_floor
 from carom.tracks.least_squares import AT_CONTACT, ContactFit, Prior
+from carom.tracks.no_friction import on_either_floor
 from carom.tracks.oblique import oblique_note, without_oblique
 from carom.tracks.smooth_turns import without_smooth_turns
 from carom.tracks.track import Track
@@ -95,7 +95,12 @@ class ContactFitter:
             found, verdict = on_either_floor(found, straight, excess)
             if excess > 0:
                 said = say
-                self.noise, self.blind, self.correlation, self.floor = bare.noise, bare.blind, bare.correlation, bare.floor
+                self.noise, self.blind, self.correlation, self.floor = (
+                    bare.noise,
+                    bare.blind,
+                    bare.correlation,
+                    bare.floor,
+                )
             said += verdict
         notes += said
         return found
@@ -315,7 +320,7 @@ class ContactFitter:
             fit=fit,
             last=float(track.time[rows[-1]]),
             scatter=scatter,
-            spin=_tracked_spin(track, rows, fit["t"]),
+            spin=tracked_spin(track, rows, fit["t"]),
             friction_excess=excess,
         )
 
@@ -438,29 +443,3 @@ def pooled_noise(contacts: Sequence[TrackContact], otherwise: float) -> float:
     good = scatter <= 2 * np.median(scatter)
     found = float(np.sqrt((scatter[good] ** 2 * dof[good]).sum() / max(dof[good].sum(), 1.0)))
     return max(found, MIN_NOISE_SHARE * otherwise)
-
-
-def _tracked_spin(track: Track, rows: NDArray[np.intp], contact: float) -> TrackedSpin:
-    """Return the spin before and after with their errors, if the track has an angle or a spin."""
-    source = track.spin if track.spin is not None else track.angle
-    if source is None:
-        return TrackedSpin()
-    values, errors = [], []
-    for side in (track.time[rows] < contact, track.time[rows] >= contact):
-        t, y = track.time[rows][side], source[rows][side]
-        good = np.isfinite(y)
-        t, y = t[good], y[good]
-        if len(t) < (2 if track.spin is not None else 3):
-            values.append(np.nan)
-            errors.append(np.nan)
-        elif track.spin is not None:
-            values.append(float(y.mean()))
-            errors.append(float(y.std(ddof=1) / np.sqrt(len(y))))
-        else:
-            y = np.unwrap(y)
-            t = t - t.mean()
-            slope = float(t @ y / (t @ t))
-            gap = y - y.mean() - slope * t
-            values.append(slope)
-            errors.append(float(np.sqrt(gap @ gap / max(len(t) - 2, 1) / (t @ t))))
-    return TrackedSpin(*values, *errors)

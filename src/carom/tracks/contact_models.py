@@ -74,10 +74,10 @@ SLIDING = _NUMBERS != HOP
 ROLLING, SLIDING_UNTIL_CONTACT = SLIDING & (_NUMBERS != SLIP) & (_NUMBERS != ANGLE), SLIDING & (_NUMBERS != SLIP)
 FLOOR_HELD = _NUMBERS < MU_G
 # Without friction of the floor the spin does nothing: the ball moves as one that rolls all the time.
-STRAIGHT = ROLLING & (_NUMBERS != U_OUT.start) & (_NUMBERS != U_OUT.start + 1) & (_NUMBERS != MU_G)
+STRAIGHT = ROLLING & (U_OUT.start != _NUMBERS) & (U_OUT.start + 1 != _NUMBERS) & (_NUMBERS != MU_G)
 # The slip with which a ball that rolled into a wall leaves it: v_n, and this share of the spin that it brought along
-# (as a cushion or an upright wall leaves it), and the width of that share; the rise of chi2 beyond which no slide need be tried, and
-# the share of one contact in the sum of all.
+# (as a cushion or an upright wall leaves it), and the width of that share; the rise of chi2 beyond which no slide need be tried,
+# and the share of one contact in the sum of all.
 USUAL_SPIN, SPIN_WIDTH, CERTAIN_FRICTION, MOST_OF_ONE = 0.3, 0.25, 40.0, 12.0
 
 
@@ -289,7 +289,8 @@ def fit_table(
     weight = np.ones(len(time)) if weight is None else weight
     if prior.mu_g == 0:
         return _straight(
-            _TableContact(time, position, near, noise, replace(prior, mu_g=1.0, mu_g_error=1.0), wall, weight, whiten), single
+            _TableContact(time, position, near, noise, replace(prior, mu_g=1.0, mu_g_error=1.0), wall, weight, whiten),
+            single,
         )
     job = _TableContact(time, position, near, noise, prior, wall, weight, whiten)
     job.single = single or job.single
@@ -325,7 +326,7 @@ def friction_excess(
     time: Array, position: Array, near: float, noise: float, prior: Prior, wall: float | None, weight: Array,
     whiten: Array | None, fit: ContactFit,
 ) -> float:  # fmt: skip
-    """Return by how much a ball that slides off the wall, as one that rolled into it does, raises chi2 above that of straight paths.
+    """Return by how much chi2 is higher for a ball that slides off the wall, as one that rolled into it, than for straight paths.
 
     Parameters as in :func:`fit_table`, whose fit is ``fit``. Within MOST_OF_ONE: a contact may be mistracked.
     """

@@ -36,7 +36,7 @@ SIGNIFICANT = (
     14.0  # of twice the difference of log likelihoods, for two more parameters: by chance in one film of 1,000
 )
 MAX_FITS, MAX_FRAMES = 12, 200  # of a film, and of a fit: more would only take longer
-# If a side of a contact has more frames than this, they are averaged in this number of groups, except for those next to the contact.
+# If a side of a contact has more frames than this, they are averaged in this number of groups, except for those next to it.
 MAX_SINGLE_FRAMES, GROUPS, NEAR_FRAMES = 160, 56, 8
 CERTAIN_FRAMES = 400  # so many whose neighbours differ as independent ones do leave no doubt
 LEAST_PROBABILITY = 1e-4  # of a correlation that counts

@@ -20,7 +20,7 @@ from carom.public.progress import Progress
 from carom.public.renamed import renamed_arguments
 from carom.tracks.contact import RENAMED, Settings
 from carom.tracks.events import wall_of_text
-from carom.tracks.films import air_together, combined_rebounds, film_names, friction_together, hops_together
+from carom.tracks.films import air_together, combined_rebounds, decided_together, film_names
 from carom.tracks.formats.columns import HEADER_EXAMPLE
 from carom.tracks.formats.text_table import Calibration
 from carom.tracks.measurement import Measured, measure
@@ -157,18 +157,16 @@ def measure_films(
     Returns
     -------
     MeasuredFilms
-        Whether balls hop off the wall, and whether the floor has friction, is decided by all films together where they decide it.
+        Whether balls hop, and whether the floor has friction, all films together decide where they do.
 
     Raises
     ------
     CaromError
         With the faults of all files; for settings as :func:`carom.tracks.measure`, with the notes of reading.
     """
-    found = read_films(paths, calibration, format)
-    settings = settings or Settings()
-    lines = [tuple(wall_of_text(text, film.tracks) for text in wall) or settings.walls for film in found]
-
-    known = [settings] * len(found)
+    found, settings = read_films(paths, calibration, format), settings or Settings()
+    walls = [tuple(wall_of_text(text, film.tracks) for text in wall) or settings.walls for film in found]
+    known = [replace(settings, walls=lines) for lines in walls]
 
     def once(number: int, **verdict: bool) -> Measured:
         def told(done: int, total: int) -> None:
@@ -176,12 +174,11 @@ def measure_films(
                 progress(number + done / max(total, 1), len(found), "contacts")
 
         known[number] = replace(known[number], **verdict)
-        return measure(found[number].tracks, replace(known[number], walls=lines[number]), told)
+        return measure(found[number].tracks, known[number], told)
 
     with noting(MeasuredFilms(found, ()).reading_notes):
-        films = friction_together([once(i) for i in range(len(found))], lambda i, slides: once(i, slides=slides))
-        films, notes = air_together(hops_together(films, lambda i, hops: once(i, hops=hops)))
-        return MeasuredFilms(found, tuple(films), tuple(notes))
+        films, notes = air_together(decided_together([once(i) for i in range(len(found))], once))
+    return MeasuredFilms(found, tuple(films), tuple(notes))
 
 
 @renamed_arguments(**RENAMED)

@@ -19,7 +19,7 @@ from carom.tracks.floor import FloorEstimates, WithError
 from carom.tracks.hops import DECISIVE, hop_excess
 from carom.tracks.measurement import Measured
 
-__all__ = ["air_together", "combined_rebounds", "film_names", "friction_together", "hops_together"]
+__all__ = ["air_together", "combined_rebounds", "decided_together", "film_names", "hops_together"]
 
 
 def film_names(paths: Sequence[Path]) -> list[str]:
@@ -98,15 +98,16 @@ def hops_together(films: Sequence[Measured], again: Callable[[int, bool], Measur
     ]
 
 
-def friction_together(films: Sequence[Measured], again: Callable[[int, bool], Measured]) -> list[Measured]:
-    """Return films of one table with one verdict on the floor's friction, where all of them together decide and one film does not.
+def decided_together(films: Sequence[Measured], again: Callable[..., Measured]) -> list[Measured]:
+    """Return films of one table with one verdict on hops and on the floor's friction, where all of them together decide.
 
-    ``again(i, slides)`` measures film i anew, with what is known then.
+    ``again(i, slides=...)`` and ``again(i, hops=...)`` measure film i anew, with what is known then.
     """
     excess = [sum(one.friction_excess for one in film.contacts) for film in films]
-    if abs(sum(excess)) < DECISIVE:
-        return list(films)
-    return [again(i, sum(excess) < 0) if 0 < abs(excess[i]) < DECISIVE else film for i, film in enumerate(films)]
+    if abs(sum(excess)) >= DECISIVE:
+        slides = sum(excess) < 0
+        films = [again(i, slides=slides) if 0 < abs(excess[i]) < DECISIVE else one for i, one in enumerate(films)]
+    return hops_together(films, lambda i, hops: again(i, hops=hops))
 
 
 def air_together(films: Sequence[Measured]) -> tuple[list[Measured], list[str]]:

@@ -10,14 +10,16 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.laws.results import GRAVITY
-from carom.tracks.track import Track
+from carom.tracks.track import Track, position_noise
 
 __all__ = [
     "MIN_FALLING_SHARE",
     "axis_points_down",
     "constant_acceleration",
     "falling_share",
+    "falls_freely",
     "likely_unit",
+    "moves_on_a_table",
     "what_would_give",
 ]
 
@@ -30,6 +32,15 @@ MORE_FRAMES = (12, 16, 24, 32)
 MIN_SIDE_SHARE = 0.2  # of these pieces, in which the ball rises, and in which it falls
 FLAT = 0.05  # of the next larger extent, at most, that of a coordinate which a ball on a table does not change
 MAX_PIECES = 400  # of a track
+# Stretches that show a free fall, s, and how many of them: by how much their acceleration may differ from gravity (air), the least
+# cosine of its angle to the vertical, its error bars within that, and their scatter in units of the noise
+FALLS, FALL_FRAMES = ((0.3, 1), (0.2, 1), (0.15, 1), (0.1, 2)), 6
+FALL_SHARE, UPRIGHT, FALL_ERRORS, FALL_SCATTER = 0.15, 0.966, 3.0, 3.0
+MAX_SLIDING, MOVING, LEVEL = (
+    0.7,
+    0.05,
+    0.1,
+)  # of gravity, the largest deceleration on a table; m/s; slope of a level path
 GRAVITY_SHARE = 0.3  # of gravity, by which an acceleration may differ from it
 UNIT_SHARE = 0.15
 UNITS = {"mm": 1e3, "cm": 1e2, "in": 1 / 0.0254}
@@ -161,9 +172,78 @@ def in_a_plane(tracks: Sequence[Track], notes: list[str]) -> list[Track]:
     return [replace(one, position=one.position @ rows) if one.position.shape[1] == 3 else one for one in tracks]
 
 
+def falls_freely(tracks: Sequence[Track], gravity: float) -> float:
+    """Return for how long a ball certainly falls freely with gravity, m/s^2 (negative: upward), s; 0 where no stretch shows it.
+
+    On a table nothing accelerates a ball so much for so long. One stretch of 0.15 s (0.3 s where there is
+    much noise) suffices, or two of 0.1 s.
+
+    Upward a ball has to move mostly up or down: at its lowest point a pendulum is accelerated upward, too.
+    """
+    for span, least in FALLS:
+        found = 0
+        for track in tracks:
+            windows = _windows(track, span)
+            if windows is None:
+                continue
+            first, a, error, scatter, v = windows
+            size = np.hypot(*a.T)
+            falls = (np.abs(size / abs(gravity) - 1) < FALL_SHARE) & (-np.sign(gravity) * a[:, 1] > UPRIGHT * size)
+            falls &= (FALL_ERRORS * error < FALL_SHARE * abs(gravity)) & (scatter < FALL_SCATTER)
+            falls &= (gravity > 0) | (np.abs(v[:, 1]) > np.abs(v[:, 0]))
+            last = -np.inf
+            for t in first[falls].tolist():
+                if t >= last:
+                    found, last = found + 1, t + span
+        if found >= least:
+            return span * found
+    return 0.0
+
+
+def moves_on_a_table(tracks: Sequence[Track], gravity: float) -> bool:
+    """Return whether a ball certainly moves with less acceleration, for some time, than one in flight; not level, as on a floor."""
+    for windows in (_windows(track, FALLS[1][0]) for track in tracks):
+        if windows is not None:
+            _first, a, error, scatter, v = windows
+            size = np.hypot(*a.T) + FALL_ERRORS * error
+            if (
+                (size < MAX_SLIDING * gravity)
+                & (scatter < FALL_SCATTER)
+                & (np.abs(v[:, 1]) > np.maximum(LEVEL * np.abs(v[:, 0]), MOVING))
+            ).any():
+                return True
+    return False
+
+
+def _windows(track: Track, span: float) -> tuple[Array, Array, Array, Array, Array] | None:
+    """Return of stretches of a track, each ``span`` s long, their beginnings (n,), accelerations (n, 2) and errors (n,), m/s^2.
+
+    And their scatter about parabolas in units of the noise (n,), and their mean velocities (n, 2), m/s. None of a short track.
+    """
+    t, x = track.time, track.position
+    interval = float(np.median(np.diff(t))) if len(t) > 1 else np.inf
+    size = max(round(span / max(interval, 1e-9)) + 1, FALL_FRAMES)
+    if len(t) < size or interval <= 0:
+        return None
+    noise = max(position_noise(t, x, interval), 1e-6 * float(np.ptp(x, axis=0).max()))
+    rows = np.arange(0, len(t) - size + 1, max(size // 8, 1))[:, None] + np.arange(size)
+    rows = rows[np.ptp(t[rows], axis=1) < 1.3 * (size - 1) * interval]
+    if not len(rows) or not noise > 0:
+        return None
+    half = np.ptp(t[rows], axis=1)[:, None] / 2
+    u = (t[rows] - t[rows].mean(axis=1, keepdims=True)) / half
+    powers = np.stack([u**0, u, u**2], axis=-1)
+    inverse = np.linalg.inv(powers.transpose(0, 2, 1) @ powers)
+    y = x[rows] - x[rows].mean(axis=1, keepdims=True)
+    fit = inverse @ (powers.transpose(0, 2, 1) @ y)
+    scatter = np.sqrt(np.square(y - powers @ fit).sum(axis=(1, 2)) / (2 * size - 6))
+    error = 2 * np.sqrt(inverse[:, 2, 2]) / half[:, 0] ** 2 * np.maximum(scatter, noise)
+    return t[rows[:, 0]], 2 * fit[:, 2] / half**2, error, scatter / noise, fit[:, 1] / half
+
+
 def axis_points_down(tracks: Sequence[Track], gravity: float) -> float:
     """Return the acceleration with which the ball falls upward, m/s^2, as it does if the second axis points down; else 0."""
-    if falling_share(tracks, -gravity) > MIN_FALLING_SHARE:
+    if falling_share(tracks, -gravity) > MIN_FALLING_SHARE or falls_freely(tracks, -gravity):
         return gravity
     return max(float(np.nan_to_num(constant_acceleration(tracks))), 0.0)
 

@@ -129,6 +129,15 @@ class ContactFit:
         """Return the covariance of two values."""
         return float(self.covariance[OUTPUTS.index(name), OUTPUTS.index(other)])
 
+    @property
+    def restitution(self) -> tuple[float, float]:
+        """The ratio of the speeds away from the wall and toward it, and its standard deviation."""
+        before, after = -self["vn_in"], self["vn_out"]
+        ratio, v, w = after / before, self.error("vn_in") / before, self.error("vn_out") / after
+        # (v_n before the contact is negative)
+        shared = 2 * self.covariance_of("vn_in", "vn_out") / (before * after)
+        return ratio, abs(ratio) * float(np.sqrt(max(v**2 + w**2 + shared, 0.0)))
+
     def resolved(self, name: str) -> bool:
         """Return whether the frames determine a value.
 

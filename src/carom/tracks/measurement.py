@@ -20,11 +20,18 @@ from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
 from carom.tracks.flights import STILL_AIR, Air, air_and_notes
 from carom.tracks.floor import FloorEstimates, WithError
 from carom.tracks.frame_clock import on_camera_clock
-from carom.tracks.free_fall import axis_points_down, constant_acceleration, what_would_give
+from carom.tracks.free_fall import (
+    axis_points_down,
+    constant_acceleration,
+    falls_freely,
+    moves_on_a_table,
+    what_would_give,
+)
 from carom.tracks.plausibility import (
     GRAVITY_TOLERANCE,
     MIN_JUDGED,
     restitution_note,
+    restitutions_in_words,
     shared_error_notes,
     why_implausible,
 )
@@ -172,12 +179,21 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, progress:
 
 def _require_axis_up(tracks: Sequence[Track], settings: Settings) -> None:
     """Raise CaromError if a ball filmed from the side falls upward."""
-    upward = axis_points_down(tracks, settings.gravity) if settings.view != "above" else 0.0
+    if settings.view == "above":
+        return
+    upward = axis_points_down(tracks, settings.gravity)
     if upward:
         raise CaromError(
             f"tracks: expected positions that count upward, but the ball falls upward, with {upward:.3g} m/s^2: they count"
             " downward, as in pictures; give `down` (y with the other sign), or `view` above if the ball is on a table"
         )
+    across = [replace(track, position=track.position[:, ::-1]) for track in tracks]
+    for sign, side in ((1, "left"), (-1, "right")):
+        if falls_freely(across, sign * settings.gravity) and not falls_freely(tracks, settings.gravity):
+            raise CaromError(
+                f"tracks: expected a second axis that points up, but the ball falls to the {side}: the picture lies on its side;"
+                " exchange x and y, or `view` above if the ball is on a table"
+            )
 
 
 def _flight_gravity(tracks: Sequence[Track], gravity: float) -> float:
@@ -195,21 +211,29 @@ def _in_likely_view(
     other: View = "above" if view == "side" else "side"
     found = _in_view(film, view, settings, groups, progress)
     wrong = why_implausible(found.contacts, view, found.floor, gravity)
-    if wrong:
+    certain = view == "side" and falls_freely(film.tracks, settings.gravity) > 0
+    unsure = not certain and not moves_on_a_table(film.tracks, settings.gravity) and gravity == settings.gravity
+    second, wrong_too, doubts = None, "", list[str]()
+    if (wrong and not certain) or unsure:
         second = _in_view(film, other, settings, groups, progress)
         wrong_too = why_implausible(second.contacts, other, second.floor, gravity)
         if not wrong_too and turns_smoothly(found.contacts) and not certainly_sharp(second.contacts):
             wrong_too = "the frames show no velocity that jumps"
-        if not wrong_too and len(second.measured) >= MIN_JUDGED:
-            found, view, other, why, wrong = second, other, view, f"{OF_VIEW[view]}, {wrong}", ""
-        else:
-            also = f"; {OF_VIEW[other]}, {wrong_too}" if wrong_too else ""
-            wrong = (
-                f"the motion fits no view: {OF_VIEW[view]}, {wrong}{also}. Is it a ball on a curved rail, another scale or frame"
-                f" rate? Trust none of these contacts, or try `view` {other}"
-            )
+        if wrong and not wrong_too and len(second.measured) >= MIN_JUDGED:
+            found, second, view, other, why, wrong = second, found, other, view, f"{OF_VIEW[view]}, {wrong}", ""
+    if wrong:
+        also = f"; {OF_VIEW[other]}, {wrong_too}" if wrong_too else ""
+        doubts.append(
+            f"the motion fits no view: {OF_VIEW[view]}, {wrong}{also}. Is it a ball on a curved rail, another scale or frame"
+            f" rate? Trust none of these contacts, or try `view` {other}"
+        )
+    elif unsure and second is not None and second.measured:
+        doubts.append(
+            f"the frames do not show for sure from where it was filmed; {OF_VIEW[other]} (`view` {other}), out/in is"
+            f" {restitutions_in_words(second.contacts)}"
+        )
     said = f"assumed to be filmed {OF_VIEW[view]}, {KIND_OF_MOTION[view]}: {why} (`view` {other} overrides this)"
-    return replace(found, view_reason=why, notes=(said, *([wrong] if wrong else []), *found.notes))
+    return replace(found, view_reason=why, notes=(said, *doubts, *found.notes))
 
 
 def _in_view(

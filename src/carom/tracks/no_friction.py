@@ -14,6 +14,7 @@ import numpy as np
 
 from carom.tracks.contact import TrackContact
 from carom.tracks.hops import DECISIVE, averaged
+from carom.tracks.plausibility import restitutions_in_words
 
 __all__ = ["on_either_floor"]
 
@@ -36,14 +37,8 @@ def on_either_floor(
         replace(one, fit=averaged(one.fit, its.fit, share)) if one.fit is not None and its.fit is not None else one
         for one, its in zip(likelier, other, strict=True)
     ]
-    told = [f"{_restitutions(some)} {how} friction" for some, how in ((sliding, "with"), (straight, "without"))]
+    told = [f"{restitutions_in_words(some)} {how} friction" for some, how in ((sliding, "with"), (straight, "without"))]
     return mixed, [
         f"the frames do not show whether the floor has friction: out/in is {told[0]}, {told[1]}; the velocities after the contacts"
         " are means of both, and their error bars contain the difference (`floor_friction` 0, as of an air table, or 0.2 decides)"
     ]
-
-
-def _restitutions(contacts: Sequence[TrackContact]) -> str:
-    """Return the ratios v_n out / v_n in of the first contacts."""
-    fits = [one.fit for one in contacts if one.fit is not None]
-    return ", ".join(f"{-fit['vn_out'] / fit['vn_in']:.3f}" for fit in fits[:3]) or "not measured"

@@ -6,13 +6,17 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
+from carom.errors import shortened_list
 from carom.tracks.contact import TrackContact, View
 from carom.tracks.flights import Air
 from carom.tracks.floor import WithError
 from carom.tracks.least_squares import OUTPUTS, ContactFit
 from carom.tracks.smooth_turns import SMOOTH_TURN
 
-__all__ = ["GRAVITY_TOLERANCE", "MIN_JUDGED", "impossible", "restitution_note", "shared_error_notes", "why_implausible"]
+__all__ = [
+    "GRAVITY_TOLERANCE", "MIN_JUDGED", "impossible", "restitution_note", "restitutions_in_words", "shared_error_notes",
+    "why_implausible",
+]  # fmt: skip
 
 BEYOND = 3.0  # error bars by which a restitution has to exceed 1
 MAX_SHARE_IMPOSSIBLE, MAX_SHARE_SCATTERED = 0.2, 0.5
@@ -20,6 +24,13 @@ MOSTLY = 0.75  # of a variance
 MIN_JUDGED = 2  # contacts; a single one does not tell a view
 MAX_CLOTH_FRICTION = 0.6  # of gravity a ball in flight would show 1
 GRAVITY_TOLERANCE = 0.3
+
+
+def restitutions_in_words(contacts: Sequence[TrackContact]) -> str:
+    """Return the restitutions of the contacts that were measured, with their errors, for a note."""
+    fits = [one.fit for one in contacts if one.fit is not None]
+    each = [f"{ratio:.3f} ± {error:.1g}" for ratio, error in (fit.restitution for fit in fits if fit["vn_in"] < 0)]
+    return shortened_list(each, 4) if each else "not measured"
 
 
 def impossible(one: TrackContact) -> bool:

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.tracks.contact import View
-from carom.tracks.free_fall import MIN_FALLING_SHARE, constant_acceleration, falling_share
-from carom.tracks.track import Track
+from carom.tracks.free_fall import MIN_FALLING_SHARE, constant_acceleration, falling_share, falls_freely
+from carom.tracks.track import Track, position_noise
 
 Array = NDArray[np.float64]
 # Smallest share of the series (and at least two) that has to show the same rounding step: fast and resting balls show none.
@@ -73,27 +73,6 @@ def _step_of_one(x: Array) -> float:
     return float((gaps[good] * count[good]).sum() / (count[good] ** 2).sum()) if good.any() else step
 
 
-def position_noise(time: Array, position: Array, interval: float) -> float:
-    """Estimate the noise of one coordinate of one frame, m, from fourth differences of the positions (n, 2).
-
-    Contacts affect few of them, so their median is used; frames in which the ball rests are left out.
-    """
-    parts = []
-    span = 4.5 * interval if np.isfinite(interval) else np.inf
-    for x in position.T:
-        if not np.nanmax(x) > np.nanmin(x):  # (a coordinate that was not measured: it is 0 throughout)
-            continue
-        difference = x[4:] - 4 * x[3:-1] + 6 * x[2:-2] - 4 * x[1:-3] + x[:-4]
-        moves = np.abs(position[4:] - position[:-4]).max(axis=1) > 0
-        good = moves & (time[4:] - time[:-4] < span) & np.isfinite(difference)
-        parts.append(np.abs(difference[good]))
-    sizes = np.concatenate(parts or [np.zeros(0)])
-    if len(sizes) < 4:
-        return 0.0
-    # the median of |N(0, 1)| is 0.6745; 1 + 16 + 36 + 16 + 1 = 70
-    return float(np.median(sizes) / 0.6745 / np.sqrt(70.0))
-
-
 def without_outliers(tracks: Sequence[Track], interval: float, gravity: float, notes: list[str]) -> list[Track]:
     """Return the tracks without single positions that are not the ball's: they fit no motion, nor a contact."""
     found: list[Track] = []
@@ -144,6 +123,9 @@ def guess_view(tracks: Sequence[Track], gravity: float) -> tuple[View, str]:
     share = falling_share(tracks, gravity)
     if share > MIN_FALLING_SHARE:
         return "side", f"in {100 * share:.0f} % of the track the ball falls with gravity"
+    seconds = falls_freely(tracks, gravity)
+    if seconds:
+        return "side", f"for {seconds:.2g} s the ball falls freely with gravity"
     fall = constant_acceleration(tracks)
     if fall < 0:
         return "side", (

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Track"]
+__all__ = ["Track", "position_noise"]
 
 Array = NDArray[np.float64]
 
@@ -62,3 +62,24 @@ class Track:
             spin=None if self.spin is None else self.spin[which],
             frame=None if self.frame is None else self.frame[which],
         )
+
+
+def position_noise(time: Array, position: Array, interval: float) -> float:
+    """Estimate the noise of one coordinate of one frame, m, from fourth differences of the positions (n, 2).
+
+    Contacts affect few of them, so their median is used; frames in which the ball rests are left out.
+    """
+    parts = []
+    span = 4.5 * interval if np.isfinite(interval) else np.inf
+    for x in position.T:
+        if not np.nanmax(x) > np.nanmin(x):  # (a coordinate that was not measured: it is 0 throughout)
+            continue
+        difference = x[4:] - 4 * x[3:-1] + 6 * x[2:-2] - 4 * x[1:-3] + x[:-4]
+        moves = np.abs(position[4:] - position[:-4]).max(axis=1) > 0
+        good = moves & (time[4:] - time[:-4] < span) & np.isfinite(difference)
+        parts.append(np.abs(difference[good]))
+    sizes = np.concatenate(parts or [np.zeros(0)])
+    if len(sizes) < 4:
+        return 0.0
+    # the median of |N(0, 1)| is 0.6745; 1 + 16 + 36 + 16 + 1 = 70
+    return float(np.median(sizes) / 0.6745 / np.sqrt(70.0))
