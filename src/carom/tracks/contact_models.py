@@ -339,7 +339,7 @@ def friction_excess(
     job = _TableContact(time, position, near, noise, prior, wall, weight, whiten)
     lift = np.zeros((1, COUNT))
     lift[0, [U_OUT.start, V_OUT.start, ROLL.start]] = 1.0, -1.0, USUAL_SPIN
-    job.lift = lift / (SPIN_WIDTH * abs(job.start[ROLL.start])), np.zeros(1)
+    job.lift = lift / (SPIN_WIDTH * abs(job.start[ROLL.start])), 0.0
     slides = job.rolling(None)[1].chi2
     return float(np.clip(slides - straight, -MOST_OF_ONE, MOST_OF_ONE))
 

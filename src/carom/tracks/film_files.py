@@ -168,7 +168,7 @@ def measure_films(
     walls = [tuple(wall_of_text(text, film.tracks) for text in wall) or settings.walls for film in found]
     known = [replace(settings, walls=lines) for lines in walls]
 
-    def once(number: int, **verdict: bool) -> Measured:
+    def once(number: int, **verdict: Any) -> Measured:
         def told(done: int, total: int) -> None:
             if progress is not None:
                 progress(number + done / max(total, 1), len(found), "contacts")
