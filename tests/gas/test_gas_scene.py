@@ -257,7 +257,7 @@ WRONG = {
     ),
     "a distribution without a name": (
         MIXED.replace("[run]", '[[species]]\nname = "c"\ncount = 3\nradius = {median = 0.5}\n[run]'),
-        "species[2].radius.distribution: expected one of lognormal, normal, uniform, values, got nothing",
+        "species[2].radius.sigma: expected a standard deviation of ln r, > 0 and at most 1, got nothing",
     ),
     "half a ball": (
         MIXED.replace("[run]", '[[species]]\nname = "c"\ncount = 2.5\nradius = 0.5\n[run]'),

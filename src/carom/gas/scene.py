@@ -21,7 +21,7 @@ from carom.gas.edmd.gas_records import ELLIPSE, MAX_BALLS
 from carom.gas.faces import JOINT_OVERLAP
 from carom.gas.initial import DENSEST
 from carom.gas.schema import AnyContainer, GasContact, GasDrive, GasSettings, GasSpecies, GasThermostat, volume_of_balls
-from carom.gas.size_distributions import RadiiDistribution
+from carom.gas.size_distributions import LognormalRadii
 from carom.gas.sizes import LONGEST_SIDE
 from carom.gas.species import shear_faults
 from carom.scene.plausible import FAST
@@ -115,7 +115,7 @@ class GasScene(Model):
         axes = self.container.dimensions
         balls: float = added(
             float(volume_of_balls(one.radii, axes).sum())
-            if isinstance(one.radius, RadiiDistribution)
+            if isinstance(one.radius, LognormalRadii)
             else one.count * (math.pi if axes == 2 else 4 / 3 * math.pi) * one.radius**axes
             for one in self.species
         )

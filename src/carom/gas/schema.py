@@ -19,7 +19,7 @@ from carom.gas.contact_forms import ANY, GasSurface
 from carom.gas.containers import WALLS, Container, container, container_figures, in_figure
 from carom.gas.drives import Drive, Thermostat
 from carom.gas.old_containers import with_new_container
-from carom.gas.size_distributions import RadiiDistribution, SpeciesRadius, in_classes, size_moments
+from carom.gas.size_distributions import LognormalRadii, SpeciesRadius, in_classes, size_moments
 from carom.gas.species import Species
 from carom.scene.figures import FIGURES, Figure, PlaneFigure
 from carom.scene.figures.sector import SectorFigure
@@ -225,10 +225,9 @@ class GasSpecies(Model):
     ----------
     name : what contacts and tables call it
     count : number of balls
-    radius : of all balls; or a distribution: a table of ``distribution`` ("lognormal" with median, sigma; "normal" with mean,
-        deviation, low, high; "uniform" with low, high; "values" with values, shares) and the ``seed`` of the drawn radii
-    mass : of a ball; of radii by distribution, of one with the median, the mean, the middle, or the first value, and the others
-        have the same density
+    radius : of all balls; or a distribution: a table of ``distribution`` ("lognormal"), ``median``, ``sigma``, and the ``seed`` of
+        the drawn radii
+    mass : of a ball; of radii by distribution, of one with the median, and the others have the same density
     density : instead of a mass (kg/m^3; of discs kg/m^2)
     inertia : kappa = I/(m a^2), or "solid", "hollow" (balls), "disc", "ring" (discs); default: solid, disc
     temperature : k_B T at the start, the mean of m v^2 along an axis; default: 1
@@ -254,13 +253,13 @@ class GasSpecies(Model):
         """Return the species of :class:`carom.gas.Gas`."""
         kind: Any = Disc if dimensions == 2 else Ball
         ball = kind(self.nominal, self.nominal_mass(dimensions), self.kappa(dimensions))
-        radii = self.radii if isinstance(self.radius, RadiiDistribution) else None
+        radii = self.radii if isinstance(self.radius, LognormalRadii) else None
         return Species(ball, self.count, self.name, self.temperature, self.temperature_rotational, radii)
 
     @property
     def nominal(self) -> float:
         """The radius of a ball with the mass."""
-        return self.radius.nominal if isinstance(self.radius, RadiiDistribution) else self.radius
+        return self.radius.median if isinstance(self.radius, LognormalRadii) else self.radius
 
     def nominal_mass(self, dimensions: int) -> float:
         """Return the mass of a ball with the nominal radius."""
@@ -270,18 +269,18 @@ class GasSpecies(Model):
     def radii(self) -> Any:
         """The radii of all balls (m), (count,)."""
         one = self.radius
-        return in_classes(one, self.count) if isinstance(one, RadiiDistribution) else np.full(self.count, one)
+        return in_classes(one, self.count) if isinstance(one, LognormalRadii) else np.full(self.count, one)
 
     def total_mass(self, dimensions: int) -> float:
         """Return the mass of all balls."""
-        if not isinstance(self.radius, RadiiDistribution):
+        if not isinstance(self.radius, LognormalRadii):
             return self.count * self.nominal_mass(dimensions)
         return self.nominal_mass(dimensions) * float(((self.radii / self.nominal) ** dimensions).sum())
 
     @property
     def size_note(self) -> str:
         """One line on radii by distribution: mean, standard deviation, skewness, classes; empty for balls of one radius."""
-        if not isinstance(self.radius, RadiiDistribution):
+        if not isinstance(self.radius, LognormalRadii):
             return ""
         drawn, kept = self.radius.radii(self.count), self.radii
         mean, deviation, skewness = size_moments(kept)

@@ -1,4 +1,4 @@
-"""Radii by distribution: lognormal, normal, uniform, or given values with shares; and the classes in which the engine has them.
+"""Radii by a lognormal distribution, or given; and the classes in which the engine has them.
 
 A gas of N balls has N radii, drawn with a seed. The engine knows species, not radii of single balls: a species whose radii differ
 is divided into classes, each with the mean of its radii. Up to :data:`CLASSES` different radii are exact.
@@ -8,187 +8,61 @@ from __future__ import annotations
 
 import functools
 import math
-from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import AfterValidator, BeforeValidator, PlainSerializer
 
 from carom.bodies import Ball
-from carom.errors import CaromError, Fault, shown
+from carom.errors import CaromError, Fault
 from carom.gas.species import Species
-from carom.scene.schema import Components, CountOrZero, Model, Number, Size, refused
+from carom.scene.schema import CountOrZero, Model, Number, Size
 
-__all__ = [
-    "CLASSES", "LognormalRadii", "NormalRadii", "RadiiDistribution", "SizeClasses", "SpeciesRadius", "UniformRadii", "ValueRadii",
-    "in_classes", "size_classes", "size_moments",
-]  # fmt: skip
+__all__ = ["CLASSES", "LognormalRadii", "SizeClasses", "SpeciesRadius", "in_classes", "size_classes", "size_moments"]
 
 Array = NDArray[np.float64]
 CLASSES = 48  # of the radii of a species, at most
 _SIGMA = Number("a standard deviation of ln r, > 0 and at most 1", least=0, most=1, above=True)
 _RADIUS = Number(
-    "a length in m, > 0, or a table { distribution = 'lognormal', 'normal', 'uniform' or 'values', ... }", "m", least=0, above=True
-)  # fmt: skip
-_SHARE = Number("a share > 0", least=0, above=True)
-_VALUES = Components("one or more radii", tuple(range(1, CLASSES + 1)))
+    "a length in m, > 0, or a table { distribution = 'lognormal', median = ..., sigma = ... }", "m", least=0, above=True
+)
 
 
-class RadiiDistribution(Model):
-    """A distribution of radii; ``seed`` is that of the drawn radii, the same for all gases of an ensemble."""
+class LognormalRadii(Model):
+    """ln r is normally distributed about ln ``median``, with the standard deviation ``sigma``.
 
-    tag: ClassVar[str] = "distribution"
-    seed: CountOrZero = 0
-
-    @property
-    @abstractmethod
-    def nominal(self) -> float:
-        """The radius of a ball with the species' ``mass``."""
-
-    @abstractmethod
-    def _draw(self, rng: np.random.Generator, count: int) -> Array:
-        """Draw radii (count,), m."""
-
-    def radii(self, count: int) -> Array:
-        """Draw radii (count,), m: the same for the same seed."""
-        return self._draw(np.random.default_rng([self.seed, 0x5175]), count)
-
-
-class LognormalRadii(RadiiDistribution):
-    """ln r is normally distributed about ln ``median``, with the standard deviation ``sigma``."""
+    ``seed`` is that of the drawn radii, the same for all gases of an ensemble.
+    """
 
     distribution: Literal["lognormal"] = "lognormal"
     median: Size
     sigma: Annotated[float, BeforeValidator(_SIGMA)]
+    seed: CountOrZero = 0
 
-    @property
-    def nominal(self) -> float:
-        """The median."""
-        return self.median
-
-    def _draw(self, rng: np.random.Generator, count: int) -> Array:
-        return rng.lognormal(math.log(self.median), self.sigma, count)
-
-
-class NormalRadii(RadiiDistribution):
-    """Normally distributed, cut off at ``low`` and ``high``; default: three standard deviations from the mean, and above 0."""
-
-    distribution: Literal["normal"] = "normal"
-    mean: Size
-    deviation: Size
-    low: Size | None = None
-    high: Size | None = None
-
-    @model_validator(mode="after")
-    def _ordered(self) -> NormalRadii:
-        if self.low is None and self.mean <= 3 * self.deviation:
-            advice = "give low, the smallest radius"
-            raise refused(
-                f"less than a third of mean = {self.mean:g}", f"{self.deviation:g}", advice, field="deviation"
-            )
-        low, high = self.bounds
-        if not low < self.mean < high:
-            name, side = ("low", "below") if low >= self.mean else ("high", "above")
-            raise refused(f"a radius {side} mean = {self.mean:g}", f"{low if name == 'low' else high:g}", field=name)
-        return self
-
-    @property
-    def bounds(self) -> tuple[float, float]:
-        """The smallest and the largest radius."""
-        low = self.mean - 3 * self.deviation if self.low is None else self.low
-        return low, self.mean + 3 * self.deviation if self.high is None else self.high
-
-    @property
-    def nominal(self) -> float:
-        """The mean of the distribution before it is cut off."""
-        return self.mean
-
-    def _draw(self, rng: np.random.Generator, count: int) -> Array:
-        low, high = self.bounds
-        found = rng.normal(self.mean, self.deviation, count)
-        while (outside := (found < low) | (found > high)).any():
-            found[outside] = rng.normal(self.mean, self.deviation, int(outside.sum()))
-        return found
-
-
-class UniformRadii(RadiiDistribution):
-    """Uniformly distributed from ``low`` to ``high``."""
-
-    distribution: Literal["uniform"] = "uniform"
-    low: Size
-    high: Size
-
-    @model_validator(mode="after")
-    def _ordered(self) -> UniformRadii:
-        if not self.high > self.low:
-            raise refused(f"a radius above low = {self.low:g}", f"{self.high:g}", field="high")
-        return self
-
-    @property
-    def nominal(self) -> float:
-        """The middle."""
-        return (self.low + self.high) / 2
-
-    def _draw(self, rng: np.random.Generator, count: int) -> Array:
-        return rng.uniform(self.low, self.high, count)
-
-
-class ValueRadii(RadiiDistribution):
-    """The given ``values``, with ``shares`` of the number of balls (default: equal ones), to the nearest whole numbers."""
-
-    distribution: Literal["values"] = "values"
-    values: Annotated[tuple[Size, ...], BeforeValidator(_VALUES)]
-    shares: Annotated[tuple[Annotated[float, BeforeValidator(_SHARE)], ...], BeforeValidator(_VALUES)] | None = None
-
-    @model_validator(mode="after")
-    def _matched(self) -> ValueRadii:
-        if self.shares is not None and len(self.shares) != len(self.values):
-            raise refused(f"{len(self.values)} numbers, one for each value", f"{len(self.shares)}", field="shares")
-        return self
-
-    @property
-    def nominal(self) -> float:
-        """The first value."""
-        return self.values[0]
-
-    def _draw(self, rng: np.random.Generator, count: int) -> Array:
-        shares = np.array(self.shares or [1.0] * len(self.values))
-        ends = np.rint(np.cumsum(shares) / shares.sum() * count).astype(int)
-        return rng.permutation(np.repeat(self.values, np.diff(ends, prepend=0)))
-
-
-_KINDS = ("lognormal", "normal", "uniform", "values")
+    def radii(self, count: int) -> Array:
+        """Draw radii (count,), m: the same for the same seed."""
+        return np.random.default_rng([self.seed, 0x5175]).lognormal(math.log(self.median), self.sigma, count)
 
 
 def _radius(value: Any) -> Any:
-    if isinstance(value, RadiiDistribution):
+    """One radius, as a distribution without a width."""
+    if isinstance(value, dict | LognormalRadii):
         return value
-    if isinstance(value, dict):
-        if (kind := value.get("distribution")) not in _KINDS:
-            raise refused(
-                f"one of {', '.join(_KINDS)}", "nothing" if kind is None else shown(kind), field="distribution"
-            )
-        return value
-    return ValueRadii(values=(_RADIUS(value),))
-
-
-def _one_radius(value: RadiiDistribution) -> float | RadiiDistribution:
-    return value.values[0] if isinstance(value, ValueRadii) and len(value.values) == 1 else value
+    return LognormalRadii.model_construct(median=_RADIUS(value), sigma=0.0)
 
 
 if TYPE_CHECKING:
-    SpeciesRadius = float | RadiiDistribution
+    SpeciesRadius = float | LognormalRadii
 else:
-    from pydantic import AfterValidator, PlainSerializer
-
     SpeciesRadius = Annotated[
-        Annotated[LognormalRadii | NormalRadii | UniformRadii | ValueRadii, Field(discriminator="distribution")],
-        BeforeValidator(_radius), AfterValidator(_one_radius),
-        PlainSerializer(lambda one: one.model_dump(exclude_none=True) if isinstance(one, RadiiDistribution) else one),
-    ]  # fmt: skip
+        LognormalRadii,
+        BeforeValidator(_radius),
+        AfterValidator(lambda one: one if one.sigma > 0 else one.median),
+        PlainSerializer(lambda one: one.model_dump() if isinstance(one, LognormalRadii) else one),
+    ]
 
 
 def size_moments(radii: Array) -> tuple[float, float, float]:
@@ -243,7 +117,7 @@ def _of_class(one: Species, radius: float, count: int) -> Species:
 
 
 @functools.lru_cache(maxsize=8)
-def in_classes(distribution: RadiiDistribution, count: int) -> Array:
+def in_classes(distribution: LognormalRadii, count: int) -> Array:
     """Return drawn radii (count,), each the mean of its class, m."""
     classes, which = size_classes(Species(Ball(1.0), count, radii=distribution.radii(count)))
     found = np.array(classes)[which]
