@@ -268,9 +268,17 @@ def shown(value: Any, most: int = 80) -> str:
     return text if len(text) <= most else f"{text[: most - 3]}..."
 
 
-def first_bad_index(bad: np.ndarray[Any, Any]) -> str:
-    """Return where a boolean array is first true, as ``" at index (3,) (2 in all)"``; empty for a scalar."""
-    return "" if bad.ndim == 0 else f" at index {tuple(int(i) for i in np.argwhere(bad)[0])} ({int(bad.sum())} in all)"
+def first_bad_index(bad: np.ndarray[Any, Any], go_on: str = "") -> str:
+    """Return where a boolean array is first true, as ``" at index (3,) (2 in all)"``; empty for a scalar.
+
+    ``go_on`` is how to go on where the other rows are good.
+    """
+    if bad.ndim == 0:
+        return ""
+    count, first = int(bad.sum()), tuple(int(i) for i in np.argwhere(bad)[0])
+    return (
+        f" at index {first} ({f'{count} of {bad.size}; {go_on}' if go_on and count < bad.size else f'{count} in all'})"
+    )
 
 
 def broadcast_shape(*shapes: tuple[int, ...]) -> tuple[int, ...]:

@@ -318,3 +318,22 @@ def test_light(code):
     code += f"; import sys; print([m for m in {HEAVY} if m in sys.modules])"
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert out.stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize("law", ["two_step", "impact", "conventional"])
+def test_the_rows_beside_one_that_recedes_are_answered(law: str) -> None:
+    rng = np.random.default_rng(1)
+    velocity = np.stack([-rng.uniform(1, 3, 40), rng.normal(size=40), np.zeros(40)], axis=-1)
+    velocity[12, 0] = 1.0
+    ball = carom.Ball()
+    state = carom.rolling(ball, velocity[:, :2])
+    with pytest.raises(carom.CaromError, match=r"\(12,\) \(1 of 40; go on with the others, state\[keep\]"):
+        getattr(carom, law)(ball, state)
+    keep = velocity[:, 0] < 0
+    after = getattr(carom, law)(ball, state[keep])
+    columns = {"velocity_x": velocity[:, 0], "velocity_y": velocity[:, 1]}
+    numbers = {} if law == "conventional" else {"restitution": 1.0}
+    found = carom.predict(columns, {"two_step": "two-step", "impact": "contact"}.get(law, law), spin="rolling", **numbers)
+    assert np.flatnonzero(found["note"] != "").tolist() == [12]
+    seen = getattr(after, "after_wall", getattr(after, "after", after))
+    assert found["velocity_x_out"][keep] == pytest.approx(seen.velocity[:, 0])

@@ -30,8 +30,9 @@ from carom.errors import (
 )
 
 __all__ = [
-    "FEW_AT_FIRST", "RESOLVED", "WallKernel", "answer_rows", "approaching", "fresh_unless_own", "loop_for", "motion_resolved",
-    "one_normal", "reason_array", "require_approach", "require_resolved", "state_arrays", "unit_normal", "wall_law_rows",
+    "FEW_AT_FIRST", "RESOLVED", "WallKernel", "answer_rows", "approaching", "bad_row", "fresh_unless_own", "loop_for",
+    "motion_resolved", "one_normal", "reason_array", "require_approach", "require_resolved", "state_arrays", "unit_normal",
+    "wall_law_rows",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -63,7 +64,7 @@ def unit_normal(normal: ArrayLike) -> Array:
     if bad.any():
         got = n[bad][0] if n.ndim > 1 else n
         raise CaromError(
-            f"normal: expected a vector that points from the wall to the ball, got {got.tolist()}{first_bad_index(bad)};"
+            f"normal: expected a vector that points from the wall to the ball, got {got.tolist()}{bad_row(bad)};"
             " for the wall x = 0 with the ball at x > 0 it is (1, 0, 0)"
         )
     unit: Array = n / lengths
@@ -100,6 +101,11 @@ def _read_only(array: Array) -> Array:
     view = array.view()
     view.flags.writeable = False
     return view
+
+
+def bad_row(bad: Any) -> str:
+    """Return which row of many fails a condition, the first, and how to go on with the others; empty for one state."""
+    return first_bad_index(bad, "go on with the others, state[keep]; carom.predict skips such rows")
 
 
 def approaching(state: State, normal: Array) -> Any:
@@ -169,7 +175,7 @@ def require_resolved(where: str, state: State) -> None:
     bad = ~good
     if bad.any():
         largest = np.maximum(np.abs(state.velocity).max(axis=-1), np.abs(state.spin).max(axis=-1))
-        raise CaromError(f"{where}: expected {RESOLVED}, got {float(largest[bad].flat[0])!r}{first_bad_index(bad)}")
+        raise CaromError(f"{where}: expected {RESOLVED}, got {float(largest[bad].flat[0])!r}{bad_row(bad)}")
 
 
 def require_approach(ball: Ball, state: State, normal: Array) -> None:
@@ -184,7 +190,7 @@ def require_approach(ball: Ball, state: State, normal: Array) -> None:
     if away.any():
         speed = float(np.broadcast_to((state.velocity * normal).sum(axis=-1), away.shape)[away].flat[0])
         raise CaromError(
-            f"state: expected a ball that moves towards the wall, got {speed:.6g} m/s away from it{first_bad_index(away)};"
+            f"state: expected a ball that moves towards the wall, got {speed:.6g} m/s away from it{bad_row(away)};"
             " the normal points from the wall to the ball"
         )
     if ball.planar:
@@ -192,7 +198,7 @@ def require_approach(ball: Ball, state: State, normal: Array) -> None:
         if np.any(out) or np.any(normal[..., 2] != 0):
             raise CaromError(
                 "state: expected a disc in the plane z = 0 (v_z = 0, spin along z, a wall that stands on the plane),"
-                f" got something else{first_bad_index(np.asarray(out)) if np.any(out) else ' for the normal'};"
+                f" got something else{bad_row(np.asarray(out)) if np.any(out) else ' for the normal'};"
                 " use carom.Ball in space"
             )
 

@@ -17,8 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 from carom.bodies import Ball, Numbers, State, Surface
 from carom.core.contact import wall_contact
 from carom.core.jit.kernel import Vec, kernel
-from carom.errors import CaromError, first_bad_index, require_type
-from carom.laws.arrays import WallKernel, answer_rows, require_approach, unit_normal, wall_law_rows
+from carom.errors import CaromError, require_type
+from carom.laws.arrays import WallKernel, answer_rows, bad_row, require_approach, unit_normal, wall_law_rows
 from carom.laws.landing import landing_settings, settle
 from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact, Settled
 from carom.laws.rules import APPROACHES, IMPOSSIBLE, Condition, Conditions, Objections, holds_everywhere
@@ -272,7 +272,7 @@ class Law:
             if not holds_everywhere(holds):
                 raise CaromError(
                     f"{self.name}: expected {expected}, got a state or a wall for which this does not hold"
-                    f"{first_bad_index(~np.asarray(holds))}"
+                    f"{bad_row(~np.asarray(holds))}"
                 )
         return self.answer(meeting)
 

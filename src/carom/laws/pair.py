@@ -19,8 +19,8 @@ from carom.bodies import Ball, Numbers, State, Surface, kinetic_energy
 from carom.core.contact import GRAZE, NO_REGIME, REGIMES, contact, friction_at_slip
 from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel, prange, vector
 from carom.core.motion.phases import ROUNDING
-from carom.errors import CaromError, FaultList, broadcast_shape, checked_number, first_bad_index, require_type
-from carom.laws.arrays import WallKernel, answer_rows, fresh_unless_own, require_resolved, unit_normal
+from carom.errors import CaromError, FaultList, broadcast_shape, checked_number, require_type
+from carom.laws.arrays import WallKernel, answer_rows, bad_row, fresh_unless_own, require_resolved, unit_normal
 from carom.laws.law import LIKE_SOLIDS, ON_WALL, Law, Meeting, approaches
 from carom.laws.registry import law_for_pairs
 from carom.laws.results import Names, name_codes
@@ -300,7 +300,7 @@ def collide(
         shape = broadcast_shape(np.shape(apart), *map(np.shape, (*numbers, *given)))
         raise CaromError(
             f"collide: expected two balls that approach, got two that move apart"
-            f"{first_bad_index(np.broadcast_to(apart, shape))}; the normal points from the second ball to the first"
+            f"{bad_row(np.broadcast_to(apart, shape))}; the normal points from the second ball to the first"
         )
     if law.conditions is not approaches:
         _require_conditions(law, balls, state, other_state, n, surface, stiffness_ratio)

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from carom.bodies import Ball, State, Surface
-from carom.errors import CaromError, first_bad_index
-from carom.laws.arrays import require_approach, unit_normal
+from carom.errors import CaromError
+from carom.laws.arrays import bad_row, require_approach, unit_normal
 from carom.laws.law import Law, Meeting, holds_everywhere, respond
 
 __all__ = ["reflect"]
@@ -18,7 +18,7 @@ def reflect(law: Law, ball: Ball, state: State, normal: ArrayLike, surface: Surf
     meeting = Meeting(ball, state, unit_normal(normal), surface)
     require_approach(meeting.ball, meeting.state, meeting.normal)
     faults = [
-        f"{law.name}: expected {expected}, got another state{first_bad_index(~np.asarray(holds))}"
+        f"{law.name}: expected {expected}, got another state{bad_row(~np.asarray(holds))}"
         for holds, expected, *_field in law.conditions(meeting)
         if not holds_everywhere(holds)
     ]

@@ -18,8 +18,8 @@ from carom.bodies import Ball, State, Surface
 from carom.core.contact import slip_velocity, wall_contact
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, prange
 from carom.core.motion.rolling import rolls_at_last
-from carom.errors import CaromError, first_bad_index, require_type
-from carom.laws.arrays import answer_rows, require_approach, unit_normal
+from carom.errors import CaromError, require_type
+from carom.laws.arrays import answer_rows, bad_row, require_approach, unit_normal
 from carom.laws.landing import LOST, NO_LAW, landing_settings, rolling_after, settle_checked
 from carom.laws.law import (
     ON_FLOOR,
@@ -271,7 +271,7 @@ def require_defined(undefined: Any) -> None:
     if undefined.any():
         raise CaromError(
             "two_step: wall: expected tangential_restitution 0 where the wall presses the ball on the floor (no law with"
-            f" tangential restitution covers wall and floor at once), got another{first_bad_index(undefined)};"
+            f" tangential restitution covers wall and floor at once), got another{bad_row(undefined)};"
             " use floor_contact='after'"
         )
 
