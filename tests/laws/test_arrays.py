@@ -333,7 +333,9 @@ def test_the_rows_beside_one_that_recedes_are_answered(law: str) -> None:
     after = getattr(carom, law)(ball, state[keep])
     columns = {"velocity_x": velocity[:, 0], "velocity_y": velocity[:, 1]}
     numbers = {} if law == "conventional" else {"restitution": 1.0}
-    found = carom.predict(columns, {"two_step": "two-step", "impact": "contact"}.get(law, law), spin="rolling", **numbers)
+    found = carom.predict(
+        columns, {"two_step": "two-step", "impact": "contact"}.get(law, law), spin="rolling", **numbers
+    )
     assert np.flatnonzero(found["note"] != "").tolist() == [12]
     seen = getattr(after, "after_wall", getattr(after, "after", after))
     assert found["velocity_x_out"][keep] == pytest.approx(seen.velocity[:, 0])

@@ -22,7 +22,8 @@ def function(scene: Scene, wrt: str | Iterable[str], of: str = "final.position")
     ----------
     scene : Scene
     wrt : paths, as for ``run.sensitivity``
-        ``function.columns`` has the names of the p numbers, ``function.start`` their values in the scene.
+        ``function.columns`` has the names of the p numbers, ``function.start`` their values in the scene. Starts and numbers of
+        surfaces are quick; for lengths, angles and strikes each point needs a scene of its own, some 50 times the time.
     of : "final.position", "final.velocity" or "final.spin"
 
     Returns

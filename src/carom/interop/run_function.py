@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any
+from collections.abc import Iterable, Iterator
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,10 +11,12 @@ from numpy.typing import NDArray
 from carom.errors import CaromError, Fault, require_type, suggestion
 from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
-from carom.simulation.sensitivity.many import sensitivities
+from carom.simulation.sensitivity.many import ManySensitivities, first_phases, run_all
+from carom.simulation.sensitivity.parameters import parameters_of
 from carom.simulation.sensitivity.seeds import Column
-from carom.simulation.setup import set_up
+from carom.simulation.setup import SceneArrays, set_up
 from carom.simulation.simulate import simulate, simulate_many
+from carom.simulation.starts import starts_of
 from carom.sweeps.starts import start_states
 
 __all__ = ["OUTCOMES", "RunFunction"]
@@ -22,6 +24,17 @@ __all__ = ["OUTCOMES", "RunFunction"]
 Array = NDArray[np.float64]
 LINEAR_FIELDS = ("position", "velocity", "spin", "spin_z")
 OUTCOMES = {"final.position": "position", "final.velocity": "velocity", "final.spin": "spin"}
+
+
+class _Place(NamedTuple):
+    """Places of a field of the scene's arrays."""
+
+    array: str
+    field: str
+    holds: NDArray[np.bool_]
+    """Which hold the number itself."""
+    free: NDArray[np.bool_]
+    """Which do not depend on it."""
 
 
 class RunFunction:
@@ -51,24 +64,24 @@ class RunFunction:
         """Their values in the scene (p,)."""
         self.shape = (len(scene.balls), 3)
         self._columns: list[Column] = found.parameters
-        # (many runs from other starts need no other scene, where a start is linear in the numbers: that of a struck ball is not)
-        self._starts = all(
-            keys[0] == "balls" and keys[2] in LINEAR_FIELDS and len(match.places) == 1
-            for match in (path_match(scene, path) for path in self.wrt)
-            for keys in match.places
-        )
+        # (many runs need no other scene where a start is linear in the numbers, as that of a struck ball is not, or where a scene's
+        # arrays hold a number itself, as those of surfaces do)
+        self._places: list[list[_Place]] = []
+        self._at_once = all(self._find_places())
+        self._accepted = np.stack([self.start, self.start])
 
     def evaluate(self, x: Array) -> Array:
         """Return the outcome (..., B, 3) at points (..., p), of none for none. CaromError where a scene or its run is refused."""
         rows = self._rows(x)
         if not len(rows):
             found = np.zeros(0)
-        elif self._starts:
-            many = simulate_many(self.scene, *self._motion(rows))
+        elif (arrays := self._arrays(rows)) is None:
+            found = np.array([getattr(simulate(self._scene(row)).final, self.part) for row in rows])
+        else:
+            starts = arrays is set_up(self.scene)
+            many = simulate_many(self.scene, *self._motion(rows)) if starts else self._run(arrays, rows, False)
             self._require_answers(many.why)
             found = np.asarray(getattr(many.final, self.part))
-        else:
-            found = np.array([getattr(simulate(self._scene(row)).final, self.part) for row in rows])
         return found.reshape(*np.shape(x)[:-1], *self.shape)
 
     def differentiate(self, x: Array) -> tuple[Array, Array]:
@@ -76,16 +89,72 @@ class RunFunction:
         rows = self._rows(x)
         if not len(rows):
             found, slopes = np.zeros(0), np.zeros(0)
-        elif self._starts:
-            many = sensitivities(self.scene, self.wrt, *self._motion(rows))
-            self._require_answers(many.why)
-            found, slopes = np.asarray(getattr(many.final, self.part)), getattr(many.derivatives, self.part)
-        else:
+        elif (arrays := self._arrays(rows)) is None:
             runs = [simulate(self._scene(row)) for row in rows]
             found = np.array([getattr(run.final, self.part) for run in runs])
             slopes = np.array([getattr(run.sensitivity(self.wrt).final, self.part) for run in runs])
+        else:
+            many = self._run(arrays, rows, True)
+            self._require_answers(many.why)
+            found, slopes = np.asarray(getattr(many.final, self.part)), getattr(many.derivatives, self.part)
         before = np.shape(x)[:-1]
         return found.reshape(*before, *self.shape), slopes.reshape(*before, *self.shape, len(self.columns))
+
+    def _find_places(self) -> Iterator[bool]:
+        """Find the places of the scene's arrays that hold each number itself, none for a start; yield whether it has one."""
+        arrays = set_up(self.scene)
+        self._parameters = parameters_of(self.scene, arrays, self.wrt, first_phases(self.scene))
+        taken: set[tuple[Any, ...]] = set()
+        for column, slopes in zip(self._columns, self._parameters.slopes, strict=True):
+            match, places = path_match(self.scene, column.path), []
+            start = all(keys[0] == "balls" and keys[2] in LINEAR_FIELDS for keys in match.places)
+            for name in () if start else ("world", "features"):
+                for field, slope in slopes[name].items():
+                    if slope.any():
+                        places.append(_Place(name, field, slope == 1, slope == 0))
+            self._places.append(places)
+            held = [(one.array, one.field, *at) for one in places for at in np.argwhere(one.holds).tolist()]
+            itself = all(
+                (one.holds | one.free).all()
+                and (getattr(arrays, one.array)[one.field][one.holds] == column.value).all()
+                for one in places
+            )
+            on_balls = not start and any(slope.any() for slope in slopes["balls"].values())
+            yield (len(match.places) == 1 if start else bool(places) and itself and not on_balls) and taken.isdisjoint(
+                held
+            )
+            taken.update(held)
+
+    def _arrays(self, rows: Array) -> SceneArrays | None:
+        """Return the arrays of the scene, or those of points (N, p) that differ; None where each point needs a scene of its own.
+
+        A scene is made for a value beyond those that were accepted: it says what it refuses, and has the same arrays.
+        """
+        base = set_up(self.scene)
+        if not self._at_once or not any(self._places):
+            return base if self._at_once else None
+        count = len(rows)
+        made = base._replace(world=np.tile(base.world, count), features=np.tile(base.features, count))
+        for places, column in zip(self._places, rows.T, strict=True):
+            for one in places:
+                into = getattr(made, one.array)[one.field]
+                into.reshape(count, *one.holds.shape)[:, one.holds] = column[:, None]
+        for j in [j for j, places in enumerate(self._places) if places]:
+            for n in (int(np.argmin(rows[:, j])), int(np.argmax(rows[:, j]))):
+                if self._accepted[0, j] <= rows[n, j] <= self._accepted[1, j]:
+                    continue
+                own = set_up(self._scene(rows[n]), compiled=False)
+                ours = made.world[n : n + 1], made.features.reshape(count, -1)[n]
+                if [one.tobytes() for one in ours] != [own.world.tobytes(), own.features.tobytes()]:
+                    self._at_once = False
+                    return None
+                ends = np.append(self._accepted[:, j], rows[n, j])
+                self._accepted[:, j] = ends.min(), ends.max()
+        return made
+
+    def _run(self, arrays: SceneArrays, rows: Array, derivatives: bool) -> ManySensitivities:
+        starts = starts_of(self.where, self.scene, set_up(self.scene), *self._motion(rows))
+        return run_all(self.scene, arrays, self._parameters if derivatives else None, starts)
 
     def _rows(self, x: Array) -> Array:
         x = np.asarray(x, dtype=float)
@@ -123,7 +192,8 @@ class RunFunction:
         """Return velocities, spins and, where they change, positions (N, B, 3)."""
         arrays = set_up(self.scene).for_runs(len(rows))
         values = [self._values(row) for row in rows]
-        columns = {path_match(self.scene, path): np.array([one[path] for one in values]) for path in values[0]}
+        paths = [path for path in values[0] if path.startswith("balls.")]
+        columns = {path_match(self.scene, path): np.array([one[path] for one in values]) for path in paths}
         doubtful = start_states(self.scene, columns, arrays)
         for n in np.flatnonzero(doubtful).tolist():
             self._scene(rows[n])  # (which says what it refuses)

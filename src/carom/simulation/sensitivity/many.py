@@ -24,7 +24,7 @@ from carom.simulation.sensitivity.passages import StateSensitivity
 from carom.simulation.setup import SceneArrays, set_up
 from carom.simulation.starts import starts_of
 
-__all__ = ["ManySensitivities", "sensitivities"]
+__all__ = ["ManySensitivities", "first_phases", "run_all", "sensitivities"]
 
 Array = NDArray[np.float64]
 # Rows of a log at first; a run that needs more is run again.
@@ -115,7 +115,7 @@ def sensitivities(
     arrays = set_up(scene)
     starts = starts_of("sensitivities", scene, arrays, velocity, spin, position)
     wanted = None if times is None else _times(times, len(starts), scene)
-    return _run_all(scene, arrays, parameters_of(scene, arrays, wrt, _phases(scene)), starts, wanted)
+    return run_all(scene, arrays, parameters_of(scene, arrays, wrt, first_phases(scene)), starts, wanted)
 
 
 def _times(times: ArrayLike, runs: int, scene: Scene) -> Array:
@@ -137,18 +137,26 @@ def _times(times: ArrayLike, runs: int, scene: Scene) -> Array:
     return np.ascontiguousarray(found)
 
 
-def _phases(scene: Scene) -> list[int]:
+def first_phases(scene: Scene) -> list[int]:
     """Return the phases in which the balls of a scene begin."""
     run = run_scene(replaced(scene, {"run.max_events": 1}))
     return [int(phase) for phase in run.log["phase"][: len(scene.balls)]]
 
 
-def _run_all(
-    scene: Scene, arrays: SceneArrays, parameters: Parameters, starts: NDArray[np.void], times: Array | None
+def run_all(
+    scene: Scene,
+    arrays: SceneArrays,
+    parameters: Parameters | None,
+    starts: NDArray[np.void],
+    times: Array | None = None,
 ) -> ManySensitivities:
-    (total, count), (until, most), p = starts.shape, run_limits(scene), len(parameters)
-    world, features, balls = (parameters.packed[name] for name in ARRAYS)
-    slopes = RunSlopes(world, features, balls[None], dual_users(scene.called_laws))
+    """Run starts (N, B) in the arrays of the scene, or in those of N scenes, with derivatives by the parameters, if any."""
+    (total, count), (until, most) = starts.shape, run_limits(scene)
+    columns, slopes = [] if parameters is None else parameters.columns, None
+    p = len(columns)
+    if parameters is not None:
+        world, features, balls = (parameters.packed[name] for name in ARRAYS)
+        slopes = RunSlopes(world, features, balls[None], dual_users(scene.called_laws))
     places = None if times is None else np.full(total, times.shape[1])
     limits = Limits(ROWS_AT_FIRST, most, until, MOST_ROWS)
     kept = kept_states(arrays, starts, slopes, times, places, to_end=True, undefined=math.nan, limits=limits)
@@ -162,7 +170,7 @@ def _run_all(
     found[~(np.isin(status, ENDED) & (grazes < 0))] = math.nan
     why = np.array([REFUSALS.get(int(code), NO_DERIVATIVE if graze >= 0 else "") for code, _count, graze in kept.ended])
     made = ManySensitivities(
-        [one.name for one in parameters.columns], _states(kept.finals), _slopes(found), np.array(kept.finals["phase"]), kept.ends,
+        [one.name for one in columns], _states(kept.finals), _slopes(found), np.array(kept.finals["phase"]), kept.ends,
         events.copy(), why,
     )  # fmt: skip
     if times is None:
