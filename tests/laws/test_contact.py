@@ -419,7 +419,7 @@ def test_a_motion_whose_square_is_no_float_is_refused():
             carom.impact(ball, carom.State(velocity, spin))
         with pytest.raises(carom.CaromError, match=r"collide: state: expected a ball at rest"):
             carom.collide(ball, carom.State(velocity, spin), ball, carom.State((0, 0, 0)))
-    with pytest.raises(carom.CaromError, match=r"got 1e-170 at index \(1,\) \(1 in all\)"):
+    with pytest.raises(carom.CaromError, match=r"got 1e-170 at index \(1,\) \(1 "):
         carom.two_step(ball, carom.State([(-1, 0, 0), (-1e-170, 0, 0)]))
     assert carom.impact(ball, carom.State((-1, 1e-200, 0))).after.velocity[0] == 1
     assert carom.impact(ball, carom.State((0, 0, 0))).regime == "graze"
