@@ -46,7 +46,11 @@ TWINS: dict[str, tuple[Callable[..., Any], set[str], set[str]]] = {
         {"progress"},
     ),  # (of its table: found.rebounds())
     "fit gas": (carom.fit_gas, OUTPUT, set()),
-    "judge": (carom.tracks.judge, OUTPUT | {"slope", "strict"}, {"kappa", "gravity", "slope"}),  # (two numbers, a text X,Y)
+    "judge": (
+        carom.tracks.judge,
+        OUTPUT | {"slope", "strict"},
+        {"kappa", "gravity", "slope"},
+    ),  # (two numbers, a text X,Y)
     "compare": (carom.incoming, OUTPUT | {"law"}, set()),  # (carom.compare(laws, ...) hands its numbers on)
 }
 # Texts of the command, lists of one option each, and switches that are told apart from None: the same values in other words.

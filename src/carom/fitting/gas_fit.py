@@ -10,12 +10,14 @@ from typing import Any
 import numpy as np
 
 from carom.data.columns import as_columns, is_columns, read_columns
+from carom.data.rebounds import Rebounds
 from carom.errors import FaultList
 from carom.files import as_path
 from carom.fitting.fit_files import fit
 from carom.fitting.gas_collisions import collisions_of_tracks
 from carom.fitting.ranking import Ranking
 from carom.fitting.result import Estimate, estimate_dict
+from carom.formatting import counted
 from carom.gas.build import load_gas
 from carom.gas.contact_forms import ANY
 from carom.gas.scene import GasScene
@@ -24,6 +26,7 @@ from carom.scene.restitution import Exponential, Polynomial, Power, Viscoelastic
 __all__ = ["GasFit", "fit_gas"]
 
 TRACKS = ("t", "ball", "x", "y")
+MIN_SLIDING = 4  # collisions, by which friction is told: of fewer one with a wrong error bar may decide
 
 
 @dataclass(frozen=True)
@@ -94,15 +97,22 @@ def fit_gas(file: str | Path | Any, scene: str | Path | GasScene) -> GasFit:
 
 def _of_tracks(columns: Any, scene: GasScene, form: str) -> GasFit:
     species = scene.species[0]
-    box, sides = scene.container.geometry, np.full(3, math.inf)
+    box, sides, gravity = scene.container.geometry, np.full(3, math.inf), np.zeros(3)
+    gravity[: len(scene.gravity_vector)] = scene.gravity_vector
     for axis, (length, around) in enumerate(zip(box.size, box.periodic, strict=True)):
         sides[axis] = length if around else math.inf
-    table, notes = collisions_of_tracks(dict(columns), species.nominal, sides)
+    table, notes = collisions_of_tracks(dict(columns), species.nominal, sides, gravity)
     kappa = species.kappa(scene.container.dimensions)
     how: Any = {"bootstrap": 0, "profiles": False, "robust": True}
     ranking = fit(table, species.nominal, inertia=kappa, laws=["contact"], restitution=form, **how)
     assert isinstance(ranking, Ranking)
-    estimates = ranking.ranked[0].fit.estimates
+    estimates = dict(ranking.ranked[0].fit.estimates)
+    if "friction" in estimates and (sliding := _sliding(table, estimates, species.nominal, kappa)) < MIN_SLIDING:
+        least = estimates.pop("friction").value
+        notes.append(
+            f"friction is not told by these data: {counted(sliding, 'collision')} in {len(table)} slide"
+            + ("" if least is None else f"; it is some {least:.2g} or more")
+        )
     values, errors = {}, {}
     for name, one in estimates.items():
         if one.value is None:
@@ -112,3 +122,13 @@ def _of_tracks(columns: Any, scene: GasScene, form: str) -> GasFit:
         else:
             values[name], errors[name] = float(one.value), float(one.stderr)
     return GasFit(values, errors, len(table["v_n_in"]), tuple(notes))
+
+
+def _sliding(table: Rebounds, estimates: Any, radius: float, kappa: float) -> int:
+    """Return how many collisions slide to their end: more friction would change them. (All, if spins are not known.)"""
+    beta, mu = (estimates[name].value if name in estimates else None for name in ("tangential_restitution", "friction"))
+    if beta is None or mu is None or not np.isfinite(table["spin_in"]).all():
+        return len(table)
+    slip = np.abs(table["v_t_in"] - radius * table["spin_in"])
+    needed = (1 + beta) * kappa / (1 + kappa) * slip / (table["v_n_in"] + table["v_n_out"])
+    return int((needed > mu).sum())

@@ -24,8 +24,6 @@ from carom.laws.results import GRAVITY
 from carom.scene.floor import gravity_on_slope
 from carom.tracks.judgement_paths import EXACT, FEW, BallPath, PathPiece, read_paths
 
-__all__ = ["LAWS", "SIGMAS", "Judgement", "Violation", "event_time", "judge", "nearest_image", "path_events"]
-
 Array = NDArray[np.float64]
 LAWS = {
     "penetration": "balls, and a ball and the floor, do not overlap",
@@ -177,8 +175,8 @@ def judge(
         for piece in ball.pieces:
             _between_contacts(ball, piece, sigma, pull, floor_friction, found)
     _overlaps(balls, sigma, found)
-    for event in path_events(balls, sigma):
-        t, late = event_time(event)
+    for event in _events(balls, sigma):
+        t, late = _event_time(event)
         if not math.isnan(t):
             _energy(t, late, event, kappa, pull, found)
             if len(event.members) == 2:
@@ -327,20 +325,8 @@ class _Event(NamedTuple):
     members: tuple[_Change, ...]
 
 
-def nearest_image(r: Array, sides: Array | None) -> Array:
-    """Return the distance (..., 3) between two places by the shortest way, in a box with periodic sides (inf: not periodic)."""
-    if sides is None:
-        return r
-    around = np.isfinite(sides)
-    nearest: Array = r - np.where(around, np.round(r / sides), 0.0) * np.where(around, sides, 0.0)
-    return nearest
-
-
-def path_events(balls: Sequence[BallPath], sigma: float, sides: Array | None = None) -> Iterator[_Event]:
-    """Yield events: changes of one ball, joined where two balls are in reach of each other at the same time.
-
-    ``sides`` (3,) are the sides of a periodic box, along whose axes balls meet each other's images.
-    """
+def _events(balls: Sequence[BallPath], sigma: float) -> Iterator[_Event]:
+    """Yield events: changes of one ball, joined where two balls are in reach of each other at the same time."""
     most = 1 if sigma < EXACT else 5  # frames between two pieces, with one event there
     changes = [
         _Change(ball, a, b)
@@ -355,7 +341,7 @@ def path_events(balls: Sequence[BallPath], sigma: float, sides: Array | None = N
     middle = np.array([one.before.middle for one in changes])
     numbers = np.array([one.before.numbers for one in changes]).reshape(-1, 3, 3)
     radius = np.array([ball.radius for ball in balls])
-    beside = _Beside(balls, sigma, sides)
+    beside = _Beside(balls, sigma)
     used = np.zeros(len(changes), dtype=bool)
     for i, first in enumerate(changes):
         if used[i]:
@@ -368,7 +354,7 @@ def path_events(balls: Sequence[BallPath], sigma: float, sides: Array | None = N
             tau = (lows[k] - middle[rest])[:, None]
             x, v, half = (numbers[rest, power] for power in range(3))
             here, own = changes[k].before.place(float(lows[k]))[0], changes[k].before.velocity(float(lows[k]))[0]
-            gap = np.linalg.norm(nearest_image(here - (x + v * tau + half * tau**2), sides), axis=1)
+            gap = np.linalg.norm(here - (x + v * tau + half * tau**2), axis=1)
             gap -= radius[of[k]] + radius[of[rest]]
             closing = np.linalg.norm(own - (v + 2 * half * tau), axis=1)
             reached = (gap < SIGMAS * sigma + 2 * closing * (high - low)) & (of[rest] != of[k])
@@ -387,8 +373,8 @@ def path_events(balls: Sequence[BallPath], sigma: float, sides: Array | None = N
 class _Beside:
     """The balls beside an event: finds whether one of them takes part in it, so that the event is not resolved."""
 
-    def __init__(self, balls: Sequence[BallPath], sigma: float, sides: Array | None) -> None:
-        self.balls, self.sigma, self.sides = balls, sigma, sides
+    def __init__(self, balls: Sequence[BallPath], sigma: float) -> None:
+        self.balls, self.sigma = balls, sigma
         self.of = np.repeat(np.arange(len(balls)), [len(ball.t) for ball in balls])
         t = np.concatenate([ball.t for ball in balls])
         order = np.argsort(t, kind="stable")
@@ -403,7 +389,7 @@ class _Beside:
         x, of = self.x[rows], self.of[rows]
         near = np.zeros(len(x), dtype=bool)
         for ball, before, _after in members:
-            gap = np.linalg.norm(nearest_image(x - ball.x[before.last], self.sides), axis=1)
+            gap = np.linalg.norm(x - ball.x[before.last], axis=1)
             fastest = np.maximum(self.fastest[of], max(one.ball.fastest for one in members))
             near |= gap - ball.radius - self.radius[of] < SIGMAS * self.sigma + 4 * fastest * (high - low)
         return any(
@@ -413,7 +399,7 @@ class _Beside:
         )
 
 
-def event_time(event: _Event) -> tuple[float, float]:
+def _event_time(event: _Event) -> tuple[float, float]:
     """Return when an event is, and its error: where the paths before and after meet; NaN where several events lie between."""
     best, error = math.nan, math.inf
     span = event.high - event.low

@@ -85,10 +85,29 @@ class BallPath:
         return max((float(np.linalg.norm(piece.numbers[1])) for piece in self.pieces), default=0.0)
 
 
+class BallRows(NamedTuple):
+    """A ball with its rows, sorted by time; its spins (n, 3) if they are known, radius and mass."""
+
+    name: str
+    t: Array
+    x: Array
+    w: Array | None
+    radius: float
+    mass: float
+
+
 def read_paths(
     table: Any, radius: float | None, mass: float, noise: float | None
 ) -> tuple[list[BallPath], float, list[str]]:
     """Return the balls of a table with their pieces, the noise of a coordinate (m), and what was assumed."""
+    rows, sigma, notes = read_rows(table, radius, mass, noise)
+    return [BallPath(name, t, x, a, m, tuple(_pieces(t, x, w, sigma))) for name, t, x, w, a, m in rows], sigma, notes
+
+
+def read_rows(
+    table: Any, radius: float | None, mass: float, noise: float | None
+) -> tuple[list[BallRows], float, list[str]]:
+    """Return the rows of each ball of a table, on the camera's clock, the noise of a coordinate (m), and what was assumed."""
     where, notes = "judge", list[str]()
     if is_columns(table):
         columns = as_columns(table, where)
@@ -122,25 +141,13 @@ def read_paths(
         )
     rows = [one._replace(t=t) for one, t in zip(rows, clock, strict=True)]
     sigma = _noise(rows) if noise is None else float(noise)
-    sigma = max(sigma, 4e-16 * max(float(np.abs(one.x).max(initial=0.0)) for one in rows))
-    return [BallPath(name, t, x, a, m, tuple(_pieces(t, x, w, sigma))) for name, t, x, w, a, m in rows], sigma, notes
-
-
-class _Rows(NamedTuple):
-    """A ball with its rows, sorted by time; its spins (n, 3) if they are known, radius and mass."""
-
-    name: str
-    t: Array
-    x: Array
-    w: Array | None
-    radius: float
-    mass: float
+    return rows, max(sigma, 4e-16 * max(float(np.abs(one.x).max(initial=0.0)) for one in rows)), notes
 
 
 def _rows_of_balls(
     where: str, columns: Columns, numbers: dict[str, Array], known: NDArray[np.bool_], radius: float | None, mass: float,
     notes: list[str],
-) -> list[_Rows]:  # fmt: skip
+) -> list[BallRows]:  # fmt: skip
     """Return the rows of each ball; a note says where a radius was assumed. Raises for balls whose radius is not known."""
     count, label = len(known), next((name for name in ("name", "ball") if name in columns), None)
     names = np.full(count, "ball")
@@ -153,7 +160,7 @@ def _rows_of_balls(
     used, inverse = np.unique(names[known], return_inverse=True)
     order = np.lexsort((numbers["t"][known], inverse))
     by_name = np.split(np.flatnonzero(known)[order], np.cumsum(np.bincount(inverse))[:-1]) if len(used) else []
-    faults, rows = FaultList(where), list[_Rows]()
+    faults, rows = FaultList(where), list[BallRows]()
     for own in sorted(by_name, key=lambda one: int(one.min())):
         name = str(names[own[0]])
         least = float(numbers["z"][own].min()) if "z" in numbers else POOL_BALL
@@ -164,7 +171,7 @@ def _rows_of_balls(
         m = float(numbers["mass"][own][0]) if "mass" in numbers else mass
         z = numbers["z"][own] if "z" in numbers else np.full(len(own), a)
         x = np.stack([numbers["x"][own], numbers["y"][own], z], axis=-1)
-        rows.append(_Rows(name, numbers["t"][own], x, None if spins is None else spins[own], a, m))
+        rows.append(BallRows(name, numbers["t"][own], x, None if spins is None else spins[own], a, m))
     faults.raise_if_any()
     return rows
 
@@ -270,7 +277,7 @@ def _third_differences(t: Array, x: Array) -> Array:
     return found
 
 
-def _noise(rows: Sequence[_Rows]) -> float:
+def _noise(rows: Sequence[BallRows]) -> float:
     """Estimate the noise of a coordinate from third differences, which events affect in few frames: their median is taken."""
     sizes = np.concatenate(
         [
