@@ -2,11 +2,13 @@
 
 import errno
 import os
+import re
 import signal
 import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 import tomli_w
 from reference.forking import Forked
@@ -254,3 +256,50 @@ def test_a_sweep_that_names_a_device(tmp_path):
         with pytest.raises(CaromError) as caught:
             carom.sweeps.load_sweep(tmp_path / "s.toml")
         assert len(caught.value.faults) == 1
+
+
+def crowd():
+    scene = carom.gas.gas_text().replace("count = 1000", "count = 10_000_000").replace("12.6", "500.0")
+    return carom.gas.load_gas(scene)
+
+
+def gas_of_many():
+    many = [carom.gas.Species(carom.Ball(0.5, 1.0), 10_000_000)]
+    return carom.gas.Gas(many, (500.0,) * 3, contacts=carom.Surface(1, 0, 0))
+
+
+def wide_sweep():
+    space = carom.Space(
+        carom.new_scene(), dict.fromkeys(("floor.friction", "floor.restitution"), np.linspace(0, 1, 3000))
+    )
+    return carom.sweep(space, keep=["final.position"]).run()
+
+
+def many_events():
+    velocity = np.tile([1.0, 0.0, 0.0], (100_000, 1))
+    return carom.simulate_many(carom.new_scene(), velocity=velocity, events=100)
+
+
+LARGE = {
+    "gas in a file": (crowd, "species"),
+    "gas": (gas_of_many, "species"),
+    "orbits": (lambda: carom.orbit("circle", orbits=1000, bounces=10_000), "bounces"),
+    "starts": (lambda: carom.orbit("circle", orbits=8_000_000, bounces=1), "count"),
+    "sweep": (wide_sweep, "points"),
+    "events of runs": (many_events, "events"),
+}
+
+
+@pytest.mark.parametrize("name", LARGE)
+def test_what_would_fill_the_memory_is_refused_before_it_is_made(name, monkeypatch):
+    make, field = LARGE[name]
+    monkeypatch.setattr(files, "memory_left", lambda: 2e8)
+    with pytest.raises(CaromError) as caught:
+        make()
+    (one,) = caught.value.records
+    assert one.field == field
+    assert re.search(r"which fill 200 MB$", one.expected)
+
+
+def test_the_memory_of_this_machine_is_known():
+    assert 1e6 < files.memory_left() < 1e15

@@ -38,10 +38,12 @@ __all__ = [
     "cannot_write",
     "import_optional",
     "install_command",
+    "memory_left",
     "open_regular",
     "read_regular",
     "read_text",
     "require_library",
+    "require_memory",
     "require_unpacked_size",
     "require_writable",
     "text_encoding",
@@ -386,6 +388,43 @@ def read_regular(path: Path, what: str = READABLE, most: int = MOST_TEXT, advice
     if len(raw) > most:
         raise CaromError(Fault(f"{path}", "", f"{what} of at most {format_bytes(most)}", "more"))
     return raw
+
+
+# --- how much memory there is ------------------------------------------------------------------------------------------
+
+
+SMALL = 1e8  # bytes, for which no machine is asked
+
+
+def memory_left() -> float:
+    """Return how many bytes this process may still take, by what the machine has free and by its limits; inf where none is known.
+
+    What would take more is refused before it is made.
+    """
+    found = [math.inf]
+    with contextlib.suppress(OSError, ValueError):
+        lines = Path("/proc/meminfo").read_text(encoding="ascii").splitlines()
+        found += [1024.0 * int(line.split()[1]) for line in lines if line.startswith("MemAvailable:")]
+    with contextlib.suppress(OSError, ValueError):  # (of a container; "max" is none)
+        found.append(float(Path("/sys/fs/cgroup/memory.max").read_text(encoding="ascii")))
+    with contextlib.suppress(ImportError, OSError):
+        import resource
+
+        limit = resource.getrlimit(resource.RLIMIT_AS)[0]
+        found += [float(limit)] if limit != resource.RLIM_INFINITY else []
+    return min(found)
+
+
+def require_memory(where: str, field: str, count: float, each: float, advice: str, most: float = math.inf) -> None:
+    """Raise CaromError where so many things of so many bytes each would take more than :func:`memory_left`, or than ``most``."""
+    if count * each <= SMALL:
+        return
+    room = min(memory_left(), most)
+    if count * each > room:
+        got = f"{count:,.15g}, which take {format_bytes(count * each)}"
+        raise CaromError(
+            Fault(where, field, f"no more than {int(room / each):,}, which fill {format_bytes(room)}", got, advice)
+        )
 
 
 # --- how large a file becomes --------------------------------------------------------------------------------------

@@ -365,7 +365,7 @@ BAD = [
     (["sinai:radius=0.8"], "sinai: obstacles: expected room between them, got one that covers the cell"),
     (["periodic-strip:radius=0.8"], "periodic-strip: obstacles: expected room between them"),
     (["circle", "--seed", "-1"], "seed: expected an integer >= 0, got -1"),
-    (["circle", "--orbits", "100000000000"], "starts: count: expected no more than 10,000,000, got 100,000,000,000"),
+    (["circle", "--orbits", "100000000000"], "starts: count: expected no more than 10,000,000, which fill 4 GB"),
     (["circle", "--bounds", "center"], "did you mean 'centre'?"),
     (["circle", "--corners", "stop"], "corners: expected 'end' or 'pass', got 'stop'"),
     (["wedge"], "give an acceleration towards the vertex (of a wedge such as -9.81,0), or --position and --velocity"),

@@ -17,6 +17,7 @@ from carom.billiards.tables import Table
 from carom.bodies import Ball, Numbers, Surface
 from carom.core.jit.slices import Pace
 from carom.errors import CaromError, Fault
+from carom.files import require_memory
 from carom.public.progress import Progress, as_progress
 
 __all__ = [
@@ -231,17 +232,8 @@ def orbit_from_setup(setup: OrbitSetup, start: Any, bounces: int, progress: Prog
     bounces = require_integer("bounces", bounces)
     d = setup.table.dimension
     width = 6 if setup.planar else 10
-    if len(rows) * bounces * (8 * width + 4) > MAX_KEPT_BYTES:
-        most = int(MAX_KEPT_BYTES / (8 * width + 4))
-        raise CaromError(
-            Fault(
-                "orbit",
-                "bounces",
-                f"no more than {most:,} in all",
-                f"{len(rows)} x {bounces:,}",
-                "use final(), which keeps none",
-            )
-        )
+    advice = "use final(), which keeps none"
+    require_memory("orbit", "bounces", len(rows) * bounces, 2 * (8 * width + 4), advice, 2 * MAX_KEPT_BYTES)
     kept = np.full((len(rows), bounces, width), np.nan)
     piece = np.full((len(rows), bounces), -1, np.int32)
     last, ends = _loop(setup, rows, bounces, kept, piece, progress)

@@ -18,6 +18,7 @@ from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
 from carom.core.sums import added
 from carom.errors import CaromError, Fault
+from carom.files import require_memory
 
 __all__ = ["free_area", "starts"]
 
@@ -84,16 +85,7 @@ def starts(
     """
     setup = orbit_setup(table, ball, law, Surface() if needs_surface(law) else None, "end")
     count, seed = require_integer("count", count), require_integer("seed", seed, 0)
-    if count * BYTES_PER_START > MAX_KEPT_BYTES:
-        raise CaromError(
-            Fault(
-                "starts",
-                "count",
-                f"no more than {int(MAX_KEPT_BYTES / BYTES_PER_START):,}",
-                f"{count:,}",
-                "draw them in parts",
-            )
-        )
+    require_memory("starts", "count", count, BYTES_PER_START, "draw them in parts", MAX_KEPT_BYTES)
     rng = np.random.default_rng(seed)
     radius, kappa = float(setup.ball.radius), float(setup.ball.kappa)
     planar = setup.planar

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.core.sums import added
 from carom.errors import FaultList, float_or_nan
+from carom.files import require_memory
 from carom.formatting import counted, format_number
 from carom.gas.contact_forms import Contacts
 from carom.gas.containers import Container, WallNumbers, as_container
@@ -22,6 +23,7 @@ from carom.gas.edmd.gas_records import COLLAPSED, DONE, HEAT, UNDERFLOW, Average
 from carom.gas.endings import AT_REST, COLLAPSE, TOO_SLOW, EarlyEnd, EndedEarlyError, collapse_of
 from carom.gas.results import GasBalls, GasRun, Mark, ShearRun
 from carom.gas.size_distributions import SizeClasses
+from carom.gas.sizes import BYTES_PER_BALL
 from carom.gas.species import Species, system_records
 from carom.gas.starts import TOUCH, draw_thermal, require_no_overlap, start_positions, vectors
 from carom.gas.time_averages import averages_between
@@ -101,6 +103,7 @@ class Gas:
         touch: float = TOUCH,
     ) -> None:
         container = as_container(side, periodic)
+        require_memory("Gas", "species", sum(one.count for one in species), BYTES_PER_BALL, "take fewer balls")
         sizes = SizeClasses(species)
         records = system_records(
             sizes.kinds,

@@ -12,8 +12,9 @@ from pydantic import BeforeValidator, model_validator
 
 from carom.bodies import Surface
 from carom.core.sums import added
-from carom.errors import Fault, FaultList, shown, suggestion
-from carom.formatting import counted, format_number
+from carom.errors import CaromError, Fault, FaultList, shown, suggestion
+from carom.files import require_memory
+from carom.formatting import counted, format_bytes, format_number
 from carom.gas.contact_forms import ANY, GasSurface, best_contact
 from carom.gas.containers import BOXES, WALLS, wall_name
 from carom.gas.drives import drive_faults
@@ -22,7 +23,7 @@ from carom.gas.faces import JOINT_OVERLAP
 from carom.gas.initial import DENSEST
 from carom.gas.schema import AnyContainer, GasContact, GasDrive, GasSettings, GasSpecies, GasThermostat, volume_of_balls
 from carom.gas.size_distributions import LognormalRadii
-from carom.gas.sizes import LONGEST_SIDE
+from carom.gas.sizes import BYTES_PER_BALL, LONGEST_SIDE
 from carom.gas.species import shear_faults
 from carom.scene.plausible import FAST
 from carom.scene.schema import Components, Model, Number, raise_faults
@@ -167,6 +168,8 @@ class GasScene(Model):
         density = f"packing fraction {self.packing_fraction:.4g}"
         run = [] if self.run.max_events is None else [counted(self.run.max_events, "event")]
         run += [] if self.run.duration is None else [f"a duration of {format_number(self.run.duration)}"]
+        if self.count * BYTES_PER_BALL >= 1e9:
+            what += f" (about {format_bytes(self.count * BYTES_PER_BALL)} of memory)"
         before = f"after {counted(self.equilibrate, 'event')} of equilibration"
         if self.run.from_time is not None:
             before += f", from t = {format_number(self.run.from_time)}"
@@ -180,6 +183,8 @@ def gas_faults(scene: GasScene) -> list[Fault]:
     if not scene.species:
         advice = "a file has a table [[species]] for each"
         return [Fault("", "species", "at least one species", "none", advice)]
+    if found := _count_faults(scene):  # (the others look at the radii of all balls)
+        return found
     parts = (_species_faults, _contact_faults, _drive_faults, _gravity_faults, _density_faults)
     return [fault for part in parts for fault in part(scene)]
 
@@ -194,9 +199,17 @@ def _species_faults(scene: GasScene) -> list[Fault]:
             advice = "for discs give the container two lengths" if one.kappa(3) <= 1 else ""
             got = format_number(one.kappa(3), 6) if not isinstance(one.inertia, str) else one.inertia
             found.add(f"species[{i}].inertia", "kappa of at most 2/3 for balls, that of a thin shell", got, advice)
-    if scene.count > MAX_BALLS:
-        found.add("species", f"at most {MAX_BALLS:,} balls", f"{scene.count:,}")
     return found
+
+
+def _count_faults(scene: GasScene) -> list[Fault]:
+    if scene.count > MAX_BALLS:
+        return [Fault("", "species", f"at most {MAX_BALLS:,} balls", f"{scene.count:,}")]
+    try:
+        require_memory("", "species", scene.count, BYTES_PER_BALL, "take fewer balls, or a larger machine")
+    except CaromError as error:
+        return list(error.records)
+    return []
 
 
 def _contact_faults(scene: GasScene) -> list[Fault]:

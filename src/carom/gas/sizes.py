@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-__all__ = ["LONGEST_SIDE", "cells_at_most", "lattice_steps"]
+__all__ = ["BYTES_PER_BALL", "LONGEST_SIDE", "cells_at_most", "lattice_steps"]
 
 LONGEST_SIDE = 1e9  # of the smallest radius: beyond it rounding of a position is no longer small beside a ball
+BYTES_PER_BALL = 220.0  # of memory: all arrays of a gas, and those of its start
 CELLS_PER_BALL = 8  # at most: empty cells cost memory, and save nothing
 
 

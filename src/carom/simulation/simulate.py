@@ -15,6 +15,7 @@ from carom.bodies import State
 from carom.core.jit.slices import Pace, block_slices
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, FaultList, require_type
+from carom.files import memory_left, require_memory
 from carom.formatting import counted
 from carom.laws.law import Law
 from carom.public.progress import Progress, loop_callback
@@ -182,6 +183,10 @@ def _bits(kinds: tuple[str, ...]) -> int:
 def _run_many(scene: Scene, arrays: SceneArrays, events: int, kinds: tuple[str, ...], progress: Any) -> ManyRuns:
     many, bits, (until, most) = compiled_many(), _bits(kinds) if events else 0, run_limits(scene)
     balls, total = arrays.balls, len(arrays.balls)
+    advice = "keep fewer, choose kinds, or run the starts in parts"
+    require_memory(
+        "simulate_many", "events", total * min(events, WHOLE_EVENTS), 2 * LOG.itemsize, advice, MAX_KEPT_BYTES
+    )
     ended, slow, written = np.zeros((total, 2), np.int64), np.full(total, -1.0), empty_counts(total)
     ended[:, 0] = LIMIT
     kept: list[NDArray[np.void]] = []
@@ -223,7 +228,7 @@ def _with_room(logs: NDArray[np.void], written: int, room: int, total: int, one:
     """Return logs with room for events of ``one`` row at most after ``written`` rows, at most ``room``; CaromError if too large."""
     if logs.shape[1] - written >= one * LEAST_SHARE:
         return logs
-    rows = min(room, 4 * logs.shape[1], int(MAX_KEPT_BYTES / LOG.itemsize / total))
+    rows = min(room, 4 * logs.shape[1], int(min(MAX_KEPT_BYTES, memory_left()) / LOG.itemsize / total))
     if rows < min(room, written + one * LEAST_SHARE):
         raise CaromError(
             f"simulate_many: events: expected runs of no more than {rows:,} events, which fill {MAX_KEPT_BYTES / 1e9:g} GB, of"

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from carom.core.jit.cache import source_hash
 from carom.errors import CaromError
+from carom.files import require_memory
 from carom.formatting import format_bytes, format_time
 from carom.public.own_laws import with_own_laws
 from carom.sweeps.cluster import run_on_cluster
@@ -200,6 +201,10 @@ class Sweep:
         return stop - first
 
     def _in_memory(self, progress: Progress | None) -> Any:
+        advice = "give a store, FILE.zarr, which keeps them on disk"
+        require_memory(
+            "sweep", "points", self.space.size, 2 * self._bytes_each(), advice
+        )  # (parts, and all of them as one)
         parts: list[dict[str, Array]] = []
         done = 0
         for block in range(self.blocks.number):
@@ -216,13 +221,17 @@ class Sweep:
 
     # --- looking ---------------------------------------------------------------------------------------------------
 
+    def _bytes_each(self) -> int:
+        """Return the bytes of all outcomes of a point."""
+        return sum(np.dtype(one.dtype).itemsize * math.prod(one.shape) for one in self.outcomes) + 1
+
     def explain(self) -> SweepPlan:
         """Say how many points, blocks, bytes and seconds the sweep has; a few points are computed to estimate its time.
 
         Nothing is written.
         """
         points = self.space.size
-        each = sum(np.dtype(one.dtype).itemsize * math.prod(one.shape) for one in self.outcomes) + 1
+        each = self._bytes_each()
         missing = len(self.missing())
         seconds = self._seconds_each() * points * missing / self.blocks.number
         rows = [
