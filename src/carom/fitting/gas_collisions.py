@@ -38,7 +38,7 @@ ROUNDS = 3  # the noise is that about the flights, which are found with the nois
 
 
 @dataclass
-class Flight:
+class StraightFlight:
     """A straight piece of a ball's path: place at its mean time, velocity, and their variances over that of the noise."""
 
     first: int
@@ -67,8 +67,8 @@ class _Bend(NamedTuple):
     """A ball's path just before and after its velocity changes."""
 
     ball: int
-    before: Flight
-    after: Flight
+    before: StraightFlight
+    after: StraightFlight
 
 
 def collisions_of_tracks(
@@ -104,7 +104,7 @@ def collisions_of_tracks(
     balls, sigma, _notes = read_rows(filled, radius, 1.0, None)
     around = np.full(3, math.inf) if sides is None else sides
     paths = [_unwrapped(ball, around, np.zeros(3) if gravity is None else gravity, axes) for ball in balls]
-    flights: list[list[Flight]] = []
+    flights: list[list[StraightFlight]] = []
     for _ in range(ROUNDS):
         flights = _flights(balls, paths, sigma)
         found = _noise_about(balls, paths, flights)
@@ -127,7 +127,7 @@ def _unwrapped(ball: BallRows, sides: Array, gravity: Array, axes: int) -> Array
     return fall
 
 
-def _flights(balls: Sequence[BallRows], paths: Sequence[Array], sigma: float) -> list[list[Flight]]:
+def _flights(balls: Sequence[BallRows], paths: Sequence[Array], sigma: float) -> list[list[StraightFlight]]:
     """Return the straight flights of each ball: the cut of its frames with the least sum of squares and cost of bends.
 
     The line from each possible start is kept, and each frame added to all of them, of all balls at once; what a start cannot win
@@ -208,7 +208,7 @@ def _left(t: Array, x: Array) -> float:
     return float(np.square(off - np.multiply.outer(after, after @ off / max(float(after @ after), 1e-300))).sum())
 
 
-def _flight(t: Array, x: Array, w: Array | None, first: int, last: int) -> Flight:
+def _flight(t: Array, x: Array, w: Array | None, first: int, last: int) -> StraightFlight:
     rows = slice(first, last + 1)
     middle = float(t[rows].mean())
     after = t[rows] - middle
@@ -217,10 +217,14 @@ def _flight(t: Array, x: Array, w: Array | None, first: int, last: int) -> Fligh
     # (the frames beside a bend may be on its other side, within the noise)
     within = slice(first + 1, last) if last - first >= FRAMES_OF_SPIN else rows
     spin = np.zeros(3) if w is None else w[within].mean(axis=0)
-    return Flight(first, last, float(t[first]), float(t[last]), middle, x[rows].mean(axis=0), velocity, spread, spin)
+    return StraightFlight(
+        first, last, float(t[first]), float(t[last]), middle, x[rows].mean(axis=0), velocity, spread, spin
+    )
 
 
-def _noise_about(balls: Sequence[BallRows], paths: Sequence[Array], flights: Sequence[Sequence[Flight]]) -> float:
+def _noise_about(
+    balls: Sequence[BallRows], paths: Sequence[Array], flights: Sequence[Sequence[StraightFlight]]
+) -> float:
     """Return the standard deviation of a coordinate about the flights, m."""
     squares, free = 0.0, 0
     for ball, x, own in zip(balls, paths, flights, strict=True):
@@ -232,7 +236,7 @@ def _noise_about(balls: Sequence[BallRows], paths: Sequence[Array], flights: Seq
     return max(math.sqrt(squares / max(free, 1)), LEAST_NOISE * balls[0].radius)
 
 
-def _spin_noise(balls: Sequence[BallRows], flights: Sequence[Sequence[Flight]]) -> float:
+def _spin_noise(balls: Sequence[BallRows], flights: Sequence[Sequence[StraightFlight]]) -> float:
     """Return the standard deviation of a component of a spin about its mean in each flight, rad/s."""
     squares, free = 0.0, 0
     for ball, own in zip(balls, flights, strict=True):
@@ -259,7 +263,7 @@ class _Collision(NamedTuple):
 class _Pair:
     """What two bends of two balls have to fulfil to be one collision; flights in the order before, after, before, after."""
 
-    def __init__(self, flights: Sequence[Flight], masses: Sequence[float], touch: float, sides: Array) -> None:
+    def __init__(self, flights: Sequence[StraightFlight], masses: Sequence[float], touch: float, sides: Array) -> None:
         self.flights, self.masses, self.touch, self.sides = flights, masses, touch, sides
         self.axes = len(sides)
         self.middles = np.array([one.middle for one in flights])
@@ -329,7 +333,7 @@ class _Pair:
 
 def _rebounds(
     balls: Sequence[BallRows],
-    flights: Sequence[Sequence[Flight]],
+    flights: Sequence[Sequence[StraightFlight]],
     sigma: float,
     radius: float,
     sides: Array,
@@ -378,7 +382,11 @@ def _rebounds(
 
 
 def _pairs(
-    bends: Sequence[_Bend], balls: Sequence[BallRows], flights: Sequence[Sequence[Flight]], sigma: float, sides: Array
+    bends: Sequence[_Bend],
+    balls: Sequence[BallRows],
+    flights: Sequence[Sequence[StraightFlight]],
+    sigma: float,
+    sides: Array,
 ) -> tuple[list[tuple[int, int, _Pair, _Collision]], dict[int, set[int]]]:
     """Return all pairs of bends that may be a collision, and for each bend those of other balls that are in its reach."""
     d = len(sides)
