@@ -221,6 +221,8 @@ def escape(
 
 
 class Hole(NamedTuple):
+    """A hole in a wall: the stretch from ``low`` to ``high``, in shares of the wall's length."""
+
     wall: int
     low: float
     high: float

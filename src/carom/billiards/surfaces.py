@@ -64,12 +64,15 @@ class FlatPiece:
     offset: float = 0.0
 
     def distance(self, x: Array) -> float:
+        """Return how far the place x is from the surface, positive on the ball's side."""
         return float(self.direction @ x) - self.offset
 
     def normal(self, x: Array) -> Array:
+        """Return the unit normal at the foot of x, toward the ball."""
         return self.direction
 
     def turn(self, x: Array, n: Array, v: Array) -> Array:
+        """Return the rate at which the normal n at x turns where x moves with v."""
         return np.zeros(x.size)
 
 
@@ -83,13 +86,16 @@ class RoundPiece:
     """1 for a ball outside, -1 for a ball inside."""
 
     def distance(self, x: Array) -> float:
+        """Return how far the place x is from the surface, positive on the ball's side."""
         return self.side * (_length(self.across * x) - self.radius)
 
     def normal(self, x: Array) -> Array:
+        """Return the unit normal at the foot of x, toward the ball."""
         away = self.across * x
         return (self.side / _length(away)) * away
 
     def turn(self, x: Array, n: Array, v: Array) -> Array:
+        """Return the rate at which the normal n at x turns where x moves with v."""
         across = self.across * v
         return (self.side / _length(self.across * x)) * (across - n * (n @ across))
 
@@ -103,13 +109,16 @@ class RingPiece:
     side: float
 
     def distance(self, x: Array) -> float:
+        """Return how far the place x is from the surface, positive on the ball's side."""
         return self.side * (_length(self._from_circle(x)[0]) - self.tube)
 
     def normal(self, x: Array) -> Array:
+        """Return the unit normal at the foot of x, toward the ball."""
         away = self._from_circle(x)[0]
         return (self.side / _length(away)) * away
 
     def turn(self, x: Array, n: Array, v: Array) -> Array:
+        """Return the rate at which the normal n at x turns where x moves with v."""
         away, outwards, far = self._from_circle(x)
         level = v.copy()
         level[-1] = 0.0
@@ -133,13 +142,16 @@ class EllipsoidPiece:
     side: float
 
     def distance(self, x: Array) -> float:
+        """Return how far the place x is from the surface, positive on the ball's side."""
         foot, n = self._foot(x)
         return float((x - foot) @ n)
 
     def normal(self, x: Array) -> Array:
+        """Return the unit normal at the foot of x, toward the ball."""
         return self._foot(x)[1]
 
     def turn(self, x: Array, n: Array, v: Array) -> Array:
+        """Return the rate at which the normal n at x turns where x moves with v."""
         # y is the foot, x = y + d n, and dn/dy = W = side P (1/a^2) P / |y/a^2|, so that dn/dt = W (1 + d W)^-1 v.
         foot, _ = self._foot(x)
         project = np.eye(x.size) - np.outer(n, n)

@@ -27,10 +27,10 @@ def require_no_files(found: FaultList, members: int, files: dict[str, Any]) -> N
     """Add the faults of a number of members, and of files that only a single gas has, to ``found``."""
     if members < 2:
         found.add("--ensemble", "a number of gases >= 2", str(members))
-    for option, value in files.items():
+    for file_option, value in files.items():
         if value is not None:
             advice = "run one of its gases by its --seed, which --json prints"
-            found.add(option, "none with --ensemble", str(value), advice)
+            found.add(file_option, "none with --ensemble", str(value), advice)
 
 
 def run_ensemble(

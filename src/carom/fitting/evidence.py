@@ -39,15 +39,25 @@ class FittedModel(Protocol):
     """A fit whose law is compared: to rebounds, or to whole tracks."""
 
     @property
-    def law(self) -> FittedLaw: ...
+    def law(self) -> FittedLaw:
+        """The law."""
+
     @property
-    def aicc(self) -> float: ...
+    def aicc(self) -> float:
+        """Akaike's criterion, corrected for few data."""
+
     @property
-    def deviance(self) -> float: ...
+    def deviance(self) -> float:
+        """-2 log likelihood, up to a constant of the data."""
+
     @property
-    def degenerate(self) -> tuple[str, ...]: ...
+    def degenerate(self) -> tuple[str, ...]:
+        """Numbers that the data identify in combination only."""
+
     @property
-    def untold(self) -> tuple[str, ...]: ...
+    def untold(self) -> tuple[str, ...]:
+        """Numbers that the data do not identify."""
+
     def as_dict(self) -> dict[str, Any]:
         """Return the fit for JSON."""
 

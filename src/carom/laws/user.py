@@ -100,12 +100,15 @@ class LawOfFile(Law):
     """SHA-256 of the file."""
 
     def __reduce_ex__(self, _protocol: Any) -> tuple[Any, ...]:
+        """Pickle the file's name and digest, from which the law is loaded again."""
         return law_of_file, (str(self.source), self.digest)
 
     def __copy__(self) -> LawOfFile:
+        """Return the law itself, which does not change."""
         return self
 
     def __deepcopy__(self, _memo: Any) -> LawOfFile:
+        """Return the law itself, which does not change."""
         return self
 
 

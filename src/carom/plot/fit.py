@@ -221,6 +221,7 @@ def plot_residuals(ranking: Ranking) -> Figure:
 
 
 def svg(figure: Any) -> str:
+    """Return a figure as SVG for a page."""
     buffer = io.StringIO()
     with style():
         figure.savefig(buffer, format="svg", metadata={"Date": None})
@@ -311,6 +312,7 @@ def write_page(path: str | Path, about: str, decisive: bool, body: Sequence[str]
 
 
 def listed(title: str, lines: list[str]) -> str:
+    """Return a heading and a list of lines as HTML; nothing without lines."""
     items = "".join(f"<li>{html.escape(line)}</li>" for line in lines)
     return f"<h2>{title}</h2><ul>{items}</ul>" if lines else ""
 

@@ -85,6 +85,7 @@ def plot_shots(fit: ShotsFit) -> Figure:
 
 
 def most_balls(fit: ShotsFit) -> int:
+    """Return the largest number of balls of a shot."""
     return max(len(shot.film.balls) for shot in fit.shots)
 
 

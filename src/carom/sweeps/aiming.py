@@ -292,8 +292,8 @@ def _refined(problem: AimProblem, x0: Array, sequence: Signature) -> tuple[Array
         )
     except ValueError:  # (a start on the border of its range)
         return None
-    _miss, slopes, followed = at(found.x)
-    return (found.x, slopes, followed[0]) if followed is not None and problem.reaches(*followed) else None
+    _miss, rates, followed = at(found.x)
+    return (found.x, rates, followed[0]) if followed is not None and problem.reaches(*followed) else None
 
 
 def _judged(problem: AimProblem, refined: list[tuple[Array, Array, Any]], draws: Array) -> list[Aim]:
@@ -306,14 +306,14 @@ def _judged(problem: AimProblem, refined: list[tuple[Array, Array, Any]], draws:
     success = reached.reshape(len(refined), len(draws)).mean(axis=1)
     windows = np.concatenate([target.windows for target in problem.targets])
     each = miss.max(axis=1).reshape(len(refined), len(draws))
-    for (x, slopes, run), chance, missed in zip(refined, success, each, strict=True):
-        scaled = slopes * problem.sigma(x) * windows[:, None]
+    for (x, rates, run), chance, missed in zip(refined, success, each, strict=True):
+        scaled = rates * problem.sigma(x) * windows[:, None]
         covariance = scaled @ scaled.T
         one = Aim(
             dict(zip(_names(problem.unknowns), problem.wrapped(x).tolist(), strict=True)),
             float(chance), np.sqrt(np.diag(covariance)), covariance, *_sequence(problem, run), run.scene,
             values_at(problem.unknowns, x),
-            is_linear(draws * problem.sigma(x) @ slopes.T, missed),
+            is_linear(draws * problem.sigma(x) @ rates.T, missed),
         )  # fmt: skip
         found.append((float(chance), x, one))
     found.sort(key=lambda item: (-item[0], float(item[2].spread.max())))
