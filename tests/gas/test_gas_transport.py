@@ -115,3 +115,29 @@ def test_heat_between_walls_is_the_same_through_every_plane_and_has_the_errors_t
         CaromError, match="layer_profiles: gas: expected a gas with walls or a shear rate, got one without"
     ):
         layer_profiles(Gas([species], (6, 6, 6), contacts=Surface(1, 0, -1)), 100)
+
+
+@pytest.mark.parametrize(
+    ("contact", "spins"), [(Surface(1, 0, -1), None), (Surface(1, 0, -1), 1.0), (Surface(1, math.inf, 1), None)]
+)
+def test_the_flux_through_a_gas_is_what_its_heated_walls_give(contact, spins):
+    """Spins that walls gave to smooth balls were in what the walls gave, 27 % of it, and not in the flux through the layers."""
+    surfaces = {("a", "a"): contact, ("a", "wall"): Surface(1, 0, -1)}
+    drives = {name: Drive(temperature=t, temperature_rotational=spins) for name, t in (("bottom", 1.5), ("top", 0.75))}
+    gas = Gas(
+        [Species(Ball(0.5, 1.0), 100)],
+        (5.0, 5.0, 20.0),
+        periodic=(True, True, False),
+        contacts=surfaces,
+        drives=drives,
+        seed=1,
+    )
+    gas.advance(10_000)
+    begin = gas.mark()
+    gas.advance(60_000)
+    run = gas.measured_since(begin)
+    layers, area = run.averages.layers, 25 * run.simulated_time
+    given = (run.energy_from_walls["bottom"] - run.energy_from_walls["top"]) / (2 * area)
+    np.testing.assert_allclose(layers.energy_flux[1:-1].mean(), given, rtol=0.01)
+    if contact.friction == 0 and spins is None:
+        assert run.temperature_rotational < 0.05  # (of balls that no wall has met yet)

@@ -51,7 +51,7 @@ class Drive:
         k_B T of balls that leave a heated wall (J): their velocities are Maxwellian, weighted by the normal component (complete
         thermalization).
     temperature_rotational : float, optional
-        k_B T of their spins; default: the same.
+        k_B T of their spins; default: the same, and 0 in a gas of smooth balls and walls, whose spins matter to nothing.
     mass : float, optional
         Of a piston (kg), a plane wall that balls push: it moves along its normal under ``force`` and their impulses.
     speed : float, optional

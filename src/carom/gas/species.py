@@ -166,6 +166,11 @@ def system_records(
     radii = [(kind.name, float(kind.ball.radius)) for kind in species]
     pairs, pair_forms, with_walls, wall_forms = contact_records(faults, radii, container.faces, by_names)
     faults.raise_if_any()
+    if pairs["smooth"].all() and not ((with_walls["mu"] != 0) & (with_walls["beta"] != -1)).any():
+        # nothing couples to the spins: energy that a wall gives to them would only be carried from wall to wall
+        for record, face in zip(faces, container.faces, strict=True):
+            if face.name in drives and drives[face.name].temperature_rotational is None:
+                record["spin_temperature"] = 0.0
     whole, axis = np.zeros(1, WHOLE), layer_axis(container, one["gravity"].tolist(), drives, shear_rate != 0)
     whole["axis"] = axis
     layers = np.zeros(0 if axis < 0 else int(one["cells"][axis]) * len(species), LAYER)

@@ -185,7 +185,8 @@ def _through_edges(
         passed: Array = (after.layers[name] - before[name]).reshape(-1, kinds).sum(axis=1)[:-1] / (area * time)
         return passed
 
-    turns = 0 if arrays.materials.pairs["smooth"].all() else 1
+    # (spins that nothing sets, nor gives to another ball, carry what they had at the start to and fro)
+    turns = int(not arrays.materials.pairs["smooth"].all() or (arrays.walls.faces["temperature"] >= 0).any())
     energy[1:-1] = (through("up_e") + turns * through("up_w")) / 2
     # the mean velocity on both sides of an edge
     whole = (mass * of_class).sum(axis=0)
