@@ -390,6 +390,27 @@ def read_regular(path: Path, what: str = READABLE, most: int = MOST_TEXT, advice
     return raw
 
 
+def parse_json(where: Path | str, text: str | bytes, expected: str = "JSON") -> Any:
+    """Return what a text in JSON holds. Raises CaromError, one line that begins with ``where``, for any other text.
+
+    Examples
+    --------
+    >>> parse_json("a.json", "[1, 2]")
+    [1, 2]
+    """
+    import json
+
+    try:
+        return json.loads(text)
+    except RecursionError:
+        got = "brackets nested too deep to read"
+    except json.JSONDecodeError as error:
+        got = f"text that is no JSON in line {error.lineno}: {error.msg}"
+    except ValueError as error:  # (bytes that are no text, a number of too many digits)
+        got = str(error)
+    raise CaromError(f"{where}: expected {expected}, got {got}") from None
+
+
 # --- how much memory there is ------------------------------------------------------------------------------------------
 
 

@@ -194,11 +194,11 @@ def test_a_wrong_shot_of_several_is_named(tmp_path: Path) -> None:
     ("name", "data", "said"),
     [
         ("shot.txt", b"{}", r"expected a file of pooltool's, with a name that ends with \.json or \.msgpack, got '\.txt'"),
-        ("shot.json", b'{"cue": ', r"line 1: expected JSON, got something else"),
+        ("shot.json", b'{"cue": ', r"expected JSON, got text that is no JSON in line 1"),
         ("shot.json", b"\xff\xfe", r"expected JSON, text in UTF-8, got byte 0xff; a binary file ends with \.msgpack"),
         ("shot.json", b"[1, 2]", r"expected a table of fields, got \[1, 2\]"),
         ("shot.json", b'{"type": "FeatureCollection"}', r"expected a System .* got a table with type; save"),
-        ("shot.json", b"[" * 100_000, r"expected a shot, got JSON nested without end"),
+        ("shot.json", b"[" * 100_000, r"expected JSON, got brackets nested too deep to read"),
         ("shot.msgpack", b"\xc1", r"expected a whole MessagePack file, got one that ends or errs"),
         ("shot.msgpack", (FILES / "bank.msgpack").read_bytes()[:5000], r"expected a whole MessagePack file"),
         ("shot.msgpack", (FILES / "bank.json").read_bytes(), r"expected a whole MessagePack file"),

@@ -1,11 +1,17 @@
-"""Numbers that only damaged files have: tiny intervals, places beyond all lengths, units of thousands of letters."""
+"""What only damaged files have: tiny intervals, places beyond all lengths, units of thousands of letters, brackets without end."""
 
 from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+import carom
 from carom.core.units import parse_quantity
+from carom.errors import CaromError
+from carom.tracks import judge, read_tracks
 from carom.tracks.floor import shared_fraction
 from carom.tracks.formats.missing import without_marked_places
 from carom.tracks.frame_clock import file_interval
@@ -31,3 +37,35 @@ def test_places_beyond_all_lengths_are_left_to_their_check():
 def test_a_long_unit_is_refused_at_once():
     with pytest.raises(ValueError, match="is not a known unit"):
         parse_quantity("30" + 50_000 * "A", "m")
+
+
+@pytest.mark.parametrize(
+    "read", [read_tracks, judge, carom.load_scene, carom.fit, carom.data.read_rebounds, carom.billiards.table]
+)
+@pytest.mark.parametrize(
+    ("name", "begin", "end"),
+    [
+        ("a.json", "[", "]"), ("a.json", '{"a":', "}"), ("a.json", "[", ""), ("a.csv", "[", "]"), ("a.toml", "a = [", "]"),
+        ("a.toml", "[[a]]\nb = [", "]"), ("a.toml", "a.", "a = 1"), ("a.toml", "a = {b = ", "}"),
+    ],
+)  # fmt: skip
+def test_nested_brackets_are_refused_at_once(
+    tmp_path: Path, read: Callable[[Path], object], name: str, begin: str, end: str
+) -> None:
+    """The time grew as the square of their number: minutes, or an error of Python's own."""
+    file = tmp_path / name
+    head, deep = begin[:-1], begin[-1]
+    text = head + deep * 200_000 + end * 200_000 if deep in "[" else begin * 200_000 + "1" + end * 200_000
+    file.write_text(text)
+    with pytest.raises(CaromError) as error:
+        read(file)
+    assert "Recursion" not in str(error.value)
+
+
+@pytest.mark.parametrize("text", ['{"PathTracking":', '[{"balls":{"a":{"t":', '{"balls": 1, "ball_history_cts": '])
+def test_programs_files_with_nested_brackets(tmp_path: Path, text: str) -> None:
+    file = tmp_path / "a.json"
+    file.write_text(text + "[" * 200_000)
+    for read in (read_tracks, judge):
+        with pytest.raises(CaromError, match=r"nested too deep|expected a track"):
+            read(file)

@@ -121,7 +121,7 @@ def test_a_shot_that_pooltool_wrote_itself_is_read() -> None:
 WRONG: list[tuple[str, str | bytes, str]] = [
     ("a.json", '[{"id":0,"balls":{"1":{"t":[0,1],"x":[0],"y":[0,0]}}}]', "tailuge/billiards: shot 0: expected balls"),
     ("a.json", '[{"id":0,"balls":{"1":{"t":[0,1],"x":[0,1],"y":[0,"a"]}}}]', "missing or no number: could not convert"),
-    ("a.json", '[{"id":0,"balls":{"1":{"t":[0,1', "tailuge/billiards: expected JSON, got: "),
+    ("a.json", '[{"id":0,"balls":{"1":{"t":[0,1', "tailuge/billiards: expected JSON, got text "),
     ("a.json", '{"sim": {}, "truth": [{"ball": 0, "t": 1, "x": 2}]}', "missing or no number: 'y'"),
     ("a.json", '[{"id":0,"balls":{"1":{"t":[0,1],"x":[0,1e999],"y":[0,0]}}}]', "1: x: expected"),
     ("a.json", '{"balls": {"1": {"history_cts": {"states": []}}}}', "in steps of time, got none, but events"),
@@ -130,7 +130,7 @@ WRONG: list[tuple[str, str | bytes, str]] = [
         '{"balls": {"1": {"history_cts": {"states": [{"t": 0}]}}}}',
         "balls.1.history_cts.states.0.rvw: expected",
     ),
-    ("a.json", '{"balls": {"1": {"history_cts": {"sta', "pooltool: expected JSON, got: "),
+    ("a.json", '{"balls": {"1": {"history_cts": {"sta', "pooltool: expected JSON, got text "),
     ("a.msgpack", b"\x84\xa3cue\x00\x00", "expected a whole MessagePack file, got one that ends or errs"),
 ]
 

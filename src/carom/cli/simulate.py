@@ -163,7 +163,7 @@ def _assigned(text: str) -> dict[str, Any]:
         raise CaromError(f"--set: expected PATH=VALUE, such as walls.*.restitution=0.8, got {text!r}")
     try:
         return {path.strip(): tomllib.loads(f"value = {value}")["value"]}
-    except tomllib.TOMLDecodeError:
+    except (tomllib.TOMLDecodeError, RecursionError):
         return {path.strip(): value.strip()}
 
 

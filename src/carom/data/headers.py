@@ -117,8 +117,9 @@ DIRECTION_COLUMN, DIRECTION_UNIT = "unit_of_v_t_out", "speed_out"
 # Names of other columns in tables of the release before: new -> old. They are read as the new ones.
 OLD_COLUMNS = {"floor_friction": "cloth_friction", "sigma_floor_friction": "sigma_cloth_friction"}
 NO_UNIT = ("", "-", "–", "1")  # below the header of a column of pure numbers
-BRACKETS = re.compile(r"^(.*?)\s*[\[(]([^\])]*)[\])]$")
-_NAME_AND_UNIT = re.compile(r"^(.*?\S)\s*(?:/|,|\bin\s)\s*(\S.*)$", re.IGNORECASE)
+# (bounded, as all patterns that are searched in cells: else the time grows as the square of a damaged cell's length)
+BRACKETS = re.compile(r"^(.{0,200}?)\s{0,9}[\[(]([^\])]{0,99})[\])]$")
+_NAME_AND_UNIT = re.compile(r"^(.{0,200}?\S)\s{0,9}(?:/|,|\bin\s)\s{0,9}(\S.{0,99})$", re.IGNORECASE)
 # (the longest first: m_s before s)
 _SUFFIXES = sorted(
     {suffix for units in UNITS.values() for suffix in units if suffix}, key=lambda text: (-len(text), text)

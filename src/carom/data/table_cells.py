@@ -37,10 +37,12 @@ GROUPED = re.compile(r"[-+]?\d{1,3}(?:([ ',.])\d{3})(?:\1\d{3})*(?!\d)")
 COMMA = re.compile(r"[-+]?(\d*),(\d+)(?:[eE][-+]?\d+)?")
 
 
-_PLUS_MINUS = re.compile(r"^(.*?)\s*(?:±|\+/-|\+-)\s*([\d.,]+(?:[eE][-+]?\d+)?)\s*(%?)$")
-_LAST_DIGITS = re.compile(r"^([-+]?\d*[.,]?\d+)\((\d+)\)$")
-_HEADER_ERROR = re.compile(r"^(.*?\S)\s*[\[(]?\s*(?:±|\+/-|\+-)\s*([\d.,]+(?:[eE][-+]?\d+)?)\s*(%?)[^%]*$")
-_RELATIVE = re.compile(r"^(.*?\S)\s*(?:[\[(]\s*%\s*[\])]|_percent|_pct|\s%)$", re.IGNORECASE)
+_PLUS_MINUS = re.compile(r"^(.{0,60}?)\s{0,9}(?:±|\+/-|\+-)\s{0,9}([\d.,]{1,60}(?:[eE][-+]?\d{1,9})?)\s{0,9}(%?)$")
+_LAST_DIGITS = re.compile(r"^([-+]?\d{0,40}[.,]?\d{1,40})\((\d{1,40})\)$")
+_HEADER_ERROR = re.compile(
+    r"^(.{0,200}?\S)\s{0,9}[\[(]?\s{0,9}(?:±|\+/-|\+-)\s{0,9}([\d.,]{1,60}(?:[eE][-+]?\d{1,9})?)\s{0,9}(%?)[^%]{0,99}$"
+)
+_RELATIVE = re.compile(r"^(.{0,200}?\S)\s{0,9}(?:[\[(]\s{0,9}%\s{0,9}[\])]|_percent|_pct|\s%)$", re.IGNORECASE)
 
 
 class ParsedCells(NamedTuple):

@@ -12,6 +12,10 @@ from carom.files import read_regular
 
 __all__ = ["parse_toml", "read_toml"]
 
+DEEP_NAME = re.compile(
+    r"(?<![\w-])(?:[\w-]++[ \t]*+\.[ \t]*+){100}"
+)  # "a.a.a...", whose time grows as the square of its length
+
 
 def read_toml(path: Path, remedy: str, what: str = "a scene file") -> dict[str, Any]:
     """Return the table in a TOML file. CaromError, one line, if it has none; ``remedy`` helps where there is no file."""
@@ -34,8 +38,13 @@ def _scenes_in(folder: Path) -> str:
 
 def parse_toml(name: str, text: str) -> dict[str, Any]:
     """Return the table in a text. CaromError, one line that begins with ``name``, where it is not TOML."""
+    deep = CaromError(f"{name}: expected TOML, got brackets or names nested too deep to read")
+    if DEEP_NAME.search(text):
+        raise deep
     try:
         return tomllib.loads(text)
+    except RecursionError:
+        raise deep from None
     except tomllib.TOMLDecodeError as error:
         raise CaromError(_syntax(name, text, str(error))) from None
 

@@ -6,7 +6,6 @@ numbers.
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -18,7 +17,7 @@ from numpy.typing import NDArray
 
 from carom.data.columns import Columns, as_columns, is_columns, read_columns
 from carom.errors import CaromError, Fault, FaultList
-from carom.files import MOST_TABLE, as_path, read_regular
+from carom.files import MOST_TABLE, as_path, parse_json, read_regular
 from carom.formatting import counted
 from carom.tracks.frame_clock import times_behind_rounding
 
@@ -184,10 +183,9 @@ def _columns(path: Path, notes: list[str]) -> Columns:
     if path.suffix.lower() != ".json":
         columns = {} if path.suffix.lower() == ".msgpack" else read_columns(path)[0]
         return columns if {"t", "x", "y"} <= set(columns) else _of_tracks(path, columns, notes)
-    expected = f"{path}: expected a table (.csv, .parquet), or JSON with t, balls and position as frames are saved"
-    raw = read_regular(path, most=MOST_TABLE)
+    wanted = "a table (.csv, .parquet), or JSON with t, balls and position as frames are saved"
+    expected, given = f"{path}: expected {wanted}", parse_json(path, read_regular(path, most=MOST_TABLE), wanted)
     try:
-        given = json.loads(raw)
         count, balls = len(given["t"]), given["balls"]
         found: Columns = {"t": np.repeat(np.array(given["t"], dtype=float), len(balls))}
         for key, axes in (("position", "x y z"), ("spin", "wx wy wz")):
@@ -195,8 +193,6 @@ def _columns(path: Path, notes: list[str]) -> Columns:
                 flat = np.array(given[key], dtype=float).reshape(count * len(balls), 3)
                 found |= dict(zip(axes.split(), flat.T, strict=True))
         found |= {key: np.tile([ball[key] for ball in balls], count) for key in ("name", "radius", "mass")}
-    except json.JSONDecodeError as error:
-        raise CaromError(f"{expected}, got text that is no JSON in line {error.lineno}") from None
     except KeyError as error:
         raise CaromError(f"{expected}, got JSON without {error.args[0]!r}") from None
     except (ValueError, TypeError):

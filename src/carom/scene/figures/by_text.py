@@ -12,7 +12,7 @@ from typing import Annotated, Any
 from pydantic import PlainSerializer, PlainValidator
 
 from carom.errors import CaromError, Fault, did_you_mean, near_name, shown
-from carom.files import as_path, read_regular
+from carom.files import as_path, parse_json, read_regular
 from carom.scene.figures.figure import FIGURES, Figure
 from carom.scene.schema import from_file, refused, with_faults_of_part
 from carom.scene.toml_files import read_toml
@@ -146,11 +146,7 @@ def _read(path: Path) -> dict[str, Any]:
         raise CaromError(Fault(f"{path}", "", "a figure in TOML or JSON", f"a table ({path.suffix})", advice))
     if path.suffix.lower() != ".json":
         return read_toml(path, "it holds a shape and its sizes, as a wall of a scene does", "a file of a figure")
-    raw = read_regular(path, "a file of a figure")
-    try:
-        found = json.loads(raw)
-    except (ValueError, RecursionError) as error:
-        raise CaromError(f"{path}: expected JSON, got: {error}") from None
+    found = parse_json(path, read_regular(path, "a file of a figure"))
     if isinstance(found, list):
         return {"shape": "polygon", "points": found}
     if not isinstance(found, dict):

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
 import numpy as np
 
 from carom.errors import CaromError, FaultList
+from carom.files import parse_json
 from carom.tracks.formats.text_table import Calibration, require_sizes
 from carom.tracks.track import Track
 
@@ -26,14 +26,11 @@ def matches(text: str) -> bool:
 
 def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     """Read one track per ball. Times count from the start, or from row to row if they do not increase throughout."""
+    whole = parse_json(f"{name}: {PROGRAM}", text)
     try:
-        found = json.loads(text)["PathTracking"]
+        found = whole["PathTracking"]
         size = np.array([float(found["TableWidth"]), float(found["TableHeight"])]) / 1000
         sets = list(found["DataSets"])
-    except json.JSONDecodeError as error:
-        raise CaromError(f"{name}: {PROGRAM}: expected JSON, got: {error.msg} at line {error.lineno}") from None
-    except RecursionError:
-        raise CaromError(f"{name}: {PROGRAM}: expected PathTracking, got brackets too deep to read") from None
     except UNREADABLE as error:
         message = (
             f"{name}: {PROGRAM}: expected PathTracking with DataSets, TableWidth and TableHeight (mm); missing: {error}"

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import json
-
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError
+from carom.files import parse_json
 from carom.tracks.formats.pooltool_fields import Field
 from carom.tracks.formats.text_table import Calibration
 from carom.tracks.track import Track
@@ -27,12 +25,7 @@ def matches(text: str) -> bool:
 
 def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     """Read the tracks of a file in JSON."""
-    try:
-        return tracks_of(Field(json.loads(text), name), calibration)
-    except json.JSONDecodeError as error:
-        raise CaromError(f"{name}: pooltool: expected JSON, got: {error.msg} at line {error.lineno}") from None
-    except RecursionError:
-        raise CaromError(f"{name}: pooltool: expected a shot, got brackets too deep to read") from None
+    return tracks_of(Field(parse_json(f"{name}: pooltool", text), name), calibration)
 
 
 def tracks_of(file: Field, calibration: Calibration) -> list[Track]:

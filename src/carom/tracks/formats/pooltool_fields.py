@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 from typing import Any
@@ -11,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError, did_you_mean
-from carom.files import MOST_TABLE, import_optional, read_regular
+from carom.files import MOST_TABLE, import_optional, parse_json, read_regular
 
 __all__ = ["Field", "open_file"]
 
@@ -110,16 +109,11 @@ def open_file(path: Path) -> Field:
     if path.suffix.lower() == ".msgpack":
         return Field(_unpacked(path, data), str(path))
     try:
-        return Field(json.loads(data.decode("utf-8-sig")), str(path))
+        text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         got = f"byte {error.object[error.start]:#04x}"
         raise CaromError(f"{path}: expected JSON, text in UTF-8, got {got}; a binary file ends with .msgpack") from None
-    except json.JSONDecodeError as error:
-        raise CaromError(
-            f"{path}: line {error.lineno}: expected JSON, got something else ({error.msg}); {REMEDY}"
-        ) from None
-    except RecursionError:
-        raise CaromError(f"{path}: expected a shot, got JSON nested without end; {REMEDY}") from None
+    return Field(parse_json(path, text), str(path))
 
 
 def _unpacked(path: Path, data: bytes) -> Any:

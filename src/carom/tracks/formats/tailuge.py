@@ -5,13 +5,13 @@ Lengths are in units of that game's table, 92.36 by 46.18 ball radii of 0.03275,
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, FaultList
+from carom.errors import FaultList
+from carom.files import parse_json
 from carom.tracks.formats.text_table import Calibration, require_sizes
 from carom.tracks.track import Track
 
@@ -36,12 +36,7 @@ def matches(text: str) -> bool:
 
 def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     """Read one track per ball; each shot of a list is a group. Frames in which a ball rests are missing."""
-    try:
-        found = json.loads(text)
-    except json.JSONDecodeError as error:
-        raise CaromError(f"{name}: {PROGRAM}: expected JSON, got: {error.msg} at line {error.lineno}") from None
-    except RecursionError:
-        raise CaromError(f"{name}: {PROGRAM}: expected shots, got brackets too deep to read") from None
+    found = parse_json(f"{name}: {PROGRAM}", text)
     faults, tracks = FaultList(name), []
     scale = calibration.scale or UNIT
     notes = () if calibration.scale else (NOTE,)

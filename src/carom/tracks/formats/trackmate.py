@@ -59,7 +59,7 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     scale = calibration.scale if calibration.scale is not None else size or 1.0
     place = scale * np.stack([x, y if calibration.down is False else -y], axis=-1)
     lost = int((~spots).sum())
-    notes = (f"{lost:,} spots that belong to no track were left out",) if lost else ()
+    notes: tuple[str, ...] = (f"{lost:,} spots that belong to no track were left out",) if lost else ()
     notes += tuple(table.unused(table.rows[0], first))
     return [
         _one(number, np.flatnonzero(spots & (np.array(track_id) == number)), time, place, frame, notes)
