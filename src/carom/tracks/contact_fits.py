@@ -23,8 +23,7 @@ from carom.tracks.correlation import (
     weigh_correlations,
     whitening,
 )
-from carom.tracks.elsewhere import BEYOND_WALL_M
-from carom.tracks.events import TrackEvent, WallLine
+from carom.tracks.events import BEYOND_WALL_M, TrackEvent, WallLine
 from carom.tracks.flight_fits import fit_flight
 from carom.tracks.flights import STILL_AIR, Air
 from carom.tracks.floor import WithError, pool_floor, pool_gravity
@@ -270,7 +269,7 @@ class ContactFitter:
         ``judged``: say whether it shows that the floor has friction.
         """
         excess = 0.0
-        event, wall = events[i], self.walls[events[i].what]
+        event, wall = events[i], self._wall_of(events[i])
         middle = (event.low + event.high) / 2 if old is None else old.time
         rows, why = self._rows(track, events, i, middle)
         t = track.time[rows]
@@ -324,6 +323,11 @@ class ContactFitter:
             friction_excess=excess,
         )
 
+    def _wall_of(self, event: TrackEvent) -> WallLine:
+        """Return the wall of a contact, through its own place if that is away from the wall's line."""
+        wall = self.walls[event.what]
+        return wall if event.place is None else replace(wall, point=event.place)
+
     def _whitening(self, frames: FrameGroups) -> Array | None:
         """Return the matrix that makes the errors of frames independent; None where they are."""
         return None if self.correlation == WHITE else whitening(frames, self.correlation, self.interval)
@@ -346,10 +350,10 @@ class ContactFitter:
         for other_wall in self.walls.values():
             # a single frame on the extreme line may have been clamped there, without a second row to show it
             if other_wall.clamped or other_wall.found:
-                use &= other_wall.frame(x)[:, 0] > 1e-6
+                use &= np.abs(other_wall.frame(x)[:, 0]) > 1e-6
         first, second = rows[use & (t < 0)], rows[use & (t >= 0)]
         if self.view == "side":
-            wall, down = self.walls[event.what], np.array(self.air.down)
+            wall, down = self._wall_of(event), np.array(self.air.down)
             pull = -self.settings.gravity * float(np.array(wall.normal) @ down)
             d = wall.frame(track.position)[:, 0]
 

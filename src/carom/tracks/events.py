@@ -27,6 +27,7 @@ TURN_TIME_S = 0.06  # within which a ball has to turn visibly
 TOUCH_DISTANCE_M = (
     0.010  # between surfaces: a closer pass counts as a contact of two balls, since the frames cannot exclude it
 )
+BEYOND_WALL_M = 0.03  # below a wall's line: a lower stair, not the wall
 SIDES = (("left", 0, 1), ("right", 0, -1), ("bottom", 1, 1), ("top", 1, -1))
 
 
@@ -91,6 +92,8 @@ class TrackEvent:
     """The event lies between these times, s."""
     what: str = ""
     """Name of the wall or of the other ball; place of a turn."""
+    place: tuple[float, float] | None = None
+    """Where the ball met the wall, m, if that is away from its line: on a stair, or where a floor is seen from above."""
 
 
 def frames_per_side(time: Array) -> int:

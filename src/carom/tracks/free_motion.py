@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.tracks.elsewhere import BEYOND_WALL_M
+from carom.tracks.events import BEYOND_WALL_M
 from carom.tracks.least_squares import ContactFit
 
 __all__ = ["VelocityJump", "flight_ends", "velocity_jump"]

@@ -15,7 +15,15 @@ from carom.tracks.blind import BlindTime
 from carom.tracks.contact import Settings, TrackContact, View
 from carom.tracks.contact_fits import ContactFitter, Progress
 from carom.tracks.correlation import WHITE, Correlation
-from carom.tracks.elsewhere import elsewhere_note, facing_up, with_turns
+from carom.tracks.elsewhere import (
+    Turn,
+    elsewhere_notes,
+    facing_up,
+    find_turns,
+    floor_of_turns,
+    only_level,
+    with_turns,
+)
 from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
 from carom.tracks.flights import STILL_AIR, Air, air_and_notes
 from carom.tracks.floor import FloorEstimates, WithError
@@ -246,8 +254,14 @@ def _in_view(
         given = settings.walls is not None
         air, notes = air_and_notes(film.tracks, film.noise, film.interval, gravity, settings.drag, given)
     walls = settings.walls
+    turns = dict[tuple[str, str], list[Turn]]()
+    if view == "side":
+        turns = {
+            (one.group, one.name): find_turns(one, film.noise, air.down, gravity, film.interval) for one in film.tracks
+        }
     if walls is None:
         walls = tuple(find_walls(film.tracks, film.noise, SIDES[view], air.down))
+        walls = floor_of_turns(walls, [*chain.from_iterable(turns.values())], air.down)
     elif view == "side":
         walls = tuple(facing_up(wall, film.tracks, film.noise, air.down) for wall in walls)
     radii = 2 * settings.radius if settings.radius else None
@@ -255,7 +269,9 @@ def _in_view(
     def events_in(track: Track, noise: float) -> list[TrackEvent]:
         others = [other for other in groups[track.group] if other is not track]
         found = find_events(track, others, walls, noise, radii, film.interval)
-        return with_turns(found, track, walls, noise, air.down) if view == "side" else found
+        if view == "above":
+            return found
+        return with_turns(found, track, walls, noise, air.down, turns[track.group, track.name], film.interval)
 
     def fitted(noise: float) -> tuple[ContactFitter, list[TrackContact], list[str]]:
         """Fit the contacts that stand out of a noise."""
@@ -274,7 +290,9 @@ def _in_view(
     ):
         job, contacts, said = fitted(job.noise)
     if view == "side":
-        notes += elsewhere_note(chain.from_iterable(events.values()), len(walls) > 1)
+        contacts = only_level(contacts, walls, settings.kappa / (1 + settings.kappa))
+        lost = sum(turn.lost and turn.meets for turn in chain.from_iterable(turns.values()))
+        notes += elsewhere_notes(chain.from_iterable(events.values()), len(walls) > 1, lost)
     notes += said
     if view == "above" and settings.walls is None:
         contacts, said = without_turned(contacts, film.tracks, events, film.noise, film.interval)
