@@ -19,9 +19,7 @@ from carom.tracks.track import Track
 
 Array = NDArray[np.float64]
 
-__all__ = ["Turn", "elsewhere_notes", "facing_up", "find_turns", "floor_of_turns", "only_level", "with_turns"]
-
-NOT_LEVEL = "a bounce away from the wall, on a surface that is not level or that moves; give its line by two points (`wall` x1,y1,x2,y2)"
+NOT_LEVEL = "a bounce away from the wall, on a surface that moves or is not level; give its line by two points (`wall` x1,y1,x2,y2)"
 # A turn within this time of another event is that event; more than so many frames apart, frames are missing; in a longer gap the
 # ball may have bounced twice; frames of flights that are to meet, their scatter in units of the noise, and how near they come
 SAME_FRAMES, SAME_S, LOST_FRAMES, MAX_LOST_S, MAX_LOST_FRAMES = 2.5, 0.03, 1.6, 0.1, 6.5
