@@ -52,18 +52,3 @@ def test_a_callback_is_told_how_much_of_what_is_done(name: str) -> None:
     assert done in (None, told[-1][0])
     assert text in told[-1][2]
     assert [one[0] for one in told if not math.isnan(one[0])] == sorted(one[0] for one in told)
-
-
-@pytest.mark.parametrize("name", CALLS)
-def test_a_callback_of_the_last_release_is_called_as_it_was(name: str) -> None:
-    call, count, _last = CALLS[name]
-    told: list[tuple[Any, ...]] = []
-    one, two = (lambda a: told.append((a,))), (lambda a, b: told.append((a, b)))
-    with pytest.warns(DeprecationWarning, match="done, total, text"):
-        call(one if count == 1 else two)
-    assert told
-
-
-def test_say_of_fit_laws_is_progress() -> None:
-    with pytest.warns(DeprecationWarning, match="say is called progress"):
-        fit_laws(TABLE, Setting(radius=0.02), ["sticking"], bootstrap=0, say=lambda *_one: None)  # type: ignore[call-arg]

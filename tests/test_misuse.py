@@ -224,9 +224,7 @@ def test_methods_of_what_calls_return() -> None:
         found = function(**options)
         for thing in found if isinstance(found, tuple) else (found,):
             if type(thing).__module__.startswith("carom."):
-                kept = {
-                    key for key, one in inspect.getmembers(type(thing)) if not isinstance(one, property)
-                }  # (old names warn)
+                kept = {key for key, one in inspect.getmembers(type(thing)) if not isinstance(one, property)}
                 methods = {key: getattr(thing, key) for key in kept if not key.startswith(("_", "model_"))}
                 for key, method in methods.items():
                     if inspect.ismethod(method) and method.__func__ in KERNELS:  # (what compiled code calls)

@@ -312,7 +312,7 @@ def test_every_public_class_is_among_the_examples() -> None:
     reached = {type(part) for name in EXAMPLES for thing in examples(name) for part in parts(thing, seen)}
     left = {one.__name__ for one in public_classes() if one not in reached}
     # an open file; a deprecated name; bases of figures and pieces
-    assert left == {"Snapshots", "TrackSetting", "Figure", "PlaneFigure", "Piece"}
+    assert left == {"Snapshots", "Figure", "PlaneFigure", "Piece"}
 
 
 def test_pickled_laws_are_those_of_the_registry_and_custom_ones_go_along() -> None:

@@ -13,7 +13,6 @@ import pytest
 import typer
 
 import carom
-from carom.billiards.old_sizes import OLD_SIZES
 from carom.cli import app
 from carom.fitting import Ranking
 
@@ -35,7 +34,7 @@ TWINS: dict[str, tuple[Callable[..., Any], set[str], set[str]]] = {
     "predict": (carom.predict, OUTPUT, {"progress", "say"}),
     "orbit": (
         carom.orbit,
-        OUTPUT | {"table_file", *OLD_SIZES},
+        OUTPUT | {"table_file"},
         {"progress", "sizes"},
     ),  # (a figure from a file is carom.billiards.table)
     "design": (carom.design, OUTPUT, {"fine"}),

@@ -9,18 +9,7 @@ from typing import Any
 
 from reference.public_names import public_classes, public_functions
 
-RENAMED = "an old name: it answers with the type of the new one"
-UNTYPED = {
-    "Comparison.incident_angle": RENAMED,
-    "Strike.squirt": RENAMED,
-    "Verdict.angle_after_wall": RENAMED,
-    "Verdict.reflection_angle": RENAMED,
-    "Arc.span": RENAMED,
-    "Settings.cloth": RENAMED,
-    "Settings.rolling": RENAMED,
-    "Wedge.opening": RENAMED,
-    "Cylinder.length": RENAMED,
-}
+UNTYPED: dict[str, str] = {}
 
 
 def _function(member: object) -> Callable[..., Any] | None:

@@ -1,4 +1,4 @@
-"""Angles: attributes, arguments and columns whose name ends in _deg are degrees, all others radians; old names warn."""
+"""Angles: attributes, arguments and columns whose name ends in _deg are degrees, all others radians."""
 
 from __future__ import annotations
 
@@ -6,10 +6,7 @@ import ast
 import inspect
 import math
 import re
-import warnings
-from collections.abc import Callable, Iterator
-from pathlib import Path
-from typing import Any
+from collections.abc import Iterator
 
 import numpy as np
 import pytest
@@ -92,39 +89,6 @@ def test_fields_of_files_take_their_unit() -> None:
         for a in (90, "1.5707963267948966 rad")
     )
     assert one.span_deg == two.span_deg == 90
-
-
-OLD: list[tuple[Callable[[], Any], Callable[[], Any]]] = [
-    (lambda: carom.compare(angle=30)["two-step"].reflection_angle,
-     lambda: carom.compare(angle_deg=30)["two-step"].reflection_angle_deg),
-    (lambda: carom.compare()["mirror"].angle_after_wall, lambda: carom.compare()["mirror"].angle_after_wall_deg),
-    (lambda: carom.compare().incident_angle, lambda: carom.compare().incident_angle_deg),
-    (lambda: carom.incoming(angle=20.0).state.velocity[0], lambda: carom.incoming(angle_deg=20.0).state.velocity[0]),
-    (lambda: carom.strike(carom.Ball(), azimuth=10, elevation=5, offset=(0.3, 0)).squirt,
-     lambda: carom.strike(carom.Ball(), azimuth_deg=10, elevation_deg=5, offset=(0.3, 0)).squirt_deg),
-    (lambda: carom.polar(speed=1.0, angle=[1.0, 2.0]).angle.values[1], lambda: carom.polar(1.0, [1.0, 2.0]).angle_deg.values[1]),
-    (lambda: scene.Wedge(apex=(0, 0, 0), from_angle=0, to_angle=60, restitution=1, friction=0).opening, lambda: 60),
-]  # fmt: skip
-
-
-@pytest.mark.parametrize(("old", "new"), OLD)
-def test_old_names_answer_for_one_release(old: Callable[[], Any], new: Callable[[], Any]) -> None:
-    with warnings.catch_warnings(record=True) as heard:
-        warnings.simplefilter("always")
-        found = old()
-    assert found == new()
-    assert {one.category for one in heard} == {DeprecationWarning}
-    assert all("goes with the next release" in str(one.message) for one in heard)
-
-
-def test_warnings_point_at_the_code_that_uses_the_old_name() -> None:
-    with warnings.catch_warnings(record=True) as heard:
-        warnings.simplefilter("always")
-        assert carom.incoming(angle=45.0)
-        assert carom.compare().incident_angle == carom.compare(angle=45.0).incident_angle_deg
-    assert [Path(one.filename).name for one in heard] == ["test_units_of_angles.py"] * 3
-    with pytest.raises(carom.CaromError, match="expected angle_deg alone, got both"):
-        carom.incoming(angle=20.0, angle_deg=30.0)
 
 
 def test_results_are_in_these_units() -> None:

@@ -67,25 +67,6 @@ def test_faults_name_arguments(options: dict[str, Any], said: str) -> None:
     assert said in error.value.faults[0]
 
 
-OLD: dict[str, tuple[dict[str, Any], str, dict[str, Any]]] = {
-    "major": ({"table": "ellipse", "minor": 0.7, "major": 1.3}, "ellipse", {"half_axes": (1.3, 0.7)}),
-    "width": ({"table": "rectangle", "width": 3.0}, "rectangle", {"size": (3.0, 1.0)}),
-    "depth": ({"table": "box", "depth": 2.0}, "box", {"size": (1.0, 1.0, 2.0)}),
-    "angle_deg": ({"table": "wedge", "angle_deg": 60, "acceleration": (-1, 0)}, "wedge", {"angle": 60, "acceleration": (-1, 0)}),
-    "vertices": ({"table": "polygon", "vertices": [(0, 0), (2, 0), (0, 1)]}, "polygon", {"points": [(0, 0), (2, 0), (0, 1)]}),
-    "polygon without points": ({"table": "polygon", "sides": 5}, "regular:sides=5", {}),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("name", OLD)
-def test_sizes_by_the_names_of_the_release_before(name: str) -> None:
-    given, table, sizes = OLD[name]
-    with pytest.warns(DeprecationWarning, match="orbit: ") as heard:
-        old = carom.orbit(bounces=5, seed=1, **given)
-    assert str(heard[0].message).startswith(f"orbit: {name} is called ")
-    assert old.position.tobytes() == carom.orbit(table, 5, seed=1, **sizes).position.tobytes()
-
-
 def test_figures_texts_tables_of_fields_and_files_agree(tmp_path: Any) -> None:
     file = tmp_path / "room.toml"
     file.write_text('shape = "stadium"\nstraight = "150 cm"\nradius = 0.5\n')

@@ -78,36 +78,6 @@ def test_every_table(words: list[str], bounds: str) -> None:
     assert len(found["bounces"]) == found["count"] == 30
 
 
-OLD = {
-    "regular:sides=5,radius=1": ["polygon", "--sides", "5"], "ellipse:half_axes=1,0.7": ["ellipse", "--minor", "0.7"],
-    "polygon:points=[[0.0,0.0],[2.0,0.0],[0.0,1.0]]": ["polygon", "--vertices", "0,0 2,0 0,1"],
-    "box:size=1,1,2": ["box", "--depth", "2"], "stadium:straight=1,radius=0.5": ["stadium", "--straight", "1", "--radius", "50cm"],
-    "rectangle:size=3,1": ["rectangle", "--width", "3"], "wedge:angle=60": ["wedge", "--angle", "60", "--acceleration=-9.81,0"],
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("text", OLD)
-def test_sizes_as_options_are_read_with_a_note(text: str) -> None:
-    old = run(*OLD[text], "--bounces", "5", "--json")
-    new = run(text, "--bounces", "5", "--json", *[word for word in OLD[text] if word.startswith("--acc")])
-    assert old.stdout == new.stdout
-    assert new.stderr == ""
-    assert old.stderr.splitlines() == [
-        f"note: sizes stand in the table's text now: carom orbit {text}; options for them go with the next release"
-    ]
-
-
-def test_a_size_that_the_table_lacks_is_named_as_the_option(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    expected, way = (
-        "expected a size of the stadium: straight, radius, got",
-        "--velocity x,y sets the direction in which the ball",
-    )
-    found = fails(monkeypatch, capsys, "stadium", "--angle", "30", "--sides", "3")
-    assert found == [f"carom: --sides: {expected} '3'", f"carom: --angle: {expected} '30'; {way} starts"]
-
-
 def test_a_table_from_a_file(tmp_path: Path) -> None:
     file = tmp_path / "room.json"
     file.write_text("[[0, 0], [2, 0], [0, 1]]")
@@ -168,7 +138,7 @@ def test_the_force_is_along_the_cylinder() -> None:
 
 
 def test_many_orbits_laws_and_exponents() -> None:
-    many = json.loads(run("polygon", "--orbits", "7", "--bounces", "40", "--json").stdout)
+    many = json.loads(run("regular", "--orbits", "7", "--bounces", "40", "--json").stdout)
     assert len(many["bounces"]) == 7
     assert set(many["periods"]) <= {"4", "6"}
     assert sum(many["periods"].values()) == 7
@@ -339,7 +309,6 @@ BAD = [
     (["circle", "--table", "a.toml"], "got both"),
     (["--table", "nowhere.toml"], "nowhere.toml: expected a file of a figure, got: No such file or directory"),
     (["--table", "nowhere.json"], "nowhere.json: expected a file of a figure, got: No such file or directory"),
-    (["--table", "a.toml", "--radius", "2"], "--radius: has no effect with --table, whose file has the sizes; omit it"),
     (["circle:2"], "expected sizes such as straight=2,radius=1, got '2'"),
     (["circl"], "did you mean 'circle'?"),
     (["cardiod"], "got 'cardiod'; a cardioid is the limit of 'limacon:eps=0.99'"),

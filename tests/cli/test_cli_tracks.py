@@ -373,7 +373,6 @@ def test_a_length_may_have_a_unit_on_every_command(
     for words in (
         ("compare", "--law", "maw,no-slip", "--speed", "150cm/s", "--spin-z", "60rpm"),
         ("tracks", "show", str(shot_file)),
-        ("orbit", "circle", "--bounces", "3"),
     ):
         said = []
         for radius in ("28.6mm", "0.0286"):
@@ -385,10 +384,7 @@ def test_a_length_may_have_a_unit_on_every_command(
         monkeypatch.setattr("sys.argv", ["carom", *words, "--radius", "28.6kg"])
         with pytest.raises(SystemExit):
             main()
-        said_of_it = (
-            "circle: radius: expected a length in m" if words[0] == "orbit" else "--radius: expected a length, such as"
-        )
-        assert said_of_it in (err := capsys.readouterr().err)
+        assert "--radius: expected a length, such as" in (err := capsys.readouterr().err)
         assert "got '28.6kg'" in err
 
 

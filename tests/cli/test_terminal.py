@@ -89,7 +89,7 @@ def test_tables_keep_their_numbers_whole(width: int) -> None:
 
 
 @pytest.mark.parametrize(
-    "words", ["design --laws contact,maw", "orbit sinai --radius 0.3 --bounces 300 --lyapunov --seed 1", "datasets"]
+    "words", ["design --laws contact,maw", "orbit sinai:radius=0.3 --bounces 300 --lyapunov --seed 1", "datasets"]
 )
 def test_narrow_output_has_the_same_words(
     words: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch

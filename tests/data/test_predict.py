@@ -797,13 +797,3 @@ def test_misuse_from_python_is_one_line():
         assert said in error.value.faults[0]
     with pytest.raises(carom.CaromError, match="expected a column of the result"):
         carom.predict(STATES, "sticking")["v_n"]
-
-
-def test_a_callback_of_the_last_release_still_is_called():
-    seen = []
-    with pytest.warns(DeprecationWarning, match="done, total, text"):
-        carom.billiards.final(
-            carom.billiards.circle(), ((0, 0), (1, 0), 0), 10, progress=lambda done, total: seen.append((done, total))
-        )
-    carom.predict(STATES, "sticking", progress=lambda *one: seen.append(one))
-    assert seen == [(10, 10), (3, 3, "predict")]

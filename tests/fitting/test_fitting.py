@@ -349,8 +349,6 @@ def test_a_form_of_restitution_that_ends_at_bounds_is_told():
     assert set(held.restitution) == {"form", *(name.removeprefix("restitution_") for name in held.estimates)} | {
         "at_speed"
     }
-    with pytest.warns(DeprecationWarning, match="restitution_fast is called restitution_at_speed now"):
-        assert replace(setting, fixed={"restitution_fast": 0.5}) == setting
 
 
 def test_every_form_of_the_fits_is_one_of_scenes():

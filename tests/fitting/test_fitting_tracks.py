@@ -23,7 +23,7 @@ from carom.fitting.parameters import FORMS
 from carom.fitting.setting import Setting
 from carom.fitting.starts import balls_of, states_by
 from carom.fitting.table_numbers import TableNumbers
-from carom.fitting.tracks import TrackFit, TrackRanking, TrackSetting, fit_tracks
+from carom.fitting.tracks import TrackFit, TrackRanking, fit_tracks
 from carom.fitting.tracks.model import track_models
 from carom.fitting.tracks.objective import SIDESPIN, START, SegmentArrays, balls_by_start, gaps, shared_slope
 from carom.fitting.tracks.segments import find_segments
@@ -423,14 +423,6 @@ def test_a_cushion_that_is_no_single_number_widens_error_bars_and_is_named() -> 
     assert found.distances[0] < 3 * NOISE
     assert any("worst described: the contacts" in note for note in found.notes)
     assert json.loads(json.dumps(found.as_dict()))["distance_through_contacts"] == found.distances.tolist()
-
-
-def test_the_old_name_of_the_setting_still_works_and_says_so() -> None:
-    with pytest.warns(DeprecationWarning, match=r"carom\.fitting\.Setting"):
-        old = TrackSetting(radius=RADIUS, noise=NOISE, cushions=0)
-    assert (old.spin_width, old.after, isinstance(old, Setting)) == (1.25, 2.0, True)
-    with pytest.raises(CaromError, match="cushions: expected"):
-        old.check()
 
 
 def test_a_floor_friction_that_is_given_is_held() -> None:

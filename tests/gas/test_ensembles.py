@@ -61,22 +61,6 @@ def test_the_number_of_threads_changes_no_bit(folder, name):
         assert all(a.tobytes() == b.tobytes() for a, b in zip(curve, many.curves[key], strict=True)), key
 
 
-def test_an_argument_of_the_release_before_is_taken_with_a_warning(folder):
-    scene = load_gas(folder / "rough.toml")
-    said = r"where has no effect: errors name scene.where; the old name goes with the next release"
-    for make in (
-        lambda: Session(scene, "gas"),
-        lambda: Session(scene, where="gas"),
-        lambda: Session(scene, "gas", None),
-    ):
-        with pytest.warns(DeprecationWarning, match=f"Session: {said}") as caught:
-            assert make().scene is scene
-        assert caught[0].filename == __file__
-    with pytest.warns(DeprecationWarning, match=f"simulate_ensemble: {said}"):
-        found = simulate_ensemble(scene, 2, where="gas")
-    assert found.seeds == simulate_ensemble(scene, 2).seeds
-
-
 def test_members_are_the_gases_of_their_seeds(folder):
     scene = load_gas(folder / "rough.toml")
     small, large = (simulate_ensemble(scene, count) for count in (2, 5))

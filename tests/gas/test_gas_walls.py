@@ -13,7 +13,6 @@ from carom.gas import Drive, Gas, Species, Thermostat, container
 from carom.gas.edmd.gas_records import ELLIPSE
 from carom.gas.edmd.moving_walls import oscillating_collision_time
 from carom.gas.edmd.walls import _is_present, _release_speed
-from carom.gas.old_containers import with_new_container
 from carom.gas.spatial_profiles import Profiles
 
 ROUGH, SMOOTH = Surface(1, math.inf, 1), Surface(1, 0, -1)
@@ -680,27 +679,6 @@ def test_a_ball_pressed_on_an_ellipse_returns_after_the_contact_time() -> None:
     assert speed == pytest.approx((4 / 0.9 + 3.0) * 0.01 / 2)
 
 
-OLD = {
-    "circle": ((7.0, 7.0), {}, {"radius": 3.5}), "sphere": ((5.6,) * 3, {}, {"radius": 2.8}),
-    "cylinder": ((5.0, 5.0, 4.0), {}, {"radius": 2.5, "height": 4.0}),
-    "stadium": ((8.0, 5.0), {}, {"straight": 3.0, "radius": 2.5}),
-    "ellipse": ((8.0, 5.0, 2.0), {}, {"half_axes": (4.0, 2.5), "height": 2.0}),
-    "polygon": ((4.0,), {"points": ELBOW}, {"points": ELBOW, "height": 4.0}),
-    "periodic": ((7.0, 7.0), {"scatterers": [(3.0, 3.5, 1.1)]}, {"size": (7.0, 7.0), "obstacles": [(3.0, 3.5, 1.1)]}),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("shape", OLD)
-def test_containers_by_the_names_of_the_release_before(shape):
-    size, given, sizes = OLD[shape]
-    with pytest.warns(DeprecationWarning, match=r"container: .* is called .* now"):
-        old = container(shape, size, **given)
-    new = container(shape, **sizes)
-    assert (old.size, old.faces, old.volume) == (new.size, new.faces, new.volume)
-    with pytest.warns(DeprecationWarning, match="of shape wedge. is called opening and radius now"):
-        assert container("wedge", (8.0, 7.0)).shape == "sector"
-
-
 def test_any_figure_of_straight_sides_is_a_container():
     hexagon = container("regular:sides=6,radius=4", height=2.0)
     assert hexagon.names == ("edge1", "edge2", "edge3", "edge4", "edge5", "edge6", "bottom", "top")
@@ -708,11 +686,6 @@ def test_any_figure_of_straight_sides_is_a_container():
     assert hexagon.clearance(0.5, np.array([[4.0, 2 * math.sqrt(3), 1.0]])) == pytest.approx(0.5)
     with pytest.raises(CaromError, match=r"shape: expected one of periodic, box, .*, got 'strip'"):
         container("strip", width=1.0)
-
-
-def test_the_old_size_beside_a_new_one_is_refused() -> None:
-    with pytest.raises(CaromError, match="size: expected radius alone, got both"):
-        with_new_container({"shape": "stadium", "size": [14, 8], "radius": 3})
 
 
 def test_walls_of_discs_are_called_bottom_and_top_and_by_their_earlier_names():

@@ -99,12 +99,6 @@ def test_faults_of_sizes_are_one_line_each() -> None:
     assert len(str(caught.value).splitlines()) == 3
 
 
-def test_a_stadium_of_the_release_before_is_read_with_a_note() -> None:
-    with pytest.warns(DeprecationWarning, match="stadium: length is called straight now"):
-        old = carom.scene.Stadium.model_validate({"length": 2.0, "radius": 1.0, "angle": 30})
-    assert old == carom.scene.Stadium(straight=2.0, radius=1.0, angle=30)
-
-
 # What a wall has besides the sizes of its figure: where it lies, and on which side the balls are.
 WHERE = {
     "wedge": {"apex": (0, 0, 0)}, "cylinder": {"point": (0, 0, 0), "inside": True}, "sphere": {"center": (0, 0, 0), "inside": True},
@@ -136,12 +130,7 @@ def test_all_users_of_a_figure_take_its_sizes_by_the_same_names(name: str) -> No
         assert not [one for one in sizes if f" {one}: " in said or f".{one}: " in said], said
 
 
-def test_cylinders_and_wedges_of_the_release_before_and_of_today() -> None:
-    with pytest.warns(DeprecationWarning, match="cylinder: length is called height now"):
-        old = carom.scene.Cylinder.model_validate({"point": (0, 0, 0), "radius": 1.0, "length": 2.0})
-    assert old == carom.scene.Cylinder(point=(0, 0, 0), radius=1.0, height=2.0)
-    with pytest.raises(carom.CaromError, match="Cylinder: length: expected height alone, got both"):
-        carom.scene.Cylinder(point=(0, 0, 0), radius=1.0, height=2.0, length=2.0)
+def test_wedges_by_their_angles() -> None:
     wedge = carom.scene.Wedge(apex=(0, 0, 0), angle=40)
     assert (wedge.from_angle, wedge.to_angle) == (-20, 20)
     assert carom.scene.Wedge(apex=(0, 0, 0), from_angle=10, angle="1 rad").to_angle == pytest.approx(

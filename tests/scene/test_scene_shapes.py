@@ -460,10 +460,3 @@ def test_a_wall_of_no_height_is_refused(low: float, high: float) -> None:
     with pytest.raises(carom.CaromError, match="Segment: height: expected a height above low"):
         Segment(start=(0, 0), end=(1, 0), low=low, height=high)
     assert Segment(start=(0, 0), end=(1, 0)).vertical(0.03)
-
-
-def test_a_stadium_with_the_old_and_the_new_name_is_refused_in_one_line() -> None:
-    with pytest.raises(
-        carom.CaromError, match=r"^Stadium: length: expected straight alone, got both; length is its old name$"
-    ):
-        carom.scene.Stadium(straight=1, length=1, radius=1)

@@ -126,14 +126,3 @@ def test_a_law_that_cannot_have_the_restitution_of_a_side_says_which() -> None:
     assert said.startswith("Scene: walls[0].sides.right.restitution: expected hypothesis 3: a wall of restitution 1")
     assert said.endswith("for the law conventional, got 0.5")
     assert "\n" not in said
-
-
-def test_a_pickle_from_before_there_were_sides_has_their_default() -> None:
-    """It was loaded without them, and failed when it was run."""
-    scene = on_table()
-    del scene.walls[0].__dict__["sides"]
-    old = pickle.loads(pickle.dumps(scene))
-    assert old == on_table()
-    assert list(old.walls[0].__dict__)[: len(Table.model_fields)] == list(Table.model_fields)
-    assert np.array_equal(after_wall(old), after_wall(on_table()))
-    assert old.walls[0].own_surfaces == {}

@@ -328,12 +328,6 @@ def test_polygons_by_their_corners() -> None:
     ):
         with pytest.raises(carom.CaromError, match=f"^OrbitCase: {message}"):
             sweeps.OrbitCase(table={"shape": "polygon", **given})
-    with pytest.warns(DeprecationWarning, match="OrbitCase: vertices is called a size of its table now"):
-        old = sweeps.OrbitCase(table="polygon", vertices=corners, bounces=40)
-    assert old == case
-    with pytest.warns(DeprecationWarning, match="Space: radius is called table.radius now"):
-        space = carom.Space(sweeps.OrbitCase(table="circle"), {"radius": [1.0]})
-    assert list(space.parameters) == ["table.radius"]
 
 
 def test_a_sweep_over_the_seed_of_a_rack_breaks_the_racks_that_simulate_breaks() -> None:

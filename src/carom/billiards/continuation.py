@@ -19,7 +19,7 @@ from carom.billiards.setup import needs_surface
 from carom.bodies import Surface
 from carom.errors import CaromError, Fault
 from carom.files import import_optional
-from carom.public.progress import Progress, as_progress
+from carom.public.progress import Progress
 
 __all__ = ["BranchPoint", "OrbitBranch", "continue_orbit"]
 
@@ -159,7 +159,7 @@ def continue_orbit(
     if start == stop:
         raise CaromError(Fault("continue_orbit", "stop", "another value than that of the orbit", repr(stop)))
     path = _Path(orbit, change, float(start), float(stop))
-    return path.follow(steps, as_progress(progress, lambda done, total, _text: (done, total)))
+    return path.follow(steps, progress)
 
 
 class _LostError(Exception):

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.billiards.old_sizes import with_new_sizes
 from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer, require_reversible, reverse
 from carom.billiards.periodic import periodic_orbits
 from carom.billiards.periodic_records import PeriodicOrbits
@@ -250,8 +249,6 @@ def _table(table: Any, given: dict[str, Any], bounds: Any, acceleration: Any, ma
     beside = given | {name: value for name, value in forces.items() if value is not None}
     if isinstance(table, Table) and beside:
         raise CaromError(*(f"`{name}`: has no effect on a Table, which has its sizes; omit it" for name in beside))
-    if isinstance(table, str):
-        table, given = with_new_sizes("orbit", table, given)
     made = table if isinstance(table, Table) else table_of(table, bounds=bounds, **given)
     if magnetic_field is not None:
         made = in_magnetic_field(made, magnetic_field)

@@ -18,7 +18,7 @@ from carom.bodies import Ball, Numbers, Surface
 from carom.core.jit.slices import Pace
 from carom.errors import CaromError, Fault
 from carom.files import require_memory
-from carom.public.progress import Progress, as_progress
+from carom.public.progress import Progress
 
 __all__ = [
     "FIRST_BOUNCES", "MAX_KEPT_BYTES", "Orbit", "final", "moved_in_flight", "orbit", "orbit_from_setup", "require_integer",
@@ -222,7 +222,6 @@ def orbit(
     >>> found.t
     array([1., 1., 3., 3.])
     """
-    progress = as_progress(progress, lambda done, total, _text: (done, total))
     return orbit_from_setup(orbit_setup(table, ball, law, surface, corners), start, bounces, progress)
 
 
@@ -295,7 +294,6 @@ def final(
     bounces = require_integer("bounces", bounces)
     width = 6 if setup.planar else 10
     nothing, none = np.empty((len(rows), 0, width)), np.empty((len(rows), 0), np.int32)
-    progress = as_progress(progress, lambda done, total, _text: (done, total))
     last, ends = _loop(setup, rows, bounces, nothing, none, progress)
     return (
         _state(setup, last[:, 1:], shape),

@@ -33,7 +33,7 @@ from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
 from carom.errors import CaromError, Fault
 from carom.public.defaults import PERIODIC_STARTS
-from carom.public.progress import Progress, as_progress
+from carom.public.progress import Progress
 
 __all__ = ["describe_periodic", "first_coordinates", "periodic_orbits", "refine_orbit", "third_and_trace"]
 
@@ -108,7 +108,7 @@ def periodic_orbits(
     words = [itinerary] if isinstance(itinerary, str) else list(itinerary or ())
     wanted = [code_numbers(shell.setup.shape, one) for one in words]
     periods = [len(one) for one in wanted] or periods_of(period)
-    report = as_progress(progress, lambda done, total, _text: (done, total))
+    report = progress
     rng = sampled_starts(table, count, seed, ball=ball, law=law, speed=speed)
     first = first_coordinates(shell, rng)
     found: list[PeriodicOrbit] = []

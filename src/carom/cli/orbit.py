@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import functools
-import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.billiards.old_sizes import OLD_SIZES, new_sizes
 from carom.cli.common import require_outputs, wrote
 from carom.cli.options import BALL, OUTPUT, option, parse_whole, shared
 from carom.cli.orbit_output import every_bounce, orbit_facts, print_orbit
 from carom.cli.progress import working
 from carom.cli.streams import note, say_json
-from carom.errors import CaromError, Fault, FaultList
+from carom.errors import CaromError, FaultList
 from carom.public.defaults import BOUNCES, PERIODIC_STARTS
 from carom.public.own_laws import with_own_laws
 
@@ -28,9 +26,6 @@ TABLE, LAW, START = "Table", "Law", "Initial state"
 def register(app: typer.Typer) -> None:
     """Add the command."""
     app.command()(orbit)
-
-
-Old = Annotated[str | None, typer.Option(hidden=True)]  # a size as an option, of the release before
 
 
 def orbit(
@@ -127,19 +122,6 @@ def orbit(
         int, option(OUTPUT, "Starts of the search for periodic orbits, for each period.")
     ] = PERIODIC_STARTS,
     json_: Annotated[bool, shared("json", help="Print JSON on standard output, with every bounce.")] = False,
-    radius: Old = None,
-    major: Old = None,
-    minor: Old = None,
-    straight: Old = None,
-    sides: Old = None,
-    vertices: Old = None,
-    width: Old = None,
-    height: Old = None,
-    depth: Old = None,
-    angle: Old = None,
-    side: Old = None,
-    period: Old = None,
-    distance: Old = None,
 ) -> None:
     """Single-particle billiards: follow one ball in a table from bounce to bounce, with the no-slip law or another.
 
@@ -153,9 +135,7 @@ def orbit(
     require_outputs(
         faults, {"--plot": plot, "--portrait": portrait, "--boundary": boundary, "--lyapunov-plot": lyapunov_plot}
     )
-    given = locals()
-    old = {name: given[name] for name in OLD_SIZES if given[name] is not None}
-    what = faults.attempt(_table, table, table_file, old)
+    what = faults.attempt(_table, table, table_file)
     options = {
         "bounds": bounds, "magnetic_field": magnetic_field,
         "kappa": kappa, "ball_radius": ball_radius, "law": with_own_laws(law), "restitution": restitution,
@@ -199,39 +179,13 @@ def orbit(
         wrote(lyapunov_plot)
 
 
-def _table(table: str | None, file: Path | None, old: dict[str, str]) -> Any:
-    """Return the figure of a text or of a file; sizes that are given as options, as of the release before, are noted."""
+def _table(table: str | None, file: Path | None) -> Any:
+    """Return the table of a text or of a file."""
     if (table is None) == (file is None):
         raise CaromError(
             f"TABLE: expected a table such as circle, or --table FILE, got {'both' if file else 'neither'}"
         )
-    if file is not None or table is None:
-        if old:
-            raise CaromError(
-                *(f"--{name}: has no effect with --table, whose file has the sizes; omit it" for name in old)
-            )
-        return file
-    from carom.scene.figures import FIGURES, figure
-    from carom.scene.figures.by_text import value_of_text
-
-    name, sizes, renamed = new_sizes(table, {one: value_of_text(text) for one, text in old.items()})
-    if not old and not renamed:
-        return table
-    if (kind := FIGURES.get(name)) and (strange := [one for one in old if one in sizes.keys() - kind.model_fields]):
-        known = f"a size of the {name}: {', '.join(one for one in kind.model_fields if one != 'shape')}"
-        way = {"angle": "--velocity x,y sets the direction in which the ball starts"}
-        raise CaromError(*(Fault("", f"--{one}", known, repr(old[one]), way.get(one, "")) for one in strange))
-    made = figure(name, **sizes)
-    text = f"{made.kind()}:{','.join(f'{one}={_shown(value)}' for one, value in made.sizes.items())}"
-    note(f"note: sizes stand in the table's text now: carom orbit {text}; options for them go with the next release")
-    return made
-
-
-def _shown(value: Any) -> str:
-    """Return a size as it is written in a table's text."""
-    if isinstance(value, list) and all(isinstance(one, float) for one in value):
-        return ",".join(f"{one:g}" for one in value)
-    return json.dumps(value, separators=(",", ":")) if isinstance(value, list | dict) else f"{value:g}"
+    return table if file is None else file
 
 
 def _numbers(option: str, text: str) -> float | list[float]:

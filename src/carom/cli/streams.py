@@ -15,7 +15,6 @@ from typing import Any
 from carom.cli.option_names import in_options, with_options
 from carom.files import cannot_write
 from carom.formatting import escape_controls, json_value
-from carom.public.renamed import GOES
 
 __all__ = ["guarded_streams", "json_text", "note", "say", "say_json", "say_notes"]
 
@@ -50,25 +49,20 @@ def say_notes(lines: Iterable[str]) -> None:
 def guarded_streams() -> Iterator[None]:
     """While inside, what cannot be written to standard output is a CaromError, and what standard error cannot take is dropped.
 
-    Warnings of libraries, which may quote names, have their control characters escaped; an old name is a note of one line, once.
+    Warnings of libraries, which may quote names, have their control characters escaped.
 
     A reader that closes the pipe early, such as `head`, is not an error: the rest of the output is dropped, and files are written.
     """
     before = sys.stdout, sys.stderr
-    said, shown = warnings.formatwarning, warnings.showwarning
+    said = warnings.formatwarning
     _fill_closed_descriptors()
-    filters = list(warnings.filters)
-    warnings.filterwarnings("once", f".*{GOES}$", DeprecationWarning)
-    warnings.showwarning = lambda about, kind, *place: (
-        note(f"note: {about}") if str(about).endswith(GOES) else shown(about, kind, *place)
-    )
     warnings.formatwarning = lambda *about, **more: escape_controls(said(*about, **more))
     sys.stdout, sys.stderr = _Stream(before[0], _unless_closed_early), _Stream(before[1], lambda _error: None)
     try:
         yield
     finally:
         sys.stdout, sys.stderr = before
-        warnings.formatwarning, warnings.showwarning, warnings.filters = said, shown, filters
+        warnings.formatwarning = said
 
 
 def _fill_closed_descriptors() -> None:

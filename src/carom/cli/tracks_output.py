@@ -12,7 +12,6 @@ from rich.console import Console
 from rich.text import Text
 
 from carom.formatting import called_ball, counted, format_length, format_number, json_value
-from carom.public.renamed import with_old_keys
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -32,8 +31,6 @@ NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 
 def facts(found: TrackFile, measured: Measured, stage: str, sliding: bool) -> dict[str, Any]:
     """Return the content of --json."""
-    from carom.tracks.floor import RENAMED_FLOOR
-
     return {
         "file": str(found.path),
         "format": found.format,
@@ -51,9 +48,7 @@ def facts(found: TrackFile, measured: Measured, stage: str, sliding: bool) -> di
         ],
         "walls": [{"name": one.name, "point": one.point, "normal": one.normal, "clamped": one.clamped, "found": one.found}
                   for one in measured.walls],
-        "floor": with_old_keys(
-            {name: {"value": value, "stderr": error} for name, (value, error) in measured.floor.items()}, RENAMED_FLOOR
-        ),
+        "floor": {name: {"value": value, "stderr": error} for name, (value, error) in measured.floor.items()},
         "contacts": [_contact(one, stage, sliding) for one in measured.contacts],
         "notes": [*found.notes, *measured.notes],
     }  # fmt: skip

@@ -18,7 +18,6 @@ from carom.errors import Fault
 
 __all__ = [
     "BRACKETS",
-    "OLD_COLUMNS",
     "STATE_COLUMNS",
     "STATE_NAMES",
     "WRITTEN_COLUMNS",
@@ -114,8 +113,6 @@ _FIRST = {"drop", "dropped", "initial", "release", "start", "starting", "from"}
 _ORDINALS = {"first": "1", "second": "2", "third": "3", "fourth": "4", "fifth": "5", "sixth": "6"}
 # A column of the table of rebounds, and its cell in rows of which only the direction after the contact is known
 DIRECTION_COLUMN, DIRECTION_UNIT = "unit_of_v_t_out", "speed_out"
-# Names of other columns in tables of the release before: new -> old. They are read as the new ones.
-OLD_COLUMNS = {"floor_friction": "cloth_friction", "sigma_floor_friction": "sigma_cloth_friction"}
 NO_UNIT = ("", "-", "–", "1")  # below the header of a column of pure numbers
 # (bounded, as all patterns that are searched in cells: else the time grows as the square of a damaged cell's length)
 BRACKETS = re.compile(r"^(.{0,200}?)\s{0,9}[\[(]([^\])]{0,99})[\])]$")

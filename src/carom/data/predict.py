@@ -32,7 +32,7 @@ from carom.laws.law import Law
 from carom.laws.results import FloorContact
 from carom.laws.user import find_law
 from carom.public.defaults import CONTACT_HEIGHT, FLOOR_CONTACT, GRAVITY
-from carom.public.progress import Progress, as_progress
+from carom.public.progress import Progress
 
 __all__ = ["PredictSettings", "PredictSummary", "predict", "predict_settings", "predict_table"]
 
@@ -142,7 +142,6 @@ def predict_table(
     """
     source = as_path("predict_table", table)
     target = None if out is None else as_path("predict_table", out)
-    progress = as_progress(progress, lambda done, total, _text: (done, total))
     with _open(source, target) as rows:
         return _add_predictions(rows, source, target, settings, strict, progress, say)
 

@@ -20,7 +20,6 @@ from carom.fitting.evidence import UNLIKELY
 from carom.fitting.model import feels_spins
 from carom.fitting.result import Fit
 from carom.formatting import json_value
-from carom.public.renamed import renamed_attribute
 
 __all__ = ["Adequacy", "Coverage", "adequacy", "coverage", "nothing_along_the_wall"]
 
@@ -93,8 +92,6 @@ class Coverage:
     """m/s"""
     spin: tuple[float, float] | None
     """v/a, positive where it runs along v_t; None: not measured."""
-
-    angle = renamed_attribute("angle", "angle_deg")
 
     @property
     def narrow(self) -> str:

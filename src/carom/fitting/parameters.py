@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 __all__ = [
-    "ALONG", "ALONG_FORMS", "FORMS", "INDEX", "LAW_NUMBERS", "LINE", "NUMBERS", "PARAMETERS", "PLACES", "RENAMED",
+    "ALONG", "ALONG_FORMS", "FORMS", "INDEX", "LAW_NUMBERS", "LINE", "NUMBERS", "PARAMETERS", "PLACES",
     "RESTITUTION_FORMS", "Form", "Parameter", "viscous_loss",
 ]  # fmt: skip
 
@@ -209,7 +209,3 @@ def _forms_along(parameter: str) -> dict[str, Form]:
 
 ALONG = {parameter: _forms_along(parameter) for parameter in _USUAL}
 """Forms of the parameters along the wall, by parameter and name."""
-# Names of the release before, of which settings still take those of parameters held fixed or bounded.
-RENAMED = {
-    "restitution_slow": "restitution_at_rest", "restitution_fast": "restitution_at_speed", "dissipation": "restitution_c",
-}  # fmt: skip

@@ -44,7 +44,6 @@ from carom.fitting.usable_rows import rows_that_meet, second_rows, usable_rows
 from carom.formatting import json_value
 from carom.laws.registry import one_or_several
 from carom.public.progress import Progress, loop_callback
-from carom.public.renamed import renamed_arguments
 from carom.scene import Scene
 
 __all__ = ["Outlier", "Ranking", "fit_laws"]
@@ -160,7 +159,6 @@ class Ranking(RankedLaws[Fit]):
         }
 
 
-@renamed_arguments(say="progress")
 def fit_laws(
     rebounds: Rebounds,
     setting: Setting,

@@ -15,13 +15,12 @@ from carom.fitting.evidence import akaike
 from carom.fitting.laws import FittedLaw
 from carom.fitting.likelihood import TabulatedLaw
 from carom.fitting.model import STEPS, FitModel, feels_spins, model_of, predict_law
-from carom.fitting.parameters import FORMS, INDEX, NUMBERS, PLACES, RENAMED
+from carom.fitting.parameters import FORMS, INDEX, NUMBERS, PLACES
 from carom.fitting.predictive import Prediction, impacts, predictive_of
 from carom.fitting.setting import forms_of
 from carom.fitting.to_scene import law_of, scene_of, surface_of
 from carom.formatting import json_value
 from carom.laws.law import Law
-from carom.public.renamed import with_old_keys
 from carom.scene import Scene
 
 __all__ = [
@@ -275,7 +274,7 @@ def common_dict(fit: Any) -> dict[str, Any]:
     """Return for JSON what fits to rebounds and to whole tracks have in common."""
     return {
         "law": fit.law.name, "aicc": json_value(fit.aicc), "chi2": json_value(fit.chi2), "dof": fit.dof,
-        "parameters": with_old_keys({name: estimate_dict(one) for name, one in fit.estimates.items()}, RENAMED),
+        "parameters": {name: estimate_dict(one) for name, one in fit.estimates.items()},
         "covariance": {"names": list(fit.names), "matrix": json_value(fit.covariance)},
     }  # fmt: skip
 

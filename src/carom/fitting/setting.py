@@ -9,8 +9,7 @@ from typing import Any
 
 from carom.errors import FaultList, float_or_nan, require_type
 from carom.fitting.laws import FittedLaw
-from carom.fitting.parameters import ALONG, ALONG_FORMS, FORMS, PARAMETERS, RENAMED, RESTITUTION_FORMS, Form, Parameter
-from carom.public.renamed import with_new_names
+from carom.fitting.parameters import ALONG, ALONG_FORMS, FORMS, PARAMETERS, RESTITUTION_FORMS, Form, Parameter
 from carom.tracks.contact import BALL_RADIUS, MAX_RADIUS_M
 
 __all__ = ["FORM_PARAMETERS", "Setting", "code_of", "decided", "forms_of", "require_settings"]
@@ -90,12 +89,6 @@ class Setting:
     """Whole tracks: time simulated after the last contact, s: later motion is dominated by slope and dirt of the table."""
     gravity: float = 9.80665
     """Whole tracks, m/s^2."""
-
-    def __post_init__(self) -> None:
-        """Take the names that parameters had in the release before."""
-        for name in ("fixed", "bounds"):
-            if isinstance(given := getattr(self, name), dict):
-                object.__setattr__(self, name, with_new_names("Setting", given, RENAMED))
 
     def with_height(self) -> Setting:
         """Return the setting with a height of the contact: 1 where none is given."""

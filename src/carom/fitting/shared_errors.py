@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.headers import OLD_COLUMNS
 from carom.data.rebounds import Rebounds
 
 __all__ = ["SHARED", "Shared", "film_says", "numbers_of", "shared_errors", "shared_in_words"]
@@ -101,7 +100,7 @@ def film_says(rebounds: Rebounds, name: str) -> tuple[float, float, int] | None:
 
 def numbers_of(rebounds: Rebounds, name: str) -> Array:
     """Return an extra column; NaN where a cell is empty, or the column missing."""
-    column = rebounds.extra.get(name, rebounds.extra.get(OLD_COLUMNS.get(name, "")))
+    column = rebounds.extra.get(name)
     try:
         return np.full(len(rebounds), np.nan) if column is None else np.where(column == "", "nan", column).astype(float)
     except ValueError:

@@ -19,7 +19,6 @@ from carom.core.geometry.polygon import polygon_depth
 from carom.errors import FaultList, did_you_mean
 from carom.gas.edmd.gas_records import CURVE, INSIDE, OUTSIDE, PLANE
 from carom.gas.faces import ContainerFace, Floats, faces_of
-from carom.gas.old_containers import with_new_container
 from carom.scene.figures import FIGURES, Figure, PlaneFigure, figure
 from carom.scene.figures.solids import CylinderFigure, SphereFigure
 
@@ -253,11 +252,6 @@ def container(
     if bounds not in {"surface", "centre"}:
         faults.add("bounds", "'surface' or 'centre'", f"{bounds!r}")
     faults.raise_if_any()
-    if isinstance(shape, str):
-        fields = {"shape": shape, "size": size, "height": height, "obstacles": obstacles, **sizes}
-        fields = with_new_container({name: x for name, x in fields.items() if x is not None}, "container")
-        shape, size, height, obstacles = (fields.pop(one, None) for one in ("shape", "size", "height", "obstacles"))
-        sizes, obstacles = fields, obstacles or ()
     if shape in BOXES:
         return _box(faults, str(shape), size, periodic, obstacles, plates, bounds, sizes)
     if isinstance(shape, str) and shape.partition(":")[0] not in container_figures():

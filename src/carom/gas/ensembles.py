@@ -27,7 +27,6 @@ from carom.gas.scene import GasScene
 from carom.gas.session import Session
 from carom.gas.snapshots import read_initial_state
 from carom.public.progress import Progress, loop_callback
-from carom.public.renamed import dropped_argument
 
 __all__ = ["Curve", "Ensemble", "member_scene", "simulate_ensemble"]
 
@@ -67,7 +66,6 @@ class Ensemble:
     """Of the gases that ended before the collisions or the time asked for, by their seeds: why. They count up to there."""
 
 
-@dropped_argument("where", "errors name scene.where")
 def simulate_ensemble(
     scene: GasScene,
     members: int,

@@ -18,7 +18,6 @@ from carom.formatting import counted, format_number
 from carom.gas.contact_forms import ANY, GasSurface
 from carom.gas.containers import WALLS, Container, container, container_figures, in_figure
 from carom.gas.drives import Drive, Thermostat
-from carom.gas.old_containers import with_new_container
 from carom.gas.size_distributions import LognormalRadii, SpeciesRadius, in_classes, size_moments
 from carom.gas.species import Species
 from carom.scene.figures import FIGURES, Figure, PlaneFigure
@@ -89,7 +88,7 @@ class GasContainer(Model):
 
     def __new__(cls, *_unnamed: Any, **fields: Any) -> Any:
         """Return a container of the class of its shape."""
-        kind = CONTAINERS.get(str(with_new_container(fields).get("shape"))) if cls is GasContainer and fields else cls
+        kind = CONTAINERS.get(str(fields.get("shape"))) if cls is GasContainer and fields else cls
         return super().__new__(kind or cls)
 
     @model_validator(mode="after")
@@ -181,17 +180,11 @@ CONTAINERS: dict[str, type[GasContainer]] = {"periodic": PeriodicContainer, "box
 CONTAINERS |= {name: _container_of(FIGURES[name]) for name in container_figures()}
 
 
-def _with_new_names(given: Any) -> Any:
-    return with_faults_of_part(lambda: with_new_container(given)) if isinstance(given, dict) else given
-
-
 if TYPE_CHECKING:
     AnyContainer = GasContainer
 else:
-    AnyContainer = Annotated[
-        Annotated[Union[tuple(CONTAINERS.values())], Field(discriminator="shape")],  # noqa: UP007  (made at run time)
-        BeforeValidator(_with_new_names),
-    ]
+    # (made at run time)
+    AnyContainer = Annotated[Union[tuple(CONTAINERS.values())], Field(discriminator="shape")]  # noqa: UP007
 
 
 # --- species and contacts ------------------------------------------------------------------------------------------

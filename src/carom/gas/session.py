@@ -19,7 +19,6 @@ from carom.gas.sampling import Every, LogTimes, next_due, spread_time
 from carom.gas.scene import GasScene
 from carom.gas.state import State, course_as_arrays, gas_of_arrays, require_state, set_course
 from carom.public.progress import Progress, loop_callback
-from carom.public.renamed import dropped_argument
 
 __all__ = ["SAMPLES", "Session"]
 
@@ -61,7 +60,6 @@ class Session:
     2000
     """
 
-    @dropped_argument("where", "errors name scene.where", 2)
     def __init__(self, scene: GasScene, growing: Progress | None = None) -> None:
         self._set(scene, build(scene, growing))
         self.mark: Mark | None = None

@@ -24,17 +24,12 @@ from carom.laws.registry import law_named, one_or_several
 from carom.laws.registry import laws as all_laws
 from carom.laws.remarks import remarks_on
 from carom.laws.results import GRAVITY, FloorContact, TwoStep, angle_from
-from carom.public.renamed import renamed_arguments, renamed_attribute, with_new_names
 
 __all__ = ["Comparison", "Verdict", "compare", "incoming"]
 
 Thing = TypeVar("Thing")
 
 
-RENAMED = {"angle": "angle_deg", "cushion_height": "contact_height"}
-
-
-@renamed_arguments(**RENAMED)
 def incoming(
     speed: float = 1.0,
     angle_deg: float = 45.0,
@@ -196,9 +191,6 @@ class Verdict:
     answer: Answer | None
     """The law's full answer; None if there is no prediction."""
 
-    angle_after_wall = renamed_attribute("angle_after_wall", "angle_after_wall_deg")
-    reflection_angle = renamed_attribute("reflection_angle", "reflection_angle_deg")
-
     def as_dict(self) -> dict[str, Any]:
         """Return the verdict as JSON has it: NaN as None, infinity as the string "inf"."""
         steps = None if self.answer is None else self.answer.steps
@@ -243,8 +235,6 @@ class Comparison:
     """Angle of incidence from the wall's normal, along the floor, degrees."""
     verdicts: tuple[Verdict, ...]
     """One per law."""
-
-    incident_angle = renamed_attribute("incident_angle", "incident_angle_deg")
 
     def __repr__(self) -> str:
         """Return one line: the incidence, and the final angle under each law, with * where it is admissible."""
@@ -331,7 +321,6 @@ def compare(
     (41.17, False)
     """
     known = list(inspect.signature(incoming).parameters)
-    numbers = with_new_names("compare", numbers, RENAMED)
     if strange := [name for name in numbers if name not in known]:
         faults = [
             f"compare: expected laws, meeting or an argument of carom.incoming, got {name!r}; {suggestion(name, [*known, 'laws'])}"

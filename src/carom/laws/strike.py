@@ -26,7 +26,6 @@ from carom.errors import (
 )
 from carom.laws.arrays import loop_for
 from carom.laws.law import Card
-from carom.public.renamed import renamed_arguments, renamed_attribute
 
 __all__ = ["CARD", "DEFAULT_CUE", "Cue", "Strike", "strike", "tip_impulse"]
 
@@ -191,10 +190,7 @@ class Strike:
     miscue: bool | NDArray[np.bool_]
     """(...): whether it slips."""
 
-    squirt = renamed_attribute("squirt", "squirt_deg")
 
-
-@renamed_arguments(azimuth="azimuth_deg", elevation="elevation_deg")
 def strike(
     ball: Ball,
     cue: Cue = DEFAULT_CUE,

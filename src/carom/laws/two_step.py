@@ -41,7 +41,7 @@ from carom.laws.wall_and_floor.impact import impact_and_way
 from carom.laws.wall_and_floor.solver import LEAST_FIRM, STALL, pressed_down
 
 __all__ = [
-    "CARD", "LAW", "UNDEFINED", "WALL_AND_FLOOR", "answer_two_step", "first_impact", "first_impact_and_way", "two_step",
+    "CARD", "LAW", "UNDEFINED", "answer_two_step", "first_impact", "first_impact_and_way", "two_step",
     "two_step_conditions",    "two_step_final", "two_step_plain",
 ]  # fmt: skip
 
@@ -60,24 +60,6 @@ CARD = Card(
     equations="(27)-(41)",
     citation=f"{PAPER}, section 3; O. R. Walton & R. L. Braun, J. Rheol. 30, 949-980 (1986), for the contact.",
     doi="10.1122/1.549893",
-)
-
-WALL_AND_FLOOR = Card(
-    name="wall-and-floor",
-    summary="A ball that the wall presses on the floor: both contacts at once, integrated over the wall's normal impulse.",
-    assumptions=(
-        "the floor is rigid, that is far stiffer than the wall, as cloth on slate is in comparison with a rubber cushion",
-        "Coulomb friction at both contacts, with transitions between stick and slip; tangential restitution 0",
-        "the wall returns e^2 of the work done on it (Stronge); its force is proportional to its compression",
-        "the floor's restitution matters only if the ball is lifted and lands again during the wall contact",
-    ),
-    valid="Backspin, sliding, every cushion that touches above the centre. It is the first step of two-step by default;"
-    " floor_contact='after' is the other limit, a floor softer than the wall. Any friction, including infinite; if large"
-    " frictions lock the ball between wall and floor, the result states it.",
-    equations="carom.laws.wall_and_floor.solver",
-    citation="J. B. Keller, J. Appl. Mech. 53, 1-4 (1986); W. J. Stronge, Proc. R. Soc. A 431, 169-181 (1990);"
-    " G. Darboux, Bull. Sci. Math. 4, 126-160 (1880).",
-    doi="10.1115/1.3171712",
 )
 
 # The wall presses the ball down and has a tangential restitution: no law for two simultaneous contacts covers this.

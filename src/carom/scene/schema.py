@@ -29,7 +29,6 @@ from carom.errors import (
     with_size_limit,
 )
 from carom.public.callers import called_from_outside
-from carom.public.renamed import with_new_names
 
 __all__ = [
     "Acceleration",
@@ -88,16 +87,6 @@ def _error(fault: Fault) -> PydanticCustomError:
     return PydanticCustomError("carom", "{said}", {"said": str(fault), "fault": fault})
 
 
-def by_new_names(where: str, given: Any, names: dict[str, str]) -> Any:
-    """Return fields by the names of today, with a warning for each old one; ``names``: old -> new."""
-    if not isinstance(given, dict):
-        return given
-    for old, new in names.items():
-        if given.keys() >= {old, new}:
-            raise refused(f"{new} alone", "both", f"{old} is its old name", old)
-    return with_new_names(where, given, names)
-
-
 def raise_faults(faults: Iterable[Fault]) -> None:
     """Raise all problems at once from inside a validator, if there are any; their fields lie below what is validated."""
     if details := [InitErrorDetails(type=_error(fault), input=None) for fault in faults]:
@@ -134,16 +123,6 @@ class Model(BaseModel):
             self.__pydantic_validator__.validate_python(fields, self_instance=self, context=context)
         except ValidationError as error:
             raise CaromError(*faults_of(type(self).__name__, error, type(self))) from None
-
-    def __setstate__(self, state: dict[Any, Any]) -> None:
-        """Restore a pickle; fields that carom did not have when it was written have their defaults."""
-        found = state["__dict__"]
-        fields = {
-            name: found[name] if name in found else info.get_default(call_default_factory=True)
-            for name, info in type(self).model_fields.items()
-            if name in found or not info.is_required()
-        }
-        super().__setstate__({**state, "__dict__": {**fields, **found}})
 
     # Inside another model pydantic makes this one itself, and gathers its faults with all the others.
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]

@@ -14,7 +14,6 @@ from carom.errors import CaromError, Fault, shown, suggestion
 from carom.files import import_optional
 from carom.formatting import json_value
 from carom.public.own_laws import OwnLaw
-from carom.public.renamed import renamed_arguments, renamed_attribute
 
 __all__ = [
     "Axis", "Design", "Draw", "Polar", "Values", "along", "as_axis", "axis_from_data", "axis_to_data", "from_plain",
@@ -69,8 +68,6 @@ class Polar:
     speed: Axis
     angle_deg: Axis
 
-    angle = renamed_attribute("angle", "angle_deg")
-
 
 Axis = Values | Draw | Design | Polar
 
@@ -102,7 +99,6 @@ def _dimension(where: str, dim: Any) -> str:
     return dim
 
 
-@renamed_arguments(angle="angle_deg")
 def polar(speed: Any, angle_deg: Any) -> Polar:
     """Return velocities by speed and angle, each a number, an array (a dimension of the sweep), a draw, or a design.
 

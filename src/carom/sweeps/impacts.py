@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BeforeValidator, model_validator
+from pydantic import BeforeValidator
 
 from carom.bodies import Ball, State, Surface, kinetic_energy
 from carom.core.geometry.angles import direction
@@ -16,7 +16,6 @@ from carom.errors import CaromError
 from carom.laws.law import LIKE_SOLIDS, Law, Meeting
 from carom.laws.results import GRAVITY, angle_from
 from carom.laws.user import find_law
-from carom.public.renamed import with_new_names
 from carom.scene.ball import Inertia
 from carom.scene.schema import Friction, Mass, Model, NotNegative, Number, Share, Size, Spin, Spring
 from carom.scene.wall import LawChoice
@@ -29,7 +28,6 @@ __all__ = ["ImpactCase", "Impacts"]
 Array = NDArray[Any]
 Columns = dict[str, Array]
 REFUSED = FAILURES.index("refused")
-RENAMED = {"cushion_height": "contact_height"}  # names of the release before
 
 
 class ImpactCase(Model):
@@ -82,11 +80,6 @@ class ImpactCase(Model):
     floor_contact: Literal["with", "after"] = "with"
     stiffness_ratio: NotNegative = LIKE_SOLIDS
 
-    @model_validator(mode="before")
-    @classmethod
-    def _with_new_names(cls, given: Any) -> Any:
-        return with_new_names("ImpactCase", given, RENAMED) if isinstance(given, dict) else given
-
 
 _STATES = [
     Outcome(f"{when}.{part}", "f8", {"axis": AXES}, unit)
@@ -104,7 +97,6 @@ class Impacts:
     """A sweep's subject: impacts of a ball with a wall."""
 
     kind = "impact"
-    renamed: ClassVar = RENAMED
 
     def __init__(self, case: ImpactCase) -> None:
         self.case = case

@@ -6,10 +6,9 @@ import functools
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import BeforeValidator, PlainValidator, model_validator
+from pydantic import BeforeValidator, PlainValidator
 from pydantic_core.core_schema import ValidationInfo
 
-from carom.billiards.old_sizes import OLD_SIZES, new_sizes, old_paths
 from carom.billiards.orbits import orbit
 from carom.billiards.sampling import starts
 from carom.billiards.setup import default_ball, needs_surface
@@ -20,9 +19,8 @@ from carom.bodies import Ball, Disc, Surface
 from carom.core.random import threefry
 from carom.errors import shown, suggestion
 from carom.laws.registry import laws
-from carom.public.renamed import warn_of_rename
-from carom.scene.figures import AnyFigure, figure
-from carom.scene.schema import Friction, Model, Number, Share, Spring, refused, with_faults_of_part
+from carom.scene.figures import AnyFigure
+from carom.scene.schema import Friction, Model, Number, Share, Spring, refused
 from carom.scene.wall import permitted_law
 from carom.sweeps.outcomes import Outcome, require_outcomes
 from carom.sweeps.points import PointByPoint
@@ -88,18 +86,6 @@ class OrbitCase(Model):
     bounces: Count = 1000
     orbits: Count = 1
 
-    @model_validator(mode="before")
-    @classmethod
-    def _with_new_sizes(cls, given: Any) -> Any:
-        if not isinstance(given, dict) or not isinstance(given.get("table"), str):
-            return given
-        old = {name: given[name] for name in OLD_SIZES if given.get(name) is not None}
-        rest = {name: value for name, value in given.items() if name not in OLD_SIZES}
-        for name in old:
-            warn_of_rename(f"OrbitCase: {name}", "a size of its table", 5)
-        name, sizes, _renamed = new_sizes(given["table"], old)
-        return rest | {"table": with_faults_of_part(lambda: figure(name, **sizes)) if old else name}
-
     @functools.cached_property
     def made(self) -> Table:
         """The table."""
@@ -129,11 +115,6 @@ class Orbits(PointByPoint):
     """A sweep's subject: orbits in tables."""
 
     kind = "orbit"
-
-    @property
-    def renamed(self) -> dict[str, str]:
-        """Paths to the sizes of its table by their names in the release before."""
-        return old_paths(self.model.table.kind())  # type: ignore[attr-defined]
 
     def outcomes(self, names: tuple[str, ...]) -> list[Outcome]:
         """Return the outcomes of some names. CaromError with the nearest name."""

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError, Fault, FaultList, shown
 from carom.public.own_laws import holds_own_laws
-from carom.public.renamed import with_new_names
 from carom.sweeps.axes import Axis, Design, Draw, Polar, Values, as_axis, axis_to_data, design_columns
 from carom.sweeps.draws import normal_draws, polar_rows, uniform_draws
 from carom.sweeps.subjects import SweepSubject, subject_of
@@ -88,7 +87,6 @@ class Space:
         for name, value, low, high in (("repeats", repeats, 1, 10**15), ("seed", seed, 0, 2**32 - 1)):
             if isinstance(value, bool) or not isinstance(value, int | np.integer) or not low <= value <= high:
                 found.add(name, f"a whole number from {low} to {high}", shown(value, 60))
-        parameters = with_new_names("Space", dict(parameters), getattr(self.subject, "renamed", {}))
         self.parameters: dict[str, Axis] = {}
         for path, value in parameters.items():
             try:

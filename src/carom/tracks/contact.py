@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import FaultList
-from carom.public.renamed import renamed_arguments, renamed_attribute
 from carom.tracks.contact_models import slide_would_show
 from carom.tracks.events import WallLine
 from carom.tracks.free_motion import VelocityJump
@@ -20,7 +19,6 @@ from carom.tracks.track import Track
 __all__ = [
     "BALL_RADIUS",
     "MAX_RADIUS_M",
-    "RENAMED",
     "HopVerdict",
     "Settings",
     "TrackContact",
@@ -35,9 +33,6 @@ HopVerdict = Literal["none", "seen", "possible"]
 NUMBERS = (int, float, np.integer, np.floating)
 # A ball's radius, and what is expected of one: millimetres are easily given without their unit.
 MAX_RADIUS_M, BALL_RADIUS = 1.0, "a ball's radius in m (a billiard ball's: 0.0286, or 28.6mm)"
-
-# Names of the release before.
-RENAMED = {"cloth": "floor_friction", "rolling": "rolling_resistance"}
 
 
 @dataclass(frozen=True)
@@ -81,9 +76,6 @@ class Settings:
     slides: bool | None = None
     """Whether the floor has friction, on which a ball slides after a wall. None: determined from the frames."""
 
-    cloth = renamed_attribute("cloth", "floor_friction")
-    rolling = renamed_attribute("rolling", "rolling_resistance")
-
     def check(self) -> None:
         """Raise CaromError, one line per problem, for a number out of range."""
         faults = FaultList("tracks")
@@ -105,9 +97,6 @@ class Settings:
             if getattr(self, name) not in (None, True, False):
                 faults.add(name, "True, False or None", repr(getattr(self, name)))
         faults.raise_if_any()
-
-
-Settings.__init__ = renamed_arguments(**RENAMED)(Settings.__init__)  # type: ignore[method-assign]
 
 
 class TrackedSpin(NamedTuple):

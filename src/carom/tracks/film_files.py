@@ -17,8 +17,7 @@ from carom.files import open_regular, text_encoding
 from carom.formatting import counted
 from carom.public.defaults import GRAVITY, WINDOW
 from carom.public.progress import Progress
-from carom.public.renamed import renamed_arguments
-from carom.tracks.contact import RENAMED, Settings
+from carom.tracks.contact import Settings
 from carom.tracks.events import wall_of_text
 from carom.tracks.films import air_together, combined_rebounds, decided_together, film_names
 from carom.tracks.formats.columns import HEADER_EXAMPLE
@@ -181,7 +180,6 @@ def measure_films(
     return MeasuredFilms(found, tuple(films), tuple(notes))
 
 
-@renamed_arguments(**RENAMED)
 def measure_tracks(
     files: str | Path | Any,
     *,

@@ -15,7 +15,7 @@ from carom.errors import CaromError, shortened_list
 from carom.tracks.contact import TrackContact
 from carom.tracks.flight_fits import with_other_drag
 from carom.tracks.flights import drag_in_words, joint_air
-from carom.tracks.floor import FloorEstimates, WithError
+from carom.tracks.floor import WithError
 from carom.tracks.hops import DECISIVE, hop_excess
 from carom.tracks.measurement import Measured
 
@@ -126,7 +126,7 @@ def air_together(films: Sequence[Measured]) -> tuple[list[Measured], list[str]]:
         floor |= {"air drag": WithError(air.drag, air.drag_error)} if air.drag_shown else {}
         notes = tuple(note for note in film.notes if not note.startswith("air drag:"))
         own = film.air.with_drag(air.drag, air.drag_error)
-        found.append(replace(film, contacts=contacts, floor=FloorEstimates(floor), notes=notes, air=own))
+        found.append(replace(film, contacts=contacts, floor=floor, notes=notes, air=own))
     return found, [
         f"{drag_in_words(air)}, from the flights of all films together, as of one ball; its error is shared by all velocities"
         " (`drag` gives k, 0 for none)"

@@ -8,12 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from carom.public.renamed import warn_of_rename
 from carom.tracks.least_squares import ContactFit, Prior
 
 __all__ = [
-    "RENAMED_FLOOR",
-    "FloorEstimates",
     "RobustMean",
     "WithError",
     "pool_floor",
@@ -26,7 +23,6 @@ __all__ = [
 MAX_LEAVE_ONE_OUT = 400
 # Relative standard deviation of a median absolute deviation, times sqrt(n).
 MAD_SCATTER = 1.17
-RENAMED_FLOOR = {"cloth friction": "floor friction"}  # names of the release before
 
 
 class WithError(NamedTuple):
@@ -34,18 +30,6 @@ class WithError(NamedTuple):
 
     value: float
     error: float
-
-
-class FloorEstimates(dict[str, WithError]):
-    """Estimates by name, which names of the release before find as well."""
-
-    def __missing__(self, name: str) -> WithError:
-        """Return an estimate by its old name, with a warning."""
-        new = RENAMED_FLOOR.get(name, "")
-        if new not in self:
-            raise KeyError(name)
-        warn_of_rename(f"Measured.floor[{name!r}]", f"floor[{new!r}]", 3)
-        return self[new]
 
 
 class RobustMean(NamedTuple):

@@ -26,7 +26,7 @@ from carom.tracks.elsewhere import (
 )
 from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
 from carom.tracks.flights import STILL_AIR, Air, air_and_notes
-from carom.tracks.floor import FloorEstimates, WithError
+from carom.tracks.floor import WithError
 from carom.tracks.frame_clock import on_camera_clock
 from carom.tracks.free_fall import (
     axis_points_down,
@@ -307,7 +307,7 @@ def _in_view(
     return replace(
         film, view=view, walls=walls, events=events, contacts=tuple(contacts), noise=job.noise,
         correlation=job.correlation.neighbours, frame_correlation=job.correlation, blind=job.blind, air=air,
-        floor=FloorEstimates(job.floor | ({"air drag": WithError(air.drag, air.drag_error)} if air.drag_shown else {})),
+        floor=job.floor | ({"air drag": WithError(air.drag, air.drag_error)} if air.drag_shown else {}),
         notes=tuple(notes),
     )  # fmt: skip
 

@@ -1,6 +1,6 @@
 """Laws fitted to whole tracks: each ball is simulated from its own initial state, and compared with the frames.
 
-ranking = fit_tracks(measured, TrackSetting(radius=0.03075), ["two-step"])
+ranking = fit_tracks(measured, Setting(radius=0.03075), ["two-step"])
 """
 
 from carom.public.names import attach_public as _attach_public

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -24,7 +23,7 @@ from carom.scene.restitution import Constant
 from carom.scene.scene import Run, Scene
 from carom.tracks.events import WallLine
 
-__all__ = ["WALL_RANGE", "TrackModel", "TrackSetting", "side_of", "track_models"]
+__all__ = ["WALL_RANGE", "TrackModel", "side_of", "track_models"]
 
 FAR = 100.0  # m: distance of sides of the table that no ball of the film meets
 ON_WALL = ("friction", "tangential_restitution", "stiffness_ratio")
@@ -43,23 +42,6 @@ FLOOR = (
         "spin_loss", 0.0, 200.0, (SPIN_LOSS,), SPIN_LOSS, "rad/s^2", "of the spin about the vertical", origin="setting"
     ),
 )
-
-
-@dataclass(frozen=True)
-class TrackSetting(Setting):
-    """Deprecated name of the setting of a fit to whole tracks: :class:`carom.fitting.Setting` serves these too."""
-
-    spin_width: float | None = 1.25
-
-    def __post_init__(self) -> None:
-        """Warn, and take the names that parameters had."""
-        super().__post_init__()
-        said = "TrackSetting: deprecated; give fit_tracks a carom.fitting.Setting, which has the same fields"
-        warnings.warn(said, DeprecationWarning, stacklevel=3)
-
-    def check(self) -> None:
-        """Raise CaromError with one line per problem."""
-        require_settings(self, whole=True)
 
 
 @dataclass(frozen=True, eq=False)

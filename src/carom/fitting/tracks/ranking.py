@@ -26,7 +26,6 @@ from carom.fitting.tracks.stages import distances_through_contacts, failing_part
 from carom.formatting import json_value
 from carom.laws.registry import one_or_several
 from carom.public.progress import Progress
-from carom.public.renamed import renamed_arguments
 from carom.tracks.measurement import Measured
 
 __all__ = ["TrackRanking", "fit_tracks"]
@@ -77,7 +76,6 @@ class TrackRanking(RankedByShots[TrackFit]):
         }  # fmt: skip
 
 
-@renamed_arguments(say="progress")
 def fit_tracks(
     measured: Measured, setting: Setting, laws: str | Sequence[str] | None = None, *, progress: Progress | None = None
 ) -> TrackRanking:

@@ -14,7 +14,6 @@ from carom.core.geometry.features import FACE
 from carom.core.jit.kernel import cross, dot, kernel
 from carom.errors import shown
 from carom.formatting import format_length
-from carom.public.renamed import renamed_attribute
 from carom.scene.feature_builders import UP, frame, minus, point_along, put, put_corner, put_line, put_plane, unit
 from carom.scene.ruled import FaultText, format_vector, put_fault
 from carom.scene.schema import Angle, Direction, Flag, Point, Size, Sizes, Vector, refused
@@ -249,8 +248,6 @@ class Wedge(WallShape):
     def opening_deg(self) -> float:
         """Return its opening angle, degrees."""
         return self.to_angle - self.from_angle
-
-    opening = renamed_attribute("opening", "opening_deg")
 
     @property
     def bounded(self) -> bool:

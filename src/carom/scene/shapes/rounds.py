@@ -7,13 +7,11 @@ from collections.abc import Sequence
 from typing import Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import model_validator
 
 from carom.core.geometry.angles import direction
 from carom.core.geometry.features import FACE, LINE, OVER
 from carom.core.jit.kernel import dot, kernel
 from carom.formatting import format_length
-from carom.public.renamed import renamed_attribute
 from carom.scene.feature_builders import (
     UP,
     Flat,
@@ -35,7 +33,7 @@ from carom.scene.feature_builders import (
 )
 from carom.scene.figures.stadium import StadiumSizes
 from carom.scene.ruled import FaultText, format_vector, put_fault
-from carom.scene.schema import Angle, Direction, Extent, Flag, Place, Point, Size, Vector, by_new_names
+from carom.scene.schema import Angle, Direction, Extent, Flag, Place, Point, Size, Vector
 from carom.scene.shapes.planes import FAR, LEVEL
 from carom.scene.shapes.segments import LEVELS, Standing, level_faults, stands
 from carom.scene.wall import Outline, ShapeKernels, WallShape, always
@@ -122,13 +120,6 @@ class Cylinder(WallShape):
     radius: Size
     inside: Flag = False
     height: Extent = math.inf
-
-    length = renamed_attribute("length", "height")
-
-    @model_validator(mode="before")
-    @classmethod
-    def _with_new_names(cls, given: Any) -> Any:
-        return by_new_names("cylinder", given, {"length": "height"})
 
     @property
     def _ends(self) -> bool:
@@ -302,8 +293,6 @@ class Arc(Standing):
         """Return its angle, degrees."""
         return self.to_angle - self.from_angle
 
-    span = renamed_attribute("span", "span_deg")
-
     def outline(self) -> Outline:
         """Return an arc."""
         return [circle(self.center, self.radius, math.radians(self.from_angle), math.radians(self.to_angle))]
@@ -372,11 +361,6 @@ class Stadium(StadiumSizes, WallShape):
     shape: Literal["stadium"] = "stadium"
     center: Place = (0.0, 0.0)
     angle: Angle = 0.0
-
-    @model_validator(mode="before")
-    @classmethod
-    def _with_new_names(cls, given: Any) -> Any:
-        return by_new_names("stadium", given, {"length": "straight"})
 
     def _point(self, along: float) -> Flat:
         c, s = direction(self.angle)
