@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import json
+import math
 import os
 import pickle
 import re
@@ -135,7 +136,7 @@ def test_a_checkpoint_without_profiles_goes_on(tmp_path):
 @pytest.fixture
 def kept(tmp_path) -> Path:
     session = Session(scene_of(tmp_path, ROUGH))
-    session.run(stop=after(session, 1000))
+    session.run(stop=after(session, 10_000))
     save_checkpoint(session, tmp_path / "c.npz")
     return tmp_path / "c.npz"
 
@@ -411,3 +412,40 @@ def test_a_gas_kept_warm_is_resumed(tmp_path):
     assert session.gas.arrays.system[0]["kicks"] > 0
     save_checkpoint(session, tmp_path / "warm.npz")
     assert load_checkpoint(tmp_path / "warm.npz").gas.time == session.gas.time
+
+
+@pytest.mark.parametrize("value", [math.inf, -1e300])
+def test_no_number_of_a_checkpoint_is_out_of_bounds(tmp_path, value):
+    """Infinite times and frictions below 0 went on, with NaN in positions; what a scene says has to be the scene's."""
+    scene = scene_of(tmp_path, MIXED)
+    session = Session(scene)
+    session.run(stop=stops([4]))
+    state, taken = session.state(), []
+    for name, array in state.items():
+        for field in array.dtype.names or ("",):
+            if (array[field] if field else array).dtype.kind != "f" or not array.size:
+                continue
+            spoiled = array.copy()
+            (spoiled[field] if field else spoiled).flat[0] = value
+            if spoiled.tobytes() == array.tobytes():
+                continue
+            try:
+                Session.restore(scene, state | {name: spoiled}).gas.advance(300)
+            except (ValueError, CaromError):
+                continue
+            taken.append(f"{name}.{field}")
+    # (sums over events may have any finite size; last contacts and overlaps begin at minus infinity)
+    summed = (
+        "gas.pairs.",
+        "gas.contacts.",
+        "gas.faces.",
+        "gas.whole.",
+        "gas.flows.",
+        "gas.layers.",
+        "mark.",
+        "measures.",
+    )
+    assert {one for one in taken if value == math.inf or not one.startswith(summed)} <= {
+        "clock.", "gas.bodies.last_contact", "gas.plans.collision_time", "gas.plans.event_time", "gas.system.overlap",
+        "gas.faces.stop", "gas.system.thermostat_energy", "mark.system.overlap",
+    }  # fmt: skip

@@ -9,19 +9,25 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from carom.errors import CaromError, Fault, require_type, suggestion
 from carom.files import as_path
+from carom.gas.edmd.driver import SystemRecords
 from carom.gas.gas import Gas
 from carom.gas.initial import dense
 from carom.gas.scene import GasScene
+from carom.gas.size_distributions import SizeClasses
 from carom.gas.snapshots import InitialState, read_initial_state
+from carom.gas.species import system_records
 from carom.public.progress import Progress
 from carom.scene.schema import from_file
 from carom.scene.toml import plain_table
 from carom.scene.toml_files import parse_toml, read_toml
 
-__all__ = ["build", "gas_text", "is_gas", "load_gas", "new_gas"]
+__all__ = ["build", "gas_text", "is_gas", "load_gas", "new_gas", "records_of"]
+
+Array = NDArray[Any]
 
 SINGLE_PRECISION = 1e-5  # of a radius: an overlap that rounding to single precision may cause
 
@@ -32,7 +38,7 @@ def build(scene: GasScene, progress: Progress | None = None) -> Gas:
     ``progress`` is called while a dense random start grows, as by :func:`carom.gas.dense`. Raises CaromError for initial positions
     that overlap, or that a file does not have.
     """
-    axes, run, container = scene.container.dimensions, scene.run, scene.container.geometry
+    run, container = scene.run, scene.container.geometry
     options: dict[str, Any] = {}
     if run.start == "random":
         radii = np.concatenate([one.radii for one in scene.species])
@@ -43,18 +49,31 @@ def build(scene: GasScene, progress: Progress | None = None) -> Gas:
     elif run.start != "lattice":
         options = _from_file(scene)
     with _faults_of(scene):
-        return Gas(
-            [one.species(axes) for one in scene.species],
-            container,
-            contacts=scene.surfaces,
-            gravity=scene.gravity_vector,
-            shear_rate=scene.shear_rate,
-            contact_time=scene.contact_time,
-            drives={one.wall: one.drive for one in scene.drives},
-            thermostat=None if scene.thermostat is None else scene.thermostat.thermostat,
-            seed=run.seed,
-            **options,
-        )
+        species, *rest = _inputs(scene)
+        names = ("side", "contacts", "gravity", "contact_time", "drives", "thermostat", "seed", "shear_rate")
+        return Gas(species, **dict(zip(names, rest, strict=True)), **options)
+
+
+def _inputs(scene: GasScene) -> tuple[Any, ...]:
+    """Return the species of a gas, its container, contacts, gravity, contact time, drives, thermostat, seed and shear rate."""
+    return (
+        [one.species(scene.container.dimensions) for one in scene.species],
+        scene.container.geometry,
+        scene.surfaces,
+        scene.gravity_vector,
+        scene.contact_time,
+        {one.wall: one.drive for one in scene.drives},
+        None if scene.thermostat is None else scene.thermostat.thermostat,
+        scene.run.seed,
+        scene.shear_rate,
+    )
+
+
+def records_of(scene: GasScene) -> tuple[SystemRecords, Array]:
+    """Return the records of the gas of a scene without its balls, and the species of each of the engine's."""
+    species, *rest, rate = _inputs(scene)
+    sizes = SizeClasses(species)
+    return system_records(sizes.kinds, *rest, sizes.groups.tolist(), rate), sizes.groups
 
 
 def _from_file(scene: GasScene) -> dict[str, Any]:

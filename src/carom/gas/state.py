@@ -5,21 +5,22 @@ Of arrays that come from a file, all types, lengths and contents are checked bef
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.gas.edmd.driver import BINS_PER_BALL, STATE
-from carom.gas.edmd.gas_records import MOTION, NO_BALL
+from carom.errors import MAX_MAGNITUDE
+from carom.gas.build import records_of
+from carom.gas.edmd.driver import BINS_PER_BALL, STATE, SystemRecords
+from carom.gas.edmd.gas_records import NO_BALL
 from carom.gas.edmd.walls import FIRST_WALL, PREDICT_AGAIN
 from carom.gas.gas import Gas
 from carom.gas.measures import MAX_FOLLOWED, SERIES, Measures
 from carom.gas.results import TOTALS, Mark
 from carom.gas.scene import GasScene
-from carom.gas.sizes import cells_at_most
-from carom.gas.spatial_profiles import layer_axis
 
 __all__ = ["State", "course_as_arrays", "gas_of_arrays", "require_state", "set_course"]
 
@@ -136,17 +137,44 @@ def _take(one: Any, names: tuple[str, ...], state: Arrays, free: Mapping[str, tu
 
 # --- requirements --------------------------------------------------------------------------------------------------
 
+# What changes while a gas runs, of records that the scene makes, and of the system what does not.
+TOTAL = ("collisions", "lost_normal", "lost_tangential", "to_spin")
+CHANGES = {
+    "species": (), "pairs": TOTAL, "pair_forms": (), "contacts": TOTAL, "contact_forms": (), "shear": ("offset",), "curves": (),
+    "faces": ("start", "offset", "speed", "since", "stop", "collisions", "impulse", "energy"),
+}  # fmt: skip
+FIXED = (
+    "side", "periodic", "cells", "cell_size", "dimensions", "gravity", "contact_time", "volume", "scale", "growth", "key", "rate",
+    "temperature", "spin_temperature",
+)  # fmt: skip
+MAY_BE_INFINITE = {
+    "event_time",
+    "collision_time",
+    "last_contact",
+    "stop",
+    "reach",
+    "overlap",
+    "mu",
+    "low",
+    "high",
+    "clock",
+}
+MAY_BE_NEGATIVE = {"axis", "rotor", "image", "key"}
+SQUARED = {"motions", "bodies", "frame"}
+OUTSIDE = 1e-6  # of a cell, by which rounding may have a ball outside its own
+
 
 def require_state(scene: GasScene, state: Arrays) -> None:
     """Raise KeyError, TypeError or ValueError where an array of a session is missing, or has another form or other contents."""
-    forms, species = _forms(scene, state), len(scene.groups)
+    records, groups = records_of(scene)
+    forms = _forms(scene, records)
     if any(name.startswith("mark.") for name in state):
         forms |= {f"mark.{name}": forms[f"gas.{name}"] for name in MARKED}
         forms["mark.numbers"] = (np.dtype("f8"), (5,))
     for name in forms:
         # (the state of an earlier version has no curves, and no classes of radii)
         absent = (name in {"gas.curves", "gas.shear"} and forms[name][1] == (0,)) or (
-            name == "gas.groups" and species == len(scene.species)
+            name == "gas.groups" and len(groups) == len(scene.species)
         )
         if name not in state and not absent:
             raise KeyError(name)
@@ -154,9 +182,17 @@ def require_state(scene: GasScene, state: Arrays) -> None:
         array = state[name]
         if name in forms:
             require_same_form(name, array, *forms[name])
-        _require_no_nan(name, array)
+        _require_numbers(name.removeprefix("gas."), array)
         del array
-    _require_contents(scene, state)
+    for name, changing in CHANGES.items():
+        own = getattr(records, name)
+        fields = [field for field in own.dtype.names or ("",) if field not in changing]
+        for part in ("gas.", "mark."):  # (curves are absent in the state of an earlier version, most in a mark)
+            _require_the_scenes(state.get(part + name, own.ravel()), name, own, fields)
+    _require_the_scenes(state["gas.system"], "system", records.system, FIXED)
+    _require_the_scenes(state["gas.whole"], "whole", records.whole, ("axis",))
+    _require_the_scenes(state.get("gas.groups", groups), "groups", groups, ("",))
+    _require_contents(scene, state, records.system[0])
 
 
 def require_same_form(name: str, array: NDArray[Any], kind: np.dtype[Any], shape: tuple[int, ...]) -> None:
@@ -167,83 +203,92 @@ def require_same_form(name: str, array: NDArray[Any], kind: np.dtype[Any], shape
         raise ValueError(f"{name.removeprefix('gas.')!r} of shape {array.shape}, not {shape}")
 
 
-def _forms(scene: GasScene, state: Arrays) -> dict[str, tuple[np.dtype[Any], tuple[int, ...]]]:
+def _forms(scene: GasScene, records: SystemRecords) -> dict[str, tuple[np.dtype[Any], tuple[int, ...]]]:
     """Return type and shape of every array of a gas and of its session, by name."""
-    balls, species, faces = scene.count, len(scene.groups), len(scene.container.geometry.faces)
-    count = {
-        "system": 1, "motions": balls, "plans": balls + 1, "bodies": balls, "numbers": balls, "species": species,
-        "pairs": species**2, "pair_forms": species**2, "contacts": faces * species, "contact_forms": faces * species,
-        "faces": faces, "whole": 1, "flows": species,
-        "layers": _layers(state) * species,
-        "curves": scene.container.geometry.curves.size,
-        "shear": int(scene.shear_rate != 0),
-    }  # fmt: skip
-    forms: dict[str, tuple[np.dtype[Any], tuple[int, ...]]] = {
-        f"gas.{name}": (kind, (count[name],)) for name, kind in STATE.items()
-    }
+    count = {name: getattr(records, name).size for name in records._fields}
+    count |= dict.fromkeys(("motions", "bodies", "numbers"), scene.count) | {"plans": scene.count + 1}
     number, whole, text = np.dtype("f8"), np.dtype("i8"), np.dtype("U32")
-    return forms | {
-        "gas.names": (text, (faces,)), "gas.time": (number, (1,)), "gas.groups": (whole, (species,)), "session": (whole, (5,)),
-        "clock": (number, (3,)),
+    return {f"gas.{name}": (kind, (count[name],)) for name, kind in STATE.items()} | {
+        "gas.names": (text, (len(records.faces),)), "gas.time": (number, (1,)), "gas.groups": (whole, (len(records.species),)),
+        "session": (whole, (5,)), "clock": (number, (3,)),
     }  # fmt: skip
 
 
-def _layers(state: Arrays) -> int:
-    """Return the number of layers of a gas across its axis, whose number is compared with the scene's later; 0 without walls."""
-    for name in ("system", "whole"):
-        require_same_form(name, state[f"gas.{name}"], STATE[name], (1,))
-    axis = int(state["gas.whole"][0]["axis"])
-    return int(state["gas.system"][0]["cells"][axis]) if axis in range(3) else 0
-
-
-def _require_no_nan(name: str, array: NDArray[Any]) -> None:
+def _require_numbers(name: str, array: NDArray[Any]) -> None:
+    """Raise ValueError for numbers that can be in no state: NaN, infinite ones, negative counts."""
     for field in array.dtype.names or ("",):
-        values = array[field] if field else array
-        if values.dtype.kind == "f" and np.isnan(values).any():
-            raise ValueError(f"NaN in {name.removeprefix('gas.')!r}")
+        values, what = array[field] if field else array, field or name
+        if values.dtype.kind == "f" and not np.isfinite(values).all():
+            if np.isnan(values).any() or what not in MAY_BE_INFINITE:
+                raise ValueError(f"{name!r} with {what} that is {'NaN' if np.isnan(values).any() else 'infinite'}")
+        elif (
+            (name in SQUARED or what in SQUARED) and values.dtype.kind == "f" and (np.abs(values) > MAX_MAGNITUDE).any()
+        ):
+            raise ValueError(f"{name!r} with {what} beyond {MAX_MAGNITUDE:g}")
+        elif values.dtype.kind == "i" and what not in MAY_BE_NEGATIVE and (values < 0).any():
+            raise ValueError(f"{name!r} with {what} below 0")
 
 
-def _require_contents(scene: GasScene, state: Arrays) -> None:
-    """Raise ValueError for indices out of range, places that are not finite, counts that disagree, and another container."""
-    motions, plans, bodies = (state[f"gas.{name}"] for name in ("motions", "plans", "bodies"))
-    one, count = state["gas.system"][0], scene.count
-    size = np.array([*scene.container.geometry.size, 1.0])[:3]
-    cells, plan = one["cells"], plans[:count]
-    places = np.stack([plan["cx"], plan["cy"], plan["cz"]], axis=1)
-    partner, boundary = plan["partner"], plan["boundary"].astype(np.int64)
+def _require_the_scenes(given: NDArray[Any], name: str, own: NDArray[Any], fields: Iterable[str]) -> None:
+    """Raise ValueError where fields of an array are not as the scene makes them."""
+    for field in fields:
+        if not np.array_equal(given[field] if field else given, own[field] if field else own.ravel()):
+            raise ValueError(f"{name!r} with {field or 'numbers'} that no gas of this scene has")
+
+
+def _require_contents(scene: GasScene, state: Arrays, own: Any) -> None:
+    """Raise ValueError for indices out of range, balls outside their cells, times and counts that disagree."""
+    motions, plans = state["gas.motions"], state["gas.plans"][: scene.count]
+    one, count, now = state["gas.system"][0], scene.count, float(state["gas.system"][0]["now"])
+    partner, boundary = plans["partner"], plans["boundary"].astype(np.int64)
     pairs, walls = (int(one[f"{name}_collisions"]) for name in ("pair", "wall"))
     counted = {
         name: int(state[f"gas.{name}"]["collisions"].sum()) for name in ("motions", "pairs", "contacts", "faces")
     }
-    driven = {drive.wall for drive in scene.drives}
-    axis = layer_axis(scene.container.geometry, one["gravity"].tolist(), driven, scene.shear_rate != 0)
-    first, sampled, interval, snapshots, _timed = state["session"].tolist()
+    first, sampled, interval, *_snapshots = state["session"].tolist()
+    time, clock = float(state["gas.time"][0]), state["clock"]
+    planned = plans[: one["planned"]]
+    first_event = float(planned["event_time"].min(initial=math.inf)) if len(planned) == count else math.inf
+    slack = 1e-9 * (abs(now) + float(one["base"]))
     whole = {
         "numbers": np.array_equal(np.sort(state["gas.numbers"]), np.arange(count)),
-        "motions": all(np.isfinite(motions[name]).all() for name in MOTION.names or () if motions[name].dtype.kind == "f")
-        and bool((motions["species"] < len(scene.groups)).all())
+        "motions": bool((motions["species"] < len(scene.groups)).all() and (motions["time"] <= now + slack).all())
         # (a ball's number of collisions is kept modulo 2^32; a kick of the thermostat counts as one, too)
         and (counted["motions"] - 2 * pairs - walls - int(one["kicks"])) % 2**32 == 0,
-        "whole": int(state["gas.whole"][0]["axis"]) == axis,
-        "groups": np.array_equal(state.get("gas.groups", scene.groups), scene.groups),
-        "shear": all(one["rate"] == scene.shear_rate for one in state.get("gas.shear", ())),
-        "curves": np.array_equal(state.get("gas.curves", np.empty(0)), scene.container.geometry.curves.ravel()),
-        "bodies": all(np.isfinite(bodies[name]).all() for name in ("wx", "wy", "wz")),
-        "session": 0 <= first <= pairs + walls and 0 <= sampled <= pairs + walls and interval >= 1 and snapshots >= 0,
+        "session": first <= pairs + walls and sampled <= pairs + walls and interval >= 1,
+        "clock": bool((clock >= 0).all()) and clock[1] <= time,
+        "time": time >= 0 and time - float(one["base"]) - float(one["rest"]) <= first_event + slack,
         "system": (pairs, walls, walls) == tuple(counted[name] for name in ("pairs", "contacts", "faces"))
         and one["balls"] == count
         and one["species"] == len(scene.groups)
         and one["bins"] == BINS_PER_BALL * count
-        and one["dimensions"] == scene.container.dimensions
-        and 0 <= one["bin"] <= one["bins"]
-        and 0 <= one["planned"] <= count
-        and cells_at_most(cells.tolist(), count) == cells.tolist()
-        and np.allclose(one["side"][: len(size)], size, rtol=1e-9)
-        and np.allclose(cells * one["cell_size"], one["side"], rtol=1e-9),
-        "plans": bool(((places >= 0) & (places < cells)).all())
-        and bool(((partner < count) | (partner == NO_BALL)).all())
-        and bool(((boundary < FIRST_WALL + len(state["gas.faces"])) | (boundary == PREDICT_AGAIN)).all()),
+        and one["bin"] <= one["bins"]
+        and one["planned"] <= count
+        and bool((one["free"] <= 1).all())
+        and min(now, one["base"], one["threshold"], one["progress_time"]) >= 0
+        and (len(planned) < count or one["bin_width"] > 0),
+        "plans": bool(((partner < count) | (partner == NO_BALL)).all())
+        and bool(((boundary < FIRST_WALL + len(state["gas.faces"])) | (boundary == PREDICT_AGAIN)).all())
+        and bool((planned["event_time"] >= now - slack).all())
+        and _in_their_cells(motions, plans, own, np.full(count, now))
+        and _in_their_cells(motions[: len(planned)], planned, own, planned["event_time"]),
     }  # fmt: skip
     for name, sound in whole.items():
         if not sound:
             raise ValueError(f"{name!r} with contents that no gas of this scene has")
+
+
+def _in_their_cells(motions: NDArray[Any], plans: NDArray[Any], own: Any, t: NDArray[Any]) -> bool:
+    """Return whether all balls are, at times (N,), in the cells that they are entered in; at no time only balls at rest may be."""
+    s = np.where(np.isinf(t), 0.0, t - motions["time"])
+    for k, axis in enumerate("xyz"):
+        cell, v, g = plans["c" + axis], motions["v" + axis], float(own["gravity"][k])
+        with np.errstate(over="ignore", invalid="ignore"):
+            place = (motions[axis] + (v + g / 2 * s) * s) / own["cell_size"][k] - cell
+        # (a wall that moves may let balls out of the box by up to its length)
+        last = own["cells"][k] - 1
+        room = OUTSIDE + np.where((own["periodic"][k] == 0) & ((cell == 0) | (cell == last)), last + 1, 0)
+        inside = (place >= -room) & (place <= 1 + room) & (cell <= last) & (cell >= 0)
+        if not (inside & (np.isfinite(t) | ((v == 0) & (g == 0)))).all():
+            return False
+    return True
