@@ -55,7 +55,8 @@ ELLIPSE = table_of_outline([[Whole((1.0, 0.8))]])
 INSET = table_of_outline([[Whole((1.0, 0.8))]], "surface")
 
 
-@pytest.mark.parametrize("name", CURVES)
+# (billiards refuse a ball that is larger than a radius of curvature)
+@pytest.mark.parametrize("name", [name for name in CURVES if name != "swallowtail"])
 @pytest.mark.parametrize("pull", [0.0, 1.0])
 def test_first_hits_are_those_of_brute_force(name: str, pull: float) -> None:
     n = tried(60, 150)
@@ -173,67 +174,6 @@ def test_orbits_along_an_oval_stay_there_below_the_known_border(eps: float) -> N
         assert np.abs(found.angle).min() > 1.3
 
 
-def test_corners_of_a_swallowtail_are_the_ellipses_own() -> None:
-    table = table_of_outline([[Whole((1.0, 0.4))]], "surface")
-    for a in (0.17, 0.25, 0.35):
-        one, two = (t.shape(a) for t in (table, billiards.ellipse(1.0, 0.4, bounds="surface")))
-        assert one.lengths.sum() == pytest.approx(two.lengths.sum(), rel=1e-12)
-        (reach,) = {round(abs(float(one.curve.table[arc.first, 0])), 12) for arc in one.curve.arcs}
-        assert reach == pytest.approx(two.arcs[0].reach, abs=1e-12)
-    ball = carom.Disc(0.25, 1.0)
-    found = billiards.orbit(table, ((0.2, 0.0), (1.0, 0.0), 0.0), 3, ball=ball)
-    assert (int(found.count), found.ended) == (0, "corner")
-
-
-DUMBBELL = PolarSum(((2, 0.6, 0.0),))
-ROOMS = [(0, 0), (2, 0), (2, 0.85), (3, 0.85), (3, 0), (5, 0), (5, 2), (3, 2), (3, 1.15), (2, 1.15), (2, 2), (0, 2)]
-
-
-def test_a_ball_that_closes_a_neck_keeps_to_the_part_of_its_start() -> None:
-    ball = carom.Disc(0.42, 1.0)
-    table = table_of(DUMBBELL, "surface")
-    assert len(table.shape(0.42).connected) == 2
-    start = billiards.Start([[1.0, 0.1], [-1.0, 0.1]], [[0.8, 0.3], [0.8, 0.3]])
-    found = billiards.orbit(table, start, 2000, ball=ball, law="mirror", corners="pass")
-    assert (found.ended == "bounces").all()
-    assert (np.sign(found.position[..., 0]) == [[1], [-1]]).all()
-    assert depth(DUMBBELL, found.position.reshape(-1, 2)) == pytest.approx(0.42, abs=1e-14)
-    for x, text in (((0.0, 0.0), "0.02 outside"), ((0.0, 0.39), "0.41 outside")):
-        with pytest.raises(carom.CaromError, match=text) as caught:
-            billiards.orbit(table, (x, (1.0, 0.0), 0.0), 1, ball=ball)
-        assert len(str(caught.value).splitlines()) == 1
-    with pytest.raises(carom.CaromError, match="fits into the curve") as caught:
-        table.shape(1.7)
-    assert len(str(caught.value).splitlines()) == 1
-
-
-def test_two_rooms_with_a_narrow_corridor() -> None:
-    """Each room is a square with the arcs around the two corners of the corridor, up to where they meet."""
-    table = billiards.table("polygon", points=ROOMS, bounds="surface")
-    wide, shape = table.shape(0.1), table.shape(0.2)
-    assert wide.curve is None
-    assert shape.lengths.sum() == pytest.approx(2 * (3 * 1.6 + 2 * 0.65 + 2 * 0.2 * math.asin(0.75)), abs=1e-12)
-    s = np.linspace(0, shape.lengths.sum(), 500)[:-1]
-    piece, x, _n = shape.place(s)
-    assert shape.coordinate(piece, x) == pytest.approx(s, abs=1e-12)
-    start = billiards.starts(table, 30, 1, ball=carom.Disc(0.2, 1.0), law="mirror")
-    found = billiards.orbit(table, start, 100, ball=carom.Disc(0.2, 1.0), law="mirror", corners="pass")
-    rooms = (found.position[..., 0] > 2.5).mean(axis=1)
-    assert set(rooms) == {0.0, 1.0}
-    assert np.abs(shape.gap(found.position)).max() < 1e-14
-
-
-def test_a_ball_too_wide_for_the_stem_of_a_mushroom_stays_in_the_cap() -> None:
-    """The cap's half disc inset, less the two arcs around the stem's corners: its length in closed form."""
-    table, ball = billiards.table("mushroom:radius=1,stem=0.3,0.9", bounds="surface"), carom.Disc(0.2, 1.0)
-    cap = 0.8 * (math.pi - 2 * math.asin(0.2 / 0.8)) + 2 * (math.sqrt(0.8**2 - 0.2**2) - 0.15)
-    assert table.shape(0.2).lengths.sum() == pytest.approx(cap + 2 * 0.2 * math.asin(0.15 / 0.2), abs=1e-12)
-    found = billiards.orbit(table, billiards.starts(table, 20, ball=ball), 300, ball=ball, corners="pass")
-    assert (found.ended == "bounces").all()
-    assert np.abs(table.shape(0.2).gap(found.position)).max() < 1e-14
-    assert found.position[..., 1].min() > math.sqrt(0.2**2 - 0.15**2) - 1e-14
-
-
 class Side(Piece):
     """A straight piece that is followed as a curve."""
 
@@ -254,18 +194,48 @@ def square(bulge: float) -> list[list[Piece]]:
     return [[Side(p, q) for p, q in zip(corners, corners[1:] + corners[:1], strict=True)]]
 
 
-@pytest.mark.parametrize("bounds", ["centre", "surface"])
-def test_corners_of_the_wall_are_those_of_a_polygon(bounds: Any) -> None:
-    table = table_of_outline(square(0.3), bounds)
-    own = billiards.polygon([p.start for p in square(0.3)[0]], bounds=bounds)
-    a = 0.1 if bounds == "surface" else 0.0
-    one, two = table.shape(a), own.shape(a)
+def test_corners_of_the_wall_are_those_of_a_polygon() -> None:
+    table = table_of_outline(square(0.3))
+    own = billiards.polygon([p.start for p in square(0.3)[0]])
+    one, two = table.shape(0.0), own.shape(0.0)
     assert one.lengths.sum() == pytest.approx(two.lengths.sum(), rel=1e-13)
     x = np.random.default_rng(2).uniform(0.2, 1.8, (300, 2))
     assert one.gap(x) == pytest.approx(two.gap(x), abs=1e-13)
     found, expected = (billiards.orbit(t, ((0.4, 0.5), (0.9, 0.37), 0.3), 60) for t in (table, own))
     assert found.position == pytest.approx(expected.position, abs=1e-10)
     assert np.isfinite(found.arc).all()
+
+
+def test_a_ball_goes_around_the_corners_of_an_obstacle_on_circles() -> None:
+    corners = [(-0.3, -0.2), (-0.3, 0.2), (0.3, 0.2), (0.3, -0.2)]
+    obstacle: list[Piece] = [Side(p, q) for p, q in zip(corners, corners[1:] + corners[:1], strict=True)]
+    table, a = table_of_outline([[Whole((1.5, 1.2))], obstacle], "surface"), 0.1
+    shape, outside = table.shape(a), billiards.ellipse(1.5, 1.2, bounds="surface").shape(a)
+    assert shape.lengths.sum() == pytest.approx(outside.lengths.sum() + 2 * (0.6 + 0.4) + math.tau * a, rel=1e-12)
+    s = np.linspace(0, shape.lengths.sum(), 200)[:-1]
+    piece, x, _n = shape.place(s)
+    assert shape.coordinate(piece, x) == pytest.approx(s, abs=1e-12)
+    ball = carom.Disc(a, 1.0)
+    found = billiards.orbit(
+        table, billiards.starts(table, 10, 1, ball=ball, law="mirror"), 200, ball=ball, law="mirror"
+    )
+    assert (found.ended == "bounces").all()
+    assert np.abs(shape.gap(found.position)).max() < 1e-14
+
+
+@pytest.mark.parametrize(
+    ("table", "a"),
+    [
+        (table_of(PolarSum(((2, 0.6, 0.0),)), "surface"), 0.42), (table_of_outline([[Whole((1.0, 0.4))]], "surface"), 0.25),
+        (billiards.table("mushroom:radius=1,stem=0.3,0.9", bounds="surface"), 0.05),
+        (billiards.table("polygon", points=[(0, 0), (2, 0), (2, 0.85), (3, 0.85), (3, 0), (5, 0), (5, 2), (3, 2), (3, 1.15),
+                                            (2, 1.15), (2, 2), (0, 2)], bounds="surface"), 0.2),
+    ], ids=["a neck", "a radius of curvature", "a corner of a curve", "a corridor"],
+)  # fmt: skip
+def test_a_ball_that_does_not_touch_all_of_the_wall_is_refused_in_one_line(table: billiards.Table, a: float) -> None:
+    with pytest.raises(carom.CaromError, match="expected one that touches all of the wall") as caught:
+        table.shape(a)
+    assert len(str(caught.value).splitlines()) == 1
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,15 @@ import numpy as np
 
 from carom.errors import CaromError, Fault, FaultList, checked_number, float_array, suggestion
 
-__all__ = ["BOUNDS", "Bounds", "checked_acceleration", "positive_number", "require_bounds", "require_room"]
+__all__ = [
+    "BOUNDS",
+    "Bounds",
+    "ball_too_large",
+    "checked_acceleration",
+    "positive_number",
+    "require_bounds",
+    "require_room",
+]
 
 Bounds = Literal["centre", "surface"]
 BOUNDS = ("centre", "surface")
@@ -49,3 +57,13 @@ def require_room(name: str, left: float, what: str, inset: float) -> None:
         raise CaromError(
             Fault(f"{name}", "radius of the ball", f"one that fits {what}", repr(inset), "take a smaller ball")
         )
+
+
+def ball_too_large(name: str, inset: float) -> CaromError:
+    """Return the refusal of a ball that does not touch all of a wall."""
+    expected = (
+        "one that touches all of the wall, smaller than its necks and radii of curvature, and without corners in curves"
+    )
+    return CaromError(
+        Fault(name, "radius of the ball", expected, repr(inset), "take a smaller ball, or bounds = 'centre'")
+    )

@@ -1,7 +1,4 @@
-"""The boundary of the region open to the centre of a ball within a curved wall: arcs of parallel curves, and their corners.
-
-Where a ball is larger than a neck the region has several parts. All are in one table: the start of an orbit decides.
-"""
+"""The boundary of the region open to the centre of a ball within a curved wall: arcs of parallel curves, and their corners."""
 
 from __future__ import annotations
 
@@ -15,8 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards.curved_wall import CurvedWall, chord_frame, graphs, left_of, plane_of, slopes
-from carom.billiards.touched_wall import Bend, Stretch, no_room, touched
+from carom.billiards.checks import ball_too_large
+from carom.billiards.curved_wall import CurvedWall, WallLoop, chord_frame, graphs, left_of, plane_of, slopes
 from carom.core.geometry.curve import BEND, CX, FIRST_XI, HALF, HIGH, LAST_XI, LOW, OX, ROW, SLOPE, TX, W0, W1, X
 
 __all__ = ["CurveArc", "CurvedRegion", "curved_region"]
@@ -27,6 +24,27 @@ SAME_NODE = (
     1e-9  # of the size: so near are a node and its tangent to those of the next arc where these are joined smoothly
 )
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
+
+
+TOUCHES = 1e-9  # of the size: so much nearer to another part of the wall is rounding
+SAMPLES = np.linspace(-1, 1, 25)  # of each panel and circle, at which the distance from the wall is asked
+
+
+class Stretch(NamedTuple):
+    """Panels of the wall, one after the other, without a corner in between."""
+
+    loop: int
+    panels: list[int]
+
+
+class Bend(NamedTuple):
+    """The circle on which the centre passes a corner of the wall with the interior all around."""
+
+    x: float
+    y: float
+    first: float
+    """Angle at which it begins, rad; it goes clockwise."""
+    span: float
 
 
 class CurveArc(NamedTuple):
@@ -169,14 +187,20 @@ class CurvedRegion:
 
 @functools.lru_cache(maxsize=64)
 def curved_region(wall: CurvedWall, a: float) -> CurvedRegion:
-    """Return the region open to the centre of a ball of radius a, in one part or in several; CaromError where there is none."""
+    """Return the region open to the centre of a ball of radius a.
+
+    CaromError for a ball that does not touch all of the wall: it is larger than a radius of curvature, or than a neck, or the
+    wall has a corner that bends towards it.
+    """
     wall.require_simple()
+    if a > 0 and any(_hides(wall, loop, a) for loop in wall.loops):
+        raise ball_too_large(wall.name, a)
     tables, arcs, order, rounds = list[Array](), list[CurveArc](), list[tuple[bool, int]](), list[int]()
     circles: list[Bend] = []
     row = 0
-    for loop in touched(wall, a):
+    for number, loop in enumerate(wall.loops):
         rounds.append(len(arcs))
-        for one in loop:
+        for one in _parts(number, loop, a):
             if isinstance(one, Bend):
                 order.append((True, len(circles)))
                 circles.append(one)
@@ -186,8 +210,6 @@ def curved_region(wall: CurvedWall, a: float) -> CurvedRegion:
             tables.append(part)
             arcs += own
             row += len(part)
-    if not arcs:
-        raise no_room(wall, a)
     rows = np.concatenate(tables)
     for here in _each_round(rounds, len(arcs)):
         for arc, after in zip(here, here[1:] + here[:1], strict=True):
@@ -199,6 +221,46 @@ def curved_region(wall: CurvedWall, a: float) -> CurvedRegion:
     return CurvedRegion(wall, a, rows, tuple(arcs), tuple(circles), shown, tuple(rounds))
 
 
+def _bends(loop: WallLoop) -> dict[int, Bend]:
+    """Return the circles around the reflex corners of a loop, by the panels before which they stand."""
+    found = {}
+    for k in np.flatnonzero(loop.jump < 0).tolist():
+        (x, y), (tx, ty), jump = loop.rows[k, OX : OX + 2], loop.begin[k], float(loop.jump[k])
+        found[k] = Bend(x, y, math.atan2(tx, -ty) - jump, -jump)
+    return found
+
+
+def _parts(number: int, loop: WallLoop, a: float) -> list[Stretch | Bend]:
+    """Return all of a loop, divided at its corners, from the first one on; a ball goes around them on circles."""
+    bends = _bends(loop) if a > 0 else {}
+    corners = list(bends) if a > 0 else np.flatnonzero(loop.jump != 0).tolist()
+    first, count = corners[0] if corners else 0, len(loop.rows)
+    found: list[Stretch | Bend] = []
+    for k in ((first + m) % count for m in range(count)):
+        if k in corners or not found:
+            # (the circle before the first panel comes last)
+            found += [bends[k]] if k in bends and found else []
+            found.append(Stretch(number, []))
+        stretch = found[-1]
+        assert isinstance(stretch, Stretch)
+        stretch.panels.append(k)
+    return found + ([bends[first]] if first in bends else [])
+
+
+def _hides(wall: CurvedWall, loop: WallLoop, a: float) -> bool:
+    """Return whether a ball of radius a cannot touch all of a loop."""
+    rows, w = np.repeat(loop.rows, len(SAMPLES), axis=0), np.tile(SAMPLES, len(loop.rows))
+    f, f1, f2 = graphs(rows, w)
+    q = 1 / np.sqrt(1 + f1 * f1)
+    if (loop.jump > 0).any() or a * float((f2 * q**3).max()) >= 1 - TOUCHES:
+        return True
+    x = rows[:, OX : OX + 2] + plane_of(rows, rows[:, HALF] * (1 + w) - a * f1 * q, f + a * q)
+    for one in _bends(loop).values():
+        angle = one.first - one.span * (1 + SAMPLES) / 2
+        x = np.concatenate([x, (one.x, one.y) + a * np.stack([np.cos(angle), np.sin(angle)], axis=-1)])
+    return bool((wall.depth(x) < a - TOUCHES * wall.size).any())
+
+
 def _each_round(rounds: Sequence[int], count: int) -> list[list[int]]:
     """Return the numbers of the arcs of each closed curve, given its first one."""
     return [list(range(first, last)) for first, last in pairwise([*rounds, count]) if last > first]
@@ -208,18 +270,12 @@ def _table_of(wall: CurvedWall, one: Stretch, a: float, base: int) -> tuple[Arra
     """Return the rows of a stretch, divided into arcs, and these; ``base``: the number of its first row in the table."""
     loop = wall.loops[one.loop]
     rows = loop.rows[one.panels].copy()
-    rows[0, W0], rows[-1, W1] = one.begin, one.end
     low, high = rows[:, W0], rows[:, W1]
     begins, tangents = _nodes(rows, low, a)
     last, last_tangent = _nodes(rows[-1:], high[-1:], a)
     # the last node of a closed curve without a corner is its first one
     count = len(loop.rows)
-    closed = (
-        one.begin == -1.0
-        and one.end == 1.0
-        and (one.panels[-1] + 1) % count == one.panels[0]
-        and loop.jump[one.panels[0]] == 0
-    )
+    closed = (one.panels[-1] + 1) % count == one.panels[0] and loop.jump[one.panels[0]] == 0
     if closed:
         last, last_tangent = begins[:1], tangents[:1]
     rows[:, X : X + 2], rows[:, TX : TX + 2] = begins, tangents
@@ -255,7 +311,7 @@ def _table_of(wall: CurvedWall, one: Stretch, a: float, base: int) -> tuple[Arra
 def _smooth(loop: Any, one: Stretch, a: float, *, before: bool) -> bool:
     """Return whether the centre's curve goes on smoothly beyond an end of a stretch: around a reflex corner."""
     node = one.panels[0] if before else (one.panels[-1] + 1) % len(loop.rows)
-    return bool(a > 0 and (one.begin == -1.0 if before else one.end == 1.0) and loop.jump[node] < 0)
+    return bool(a > 0 and loop.jump[node] < 0)
 
 
 def _nodes(rows: Array, w: Array, a: float) -> tuple[Array, Array]:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.billiards.boundary import Boundary, Face, InsetEllipse, Obstacle, ObstacleImage, RoundWall, face
-from carom.billiards.checks import require_room
+from carom.billiards.checks import ball_too_large, require_room
 from carom.billiards.curved_region import curved_region
 from carom.billiards.curved_wall import CurvedWall
 from carom.errors import CaromError, Fault
@@ -67,7 +67,7 @@ def _outline(name: str, figure: PlaneFigure, inset: float) -> Boundary:
     else:
         found = _chain(name, outside, inset)
         if inset > 0 and found.vertices is not None and _closes_a_neck(name, figure, inset):
-            return _curved(name, figure, inset)
+            raise ball_too_large(name, inset)
     for loop in inner:
         one: Any = loop[0]
         found.outside.append(Obstacle(one.center[0], one.center[1], one.radius + inset, 0.0, math.tau))
