@@ -10,12 +10,13 @@ from pathlib import Path
 
 import numpy as np
 from campaign import campaign, shares
-from reference.film_layouts import LAYOUTS, RESTITUTION, film
+from reference.film_layouts import DRAWN, LAYOUTS, RATE, RESTITUTION, drawn, film
 
 from carom.errors import CaromError
 from carom.tracks import Calibration, Settings, measure, read_tracks
 from carom.tracks.least_squares import ContactFit
 
+PER_KIND = 15  # times as many films of each drawn kind
 MOST_OFF = 0.01  # of the restitution: more is a misread file
 
 
@@ -39,6 +40,32 @@ def case(name: str, folder: Path, seed: int) -> dict[str, object]:
         return {"found": restitutions(name, seed, folder), "fault": ""}
     except CaromError as error:
         return {"found": [], "fault": str(error)}
+
+
+def drawn_case(kind: str, folder: Path, seed: int) -> dict[str, object]:
+    """Return the restitutions of a drawn film, and how many frames the worst row's time is off; or why it was refused."""
+    one = drawn(kind, seed)
+    path = folder / "film.csv"
+    path.write_text(one.text, encoding="utf-8")
+    try:
+        found = read_tracks(path, calibration=Calibration(one.scale, one.rate, one.down))
+        made = measure(found.tracks, Settings(view="side", radius=0.0))
+    except CaromError as error:
+        return {"found": [], "off": 0.0, "fault": f"{one.about}: {error}"}
+    (track,) = made.tracks
+    fits = [contact.fit for contact in made.contacts if contact.fit is not None]
+    off = (
+        len(one.frame)
+        if len(track) != len(one.frame)
+        else np.abs((track.time - track.time[0]) * RATE - one.frame + one.frame[0]).max()
+    )
+    return {
+        "found": [with_error(fit) for fit in fits],
+        "off": float(off),
+        "coarse": one.coarse,
+        "fault": "",
+        "about": one.about,
+    }
 
 
 def with_error(fit: ContactFit) -> list[float]:
@@ -72,6 +99,21 @@ def main(words: Sequence[str] | None = None) -> None:
                     run.say(f"{name}, film {row['seed']}: {row['fault'] or row['found']}")
         run.say(f"{films} films in {len(LAYOUTS)} layouts, {len(pulls)} contacts: {wrong} films misread or refused")
         run.say(f"restitution within 1 / 1.96 error bars: {shares(pulls)}")
+        for kind in DRAWN:
+            if not run.wants(kind, DRAWN):
+                continue
+            pulls, wrong, rows = (
+                [],
+                0,
+                run.rows.fill(kind, range(PER_KIND * run.count), partial(drawn_case, kind, Path(place))),
+            )
+            for row in rows:
+                pulls += [(value - RESTITUTION) / error for value, error in row["found"]]
+                far = [value for value, error in row["found"] if abs(value - RESTITUTION) > max(MOST_OFF, 4 * error)]
+                if row["fault"] or len(row["found"]) != 1 or far or row["off"] > max(0.1, row["coarse"]):
+                    wrong += 1
+                    run.say(f"{kind}, film {row['seed']}: {row['fault'] or (row['about'], row['found'], row['off'])}")
+            run.say(f"{kind}: {len(rows)} films: {wrong} misread or refused; within {shares(pulls)}")
 
 
 if __name__ == "__main__":

@@ -305,3 +305,138 @@ LAYOUTS: dict[str, Layout] = {
         framed("image,x,y", "pxy", p=lambda one: [f"IMG_{i + 31:04d}.jpg" for i in range(len(one.time))]), **PX),
     "clock": Layout(lambda one: table("time,x,y", [[f"00:00:{t:09.6f}" for t in one.time], *(cells(a) for a in one.place.T)])),
 }  # fmt: skip
+
+
+# --- drawn layouts ------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A film as a file, what its reader has to be given, and its truth: the frame of each row, and the places."""
+
+    text: str
+    scale: float | None
+    rate: float | None
+    down: bool | None
+    frame: np.ndarray
+    place: np.ndarray
+    coarse: float
+    """Rounding of the times, in frames."""
+    about: str
+
+
+WORDS = (
+    "tick",
+    "cadre",
+    "bilde",
+    "mom",
+    "obr",
+    "kare",
+    "fr_count",
+    "Marke",
+    "Aufnahme",
+    "shots",
+    "Zeitschritt",
+    "pos_nr",
+    "T_i",
+    "frm",
+    "seq",
+)
+DRAWN = (
+    "names of the clock", "significant digits", "gaps and a rate", "another day", "three coordinates", "a height", "units in names",
+)  # fmt: skip
+
+
+def _kept(rng: np.random.Generator, rows: int) -> np.ndarray:
+    """The frames that have a row: all, all but every n-th, or all but some at random; both ends stay."""
+    number = np.arange(rows)
+    kind = rng.integers(3)
+    every = int(rng.integers(3, 11))
+    keep = [number >= 0, number % every != every - 1, rng.random(rows) > rng.choice([0.03, 0.1, 0.25])][kind]
+    keep[[0, -1]] = True
+    return np.flatnonzero(keep)
+
+
+def drawn(kind: str, seed: int) -> Drawn:
+    """Draw a film in a layout of a kind: names, orders and numbers of columns, rows that are missing, rounding, the first time."""
+    rng = np.random.default_rng([DRAWN.index(kind), seed])
+    one = film(seed=seed, along=float(rng.uniform(0.3, 1.5)))
+    kept = _kept(rng, len(one.time))
+    time, place = one.time[kept], one.place[kept]
+    start, coarse, rate, about = 0.0, 0.0, None, ""
+    x, y = cells(place[:, 0]), cells(place[:, 1])
+    others = {
+        "Area": rng.integers(90, 140, len(kept)).tolist(),
+        "Mean": cells(rng.random(len(kept)), ".3f"),
+        "Track n\u00b0": [1] * len(kept),
+    }
+    more = dict(list(others.items())[: rng.integers(4)])
+    if kind == "names of the clock":
+        names = [*CLOCK_NAMES, *WORDS, "".join(rng.choice(list("bcdghkmpqruvw"), int(rng.integers(2, 9))))]
+        name = names[seed % len(names)]
+        columns = {name: (kept + int(rng.integers(500))).tolist(), "x [m]": x, "y [m]": y, **more}
+        rate, about = RATE, f"frames in a column {name!r}"
+    elif kind == "significant digits":
+        start, digits = float(rng.choice([0, 0, 0.3, 0.9, 2.5, 9.6])), int(rng.integers(3, 7))
+        about = f"{digits} digits from {start:g} s on"
+        columns = {"t": [f"{t:.{digits - 1}E}" for t in start + time], "x": x, "y": y}
+        coarse = 10.0 ** (np.floor(np.log10(start + time[-1])) + 1 - digits) * RATE
+        rate = [None, RATE][int(rng.integers(2))]
+        if coarse > 0.5:  # (which rows are missing is lost: the rate has to be given, and no row be missing)
+            return drawn(kind, seed + 100_000)
+    elif kind == "gaps and a rate":
+        playback = float(rng.choice([24, 25, 30, 29.97, 50, 60, 100, 100, 100]))
+        decimals = int(rng.integers(2, 7))
+        coarse = 10.0**-decimals * playback
+        if coarse > 0.5 and playback != 100:
+            return drawn(kind, seed + 100_000)
+        about = f"played back at {playback:g}, {decimals} decimals"
+        columns = {"t [s]": [f"{k / playback:.{decimals}f}" for k in kept], "x [m]": x, "y [m]": y, **more}
+        rate = RATE
+    elif kind == "another day":
+        start, form = 1617472415.25, int(rng.integers(5))
+        about = ["s", "ms", "us", "ns", "date"][form]
+        written: list[Callable[[float], str]] = [
+            lambda t: f"{start + t:.6f}", lambda t: f"{1e3 * (start + t):.3f}", lambda t: f"{round(1e6 * start) + round(1e6 * t)}",
+            lambda t: f"{round(1e9 * start) + round(1e9 * t)}", lambda t: f"2021-04-03T17:53:{35.25 + t:09.6f}",
+        ]  # fmt: skip
+        columns = {"timestamp": [written[form](t) for t in time], "x": x, "y": y, **more}
+    elif kind == "three coordinates":
+        turn = float(rng.uniform(0, 2 * np.pi))
+        aside = rng.normal(0, 3e-4, len(kept))
+        flat = [place[:, 0] * np.cos(turn) - aside * np.sin(turn), place[:, 0] * np.sin(turn) + aside * np.cos(turn)]
+        axes = rng.permutation(3).tolist()  # the names of the two along the floor, and of the height
+        named = dict(zip(["xyz"[k] for k in axes], [*flat, place[:, 1]], strict=True))
+        about = f"{'xyz'[axes[2]]} up"
+        columns = {"t": cells(time), **{name: cells(named[name]) for name in "xyz"}}
+    elif kind == "a height":
+        head = [
+            ("t", "y"), ("Time (s)", "Position (m)"), ("Latest: Time (s)", "Latest: Position (m)"), ("zeit [s]", "h\u00f6he [m]"),
+            ("time_s", "ball_y_m"), ("t", "z"), ("t [s]", "x [m]"),
+        ][int(rng.integers(7))]  # fmt: skip
+        about = head[1]
+        columns = {head[0]: cells(time), head[1]: y, **more}
+    else:
+        ball = str(rng.choice(["ball", "red", "Ball 1", "cue ball", "white"]))
+        sign, unit = rng.choice([" ", "_"]), float(rng.choice([1, 0.01, 0.001]))
+        text = {1.0: "m", 0.01: "cm", 0.001: "mm"}[unit]
+        head = [
+            f"{ball}{sign}{axis}{ending}"
+            for ending in [str(rng.choice([f"_{text}", f" ({text})", f" [{text}]"]))]
+            for axis in "xy"
+        ]
+        about = head[0]
+        px = {
+            f"{ball}{sign}{name}_px": cells(a)
+            for name, a in zip(rng.permutation(["u", "v"]), pixels(one)[kept].T, strict=True)
+        }
+        columns = {
+            "time_s": cells(time),
+            head[0]: cells(place[:, 0] / unit),
+            head[1]: cells(place[:, 1] / unit),
+            **px,
+            **more,
+        }
+    order = rng.permutation(list(columns)).tolist()
+    text = table(",".join(order), [columns[name] for name in order])
+    return Drawn(text, None, rate, None, kept, place, float(coarse), about)

@@ -20,8 +20,12 @@ from reference.film_layouts import (
     table,
 )
 
+import carom
+from carom.data import read_rebounds
 from carom.errors import CaromError
-from carom.tracks import Calibration, Settings, measure, read_tracks
+from carom.tracks import Calibration, Settings, judge, measure, read_tracks
+from carom.tracks.film_files import measure_tracks, rebounds_of_films
+from carom.tracks.film_tracks import films_of
 
 
 @pytest.mark.parametrize("name", LAYOUTS)
@@ -205,3 +209,18 @@ def test_tracks_of_kinovea_begin_where_the_times_begin_anew(tmp_path: Path) -> N
     path.write_text(f"#Kinovea Trajectory data export\n#T X Y\n{rows}{rows}")
     found = read_tracks(path, calibration=Calibration(0.01))
     assert [(track.name, len(track)) for track in found.tracks] == [("track 1", 20), ("track 2", 20)]
+
+
+def test_columns_that_are_not_used_are_named_by_every_reader(tmp_path: Path) -> None:
+    one, path = film(), tmp_path / "film.csv"
+    path.write_text(table("t,x,y,humidity", [cells(a) for a in (one.time, *one.place.T, one.time)]))
+    tracker, rows = tmp_path / "tracker.txt", tmp_path / "rows.csv"
+    tracker.write_text(table(["mass A,,,", "t,x,y,humidity"], [cells(a) for a in (one.time, *one.place.T, one.time)]))
+    rows.write_text("v_n_in,v_t_in,v_n_out,v_t_out,spin_in,humidity\n1,0.5,0.8,0.4,0,40\n")
+    said = [
+        read_tracks(path).notes, read_tracks(tracker).notes, measure_tracks(path, view="side").notes,
+        judge(path, radius=0.02).notes, read_rebounds(rows).notes, carom.predict(rows, law="no-slip").notes,
+        rebounds_of_films([path], settings=Settings(view="side")).notes, films_of(path)[1],
+    ]  # fmt: skip
+    for notes in said:
+        assert any("humidity" in note for note in notes), notes

@@ -9,8 +9,18 @@ from typing import Literal
 
 from carom.bodies import Ball, rolling
 from carom.core.units import UNITS, Unit
-from carom.data.headers import Heading, Style, header_with_unit, missing_unit, parse_header, without_unit
+from carom.data.headers import (
+    WRITTEN_COLUMNS,
+    ColumnNames,
+    Heading,
+    Style,
+    header_with_unit,
+    missing_unit,
+    parse_header,
+    without_unit,
+)
 from carom.data.limits import bad_numbers
+from carom.data.remarks import PASSED_ON, not_used
 from carom.errors import CaromError, Fault, FaultList, did_you_mean, near_name, require_type
 from carom.laws.law import LIKE_SOLIDS, SURFACES, Law, Meeting
 
@@ -163,6 +173,7 @@ def unread(law: Law) -> list[str]:
 
 
 Columns = dict[str, tuple[InputColumn, Heading]]
+WRITTEN_NAMES = ColumnNames(WRITTEN_COLUMNS)  # of what was measured, after the contact too
 
 
 def _meanings(headers: list[str], settings: PredictSettings, faults: FaultList) -> Columns:
@@ -207,9 +218,9 @@ def _missing(name: str, form: str, headers: list[str]) -> Fault:
 
 
 def _near_misses(headers: list[str], wanted: list[str], columns: Columns) -> list[str]:
-    """Return notes on unread columns with nearly the name of a missing one: a typing error, or an unknown unit."""
+    """Return notes on unread columns: with nearly the name of a missing one (a typing error, or an unknown unit), and others."""
     free = [name for name in (*wanted, *PARAMETERS) if name not in columns]
-    notes = []
+    notes, rest = [], []
     for header in headers:
         name = without_unit(header)
         if parse_header(header) is not None or "out" in name.split("_"):
@@ -217,7 +228,9 @@ def _near_misses(headers: list[str], wanted: list[str], columns: Columns) -> lis
         near = next((known for known in free if name.startswith(known + "_")), "") or near_name(name, free)
         if near:
             notes.append(f"not read: column {header!r}; did you mean {near!r}, or {near!r} with a known unit?")
-    return notes
+        elif not (PASSED_ON.fullmatch(name) or name.startswith("sigma_") or WRITTEN_NAMES.parse(header)):
+            rest.append(header)
+    return notes + not_used(rest)
 
 
 def _wanted(form: str, columns: Columns, settings: PredictSettings) -> tuple[list[str], list[str]]:

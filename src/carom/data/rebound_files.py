@@ -27,7 +27,7 @@ from carom.data.headers import (
     without_unit,
 )
 from carom.data.rebounds import NAMED, Kind, Rebounds, make_rebounds, rows_of_stage, stages_of_column
-from carom.data.remarks import EMPTY_CELL, which_rows
+from carom.data.remarks import EMPTY_CELL, PASSED_ON, which_rows
 from carom.data.table_cells import (
     COMMENT,
     decimal_commas,
@@ -48,11 +48,6 @@ Errors = tuple[Array, NDArray[np.bool_]]
 """Error bars (N,), NaN where there is none, and which are in per cent."""
 Numbers = tuple[Array, Errors | None]
 PERCENT = 100.0
-# Columns of numbers that are known and passed on: labels, and what carom's own tables of contacts have beside the velocities
-PASSED_ON = re.compile(
-    r"use|shot|sheet|ball|film|drop|wall|cushion|camera|surface|racket|contact|bounce|striking|struck|plane|t|t_s|sigma_t|air_drag|sigma_air_drag"
-    r"|(sigma_)?floor_friction|(sigma_)?rolling_resistance|(sigma_)?slip_[nt]_(in|out)|covariance_v_[nt]|(blind|cloth|rolling|drag|roll)_.*"
-)
 TIMES = {"t", "time", "frame", "frames", "timestamp"}  # columns of a track
 LEAST_SHARE = 0.05  # of the median size: error bars in per cent do not shrink below this where a value is nearly 0
 

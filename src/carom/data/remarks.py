@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
@@ -15,6 +16,11 @@ Array = NDArray[np.float64]
 # A larger ratio of the speeds before and after a contact suggests mixed units.
 MAX_SPEED_RATIO = 20.0
 BEYOND = 3.0  # error bars by which a number has to exceed what is possible
+# Columns of numbers that are known and passed on: labels, and what carom's own tables of contacts have beside the velocities
+PASSED_ON = re.compile(
+    r"use|shot|sheet|ball|film|drop|wall|cushion|camera|surface|racket|contact|bounce|striking|struck|plane|t|t_s|sigma_t|air_drag|sigma_air_drag"
+    r"|(sigma_)?floor_friction|(sigma_)?rolling_resistance|(sigma_)?slip_[nt]_(in|out)|covariance_v_[nt]|(blind|cloth|rolling|drag|roll)_.*"
+)
 MOST_NAMED = 24  # columns in one note
 EMPTY_CELL = "an empty cell"  # as messages name a number that is not there
 WITHOUT_ERROR_BARS = 0.02  # relative excess that is reported where error bars are unknown

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.data.columns import Columns, as_columns, is_columns, read_columns
+from carom.data.remarks import not_used
 from carom.errors import CaromError, Fault, FaultList
 from carom.files import MOST_TABLE, as_path, parse_json, read_regular
 from carom.formatting import counted
@@ -29,6 +30,8 @@ UNEVEN = 10.0  # times the noise, squared: more is no noise
 EXACT = 1e-12  # m: with less noise the numbers are a program's
 POOL_BALL = 0.028575  # m
 LARGEST = 1e30  # in SI units: no squares of squares overflow
+LABELS = ("name", "ball")
+OF_FRAMES = ("vx", "vy", "vz", "qw", "qx", "qy", "qz", "energy", "phase", "species", "shot", "frame")  # that carom's own files have besides
 NUMBERS = ("t", "x", "y", "z", "wx", "wy", "wz", "radius", "mass")
 
 
@@ -122,6 +125,7 @@ def read_rows(
     faults.raise_if_any()
     numbers = {name: _numbers(faults, name, columns[name]) for name in NUMBERS if name in columns}
     faults.raise_if_any()
+    notes += not_used(name for name in columns if name not in (*NUMBERS, *LABELS, *OF_FRAMES))
     known = _known_rows(faults, numbers, notes)
     if "z" not in numbers:
         notes.append("no column z: all balls lie on the floor")
@@ -148,7 +152,7 @@ def _rows_of_balls(
     notes: list[str],
 ) -> list[BallRows]:  # fmt: skip
     """Return the rows of each ball; a note says where a radius was assumed. Raises for balls whose radius is not known."""
-    count, label = len(known), next((name for name in ("name", "ball") if name in columns), None)
+    count, label = len(known), next((name for name in LABELS if name in columns), None)
     names = np.full(count, "ball")
     if label:  # (numbers are read as such: ball 1, not 1.0)
         names = np.array([f"{one:g}" if isinstance(one, float) else str(one) for one in columns[label]])
@@ -214,8 +218,11 @@ def _of_tracks(path: Path, columns: Columns, notes: list[str]) -> Columns:
             "columns t, x and y, in s and m, a row per ball and frame, or tracks of a program that carom tracks reads"
         )
         raise CaromError(Fault(f"{path}", "", expected, f"{got:.60}{'...' if got[60:] else ''}")) from None
-    notes += [note for note in file.notes if "assumed" in note]  # (others are on rebounds)
-    side = any("height" in name.lower() for name in columns)
+    notes += [
+        note for note in file.notes if "assumed" in note or note.startswith(("not used", "column ", "times "))
+    ]  # (others are on rebounds)
+    plane = all(track.position.shape[1] == 2 for track in file.tracks)
+    side = plane and any("height" in name.lower() or name.lower()[:1] == "z" for name in columns)
     names = ("x", "z") if side else ("x", "y", "z")
     found: dict[str, list[Any]] = {name: [] for name in ("t", "x", "y", "z", "ball")}
     for track in file.tracks:
@@ -224,7 +231,7 @@ def _of_tracks(path: Path, columns: Columns, notes: list[str]) -> Columns:
         found["ball"].append(np.full(len(track.time), track.name))
         for name in ("x", "y", "z"):
             found[name].append(where.get(name, np.zeros(len(track.time))))
-    flat = not side and all(track.position.shape[1] == 2 for track in file.tracks)
+    flat = plane and not side
     return {name: np.concatenate(values) for name, values in found.items() if not (flat and name == "z")}
 
 
