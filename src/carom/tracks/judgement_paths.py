@@ -31,7 +31,8 @@ EXACT = 1e-12  # m: with less noise the numbers are a program's
 POOL_BALL = 0.028575  # m
 LARGEST = 1e30  # in SI units: no squares of squares overflow
 LABELS = ("name", "ball")
-OF_FRAMES = ("vx", "vy", "vz", "qw", "qx", "qy", "qz", "energy", "phase", "species", "shot", "frame")  # that carom's own files have besides
+# What carom's own files have besides
+OF_FRAMES = ("vx", "vy", "vz", "qw", "qx", "qy", "qz", "energy", "phase", "species", "shot", "frame")
 NUMBERS = ("t", "x", "y", "z", "wx", "wy", "wz", "radius", "mass")
 
 
