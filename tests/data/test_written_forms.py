@@ -13,6 +13,7 @@ from carom.data import read_rebounds
 from carom.data.rebound_files import heads_rebounds
 from carom.errors import CaromError
 from carom.fitting import Setting, fit_laws, usable_rows
+from carom.tracks import Settings, Track, measure, to_rebounds
 
 ALL = ("speed_and_angle", "from_surface", "x_and_y", "errors_in_cells", "missing_cells", "normalised_spin")
 EXAMPLES = Path(__file__).parents[2] / "docs" / "data" / "tables"
@@ -203,6 +204,17 @@ def test_what_predict_writes_of_angles_is_read_where_components_are_left_out(tmp
     found = table(tmp_path, text + "\n".join(",".join(map(repr, row)) for row in rows) + "\n")
     assert found["v_n_out"] == pytest.approx(made["v_n_out"])
     assert found["v_t_out"] == pytest.approx(made["v_t_out"])
+
+
+def test_what_tracks_write_is_read_and_used(tmp_path: Path) -> None:
+    t = np.arange(40) / 200
+    y = np.where(t < 0.1, 2 * (0.1 - t), 1.6 * (t - 0.1)) - 9.81 / 2 * (t - 0.1) ** 2
+    ball = Track("ball", t, np.stack([0.5 * t, y], axis=-1))
+    made = to_rebounds(measure([ball], Settings(view="side", noise=1e-4)))
+    found = read_rebounds(made.save(tmp_path / "rebounds.csv"))
+    assert (found.kind, found.notes, list(found.extra)) == ("planar", (), list(made.extra))
+    for name, column in made.flat().items():
+        assert np.array_equal(found.flat()[name].astype(str), column.astype(str)), name
 
 
 @pytest.mark.parametrize("name", ["kharaz2001", "mathavan2009", "tt_rackets", "alciatore_tpb28"])

@@ -2,6 +2,7 @@
 
 import json
 import pickle
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -9,9 +10,10 @@ import pytest
 
 import carom
 from carom.core.motion.phases import REST
-from carom.fitting.identifiability import NOT_IDENTIFIABLE
+from carom.fitting.identifiability import NOT_IDENTIFIABLE, Identified
+from carom.fitting.result import Estimate
 from carom.fitting.shots import drawn_films, fit_of_some
-from carom.fitting.shots.errors import Optimum
+from carom.fitting.shots.errors import Optimum, in_combination
 from carom.fitting.shots.film import filmed_shots
 from carom.fitting.shots.fit import DRAWS, _Together
 from carom.fitting.shots.joint import PRIOR_WIDTH, JointFit, TablePrior, likely_widths
@@ -370,6 +372,27 @@ def test_numbers_that_a_shot_does_not_tell_are_said():
     assert untold
     assert all(one.value is None and one.stderr is None for one in untold)
     assert len(untold) == len(ranking.best.untold)
+
+
+def test_two_numbers_that_are_one_are_given_as_their_combination():
+    """The lines of cushions and their yield had small error bars each: 1.408 m between cushions for a table of 1.42 m."""
+    bars, rho = np.array([2e-3, 1e-3, 0.01]), 0.98
+    covariance = np.diag(bars**2)
+    covariance[0, 1] = covariance[1, 0] = -rho * bars[0] * bars[1]
+    values = np.array([1.408, 2.5e-3, 0.8])
+    names = ("walls.0.width", "walls.0.yield_time", "walls.0.restitution")
+    estimates = {name: Estimate(x, bar) for name, x, bar in zip(names, values.tolist(), bars.tolist(), strict=True)}
+    found = in_combination(Identified(covariance, estimates, (), ()), values, "two-step")
+    assert found.untold == names[:2]
+    assert [found.estimates[name].value for name in names] == [None, None, 0.8]
+    # (by draws: the combination of least scatter is that which does not depend on the second)
+    draws = np.random.default_rng(1).multivariate_normal(values, covariance, 100_000)
+    by = -np.polyfit(draws[:, 1], draws[:, 0], 1)[0]
+    said, *_more = found.degenerate
+    told = re.search(r"width \+ ([\d.]+) walls\.0\.yield_time = ([\d.]+) ± ([\d.]+)", said)
+    assert [float(one) for one in told.groups()] == pytest.approx(
+        [by, 1.408 + by * 2.5e-3, (draws @ [1, by, 0]).std()], rel=0.02
+    )
 
 
 def test_a_number_without_influence_and_two_in_combination_are_named():

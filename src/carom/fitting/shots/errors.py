@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.fitting.identifiability import Identified, identified_covariance, identify
+from carom.fitting.identifiability import NOT_IDENTIFIABLE, Identified, identified_covariance, identify
 from carom.fitting.parameters import Parameter
+from carom.fitting.result import Estimate, with_error_bar
 from carom.fitting.shots.joint import (
     Information,
     JointFit,
@@ -25,11 +26,12 @@ from carom.fitting.shots.table import TableModel
 from carom.fitting.starts import descend_shared
 from carom.fitting.table_numbers import TableNumbers
 
-__all__ = ["Optimum", "identified"]
+__all__ = ["Optimum", "identified", "in_combination"]
 
 Array = NDArray[np.float64]
 FOLLOWING_STEPS = 3  # of the starts after a number has been changed
 PROFILE_STEPS, PROFILE_TOLERANCE = 6, 0.05  # of a profile's other numbers; of the deviance
+TOLD_APART = 0.95  # least correlation of the errors of two numbers that are one: their own error bars are three times that of both
 Followed = tuple[TableNumbers | None, list[Refined]]
 
 
@@ -160,4 +162,31 @@ class _Subject:
 
 def identified(at: Optimum, label: str) -> Identified:
     """Return covariance and estimates of the shared numbers, and those that the shots do not identify."""
-    return identify(_Subject(at, label))
+    return in_combination(identify(_Subject(at, label)), at.values, label)
+
+
+def in_combination(found: Identified, values: Array, label: str) -> Identified:
+    """Return the numbers with those that are not told apart named with what is known of them: a combination.
+
+    As the lines of cushions and their yield, which moves the place where a ball turns by its speed times a time: two error bars of
+    one measurement, and an error of the law goes from one into the other.
+    """
+    bars, names = np.sqrt(np.diag(found.covariance)), list(found.estimates)
+    with np.errstate(all="ignore"):
+        rho = found.covariance / np.outer(bars, bars)
+    pairs = [(i, j) for i, j in np.argwhere(np.triu(np.abs(rho) > TOLD_APART, 1)).tolist()]
+    sentences = []
+    for i, j in pairs:
+        by = -found.covariance[i, j] / found.covariance[j, j]
+        sum_of_both = Estimate(float(values[i] + by * values[j]), float(bars[i] * math.sqrt(1 - rho[i, j] ** 2)))
+        sentences.append(
+            f"{label}: {names[i]} and {names[j]}: only {names[i]} {'-' if by < 0 else '+'} {abs(by):.3g} {names[j]} ="
+            f" {with_error_bar(sum_of_both)} is identifiable, not each value; fix one"
+        )
+    lost = [name for k, name in enumerate(names) if any(k in pair for pair in pairs)]
+    covariance = found.covariance.copy()
+    for k in (names.index(name) for name in lost):
+        covariance[k, :] = covariance[:, k] = np.nan
+    estimates = found.estimates | {name: Estimate(None, None, NOT_IDENTIFIABLE) for name in lost}
+    untold = tuple(name for name in names if name in lost or name in found.untold)
+    return Identified(covariance, estimates, (*found.degenerate, *sentences), untold)
