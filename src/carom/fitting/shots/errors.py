@@ -31,7 +31,8 @@ __all__ = ["Optimum", "identified", "in_combination"]
 Array = NDArray[np.float64]
 FOLLOWING_STEPS = 3  # of the starts after a number has been changed
 PROFILE_STEPS, PROFILE_TOLERANCE = 6, 0.05  # of a profile's other numbers; of the deviance
-TOLD_APART = 0.95  # least correlation of the errors of two numbers that are one: their own error bars are three times that of both
+TOLD_APART = 0.866  # least correlation of the errors of two numbers that are one: with the other known its bar were half as large
+OF_LINES = ("length", "width", "center")
 Followed = tuple[TableNumbers | None, list[Refined]]
 
 
@@ -168,13 +169,14 @@ def identified(at: Optimum, label: str) -> Identified:
 def in_combination(found: Identified, values: Array, label: str) -> Identified:
     """Return the numbers with those that are not told apart named with what is known of them: a combination.
 
-    As the lines of cushions and their yield, which moves the place where a ball turns by its speed times a time: two error bars of
-    one measurement, and an error of the law goes from one into the other.
+    The yield of cushions moves the place where a ball turns by its speed times a time, as their lines do at one speed: two error
+    bars of one measurement, between which an error of the law is divided.
     """
     bars, names = np.sqrt(np.diag(found.covariance)), list(found.estimates)
     with np.errstate(all="ignore"):
         rho = found.covariance / np.outer(bars, bars)
-    pairs = [(i, j) for i, j in np.argwhere(np.triu(np.abs(rho) > TOLD_APART, 1)).tolist()]
+    pairs = [(i, j) for i, j in np.argwhere(np.abs(rho) > TOLD_APART).tolist()
+             if any(one in OF_LINES for one in names[i].split(".")) and names[j].endswith("yield_time")]  # fmt: skip
     sentences = []
     for i, j in pairs:
         by = -found.covariance[i, j] / found.covariance[j, j]
