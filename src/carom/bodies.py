@@ -7,8 +7,8 @@ tangential restitution; :class:`State` velocity and spin. All are validated when
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import Any, Literal
+from dataclasses import dataclass, fields
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,9 +25,12 @@ from carom.errors import (
     require_type,
 )
 
-__all__ = ["INERTIAS", "Ball", "Disc", "State", "Surface", "inertia_number", "kinetic_energy", "rolling", "slip"]
+__all__ = [
+    "INERTIAS", "Ball", "Disc", "State", "Surface", "holds_arrays", "inertia_number", "kinetic_energy", "rolling", "slip",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
+Record = TypeVar("Record")
 Numbers = float | Array  # one number, or an array of them
 Inertia = Literal["solid", "hollow"]
 # kappa = I/(m a^2)
@@ -35,6 +38,25 @@ INERTIAS = {"solid": 2 / 5, "hollow": 2 / 3}
 DISC_INERTIAS = {"disc": 1 / 2, "ring": 1.0}
 
 
+def holds_arrays(record: type[Record]) -> type[Record]:
+    """Let two records of a class be equal where all they hold is: of arrays all numbers (NumPy's ``==`` has no truth value)."""
+
+    def same(one: Any, other: Any) -> Any:
+        if type(one) is not type(other):
+            return NotImplemented
+        names = getattr(one, "_fields", None) or [field.name for field in fields(one) if field.compare]
+        return all(_equal(getattr(one, name), getattr(other, name)) for name in names)
+
+    record.__eq__ = same  # type: ignore[method-assign]
+    return record
+
+
+def _equal(a: Any, b: Any) -> bool:
+    arrays = isinstance(a, np.ndarray) or isinstance(b, np.ndarray)
+    return a is b or (bool(np.array_equal(a, b)) if arrays else bool(a == b))
+
+
+@holds_arrays
 @dataclass(frozen=True, init=False)
 class Ball:
     """A ball whose moment of inertia is the same about every axis through its centre.
@@ -174,6 +196,7 @@ def _fill(
         object.__setattr__(ball, key, value)
 
 
+@holds_arrays
 @dataclass(frozen=True, init=False)
 class Surface:
     """The contact properties of a wall, a floor or another ball.

@@ -91,9 +91,11 @@ def test_axes_survive_as_plain_data(axis: object) -> None:
     assert axis_to_data(axis_from_data(data, "axis")) == data
 
 
-def test_values_of_linspace_can_be_selected() -> None:
-    space = carom.Space(table_scene(), {"walls.*.friction": np.linspace(0.1, 0.3, 21)})
-    assert 0.2 in space.columns(0, 21)["walls.*.friction"]
+def test_values_are_those_that_were_given_bit_for_bit() -> None:
+    for given in (np.linspace(0.1, 0.3, 21), np.array([0.1 + 0.2, 0.3, 0.0, 1 / 3])):
+        space = carom.Space(table_scene(), {"walls.*.friction": given})
+        again = axis_from_data(axis_to_data(space.parameters["walls.*.friction"]), "axis")
+        assert space.columns(0, len(given))["walls.*.friction"].tobytes() == given.tobytes() == again.values.tobytes()
 
 
 @pytest.mark.parametrize(

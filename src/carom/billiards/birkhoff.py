@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.billiards.orbits import Orbit
+from carom.bodies import holds_arrays
 from carom.errors import CaromError, Fault
 
 __all__ = ["RotationNumber", "digits_of_averages", "is_regular", "rotation_number"]
@@ -20,6 +21,7 @@ REGULAR = (
 )
 
 
+@holds_arrays
 class RotationNumber(NamedTuple):
     """Mean advance along the boundary per bounce, over its length; arrays for many orbits."""
 

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from carom.billiards.curved_region import CurvedRegion
 from carom.billiards.elliptic_boundary import EllipticArc, arc_along, arc_length, arc_normals, arc_place, arcs
 from carom.billiards.table_records import PIECES, WORLD
+from carom.bodies import holds_arrays
 from carom.core.geometry.polygon import ellipse_depth, polygon_depth
 
 __all__ = ["Boundary", "ConnectedWall", "face"]
@@ -124,6 +125,7 @@ def face(
     return Face((nx, ny, nz), c, 0.0, begin, end, begin if low is None else low, end if high is None else high)
 
 
+@holds_arrays
 @dataclass
 class Boundary:
     """The pieces of the boundary by kind, and how they follow each other; once it is measured it is not changed."""

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from carom.billiards.rolling import RollingMotion, spin_matrix, spin_vector
 from carom.billiards.surfaces import RollingSurface
-from carom.bodies import Ball, State, Surface
+from carom.bodies import Ball, State, Surface, holds_arrays
 from carom.errors import CaromError, Fault
 from carom.files import import_optional
 from carom.laws.contact import impact
@@ -28,6 +28,7 @@ STILL = 1e-9  # of the speeds: a contact point that moves more slowly does not s
 SHORT = 0.02  # least step of a flight, in the time that the ball takes for its radius
 
 
+@holds_arrays
 @dataclass(frozen=True)
 class RollingSetting:
     """All that stays the same in a run."""

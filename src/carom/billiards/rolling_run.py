@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from carom.billiards.rolling import spin_matrix, spin_vector
 from carom.billiards.rolling_phases import Ended, RollingPhase, RollingSetting, fly, land, roll_on, size
 from carom.billiards.surfaces import RollingSurface
-from carom.bodies import Ball, Surface
+from carom.bodies import Ball, Surface, holds_arrays
 from carom.errors import CaromError, Fault, FaultList
 
 __all__ = ["RollingEvent", "RollingRun", "RollingStates", "roll"]
@@ -24,6 +24,7 @@ NEAR = 1e-9  # of the radius: a ball touches; of the speed: a velocity is along 
 MOST_EVENTS = 10_000
 
 
+@holds_arrays
 class RollingEvent(NamedTuple):
     """An event of a run."""
 
@@ -37,6 +38,7 @@ class RollingEvent(NamedTuple):
     """After the event (m/s)."""
 
 
+@holds_arrays
 class RollingStates(NamedTuple):
     """States at several times; forces are divided by the mass."""
 

@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.billiards.checks import positive_number
 from carom.billiards.sections import section_piece
+from carom.bodies import holds_arrays
 from carom.errors import CaromError, Fault, FaultList
 from carom.scene.figures import PlaneFigure, figure
 
@@ -56,6 +57,7 @@ class SmoothPiece(Protocol):
         """Return the rate of change of the normal n while the centre moves with v."""
 
 
+@holds_arrays
 @dataclass(frozen=True)
 class FlatPiece:
     """A plane at ``offset`` from the origin, against its direction for a negative one."""
@@ -76,6 +78,7 @@ class FlatPiece:
         return np.zeros(x.size)
 
 
+@holds_arrays
 @dataclass(frozen=True)
 class RoundPiece:
     """Places at a distance from a point or a line: sphere, cylinder. ``across`` is 0 along its axes."""
@@ -134,6 +137,7 @@ class RingPiece:
         return x - self.ring * outwards, outwards, far
 
 
+@holds_arrays
 @dataclass(frozen=True)
 class EllipsoidPiece:
     """An ellipsoid about the origin; an infinite half axis makes a cylinder with an elliptical section."""

@@ -22,7 +22,7 @@ from carom.gas.snapshots import InitialState, read_initial_state
 from carom.gas.species import system_records
 from carom.public.progress import Progress
 from carom.scene.schema import from_file
-from carom.scene.toml import plain_table
+from carom.scene.toml import toml_text
 from carom.scene.toml_files import parse_toml, read_toml
 
 __all__ = ["build", "gas_text", "is_gas", "load_gas", "new_gas", "records_of"]
@@ -227,7 +227,5 @@ def gas_text(scene: GasScene | None = None) -> str:
     """
     if scene is None:
         return files("carom.gas").joinpath("new.toml").read_text(encoding="utf-8")
-    import tomli_w
-
     require_type("gas_text", "scene", scene, GasScene)
-    return tomli_w.dumps(plain_table(scene))
+    return toml_text("gas_text", scene)

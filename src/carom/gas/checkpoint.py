@@ -27,6 +27,7 @@ from carom.gas.scene import GasScene
 from carom.gas.session import Session
 from carom.gas.state import course_as_arrays
 from carom.scene.schema import from_file
+from carom.scene.toml import stored_model
 
 __all__ = ["FORMAT", "load_checkpoint", "require_checkpoint", "save_checkpoint"]
 
@@ -74,7 +75,7 @@ def save_checkpoint(session: Session, path: str | Path) -> None:
     True
     """
     path = as_path("save_checkpoint", path)
-    about = {"format": FORMAT, "carom": version("carom"), "scene": session.scene.model_dump(mode="json")}
+    about = {"format": FORMAT, "carom": version("carom"), "scene": stored_model("save_checkpoint", session.scene)}
     about["outputs"] = session.outputs
     with atomic_file(path) as file:
         with zipfile.ZipFile(file, "w", allowZip64=True) as archive:
@@ -239,7 +240,7 @@ def _description(about: Any) -> dict[str, Any]:
 
 def _fixed(scene: GasScene) -> dict[str, Any]:
     """Return the fields of a scene that have to be the checkpoint's, as plain values; of a start's file the name."""
-    table = scene.model_dump(mode="json")
+    table = stored_model("load_checkpoint", scene)
     table["run"] = {name: value for name, value in table["run"].items() if name not in CHANGEABLE}
     table["run"]["start"] = Path(table["run"]["start"]).name
     table["run"]["equilibrate"] = scene.equilibrate

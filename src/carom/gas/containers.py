@@ -14,6 +14,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.bodies import holds_arrays
 from carom.core.geometry.curve import ROW
 from carom.core.geometry.polygon import polygon_depth
 from carom.errors import FaultList, did_you_mean
@@ -58,6 +59,7 @@ class WallNumbers(dict[str, Any]):
         raise KeyError(name)
 
 
+@holds_arrays
 @dataclass(frozen=True)
 class Container:
     """A container in the box [0, size], of two lengths (discs) or three; made by :func:`container`.

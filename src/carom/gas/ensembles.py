@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.bodies import holds_arrays
 from carom.core.jit.threads import thread_count
 from carom.errors import CaromError, FaultList, require_type
 from carom.gas import histograms, initial, overlaps
@@ -35,6 +36,7 @@ POLL_SECONDS = 0.1  # between two looks for members that are done, progress, and
 SEED_BITS = 53  # of a member's seed: JSON readers keep so many
 
 
+@holds_arrays
 class Curve(NamedTuple):
     """Mean and standard error of a curve over the members, (B,) each."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
@@ -115,6 +116,7 @@ class FigureFaces(NamedTuple):
     """Of a polygon that is not convex, or along a curve."""
 
 
+@functools.lru_cache(16)  # (a scene is made again with another number, and its container stays as it is)
 def faces_of(figure: PlaneFigure, bounds: str) -> FigureFaces:
     """Return the faces of a figure, which is moved to x, y >= 0 where a part of it lies beyond.
 

@@ -17,6 +17,7 @@ from carom.gas.sampling import Every
 from carom.gas.session import Session
 from carom.gas.snapshot_sizes import MAX_BYTES
 from carom.gas.snapshots import Snapshots
+from carom.scene.toml import stored_model
 
 __all__ = ["RunFiles", "SessionEnd", "run_with_files"]
 
@@ -132,6 +133,8 @@ class _Checkpoints:
     def __init__(self, files: RunFiles, session: Session, frames: _Frames | None, say: Say) -> None:
         self.files, self.session, self.frames, self.say = files, session, frames, say
         self.last: float | None = None
+        if files.checkpoint is not None:  # (what cannot be resumed is refused before the run)
+            stored_model("checkpoint", session.scene)
 
     def save_if_due(self) -> None:
         """Write a checkpoint if one is due. If that fails, the run continues and the previous checkpoint stays."""

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import functools
 import math
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Union
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Union, cast
 
 import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
@@ -220,7 +220,7 @@ class GasSpecies(Model):
     count : number of balls
     radius : of all balls; or a distribution: a table of ``distribution`` ("lognormal"), ``median``, ``sigma``, and the ``seed`` of
         the drawn radii
-    mass : of a ball; of radii by distribution, of one with the median, and the others have the same density
+    mass : of a ball, default: 1; of radii by distribution, of one with the median, and the others have the same density
     density : instead of a mass (kg/m^3; of discs kg/m^2)
     inertia : kappa = I/(m a^2), or "solid", "hollow" (balls), "disc", "ring" (discs); default: solid, disc
     temperature : k_B T at the start, the mean of m v^2 along an axis; default: 1
@@ -230,7 +230,7 @@ class GasSpecies(Model):
     name: Annotated[str, BeforeValidator(_name)] = "a"
     count: Count
     radius: SpeciesRadius
-    mass: Mass = 1.0
+    mass: Mass | None = None
     density: Annotated[float, BeforeValidator(_DENSITY)] | None = None
     inertia: Annotated[str | float, BeforeValidator(_inertia)] | None = None
     temperature: Annotated[float, BeforeValidator(_TEMPERATURE)] = 1.0
@@ -256,7 +256,9 @@ class GasSpecies(Model):
 
     def nominal_mass(self, dimensions: int) -> float:
         """Return the mass of a ball with the nominal radius."""
-        return self.mass if self.density is None else self.density * volume_of_balls(self.nominal, dimensions)
+        if self.mass is not None:
+            return self.mass
+        return float(cast(float, self.density) * volume_of_balls(self.nominal, dimensions))
 
     @property
     def radii(self) -> Any:
@@ -286,8 +288,10 @@ class GasSpecies(Model):
 
     @model_validator(mode="after")
     def _one_of_mass_and_density(self) -> GasSpecies:
-        if self.density is not None and "mass" in self.model_fields_set:
+        if self.density is not None and self.mass is not None:
             raise refused("a mass or a density", "both", "omit one of them", field="density")
+        if self.density is None and self.mass is None:
+            object.__setattr__(self, "mass", 1.0)
         return self
 
 

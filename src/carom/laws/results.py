@@ -9,7 +9,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.bodies import Ball, Numbers, State, Surface, kinetic_energy
+from carom.bodies import Ball, Numbers, State, Surface, holds_arrays, kinetic_energy
 from carom.core.contact import REGIMES
 from carom.formatting import format_length, format_number, format_time
 from carom.public.defaults import GRAVITY
@@ -106,6 +106,7 @@ class Impact:
         return kinetic_energy(self.ball, self.before) - kinetic_energy(self.ball, self.after)
 
 
+@holds_arrays
 @dataclass(frozen=True)
 class Flight:
     """Flight between wall and floor; zeros where the ball does not leave the floor.

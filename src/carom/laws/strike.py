@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.bodies import Ball, Numbers, State
+from carom.bodies import Ball, Numbers, State, holds_arrays
 from carom.core.jit.kernel import kernel, prange
 from carom.errors import (
     CaromError,
@@ -94,6 +94,7 @@ def _tip_rows(p: Array, out: Array) -> None:
         )
 
 
+@holds_arrays
 @dataclass(frozen=True, init=False)
 class Cue:
     """A cue: its mass, its effective end mass across the axis, and its tip.

@@ -127,6 +127,16 @@ class Model(BaseModel):
     # Inside another model pydantic makes this one itself, and gathers its faults with all the others.
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
 
+    def __eq__(self, other: object) -> bool:
+        """Return whether another one of this class was declared alike: what is kept beside its fields does not count."""
+        if type(self) is not type(other):
+            return NotImplemented
+        return all(getattr(self, name) == getattr(other, name) for name in type(self).model_fields)
+
+    def __hash__(self) -> int:
+        """Return a hash of its class and its fields."""
+        return hash((type(self), *(getattr(self, name) for name in type(self).model_fields)))
+
     def __setattr__(self, name: str, value: Any) -> None:
         """Refuse: a scene is validated as a whole, when it is made."""
         raise CaromError(
@@ -268,7 +278,9 @@ class Number:
         """The number as a float."""
         x = math.nan
         advice = f"units are written as in {EXAMPLES[self.unit]!r}" if self.unit and isinstance(value, str) else ""
-        if isinstance(value, str) and self.unit:
+        if self.infinite and isinstance(value, str) and value in ("inf", "-inf"):  # (as JSON has it)
+            x = float(value)
+        elif isinstance(value, str) and self.unit:
             try:
                 x, advice = parse_quantity(value, self.unit), ""
             except ValueError as error:

@@ -9,9 +9,10 @@ from typing import Any
 
 from carom.errors import CaromError, Fault, near_name, require_type
 from carom.files import as_path, atomic_path, require_writable
+from carom.formatting import json_value
 from carom.laws.law import Law
 from carom.scene.openings import table_scene
-from carom.scene.presets import presets
+from carom.scene.presets import presets, wall_fields
 from carom.scene.restitution import Constant
 from carom.scene.scene import Scene
 from carom.scene.schema import Model, from_file
@@ -21,9 +22,10 @@ __all__ = [
     "load_scene",
     "new_scene",
     "plain_table",
-    "require_named_laws",
     "save_scene",
     "scene_text",
+    "stored_model",
+    "toml_text",
 ]
 
 
@@ -109,39 +111,67 @@ def save_scene(scene: Scene, path: str | Path) -> Path:
     require_type("save_scene", "scene", scene, Scene)
     path = as_path("save_scene", path)
     require_writable(path, (".toml",))
-    require_named_laws("save_scene", scene)
+    text = toml_text("save_scene", scene)
     with atomic_path(path) as part:
-        part.write_text(scene_text(scene), encoding="utf-8")
+        part.write_text(text, encoding="utf-8")
     return path
 
 
-def require_named_laws(where: str, scene: Scene) -> None:
-    """Raise CaromError for a scene with a carom.Law, which no file can hold."""
-    for law in scene.given_laws:
-        if isinstance(law, Law):
-            raise CaromError(
-                Fault(
-                    f"{where}",
-                    "",
-                    "laws with a name or a file",
-                    f"the carom.Law {law.name!r}, which a file cannot hold",
-                    "put it into a Python file and name it in the scene as 'file.py:name'",
-                )
-            )
+def plain_table(where: str, value: Any, *, whole: bool = False, at: str = "") -> Any:
+    """Return a model as a file has it, from which :func:`carom.scene.schema.from_file` makes an equal one, bit for bit.
 
-
-def plain_table(value: Any) -> Any:
-    """Return a part of a scene as a file has it: tables of what differs from the defaults, and which of several models it is."""
+    What is not given is left out, and what is as by default unless ``whole``. Raises CaromError for what no file can hold: a
+    carom.Law, a Python function. (The one way from a scene to any file.)
+    """
     if isinstance(value, Constant):
         return value.value
     if isinstance(value, Model):
-        given = {
-            name: getattr(value, name)
-            for name, field in type(value).model_fields.items()
-            if name == value.tag or getattr(value, name) != field.default
+        preset = presets().get(getattr(value, "preset", None) or "")
+        usual = {name: field.default for name, field in type(value).model_fields.items()}
+        usual |= wall_fields(preset) if preset else {}
+        return {
+            name: plain_table(where, one, whole=whole, at=f"{at}.{name}" if at else name)
+            for name in type(value).model_fields
+            # (as texts: 0.0 is not -0.0)
+            if (one := getattr(value, name)) is not None
+            and (whole or name == value.tag or repr(one) != repr(usual[name]))
         }
-        return {name: plain_table(one) for name, one in given.items() if one is not None}
-    return [plain_table(one) for one in value] if isinstance(value, tuple) else value
+    if isinstance(value, tuple):
+        return [plain_table(where, one, whole=whole, at=f"{at}[{i}]") for i, one in enumerate(value)]
+    if isinstance(value, str | float | int):
+        return value
+    if isinstance(value, Law):
+        advice = "put it into a Python file and name it in the scene as 'file.py:name'"
+        raise CaromError(
+            Fault(
+                where,
+                at,
+                "a law with a name or a file",
+                f"the carom.Law {value.name!r}, which a file cannot hold",
+                advice,
+            )
+        )
+    got = "Python function" if callable(value) else type(value).__name__
+    raise CaromError(
+        Fault(where, at, "a text or numbers", f"a {got}, which a file cannot hold", "give a formula as a text")
+    )
+
+
+def stored_model(where: str, model: Model) -> dict[str, Any]:
+    """Return a model as JSON in other files has it: every field that is given or has a default, infinity as the text "inf".
+
+    It is read back at once, as by who opens the file. Raises CaromError for what no file can hold.
+    """
+    found: dict[str, Any] = json_value(plain_table(where, model, whole=True), infinite=True)
+    from_file(where, type(model), found)
+    return found
+
+
+def toml_text(where: str, model: Model) -> str:
+    """Return a model as the text of a TOML file."""
+    import tomli_w
+
+    return tomli_w.dumps(plain_table(where, model))
 
 
 def _beside(table: dict[str, Any], folder: Path) -> None:
@@ -225,8 +255,5 @@ def scene_text(
         return files("carom.scene").joinpath("new.toml").read_text(encoding="utf-8")
     if isinstance(scene, str):
         return table_scene(scene, rack, break_speed)
-    import tomli_w
-
     require_type("scene_text", "scene", scene, Scene)
-    require_named_laws("scene_text", scene)
-    return tomli_w.dumps(plain_table(scene))
+    return toml_text("scene_text", scene)

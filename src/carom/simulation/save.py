@@ -18,8 +18,7 @@ from numpy.typing import NDArray
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError
 from carom.files import atomic_path, import_optional, require_writable
-from carom.scene.scene import Scene
-from carom.scene.toml import require_named_laws
+from carom.scene.toml import stored_model
 from carom.simulation.records import KINDS, LOG
 from carom.simulation.run_record import RunRecord
 from carom.simulation.tables import UNITS
@@ -56,7 +55,7 @@ def save(run: RunRecord, path: Path) -> Path:
     about = {
         "carom_format": FORMAT,
         "carom": version(),
-        "scene": _scene_text(run.scene),
+        "scene": json.dumps(stored_model("save", run.scene)),
         "end": run.end,
         "ended": run.ended,
     }
@@ -82,12 +81,6 @@ def version() -> str:
         return metadata.version("carom")
     except metadata.PackageNotFoundError:  # run from its sources
         return "unknown"
-
-
-def _scene_text(scene: Scene) -> str:
-    """Return a scene as JSON (with Infinity), with the names of a scene file."""
-    require_named_laws("save", scene)
-    return scene.model_dump_json()
 
 
 def write_parquet(columns: dict[str, Array], metadata: dict[str, str], path: Path) -> None:

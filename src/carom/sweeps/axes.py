@@ -21,7 +21,6 @@ __all__ = [
 ]  # fmt: skip
 
 MAX_VALUES = 100_000_000  # of one dimension, which lie in memory
-MAX_TIDIED = 1_000_000  # values of one dimension that are freed from rounding
 
 
 @dataclass(frozen=True, eq=False)
@@ -258,17 +257,7 @@ def as_axis(value: Any, where: str) -> Axis:
     array = array.astype(float)
     if np.isnan(array).any():
         raise CaromError(Fault(where, "", "numbers", f"NaN at index {int(np.argwhere(np.isnan(array))[0][0])}"))
-    return Values(_without_rounding(array))
-
-
-def _without_rounding(array: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return values without the rounding of ``np.linspace``: 0.2 for 0.20000000000000004, which ``sel(friction=0.2)`` finds."""
-    if array.size > MAX_TIDIED:
-        return array
-    short = np.array([float(f"{x:.12g}") for x in array.ravel().tolist()]).reshape(array.shape)
-    with np.errstate(invalid="ignore"):
-        near = np.abs(array - short) <= 4 * np.spacing(np.abs(short))
-    return np.where(near, short, array)
+    return Values(array)
 
 
 # --- as plain data, for TOML, JSON and stores ----------------------------------------------------------------------
@@ -286,10 +275,9 @@ def axis_to_data(axis: Axis) -> Any:
         return {"polar": {"speed": axis_to_data(axis.speed), "angle": axis_to_data(axis.angle_deg)}}
     values = axis.values
     named = {} if axis.dim is None else {"dim": axis.dim}
-    if values.dtype.kind == "f" and values.ndim == 1 and len(values) > 3:
-        even = _without_rounding(np.linspace(values[0], values[-1], len(values)))
-        if np.array_equal(even, values):
-            return {"linspace": [float(values[0]), float(values[-1]), len(values)], **named}
+    even = values.dtype.kind == "f" and values.ndim == 1 and len(values) > 3
+    if even and np.array_equal(np.linspace(values[0], values[-1], len(values)), values):
+        return {"linspace": [float(values[0]), float(values[-1]), len(values)], **named}
     return {"values": json_value(values, infinite=True), **named}
 
 

@@ -101,6 +101,5 @@ def _some_of(axis: Axis) -> list[Any]:
 
 
 def plain_value(value: Any) -> Any:
-    """Return one value as Python's own: whole numbers as int, for fields that count."""
-    found = value.tolist() if isinstance(value, np.generic | np.ndarray) else value  # (a text in a column is Python's)
-    return int(found) if isinstance(found, float) and found.is_integer() and abs(found) < 2**53 else found
+    """Return one value as Python's own."""
+    return value.tolist() if isinstance(value, np.generic | np.ndarray) else value  # (a text in a column is Python's)

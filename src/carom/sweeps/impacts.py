@@ -18,6 +18,7 @@ from carom.laws.results import GRAVITY, angle_from
 from carom.laws.user import find_law
 from carom.scene.ball import Inertia
 from carom.scene.schema import Friction, Mass, Model, NotNegative, Number, Share, Size, Spin, Spring
+from carom.scene.toml import stored_model
 from carom.scene.wall import LawChoice
 from carom.sweeps.axes import Axis
 from carom.sweeps.fields import check_paths, plain_value, unit_of
@@ -107,9 +108,7 @@ class Impacts:
 
     def to_data(self) -> dict[str, Any]:
         """Return the case as plain data."""
-        from carom.scene.as_json import plain_model
-
-        return {"impact": plain_model(self.case)}
+        return {"impact": stored_model("sweep", self.case)}
 
     def units(self, path: str) -> str:
         """Return the unit of a parameter."""

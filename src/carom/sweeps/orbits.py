@@ -20,7 +20,7 @@ from carom.core.random import threefry
 from carom.errors import shown, suggestion
 from carom.laws.registry import laws
 from carom.scene.figures import AnyFigure
-from carom.scene.schema import Friction, Model, Number, Share, Spring, refused
+from carom.scene.schema import Count, Friction, Model, Number, Share, Spring, refused
 from carom.scene.wall import permitted_law
 from carom.sweeps.outcomes import Outcome, require_outcomes
 from carom.sweeps.points import PointByPoint
@@ -30,15 +30,6 @@ __all__ = ["OrbitCase", "Orbits"]
 _SIZE = Number("a length in m, > 0", "m", least=0, above=True)
 Extent = Annotated[float, BeforeValidator(_SIZE)]
 WORD = 0xFFFFFFFF
-
-
-def _count(value: Any) -> int:
-    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 1:
-        raise refused("a whole number >= 1", shown(value))
-    return int(value)
-
-
-Count = Annotated[int, BeforeValidator(_count)]
 
 
 def _orbit_law(value: Any, info: ValidationInfo) -> str:

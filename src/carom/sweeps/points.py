@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.scene.paths import replaced
 from carom.scene.schema import Model
+from carom.scene.toml import stored_model
 from carom.sweeps.axes import Axis
 from carom.sweeps.fields import check_paths, plain_value, unit_of
 from carom.sweeps.outcomes import FAILURES, Outcome, blank
@@ -36,9 +37,7 @@ class PointByPoint(ABC):
 
     def to_data(self) -> dict[str, Any]:
         """Return the model as plain data."""
-        from carom.scene.as_json import plain_model
-
-        return {self.kind: plain_model(self.model)}
+        return {self.kind: stored_model("sweep", self.model)}
 
     def units(self, path: str) -> str:
         """Return the unit of a parameter."""

@@ -19,6 +19,7 @@ from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, Fault, did_you_mean, shown
 from carom.scene.paths import PathMatch, path_match, replaced
 from carom.scene.scene import Scene
+from carom.scene.toml import stored_model
 from carom.simulation.contacts.wall import REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
 from carom.simulation.event_rows import PHASES_FROM
 from carom.simulation.loop import LIMIT
@@ -99,9 +100,7 @@ class SceneRuns:
 
     def to_data(self) -> dict[str, Any]:
         """Return the scene as plain data."""
-        from carom.scene.as_json import plain_model
-
-        return {"scene": plain_model(self.scene)}
+        return {"scene": stored_model("sweep", self.scene)}
 
     def units(self, path: str) -> str:
         """Return the unit of a parameter."""

@@ -386,7 +386,7 @@ def sweep_over(space: Space, keep: tuple[str, ...] | list[str], store: Any, bloc
 
 def stored_sweep(place: str | Path, allow_own_laws: bool = False) -> Sweep:
     """Return the sweep of a store, as :func:`sweep` does."""
-    from carom.sweeps.axes import axis_from_data, from_plain
+    from carom.sweeps.axes import axis_from_data
     from carom.sweeps.subjects import subject_from_data
 
     store = Store(place)
@@ -396,7 +396,7 @@ def stored_sweep(place: str | Path, allow_own_laws: bool = False) -> Sweep:
             f"{store.name}: expected a store of a sweep, got nothing there; carom.sweep(space, keep, store=...) makes one"
         )
     try:
-        subject = subject_from_data(from_plain(data["subject"]), store.name, allow_own_laws=allow_own_laws)
+        subject = subject_from_data(data["subject"], store.name, allow_own_laws=allow_own_laws)
         given = with_own_laws(data["parameters"]) if allow_own_laws else data["parameters"]
         parameters = {path: axis_from_data(one, f"{store.name}: {path}") for path, one in given.items()}
         space = Space(subject, parameters, data["repeats"], data["seed"])

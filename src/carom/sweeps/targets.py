@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, PlainValidator, Strict, model_validator
 
+from carom.bodies import holds_arrays
 from carom.core.motion.phases import HELD, PHASES, PIVOTING, REST
 from carom.errors import CaromError, Fault, FaultList, did_you_mean, shown
 from carom.scene.paths import ball_index
@@ -107,6 +108,7 @@ class Target(Model):
         return self
 
 
+@holds_arrays
 class TargetEvent(NamedTuple):
     """A target in numbers of a scene."""
 

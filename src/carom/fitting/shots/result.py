@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.bodies import Ball
+from carom.bodies import Ball, holds_arrays
 from carom.errors import CaromError
 from carom.fitting.by_shots import RankedByShots
 from carom.fitting.evidence import akaike
@@ -156,6 +156,7 @@ class FittedShot:
         return found
 
 
+@holds_arrays
 class OneTable(NamedTuple):
     """The fit on one table for all shots, before numbers scatter between them: there laws are compared."""
 

@@ -145,9 +145,9 @@ class CurveFigure(PlaneFigure):
     r: OfTheta = None
     x: OfS = None
     y: OfS = None
-    points: Annotated[
-        tuple[Place, ...] | None, BeforeValidator(Components("4 or more points (x, y)", range(4, 100_000)))
-    ] = None
+    points: (
+        Annotated[tuple[Place, ...], BeforeValidator(Components("4 or more points (x, y)", range(4, 100_000)))] | None
+    ) = None
 
     @model_validator(mode="after")
     def _one_way(self) -> CurveFigure:

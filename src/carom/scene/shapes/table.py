@@ -301,7 +301,10 @@ class Table(WallShape):
         if name is None:
             return fields
         raise_faults(preset_fault(name))
-        filled = {**wall_fields(presets()[name]), **fields}
+        preset = wall_fields(presets()[name])
+        if any(name in preset and value is None for name, value in fields.items()):
+            fields = {**fields, "preset": None}  # (a file has no word for what a table lacks of its preset)
+        filled = {**preset, **fields}
         for part in ("corner_pockets", "side_pockets"):
             own, known = fields.get(part), wall_fields(presets()[name]).get(part)
             if isinstance(own, dict) and known is not None:

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from carom.bodies import holds_arrays
 from carom.core.jit.dual.dual_records import float_places
 from carom.simulation.sensitivity.dual import Dual
 from carom.simulation.sensitivity.pass_kernels import PASSAGES
@@ -41,6 +42,7 @@ class Passage(NamedTuple):
     slip: Any
 
 
+@holds_arrays
 class StateSensitivity(NamedTuple):
     """Derivatives of the states of all balls at a fixed time, each (B, 3, p); at times (...), each (..., B, 3, p)."""
 
