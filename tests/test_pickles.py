@@ -315,6 +315,17 @@ def test_every_public_class_is_among_the_examples() -> None:
     assert left == {"Snapshots", "Figure", "PlaneFigure", "Piece"}
 
 
+def test_no_record_refuses_to_be_compared() -> None:
+    seen: dict[int, Any] = {}
+    records = [part for name in EXAMPLES for thing in examples(name) for part in parts(thing, seen)]
+    public = {type(part).__name__ for part in records} & {one.__name__ for one in public_classes()}
+    for record in records:
+        if type(record).__name__ in public:
+            # (a copy has arrays of its own, so that these are compared)
+            assert (record == copy.deepcopy(record)) in (True, False)
+            assert record in [record]
+
+
 def test_pickled_laws_are_those_of_the_registry_and_custom_ones_go_along() -> None:
     law = carom.wall_law(carom.Card("soft", "Halves the speed.", (), "An example.", "", ""), soft)
     again = pickle.loads(pickle.dumps(law))

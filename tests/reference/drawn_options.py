@@ -78,39 +78,35 @@ def value_of(rng: Rng, name: str, annotation: Any, metadata: list[Any]) -> Any:
         annotation, *more = get_args(annotation)
         metadata = [*metadata, *more]
     checks = [check for one in metadata if (check := getattr(one, "func", None)) is not None]
+    of_names: dict[str, tuple[Any, ...]] = {
+        "law": tuple(laws_of_walls()), "inertia": (0.4, 0.3, "solid", "hollow"), "name": ("one", "two", "3"),
+        "friction": (0.0, 0.2, {"at_rest": 0.3, "at_speed": 0.1, "speed": 0.5}),
+    }  # fmt: skip
     for check in checks:
-        if isinstance(check, Number):
+        if isinstance(check, Number | Whole):
             return _number(rng, name, check)
-        if isinstance(check, Whole):
-            return int(rng.integers(check.least, check.least + 5))
         if isinstance(check, Components):
-            length = int(rng.choice(list(check.counts)[:3]))
-            kinds = get_args(annotation)
-            kinds = kinds[:1] * length if len(kinds) == 2 and kinds[1] is ... else kinds
+            length, kinds = int(rng.choice(list(check.counts)[:3])), get_args(annotation)
+            kinds = kinds[:1] * length if kinds[-1] is ... else kinds
             return [value_of(rng, name, kind, []) for kind in kinds]
-    if name in {"law"}:
-        return str(rng.choice(laws_of_walls()))
-    if name == "friction" and checks:  # (a number, or a table)
-        falls = {"at_rest": 0.3, "at_speed": 0.1, "speed": 0.5}
-        return falls if rng.random() < 0.5 else float(rng.uniform(0, 0.5))
-    if name == "inertia":
-        return [0.4, 0.3, "solid", "hollow"][rng.integers(4)]
-    if name == "name":
-        return f"name {rng.integers(9)}"
-    origin = get_origin(annotation)
-    if origin is Literal:
-        return get_args(annotation)[rng.integers(len(get_args(annotation)))]
-    if origin in (Union, types.UnionType):
-        kinds = [one for one in get_args(annotation) if one is not type(None)]
-        return value_of(rng, name, kinds[rng.integers(len(kinds))], [])
-    if annotation is bool:
-        return bool(rng.random() < 0.5)
-    if isinstance(annotation, type) and issubclass(annotation, Model):
-        return table_of(rng, annotation)
-    return None
+    if name in of_names:
+        return of_names[name][rng.integers(len(of_names[name]))]
+    found = None
+    if get_origin(annotation) is Literal:
+        found = get_args(annotation)[rng.integers(len(get_args(annotation)))]
+    elif get_origin(annotation) in (Union, types.UnionType):
+        kinds = tuple(one for one in get_args(annotation) if one is not type(None))
+        found = value_of(rng, name, kinds[rng.integers(len(kinds))], [])
+    elif annotation is bool:
+        found = bool(rng.random() < 0.5)
+    elif isinstance(annotation, type) and issubclass(annotation, Model):
+        found = table_of(rng, annotation)
+    return found
 
 
-def _number(rng: Rng, name: str, check: Number) -> float:
+def _number(rng: Rng, name: str, check: Number | Whole) -> float:
+    if isinstance(check, Whole):
+        return int(rng.integers(check.least, check.least + 5))
     if check.infinite and rng.random() < 0.3:
         return math.inf
     low, high = USUAL.get(name, (-1.0, 1.0))
@@ -204,7 +200,7 @@ def _with_needs(rng: Rng, table: dict[str, Any]) -> dict[str, Any]:
 
 
 def random_scene(seed: int, shape: str = "") -> carom.Scene:
-    """Return a scene with a wall of a shape (default: that of the number), and whatever else it may have; the same for the same seed."""
+    """Return a scene with a wall of a shape (default: that of the number), and whatever else it may have."""
     rng = np.random.default_rng([seed, 59])
     shape = shape or list(SHAPES)[seed % len(SHAPES)]
     while True:
@@ -218,11 +214,10 @@ def random_scene(seed: int, shape: str = "") -> carom.Scene:
         if not floor or rng.random() < 0.3:
             table["gravity"] = [0.0, float(rng.uniform(0, 9)), [0.1, -0.2, -9.0]][rng.integers(2 if floor else 3)]
         if rng.random() < 0.3:
-            table["walls"].append(_with_needs(rng, _wall(rng, "sphere" if rng.random() < 0.5 else "plane")))
-            table["walls"][-1] |= (
-                {"center": rng.uniform(-0.6, 0.6, 2).tolist() + [0.03], "radius": 0.1, "inside": False}
-                if table["walls"][-1]["shape"] == "sphere" else {"point": (-5, 0, 0), "normal": (1, 0, 0)}
-            )  # fmt: skip
+            other = {"plane": {"point": (-5, 0, 0), "normal": (1, 0, 0)}}
+            other["sphere"] = {"center": [*rng.uniform(-0.6, 0.6, 2).tolist(), 0.03], "radius": 0.1, "inside": False}
+            kind = str(rng.choice(list(other)))
+            table["walls"].append(_with_needs(rng, _wall(rng, kind)) | other[kind])
         table["balls"] = [_ball(rng, 0.8, floor) for _ in range(1 if rng.random() < 0.4 else int(rng.integers(2, 4)))]
         if rng.random() < 0.5:
             table["ball_contact"] = table_of(rng, carom.BallContact, 0.4)
@@ -292,15 +287,11 @@ def _container(rng: Rng, shape: str) -> dict[str, Any]:
     return {"shape": shape, **found}
 
 
-RADII: tuple[dict[str, Any], ...] = (
-    {"distribution": "lognormal", "median": 0.1, "sigma": 0.1, "seed": 3}, {"distribution": "uniform", "low": 0.08, "high": 0.12},
-    {"distribution": "normal", "mean": 0.1, "deviation": 0.01, "low": 0.08, "high": 0.13},
-    {"distribution": "values", "values": [0.1, 0.12], "shares": [1, 2]},
-)  # fmt: skip
 BOUNCES: tuple[Any, ...] = (
-    0.9, {"form": "viscoelastic", "c": 0.1}, {"form": "uniform", "low": 0.8, "high": 0.9}, {"form": "power", "at_rest": 0.9, "speed": 1.0},
-    {"form": "normal", "mean": 0.9, "deviation": 0.02}, {"form": "polynomial", "coefficients": [0.9, -0.01, 0.0]},
-    {"form": "exponential", "at_rest": 0.95, "at_speed": 0.8, "speed": 2.0}, {"form": "han-2005"},
+    0.9, {"form": "viscoelastic", "c": 0.1}, {"form": "uniform", "low": 0.8, "high": 0.9}, {"form": "han-2005"},
+    {"form": "power", "at_rest": 0.9, "speed": 1.0}, {"form": "normal", "mean": 0.9, "deviation": 0.02},
+    {"form": "polynomial", "coefficients": [0.9, -0.01, 0.0]},
+    {"form": "exponential", "at_rest": 0.95, "at_speed": 0.8, "speed": 2.0},
 )  # fmt: skip
 
 
@@ -311,14 +302,16 @@ def random_gas(seed: int, shape: str = "") -> GasScene:
     while True:
         species: list[dict[str, Any]] = [{"name": "a", "count": int(rng.integers(4, 9)), "radius": 0.1}]
         if rng.random() < 0.5:
-            species[0] |= {"radius": RADII[rng.integers(len(RADII))]}
+            species[0] |= {
+                "radius": {"distribution": "lognormal", "median": 0.1, "sigma": 0.1, "seed": int(rng.integers(5))}
+            }
         if rng.random() < 0.5:
             species.append({"name": "b", "count": 3, "radius": 0.15})
         for one in species:
             for name in ("temperature", "temperature_rotational", "inertia"):
                 if rng.random() < 0.3:
                     one[name] = 0.3 if name == "inertia" else float(rng.uniform(0.5, 2))
-            one |= [{}, {"mass": 0.7}, {"density": 30.0}][rng.integers(3)]
+            one.update([{}, {"mass": 0.7}, {"density": 30.0}][rng.integers(3)])
         contact = {"between": ("*", "*"), "restitution": BOUNCES[rng.integers(len(BOUNCES))]}
         contact["friction"] = [0.0, 0.2, math.inf, {"at_rest": 0.3, "at_speed": 0.1, "speed": 0.5}][rng.integers(4)]
         if rng.random() < 0.4:

@@ -59,7 +59,7 @@ def same(one: Any, two: Any) -> bool:
     """Whether two models are the same: equal, to the sign of zeros, with one hash; of scenes also the records of the loop."""
     alike = type(one) is type(two) and one == two and hash(one) == hash(two) and repr(one) == repr(two)
     if alike and isinstance(one, carom.Scene):
-        pairs = zip(set_up(one, with_rims=True), set_up(two, with_rims=True), strict=True)
+        pairs = zip(set_up(one), set_up(two), strict=True)
         return all(a.tobytes() == b.tobytes() for a, b in pairs)
     return alike
 
@@ -143,6 +143,7 @@ def _trips(model: Any, folder: Path, stores: bool) -> Iterator[tuple[str, Callab
 def lost_trips(model: Any, folder: Path, stores: bool = True) -> list[str]:
     """Return the trips from which a model does not come back as it was, and why: none."""
     found = []
+    folder.mkdir(exist_ok=True)
     for name, trip in _trips(model, folder, stores):
         try:
             again = trip()

@@ -36,7 +36,8 @@ def worth_interpreting(scene: Scene) -> bool:
         return False
     if scene.floor is not None:
         form, numbers, *_ = scene.floor.contact
-        if form != CONSTANT or MOST_RESTITUTION < numbers[0] < 1:
+        # (nor where the floor is tilted: one touch of a curved path takes thousands of integrals)
+        if form != CONSTANT or MOST_RESTITUTION < numbers[0] < 1 or any(scene.floor.slope):
             return False
     return _spent < (BEFORE_LOADING if compiled_before(scene) else BEFORE_COMPILING)
 

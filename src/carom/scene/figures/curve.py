@@ -118,8 +118,8 @@ def _said(value: Any) -> Any:
     return getattr(value, "__name__", str(value)) if callable(value) else value
 
 
-OfTheta = Annotated[Any, _function("theta"), PlainSerializer(_said)]
-OfS = Annotated[Any, _function("s"), PlainSerializer(_said)]
+OfTheta = Annotated[Any, _function("theta"), PlainSerializer(_said, when_used="json")]
+OfS = Annotated[Any, _function("s"), PlainSerializer(_said, when_used="json")]
 
 
 class CurveFigure(PlaneFigure):
