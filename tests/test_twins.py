@@ -100,7 +100,7 @@ def test_every_parameter_is_documented(verb: str) -> None:
 def test_each_verb_has_a_function_or_is_known_to_have_none() -> None:
     others = {
         "figures", "simulate", "aim", "explore", "gas", "sweep new", "sweep run", "scene new", "scene check", "laws", "datasets",
-        "derive", "tracks example", "doctor", "warm",
+        "derive", "tracks example", "doctor",
     }  # fmt: skip
     left = {
         verb for verb in COMMANDS if verb not in TWINS and verb.split()[0] not in {one.split()[0] for one in others}

@@ -1,4 +1,4 @@
-"""``carom warm``: every loop compiled in advance, by several processes."""
+"""``carom doctor --warm``: every loop compiled in advance, by several processes."""
 
 from __future__ import annotations
 

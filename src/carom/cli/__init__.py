@@ -25,7 +25,7 @@ MODULES: dict[str, tuple[str, ...]] = {
     "Billiards": ("orbit",),
     "Gases": ("gas",),
     "Measurements": ("tracks", "fit", "fit_gas", "predict", "design", "judge"),
-    "Installation": ("doctor", "warm"),
+    "Installation": ("doctor",),
     "The paper": ("paper",),
 }
 # fmt: on

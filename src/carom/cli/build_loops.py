@@ -17,7 +17,7 @@ __all__ = ["main"]
 
 
 def main() -> int:
-    """Run the jobs of `carom warm` with loops built for the package; return the exit code."""
+    """Run the jobs of `carom doctor --warm` with loops built for the package; return the exit code."""
     begin = time.perf_counter()
     if "--all" in sys.argv[1:]:
         os.environ["CAROM_NATIVE"] = "0"

@@ -22,8 +22,21 @@ def register(app: typer.Typer) -> None:
     app.command("doctor")(doctor)
 
 
-def doctor(as_json: Annotated[bool, shared("json")] = False) -> None:
+def doctor(
+    warm: Annotated[
+        bool,
+        typer.Option(
+            "--warm",
+            help="Bring all loops to this processor's machine code first: it is cached, later runs only load it.",
+        ),
+    ] = False,
+    as_json: Annotated[bool, shared("json")] = False,
+) -> None:
     """Say what this installation has: versions, optional libraries, the cache of compiled code, cores."""
+    if warm:
+        from carom.cli.warm import warm_up
+
+        warm_up()
     found = report()
     if as_json:
         say_json(found)

@@ -1,20 +1,19 @@
-"""``carom warm``: bring every loop to machine code in advance, in several processes, so that later runs start without delay."""
+"""``carom doctor --warm``: bring every loop to machine code in advance, in several processes."""
 
 from __future__ import annotations
 
 import math
 import time
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Annotated, Any
-
-import typer
+from typing import TYPE_CHECKING, Any
 
 from carom.core.jit.workers import run_in_workers
+from carom.errors import CaromError
 
 if TYPE_CHECKING:
     from carom.bodies import State
 
-__all__ = ["COMPILE_JOBS", "compile_all"]
+__all__ = ["COMPILE_JOBS", "compile_all", "warm_up"]
 
 # Compilation jobs, as module:function, the longest first. Loops without a fixed signature are compiled by calling them with
 # typical arguments, in the functions below.
@@ -52,18 +51,9 @@ def compile_all(workers: int | None = None, report: Callable[[str, str], None] |
     run_in_workers(COMPILE_JOBS, workers, report)
 
 
-def register(app: typer.Typer) -> None:
-    """Add the verb to the command."""
-    app.command("warm")(warm)
-
-
-def warm(
-    workers: Annotated[int, typer.Option(min=0, help="Number of processes. Default: 0, one per core.")] = 0,
-) -> None:
-    """Bring all loops to this processor's machine code in advance. It is cached, so later runs only load it."""
+def warm_up() -> None:
+    """Bring all loops to this processor's machine code, with a line for each job; CaromError where some fail."""
     from carom.cli.console import err
-    from carom.core.jit.compile import cache_folder
-    from carom.errors import CaromError
 
     console, begin, failed = err(), time.monotonic(), []
 
@@ -73,10 +63,9 @@ def warm(
         else:
             console.print(f"{time.monotonic() - begin:6.1f} s  {job}", markup=False)
 
-    compile_all(workers or None, report)
+    compile_all(report=report)
     if failed:
         raise CaromError(*failed)
-    console.print(f"compiled code: {cache_folder()}", markup=False, soft_wrap=True)
 
 
 # --- calls that compile ---------------------------------------------------------------------------------------------
