@@ -21,6 +21,7 @@ from carom.gas.gas import Gas
 from carom.gas.measures import MAX_FOLLOWED, SERIES, Measures
 from carom.gas.results import TOTALS, Mark
 from carom.gas.scene import GasScene
+from carom.gas.sizes import LONGEST_SIDE
 
 __all__ = ["State", "course_as_arrays", "gas_of_arrays", "require_state", "set_course"]
 
@@ -285,9 +286,9 @@ def _in_their_cells(motions: NDArray[Any], plans: NDArray[Any], own: Any, t: NDA
         cell, v, g = plans["c" + axis], motions["v" + axis], float(own["gravity"][k])
         with np.errstate(over="ignore", invalid="ignore"):
             place = (motions[axis] + (v + g / 2 * s) * s) / own["cell_size"][k] - cell
-        # (a wall that moves may let balls out of the box by up to its length)
+        # (a wall that moves may let balls out of the box: a piston that nothing holds, far out)
         last = own["cells"][k] - 1
-        room = OUTSIDE + np.where((own["periodic"][k] == 0) & ((cell == 0) | (cell == last)), last + 1, 0)
+        room = OUTSIDE + np.where((own["periodic"][k] == 0) & ((cell == 0) | (cell == last)), LONGEST_SIDE, 0)
         inside = (place >= -room) & (place <= 1 + room) & (cell <= last) & (cell >= 0)
         if not (inside & (np.isfinite(t) | ((v == 0) & (g == 0)))).all():
             return False
