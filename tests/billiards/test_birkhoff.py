@@ -55,3 +55,16 @@ def test_exponents_of_regular_orbits_are_zero_within_their_error():
     found = billiards.lyapunov(billiards.circle(), starts, 2000)
     assert (found.per_bounce[:, 0] > 1e-4).all()  # a finite run is biased
     assert (np.abs(found.per_bounce) < 2 * found.error + 1e-12).mean() > 0.95
+
+
+def test_few_bounces_do_not_decide():
+    """In an ellipse all orbits are regular, in a stadium none; 200 bounces had told so of one in three and of all but some."""
+    for table, regular in ((billiards.ellipse(1.5, 1.0), True), (billiards.stadium(), False)):
+        found = billiards.orbit(table, billiards.starts(table, 40, seed=1), 200, law="mirror")
+        assert (billiards.is_regular(found) == regular).all()
+    # an orbit that turns slowly around an island: 94 % of its points are on a ring after 200 bounces, its exponents are 0.002
+    table = billiards.table("curve", r="1 + 0.1*cos(3*theta)")
+    start = billiards.starts(table, 200, seed=0)
+    slow = billiards.orbit(table, (start.position[167], start.velocity[167], start.spin[167]), 200)
+    assert billiards.digits_of_averages(slow) < 2
+    assert billiards.is_regular(slow)

@@ -8,17 +8,21 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards.orbits import Orbit
+from carom.billiards.orbits import Orbit, orbit_from_setup, state_of_rows
 from carom.bodies import holds_arrays
+from carom.core.jit.slices import block_slices
 from carom.errors import CaromError, Fault
 
 __all__ = ["RotationNumber", "digits_of_averages", "is_regular", "rotation_number"]
 
 Array = NDArray[np.float64]
 LEAST = 50  # bounces
-REGULAR = (
-    0.2  # digits of regular orbits, beyond the logarithm of the bounces; chaotic orbits of 1000 bounces have 1.5 +- 0.5
-)
+# Regular orbits that rotate slowly have few digits for long, chaotic ones near an island many for a while. So orbits are followed
+# on for so many bounces, until they have more digits than any chaotic one or, after the first, fewer than any regular one; at last
+# the limit lies between both.
+LONG = (3000, 30_000)
+REGULAR, CHAOTIC, LIMIT = 5.0, 2.0, 3.2
+AT_ONCE = 3_000_000  # bounces that are in memory
 
 
 @holds_arrays
@@ -107,10 +111,21 @@ def digits_of_averages(found: Orbit) -> Array:
 def is_regular(found: Orbit) -> NDArray[np.bool_]:
     """Return for each orbit whether it is regular rather than chaotic, by the digits to which both halves' averages agree.
 
-    More than 2.5 in 200 bounces, 3.2 in 1000. Slow rotations about an island need more bounces. Compare `lyapunov`, which takes
-    longer.
+    Orbits of which so few bounces do not tell are followed on, for up to 30,000: slow rotations about an island take long to show.
+    Those that ended early are not regular. Compare `lyapunov`, which takes longer.
     """
-    return np.asarray(digits_of_averages(found) > REGULAR + math.log10(found.t.shape[-1]))
+    digits, bounces = np.array(digits_of_averages(found)).ravel(), found.t.shape[-1]
+    ends = found.last.reshape(-1, found.last.shape[-1])[:, 1:]
+    for longer in LONG:
+        if bounces >= longer:
+            continue
+        unclear = np.flatnonzero((digits <= REGULAR) & ((digits >= CHAOTIC) | (bounces < LONG[0])))
+        for some in block_slices(len(unclear), AT_ONCE // longer):
+            which = unclear[some]
+            start = state_of_rows(found.setup, ends[which], (len(which),))
+            digits[which] = digits_of_averages(orbit_from_setup(found.setup, start, longer))
+        bounces = longer
+    return np.asarray(digits > LIMIT).reshape(found.count.shape)
 
 
 def _averages(values: Array) -> tuple[Array, Array]:

@@ -21,8 +21,17 @@ from carom.files import require_memory
 from carom.public.progress import Progress
 
 __all__ = [
-    "FIRST_BOUNCES", "MAX_KEPT_BYTES", "Orbit", "final", "moved_in_flight", "orbit", "orbit_from_setup", "require_integer",
-    "require_reversible", "reverse",
+    "FIRST_BOUNCES",
+    "MAX_KEPT_BYTES",
+    "Orbit",
+    "final",
+    "moved_in_flight",
+    "orbit",
+    "orbit_from_setup",
+    "require_integer",
+    "require_reversible",
+    "reverse",
+    "state_of_rows",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -239,7 +248,7 @@ def orbit_from_setup(setup: OrbitSetup, start: Any, bounces: int, progress: Prog
     kept = kept.reshape(*shape, bounces, width)
     return Orbit(
         setup=setup,
-        start=_state(setup, rows, shape),
+        start=state_of_rows(setup, rows, shape),
         t=kept[..., 0],
         position=kept[..., 1 : 1 + d],
         velocity=kept[..., 1 + d : 1 + 2 * d],
@@ -251,7 +260,7 @@ def orbit_from_setup(setup: OrbitSetup, start: Any, bounces: int, progress: Prog
     )
 
 
-def _state(setup: OrbitSetup, rows: Array, shape: tuple[int, ...]) -> Start:
+def state_of_rows(setup: OrbitSetup, rows: Array, shape: tuple[int, ...]) -> Start:
     """Return rows (N, 9) of position, velocity and spin as a Start."""
     d = setup.table.dimension
     rows = rows.reshape(*shape, 9)
@@ -296,7 +305,7 @@ def final(
     nothing, none = np.empty((len(rows), 0, width)), np.empty((len(rows), 0), np.int32)
     last, ends = _loop(setup, rows, bounces, nothing, none, progress)
     return (
-        _state(setup, last[:, 1:], shape),
+        state_of_rows(setup, last[:, 1:], shape),
         last[:, TIME].reshape(shape),
         ends["bounces"].reshape(shape),
         ends["reason"].reshape(shape),

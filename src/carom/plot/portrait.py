@@ -28,9 +28,9 @@ def on_curves(found: Orbit) -> NDArray[np.bool_]:
     """Return for each orbit (N,) whether it stays on smooth curves of the velocity phase portrait: islands, and periodic orbits.
 
     Weighted Birkhoff averages over both halves of an orbit agree to many digits on curves, to one or two for chaotic orbits
-    (:func:`carom.billiards.is_regular`). Orbits of fewer than 50 bounces count as others, as do those that ended early. Not all
-    of the others are chaotic: slow rotations need more bounces, and in polygons no orbit has a positive Lyapunov exponent. The
-    largest exponent decides (:func:`carom.billiards.lyapunov`).
+    (:func:`carom.billiards.is_regular`, which follows orbits on until that is clear). Orbits of fewer than 50 bounces count as
+    others, as do those that ended early. Not all of the others are chaotic: in polygons no orbit has a positive Lyapunov
+    exponent. The largest exponent decides (:func:`carom.billiards.lyapunov`).
 
     Examples
     --------
