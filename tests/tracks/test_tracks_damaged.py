@@ -32,7 +32,7 @@ HEAD = "#multi:\n,A,,,,,B,,,,,\nt,frame,x,y,pixelx,pixely,frame,x,y,pixelx,pixel
         (b'{"PathTracking":{"DataSets":[{"Coords":[{"DeltaT_500us":0,"X":1e308,"Y":0.9}]}],"TableHeight":1,"TableWidth":9999}}',
          "DataSets[0]: X: expected numbers of at most 1e+100"),
         (b'{"PathTracking":{"DataSets":[5],"TableHeight":1,"TableWidth":2}}', "DataSets[0]: expected Coords"),
-        (b'{"PathTracking":' + b"[" * 100_000, "brackets too deep to read"),
+        (b'{"PathTracking":' + b"[" * 100_000, "brackets nested too deep to read"),
     ],
 )  # fmt: skip
 def test_refused(raw: bytes, expected: str, tmp_path: Path) -> None:

@@ -17,6 +17,7 @@ from reference.film_layouts import (
     cells,
     clock_of_frames,
     film,
+    pixels,
     table,
 )
 
@@ -55,6 +56,25 @@ def test_whole_numbers_that_rise_with_jumps_are_the_clock(tmp_path: Path, name: 
         (track,) = found.tracks
         np.testing.assert_allclose(track.time - track.time[0], one.time[kept], atol=1e-9, err_msg=order)
         assert all(any(f"'{other}'" in note for note in found.notes) for other in ("Area", "Mean") if order != "xyc")
+
+
+@pytest.mark.parametrize("blocks", [True, False])
+@pytest.mark.parametrize("head", ["Track n\u00b0,Slice n\u00b0,X,Y", "Ball #,Image,x,y", "id,Bild,x,y"])
+def test_a_clock_of_several_balls(tmp_path: Path, head: str, blocks: bool) -> None:
+    one, path = film(), tmp_path / "film.csv"
+    kept = np.flatnonzero(np.arange(len(one.time)) % 7 != 3)
+    rows = [(ball, k + 1, x + 40 * ball, y) for k in kept for x, y in [pixels(one)[k]] for ball in (1, 2)]
+    path.write_text(table(head, list(zip(*(sorted(rows) if blocks else rows), strict=True))), encoding="utf-8")
+    tracks = read_tracks(path, calibration=Calibration(PIXEL, RATE, down=True)).tracks
+    assert len(tracks) == 2
+    for track in tracks:
+        np.testing.assert_allclose(track.time - track.time[0], one.time[kept], atol=1e-9)
+    path.write_text(
+        table("Slice n\u00b0,X,Y", [list(column) for column in zip(*(row[1:] for row in sorted(rows)), strict=True)]),
+        encoding="utf-8",
+    )
+    with pytest.raises(CaromError, match="expected increasing times"):  # (no column tells the balls apart)
+        read_tracks(path, calibration=Calibration(PIXEL, RATE, down=True))
 
 
 def test_columns_that_rise_but_are_no_frames_are_not_counted_as_such(tmp_path: Path) -> None:

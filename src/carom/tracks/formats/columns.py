@@ -18,6 +18,7 @@ from carom.tracks.formats.headers import (
     FRAME_WORD,
     MIN_NUMBERED,
     MOST_ABOVE,
+    MOST_ROWS,
     NAMED,
     ROW_NUMBERS,
     Header,
@@ -44,7 +45,9 @@ PROGRAM = "columns"
 HEADER_EXAMPLE = "t [s],x [cm],y [cm]"
 Array = NDArray[np.float64]
 Labels = dict[str, list[str]]
+AS_FRAMES = "column {!r} taken as the numbers of the frames: whole numbers that rise from row to row"
 MIN_LEAST_STEPS = 0.1  # share of the rows that are the next frame
+MOSTLY = 0.8  # share of the steps of a clock that have one sign
 MIN_FILLED = 0.9  # share of the cells of a clock that are filled, at least
 PICTURE = re.compile(r"^(.*?)(\d+)\.(?:png|jpe?g|bmp|tiff?|gif)$", re.IGNORECASE)
 
@@ -74,11 +77,16 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
         for one in balls:
             one.columns |= one.pixels
     table.used |= {i for one in balls for i, _meaning in one.columns.values()}
+    for one in balls:
+        i, _meaning = one.columns.get("time_step", (-1, None))
+        number = None if i < 0 else _rising(table, header, i, labels)
+        if number is not None and (number == np.round(number)).all():  # (steps of a program, not lengths of time)
+            one.columns["frame"] = i, NAMED.parse("frame")
+            del one.columns["time_step"]
+            notes.append(AS_FRAMES.format(header.name(i)))
     without = [one for one in balls if not CLOCKS & set(one.columns)]
     if without and (clock := _column_of_frames(table, header, labels)) is not None:
-        notes.append(
-            f"column {header.name(clock)!r} taken as the numbers of the frames: whole numbers that rise from row to row"
-        )
+        notes.append(AS_FRAMES.format(header.name(clock)))
         for one in without:
             one.columns["frame"] = clock, NAMED.parse("frame")
     for one in balls:
@@ -142,12 +150,14 @@ def _column_of_frames(table: TextTable, header: Header, labels: Labels) -> int |
     """
     found = []
     for i in set(range(len(header.cells))) - table.used:
+        word = bool(FRAME_WORD.search(header.cells[i]))
         number = _rising(table, header, i, labels)
+        if number is None and word and _counts(table, header, i):
+            found.append((not word, i))  # (of several balls, or from the last to the first: refused as times would be)
         if number is None or not (number == np.round(number)).all():
             continue
         step = np.diff(number)
         least = step[step > 0].min()
-        word = bool(FRAME_WORD.search(header.cells[i]))
         jumps = (step > 1).any() and (step % least == 0).all() and (step == least).mean() >= MIN_LEAST_STEPS
         if jumps and (least == 1 or word):
             found.append((not word, i))
@@ -171,6 +181,16 @@ def _rising(table: TextTable, header: Header, i: int, labels: Labels) -> Array |
     if len(steps) < MIN_NUMBERED - 1 or sum(map(len, parts)) < MIN_FILLED * len(cells) or not (steps > 0).all():
         return None
     return np.cumsum(np.concatenate([[0.0], steps]))
+
+
+def _counts(table: TextTable, header: Header, i: int) -> bool:
+    """Return whether a column holds whole numbers of which most rise from row to row, or most fall, or come once for each ball."""
+    values, bad = parse_numbers([row[i].strip() if i < len(row) else "" for row in table.rows[header.first :]])
+    values = values[np.isfinite(values)]
+    if bad or len(np.unique(values)) < MIN_NUMBERED or not (values == np.round(values)).all():
+        return False
+    step = np.diff(values)
+    return bool(max((step > 0).mean(), (step < 0).mean()) > MOSTLY or ((step >= 0).all() and step.max() <= MOST_ROWS))
 
 
 def _ticks(table: TextTable, header: Header, i: int) -> bool:
@@ -222,10 +242,6 @@ def _track(
         time = _in_si(time_column(table, i, first, header.name(i), notes), heading, calibration)
     elif steps is not None and frame is None:
         known = steps[np.isfinite(steps)]
-        if (np.diff(known) > 0).all() and (
-            known == np.round(known)
-        ).all():  # (a step of a program, which is one of time)
-            frame = steps
         time = steps if (np.diff(known) > 0).all() else np.cumsum(np.nan_to_num(steps))
     else:
         time = np.arange(float(len(place))) if frame is None else frame

@@ -48,6 +48,7 @@ FRAME_WORD = re.compile(
     r"(frame|image|img|bild|slice|photo|foto|trame|vue|cuadro|quadro|kader|ruta|kader|klatka|index|idx|step|count|num|nummer|"
     r"n[°ºo]|no\.?|nr\.?|#)", re.IGNORECASE,
 )  # fmt: skip
+NUMBER_OF = re.compile(r"_?(?:n[°ºo]|no\.|nr\.?|#|number|num)$")  # "Track n°"
 MILLISECONDS = ("ms", "msec", "millis", "milliseconds")
 GROUPS, NAMES = (
     ("shot", "group", "game", "run", "trial", "film", "versuch", "wurf", "essai"),
@@ -160,7 +161,7 @@ def series_of(header: Sequence[str]) -> tuple[list[Series], dict[str, list[int]]
     for i, cell in enumerate(header):
         text = re.sub(r"(?<=[a-zA-Z)\]])\.(\d+)$", "", cell.strip())  # (as pandas numbers headers that repeat)
         seen[text] = seen.get(text, 0) + 1
-        key = re.sub(r"\s+", "_", text.lower())
+        key = NUMBER_OF.sub("", re.sub(r"\s+", "_", text.lower())) or text.lower()
         if key in GROUPS or key in NAMES:
             who["group" if key in GROUPS else "name"].append(i)
             continue
