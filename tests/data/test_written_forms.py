@@ -98,6 +98,7 @@ HEIGHTS = {
         ("h", 100, ["h0 (cm)", "h1 (cm)", "h2 (cm)", "h3 (cm)"]),
         ("h", 100, ["H_0 [cm]", "H_1 [cm]", "H_2 [cm]", "H_3 [cm]"]),
         ("h", 1, ["h₀", "h₁", "h₂", "h₃"]),
+        ("h", 100, ["h0 in cm", "h1 in cm", "h2 in cm", "h3 in cm"]),
         ("h", 1000, ["height 0/mm", "height 1/mm", "height 2/mm", "height 3/mm"]),
         ("h", 100, ["drop height (cm)", "bounce 1 height (cm)", "bounce 2 height (cm)", "bounce 3 height (cm)"]),
         ("h", 100, ["initial_height_cm", "1st bounce (cm)", "2nd bounce (cm)", "3rd bounce (cm)"]),
@@ -267,6 +268,9 @@ def test_spins_alone_are_refused_with_what_they_lack(tmp_path: Path, capsys: pyt
 def test_a_column_of_ratios_beside_components_is_passed_on(tmp_path: Path) -> None:
     found = table(tmp_path, "v_n_in,v_t_in,spin_in,v_n_out,e\n2,1,0,1.6,0.8\n3,1,0,2.4,0.8\n")
     assert found.extra["e"].tolist() == ["0.8", "0.8"]
+    heights = table(tmp_path, "h0 (cm),h1 (cm),h2 (cm),COR\n100,64,36,0.8\n100,64,36,0.8\n")
+    assert len(heights) == 4
+    assert heights.extra["COR"].tolist() == ["0.8"] * 4
 
 
 def test_numbers_under_an_unknown_name_are_not_passed_over_in_silence(tmp_path: Path) -> None:

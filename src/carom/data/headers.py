@@ -248,11 +248,12 @@ def series_headings(headers: Sequence[str], faults: list[Fault]) -> dict[int, He
 
 def _of_series(header: str) -> Heading | None:
     """Return the meaning of a header as one of a series; None for any other."""
-    text = _normalized(re.sub(r"[\[({](\d+)[\])}]", r"_\1_", unicodedata.normalize("NFKC", header)))
+    text = re.sub(r"[\[({](\d+)[\])}]", r"_\1_", unicodedata.normalize("NFKC", header).strip().lower())
     style: Style = "bracket"
     if (found := BRACKETS.match(text)) or ((found := _NAME_AND_UNIT.match(text)) and not re.search(r"\d", found[2])):
-        text, name = found[1], found[2].replace("_", " ")
+        text, name = found[1], found[2]
     else:
+        text = _normalized(text)
         name = next((suffix for suffix in _SUFFIXES if text.endswith("_" + suffix)), "")
         text, name, style = text.removesuffix("_" + name), name.replace("_", "/"), "suffix" if name else "plain"
     words = [_ORDINALS.get(word, word) for word in re.findall(r"[^\W\d_]+|\d+", text)]

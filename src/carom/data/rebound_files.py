@@ -254,6 +254,9 @@ def _meanings(headers: Sequence[str], source: str, faults: FaultList) -> dict[in
         meaning = in_series.get(i) or WRITTEN.parse(header)
         if i not in found and meaning is not None and not own.intersection(_targets(meaning)):
             found[i] = meaning
+    if in_series or {"rebound_height", "time_after"}.intersection(one.quantity for one in found.values()):
+        # (a ratio beside the heights of which it was made)
+        found = {i: one for i, one in found.items() if one.quantity.removeprefix("sigma_") != "e_n"}
     return found
 
 
