@@ -9,14 +9,14 @@ from typer.testing import CliRunner
 
 import carom
 from carom.cli import app
-from carom.scene.plausible import unit_notes
+from carom.scene.plausible import scene_notes
 
 ROOT = Path(__file__).parents[2]
 
 
 def notes(radius: float, mass: float, speed: float = 1.0, **fields: float) -> list[str]:
     ball = carom.SceneBall(name="white", radius=radius, mass=mass, position=(0, 0, 99), velocity=(speed, 0, 0))
-    return unit_notes(carom.Scene(balls=[ball], **fields))
+    return scene_notes(carom.Scene(balls=[ball], **fields))
 
 
 @pytest.mark.parametrize(
@@ -43,7 +43,20 @@ def test_balls_that_exist_are_not(radius: float, mass: float, speed: float) -> N
 
 @pytest.mark.parametrize("name", ["carom_table", "three_balls"])
 def test_no_scene_of_the_docs_has_a_note(name: str) -> None:
-    assert unit_notes(carom.load_scene(ROOT / "docs" / "scenes" / f"{name}.toml")) == []
+    assert scene_notes(carom.load_scene(ROOT / "docs" / "scenes" / f"{name}.toml")) == []
+
+
+def test_a_ball_that_would_bounce_unseen_for_ever_is_said() -> None:
+    ball = {"radius": 0.03, "mass": 0.2}
+
+    def said(z: float, restitution: float, **fields: float) -> list[str]:
+        balls = [{**ball, "position": (0, 0, z)}]
+        return scene_notes(carom.Scene(floor={"restitution": restitution, "friction": 0.2}, balls=balls, **fields))
+
+    (line,) = said(0.03 + 1.2e-8, 1.0)
+    assert line.startswith("balls.0: ")
+    assert "every 0.0989 ms" in line  # 2 (2 h/g)^(1/2)
+    assert not said(0.03, 1.0) + said(0.03 + 1.2e-8, 0.9) + said(0.5, 1.0) + said(0.03 + 1.2e-8, 1.0, gravity=0.0)
 
 
 @pytest.mark.parametrize("verb", [["scene", "check"], ["simulate", "--quiet"]])

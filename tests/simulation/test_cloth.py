@@ -404,6 +404,24 @@ def test_a_nose_that_yields_goes_with_the_ball() -> None:
     np.testing.assert_allclose(after[1:], [after[0]] * 2, atol=1e-12)
 
 
+@pytest.mark.parametrize("c", [0.003, 0.007, 0.1])
+@pytest.mark.parametrize("speed", [3.0, 10.0, 30.0])
+def test_no_ball_goes_through_a_nose_that_yields(c: float, speed: float) -> None:
+    """However far it would go in the yield time: it gets half a radius deep at most."""
+    cushions = {"shape": "table", "length": 2.0, "width": 1.0, "nose_height": 0.0363, "yield_time": c}
+    ball = {"radius": 0.028575, "mass": 0.17, "position": (0.5, 0.0), "velocity": (speed, 0.1 * speed)}
+    made = carom.Scene(
+        floor={"friction": 0.2},
+        walls=[{**cushions, "restitution": 0.85, "friction": 0.2}],
+        balls=[ball],
+        run={"max_events": 1},
+    )
+    row = carom.simulate(made).log[1]
+    assert row["v"][0] < 0 < row["v_before"][0]
+    touch = 1 - (0.028575**2 - (0.0363 - 0.028575) ** 2) ** 0.5
+    assert row["x"][0] - touch == pytest.approx(min(c * row["v_before"][0], 0.0162), rel=0.1)
+
+
 def test_a_slope_holds_a_ball_or_sets_it_going() -> None:
     """At rest up to f/(1 + kappa) = c g; from there on straight downhill, and a ball that rolls up comes back."""
     g, kappa, c = 9.80665, 0.4, 0.01

@@ -63,6 +63,57 @@ def test_walls_in_a_cluster_have_the_velocities_of_the_reference(name: str) -> N
     assert np.abs(np.array([ball.v for ball in others]) - one["out_velocity"]).max() > 0.06 * size
 
 
+@pytest.mark.parametrize(("masses", "time", "right"), [
+    ((2, 1, 2), 3e-4, (-0.9151, -0.5011, -0.1924)), ((2, 2, 1), 1e-3, (-0.8367, -0.5241, -0.2248)),
+])  # fmt: skip
+@pytest.mark.parametrize("gap", [0.0, 5e-9])
+def test_a_ball_that_is_sent_back_to_a_wall_leaves_it(masses: Any, time: float, right: Any, gap: float) -> None:
+    # a row on an elastic wall (right: SciPy's DOP853)
+    pitch = 2 * RADIUS + gap
+    balls = [
+        {"radius": RADIUS, "mass": MASS * m, "position": (pitch * k, 0, 0), "velocity": (float(k == 0), 0, 0)}
+        for k, m in enumerate(masses)
+    ]
+    wall = {
+        "shape": "plane",
+        "point": (2 * pitch + RADIUS + gap, 0, 0),
+        "normal": (-1, 0, 0),
+        "restitution": 1,
+        "friction": 0,
+    }
+    scene = carom.Scene(
+        gravity=0, walls=[{**wall, "contact_time": time}], balls=balls, ball_contact={"restitution": 1, "friction": 0},
+        run={"duration": 0.05, "law": "contact"},
+    )  # fmt: skip
+    _rows, found = by_python(scene, 0.05)
+    assert [ball.v[0] for ball in found] == pytest.approx(right, abs=2e-4)
+
+
+@pytest.mark.parametrize(("angles", "spin", "e", "mu", "right"), [
+    ((60, -10), 0, 0.95, (0, 0), [(0.0259, 0.0452), (0.1092, -0.8366), (0.4395, -0.0745)]),
+    ((30,), 1, 0.95, (0.2, 0.3), [(0.1626, 0.5813), (0.3779, -0.3663)]),
+])  # fmt: skip
+def test_a_ball_frozen_to_a_hard_wall(angles: Any, spin: float, e: float, mu: Any, right: Any) -> None:
+    # the first comes at an angle; it is the ball at the wall that the second number is of (right: SciPy's DOP853)
+    ways = [(2 * RADIUS * math.cos(math.radians(a)), 2 * RADIUS * math.sin(math.radians(a))) for a in angles]
+    ball, (x, y) = {"radius": RADIUS, "mass": MASS}, ways[0]
+    v = (-1.0, 0.0, 0.0) if spin else (-x / (2 * RADIUS), -y / (2 * RADIUS), 0.0)
+    balls = [
+        {**ball, "position": (RADIUS + x, y, 0), "velocity": v, "spin": (0, 0, spin / RADIUS)},
+        {**ball, "position": (RADIUS, 0, 0)},
+        *({**ball, "position": (RADIUS + x, y, 0)} for x, y in ways[1:]),
+    ]
+    wall = {"shape": "plane", "point": (0, 0, 0), "normal": (1, 0, 0), "restitution": 0.85, "friction": mu[1]}
+    scene = carom.Scene(
+        gravity=0, walls=[wall], balls=balls, ball_contact={"restitution": e, "friction": mu[0]},
+        run={"duration": 0.02, "law": "contact"},
+    )  # fmt: skip
+    _rows, found = by_python(scene, 0.02)
+    assert np.array([ball.v[:2] for ball in found]) == pytest.approx(np.array(right), abs=5e-4)
+    if spin:
+        assert [RADIUS * ball.w[2] for ball in found] == pytest.approx([1.2040, -0.3333], abs=5e-4)
+
+
 def test_a_ball_between_jaws_goes_straight_whatever_the_numbers() -> None:
     for walls in (JAWS["walls"], JAWS["walls"][::-1]):
         _rows, balls = by_python(with_walls({**JAWS, "walls": walls}))

@@ -74,6 +74,41 @@ def test_a_cluster_has_the_velocities_of_the_reference(name: str) -> None:
     assert far > 0.05 or len(v) == 2
 
 
+def velocities(radii: Any, masses: Any, gaps: Any, spin: float, **contact: Any) -> Array:
+    """Velocities long after the first of a row, with a spin about z (1: its rim turns as fast as it comes), has met the others."""
+    x = np.cumsum([0, *(np.add(radii[1:], radii[:-1]) + gaps)])
+    balls = [
+        {
+            "radius": a,
+            "mass": m,
+            "position": (y, 0, 0),
+            "velocity": (float(k == 0), 0, 0),
+            "spin": (0, 0, spin * (k == 0) / a),
+        }
+        for k, (a, m, y) in enumerate(zip(radii, masses, x, strict=True))
+    ]
+    scene = carom.Scene(gravity=0, balls=balls, ball_contact=contact, run={"duration": 0.05})
+    return carom.simulate(scene).final.velocity
+
+
+@pytest.mark.parametrize(
+    ("masses", "right"),
+    [((0.25, 0.5, 4), (-0.5540, -0.4121, 0.1486)), ((1, 1, 0.5, 2), (-0.3809, -0.0627, 0.4107, 0.6191))],
+)
+def test_balls_that_meet_again_have_the_restitution_of_the_pair(masses: Any, right: Any) -> None:
+    # they part by some 0.1 mm, and meet once more (right: SciPy's DOP853 with places that move)
+    v = velocities([RADIUS] * len(masses), MASS * np.array(masses), 0, 0, restitution=1, friction=0)
+    assert v[:, 0] == pytest.approx(right, abs=1e-4)
+
+
+def test_balls_that_pass_each_other_are_not_stopped() -> None:
+    # the first two rub along each other: with the places put back they would meet again
+    # (right: tests/reference/contacts_followed.py)
+    radii, masses = RADIUS * np.array([1.2791, 0.7232, 0.6973]), MASS * np.array([0.6793, 0.8501, 1.0922])
+    v = velocities(radii, masses, [0, 8.122e-5], 2.0, restitution=0.77, friction=0.186)
+    assert v[:, :2] == pytest.approx(np.array([[0.0136, -0.1837], [0.0043, 0.1830], [0.6102, -0.0282]]), abs=2e-4)
+
+
 @pytest.mark.parametrize("restitution", [0.9, 0.5, 0.2, 0.05])
 def test_any_restitution_is_that_of_the_damping(restitution: float) -> None:
     case = row(4, restitution=restitution)

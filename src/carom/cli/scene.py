@@ -88,7 +88,7 @@ def check(
     """Validate a scene and summarise it; or print it in full, in SI units, with every default filled in."""
     from carom.cli.streams import say, say_notes
     from carom.gas.build import is_gas, load_gas
-    from carom.scene.plausible import unit_notes
+    from carom.scene.plausible import scene_notes
     from carom.scene.toml import load_scene
 
     if is_gas(file):
@@ -111,7 +111,7 @@ def check(
         _print(scene_dict(scene))
         return
     say(f"{file}: {scene.describe()}: ok")
-    say_notes(unit_notes(scene))
+    say_notes(scene_notes(scene))
 
 
 def _print(found: dict[str, Any]) -> None:

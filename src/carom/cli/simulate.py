@@ -89,7 +89,7 @@ def simulate(
 ) -> None:
     """Simulate a scene event by event; print a description, the events, the final states and the energy budget."""
     from carom.cli.streams import say_notes
-    from carom.scene.plausible import unit_notes
+    from carom.scene.plausible import scene_notes
     from carom.simulation.contacts_in_time import overlap_note
     from carom.simulation.frames import FORMATS as FRAME_FORMATS
     from carom.simulation.law_notes import law_notes
@@ -108,7 +108,7 @@ def simulate(
         settings = {"law": with_own_laws(law), "duration": duration, "max_events": max_events}
         given = found.attempt(_scene, scene, allow_own_laws, settings, values)
         found.raise_if_any()
-        say_notes(unit_notes(given))
+        say_notes(scene_notes(given))
         run = _run(given, quiet)
         notes = law_notes(run)
         if as_json and (overlap := overlap_note(run)) is not None:  # (else the description has it)

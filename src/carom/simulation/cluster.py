@@ -5,9 +5,10 @@ time is over, one pair at a time is not right, in whatever order. So at a meetin
 contact's duration tau is compared with the gaps to all other balls: where a gap is at most tau times the larger speed at which it
 closes, before the contact or after it, all balls nearby are taken together. Their contacts (carom.laws.hertz, with Coulomb's
 friction) are integrated in the event's own time until all have opened (carom.simulation.cluster_steps). Velocities and spins
-are kept and the places are put back, so that the event takes no time, as any other. So it is where one of the two comes to touch
-a wall, and at a meeting of a ball and a wall where another ball, or another wall, touches the ball before the wall's contact time
-is over (carom.simulation.cluster_walls).
+are kept and the places are put back, so that the event takes no time, as any other; where balls that have passed each other would
+meet once more there, they are put where the last contact has opened. So it is where one of the two comes to touch a wall, and at a
+meeting of a ball and a wall where another ball, or another wall, touches the ball before the wall's contact time is over
+(carom.simulation.cluster_walls).
 
 Neglected are the floor's forces meanwhile (they come after, as for a pair), the time itself and the places that change with it
 (some 0.1 mm; the loop's balls are rigid wherever they meet), and the spring of the tangent: whatever the law of the pair, friction
@@ -19,13 +20,16 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from carom.core.geometry.features import OVER, gap_to_feature, is_out_of_reach
 from carom.core.jit.kernel import Vec, dot, kernel, vector
 from carom.core.motion.phases import HELD
 from carom.core.motion.restitution import CONSTANT
 from carom.laws.hertz import LEAST_RESTITUTION, lasts_longer, stiffness
 from carom.simulation.cluster_steps import LAST_BIT, LEAST_DEPTH, NO_BALL, add, apart, follow
 from carom.simulation.cluster_walls import (
+    SLACK,
     acts_in_time,
+    closing_rate,
     find_walls,
     has_hit,
     is_lasting,
@@ -41,6 +45,9 @@ __all__ = ["collide_cluster", "overlaps_at_wall", "overlaps_in_time", "place_all
 
 NEAR = 0.15  # of the mean radius: a ball with such a gap to a member is a member too
 CLOSES = 1e-9  # of the speed of approach: slower balls do not approach a third one
+# Balls that touch and approach by more than this share of the largest speed with the places put back; how far they can be moved, of
+# the radius
+TURNS, LEAP = 4e-3, 0.5
 OUTSIDE = -2
 # What is left between balls that touch is stopped by this share at a time, down to this share of the largest speed
 SHARE, LEAST_CHANGE, MOST_SWEEPS = 0.25, 1e-14, 10_000
@@ -181,6 +188,62 @@ def _join(balls: Any, count: int, slow: float) -> None:
                 if dot(r, r) < reach * reach and abs(rate) <= slow:
                     joined |= bit
         balls[p].near, balls[p].joined = near, joined
+
+
+@kernel
+def _have_turned(balls: Any, count: int, slow: float) -> bool:
+    """Return whether what touches with the places put back, though it has parted, approaches faster than ``slow``."""
+    for p in range(count):
+        one = balls[balls[p].member]
+        for s in range(one.walls):
+            if closing_rate(one, s) > slow:
+                return True
+        for q in range(p):
+            other, bit = balls[balls[q].member], 1 << min(q, LAST_BIT)
+            if balls[p].near & bit != 0 and balls[p].joined & bit == 0 and _are_near(one, other, 1 + LEAST_DEPTH):
+                r, v, u = apart(other, one), one.cv, other.cv
+                if dot(r, (v[0] - u[0], v[1] - u[1], v[2] - u[2])) < -slow * (one.radius + other.radius):
+                    return True
+    return False
+
+
+@kernel
+def _is_room(world: Any, features: Any, balls: Any, touched: int) -> bool:
+    """Return whether the balls that were touched can be put where they have come to, across the pull and along the floor.
+
+    They can go a little way, where nothing else is; near a pocket they stay.
+    """
+    pull = vector(world.force)
+    square = dot(pull, pull)
+    for p in range(touched):
+        one = balls[balls[p].touched]
+        d, a = (one.dx[0] - one.x[0], one.dx[1] - one.x[1], one.dx[2] - one.x[2]), one.radius
+        c = dot(d, pull) / square if square > 0 else 0 * square
+        d = (d[0] - c * pull[0], d[1] - c * pull[1], d[2] - c * pull[2])
+        x = (one.x[0] + d[0], one.x[1] + d[1], one.x[2] + (d[2] if world.floor == 0 else 0 * d[2]))
+        write_vector(one.dx, x)
+        if dot(d, d) > LEAP * LEAP * a * a:
+            return False
+        for k in range(features.shape[0]):
+            f = features[k]
+            if not is_out_of_reach(f, a, vector(one.x), LEAP * a) and (
+                f.kind == OVER or -a < gap_to_feature(f, a, x) < -2 * SLACK * a
+            ):
+                return False
+    t = balls[balls[0].touched].clock
+    for p in range(touched):
+        i = balls[p].touched
+        one, x = balls[i], vector(balls[i].dx)
+        for j in range(balls.shape[0]):
+            other = balls[j]
+            if other.phase < HELD and j != i:
+                is_beside = other.met in (NO_BALL, OUTSIDE)
+                y = state_after(world, other, t - other.clock)[0] if is_beside else vector(other.dx)
+                r = (x[0] - y[0], x[1] - y[1], x[2] - y[2])
+                reach = (1 - LEAST_DEPTH) * (one.radius + other.radius)
+                if dot(r, r) < reach * reach:
+                    return False
+    return True
 
 
 @kernel
@@ -329,7 +392,13 @@ def collide_cluster(world: Any, features: Any, balls: Any, i: int, k: int, f: in
         write_vector(one.dv, vector(one.v))
         write_vector(one.dw, vector(one.w))
         one.was = one.phase
+        write_vector(one.dx, vector(one.cx))
         write_vector(one.cx, vector(one.x))
+    if _have_turned(balls, count, TURNS * fastest) and _is_room(world, features, balls, touched):
+        for p in range(touched):
+            one = balls[balls[p].touched]
+            write_vector(one.x, vector(one.dx))
+            write_vector(one.cx, vector(one.dx))
     _settle(balls, count, fastest)
     _restore(world, features, balls, touched)
     return touched

@@ -22,11 +22,13 @@ from carom.core.jit.kernel import Vec, cross, dot, kernel, vector
 from carom.core.motion.restitution import CONSTANT, restitution
 from carom.laws.hertz import damping
 from carom.laws.law import CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL, ROLLING_WALL, TWO_STEP_WALL
+from carom.simulation.cluster_friction import across, friction_before, friction_of_step, rubbed
 from carom.simulation.motion import accelerations_of, is_on_floor
 
 __all__ = [
-    "MOST_WALLS", "acts_in_time", "find_walls", "has_hit", "is_lasting", "loses_nothing_at_walls", "push_of_wall", "scales_of_wall",
-    "settle_wall", "share_momentum", "wall_impulse", "wall_in_time", "wall_of", "walls_in_time",
+    "MOST_WALLS", "acts_in_time", "closing_rate", "find_walls", "has_friction", "has_hit", "is_lasting",
+    "loses_nothing_at_walls", "push_of_wall", "rub_wall", "scales_of_wall", "settle_wall", "share_momentum", "until_wall",
+    "wall_impulse", "wall_in_time", "wall_of", "walls_in_time",
 ]  # fmt: skip
 
 MOST_WALLS = 3  # that one ball can touch at once
@@ -210,15 +212,44 @@ def scales_of_wall(features: Any, ball: Any, s: int) -> tuple[float, float]:
 
 
 @kernel
+def has_friction(world: Any, features: Any, balls: Any, count: int) -> bool:
+    """Return whether the balls of a cluster, or one of the walls near them, have friction."""
+    rubs = world.pair_mu > 0 or world.pair_drop > 0
+    for p in range(count):
+        ball = balls[balls[p].member]
+        for s in range(ball.walls):
+            rubs = rubs or _mu(features[wall_of(ball, s)]) > 0
+    return bool(rubs)
+
+
+@kernel
+def until_wall(ball: Any, s: int) -> tuple[float, float]:
+    """Return when a ball comes to its wall s, at the soonest, and how fast; the time is infinite where it does not come."""
+    n = _normal(ball, s)
+    rate = -dot(vector(ball.cv), n)
+    if not rate > 0:
+        return math.inf + 0 * rate, rate
+    return max(dot(vector(ball.cx), n) - ball.wall_at[s], 0 * rate) / rate, rate
+
+
+@kernel
+def until_clear_of_wall(ball: Any, s: int) -> float:
+    """Return when a ball that leaves its wall s comes clear of it, less than 0 where it has; else minus infinity."""
+    n = _normal(ball, s)
+    rate = dot(vector(ball.cv), n)
+    return (ball.wall_at[s] - dot(vector(ball.cx), n)) / rate if rate > 0 else -math.inf + 0 * rate
+
+
+@kernel
 def push_of_wall(features: Any, ball: Any, s: int, h: float, share: float, least: float) -> bool:
     """Add the force of wall s on a ball, and its share of a step h to the impulse; return whether the contact goes on."""
     f, n = features[wall_of(ball, s)], _normal(ball, s)
     depth = ball.wall_at[s] - SLACK * ball.radius - dot(vector(ball.cx), n)
     if not depth > 0:
         return False
-    v, a, m = vector(ball.cv), ball.radius, ball.mass
+    v, m = vector(ball.cv), ball.mass
     un = dot(v, n)
-    borne = ball.rests != 0 and n[2] < 0 and not v[2] > 0
+    borne = _is_borne(ball, n)
     if borne:
         # the floor bears it: it can move along the floor alone
         un -= v[2] * n[2]
@@ -239,40 +270,67 @@ def push_of_wall(features: Any, ball: Any, s: int, h: float, share: float, least
     if ball.pushes > 1:
         ball.coupled = 1
     force = (push * n[0], push * n[1], push * n[2])
-    mu = _mu(f)
-    if mu > 0:
-        w = vector(ball.cw)
-        turn = cross((a * w[0], a * w[1], a * w[2]), n)
-        un = dot(v, n)
-        t = (v[0] - un * n[0] - turn[0], v[1] - un * n[1] - turn[1], v[2] - un * n[2] - turn[2])
-        slip = math.sqrt(dot(t, t))
-        mt = ball.mass / (1 + 1 / ball.kappa)
-        # (what would end the slip within a step, if that is less: so also where there is none, for its derivatives)
-        c = mt / h if mt * slip <= mu * push * h else mu * push / slip
-        force = (force[0] - c * t[0], force[1] - c * t[1], force[2] - c * t[2])
-        twist = cross(n, force)
+    if _mu(f) > 0:
+        g = friction_before(ball.wall_rub, s, share, push)
+        force = (force[0] + g[0], force[1] + g[1], force[2] + g[2])
+        twist = cross(n, g)
         for k in range(3):
             ball.twist[k] += twist[k]
+    _give(ball, s, force, share * h, borne)
+    return True
+
+
+@kernel
+def _is_borne(ball: Any, n: Vec) -> bool:
+    """Return whether the floor bears a ball that a wall pushes down."""
+    return bool(ball.rests != 0 and n[2] < 0 and not ball.cv[2] > 0)
+
+
+@kernel
+def _give(ball: Any, s: int, force: Vec, time: float, borne: bool) -> None:
+    """Add a force of wall s, and its impulse in a time."""
     if borne and force[2] < 0:
         force = (force[0], force[1], 0 * force[2])
     for k in range(3):
         ball.push[k] += force[k]
-        ball.wall_push[3 * s + k] += share * h * force[k]
-    return True
+        ball.wall_push[3 * s + k] += time * force[k]
+
+
+@kernel
+def rub_wall(features: Any, ball: Any, s: int, h: float, last: bool) -> None:
+    """Add the change of the impulse of friction of wall s at the end of a step h."""
+    if not rubbed(ball.wall_rub, s):
+        return
+    n, v, a, w = _normal(ball, s), ball.cv, ball.radius, ball.cw
+    turn = cross((a * w[0], a * w[1], a * w[2]), n)
+    t = across((v[0] - turn[0], v[1] - turn[1], v[2] - turn[2]), n)
+    mt = ball.mass / (ball.parts * (1 + 1 / ball.kappa))
+    f = friction_of_step(ball.wall_rub, s, n, t, mt, _mu(features[wall_of(ball, s)]), h, last)
+    twist = cross(n, f)
+    for k in range(3):
+        ball.twist[k] += twist[k]
+    _give(ball, s, f, 1.0, _is_borne(ball, n))
+
+
+@kernel
+def closing_rate(ball: Any, s: int) -> float:
+    """Return the speed at which a ball approaches wall s, if it touches it and has touched it before; else 0."""
+    n = _normal(ball, s)
+    rate = -dot(vector(ball.cv), n)
+    touches = dot(vector(ball.cx), n) <= ball.wall_at[s] + SLACK * ball.radius
+    if not has_hit(ball, s) or not touches or not rate > 0 or (ball.rests != 0 and n[2] < 0):
+        return 0 * rate
+    return rate
 
 
 @kernel
 def settle_wall(ball: Any, s: int, share: float) -> float:
     """Take a share of the speed at which a ball still approaches wall s, which it touches, to its change; return that speed."""
-    n = _normal(ball, s)
-    rate = dot(vector(ball.cv), n)
-    touches = dot(vector(ball.cx), n) <= ball.wall_at[s] + SLACK * ball.radius
-    if not has_hit(ball, s) or not touches or not rate < 0 or (ball.rests != 0 and n[2] < 0):
-        return 0 * rate
-    c = -share * rate * ball.mass
+    n, rate = _normal(ball, s), closing_rate(ball, s)
+    c = share * rate * ball.mass
     for k in range(3):
         ball.push[k] += c * n[k]
-    return -rate
+    return rate
 
 
 @kernel

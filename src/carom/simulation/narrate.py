@@ -40,6 +40,7 @@ SMALL, SHORT = 1e-6, 1e-4
 LONG = 1e-3  # s: how long infinitely many bounces last is said from here on
 NOTABLE = 1e-3  # m: how high a ball bounces is said from here on
 MOST_BALLS = 4  # that are described one by one
+LAST_ROWS = 200  # of the log: what a run that did not end did at last
 PHASE_VERBS = {
     FLIGHT: "flies",
     SLIDING: "slides",
@@ -82,8 +83,22 @@ def describe_run(run: RunRecord) -> list[str]:
             f"The run ends after its duration, {format_time(run.end)}, and {counted(_event_count(run), 'event')}."
         )
     elif run.ended == "max_events":
-        found.append(f"The run ends at its greatest number of events, {_most(run)}, after {when(run.end)}.")
+        found.append(
+            f"The run ends at its greatest number of events, {_most(run)}, after {when(run.end)}{_endless(run)}."
+        )
     return found
+
+
+def _endless(run: RunRecord) -> str:
+    """Say which ball has filled the end of a run with bounces that return all its speed along the normal, and so have no end."""
+    last = run.log[-LAST_ROWS:]
+    for ball, name in enumerate(run.scene.ball_names):
+        rows = last[(last["ball"] == ball) & (last["kind"] == FLOOR)]
+        up, down = rows["v"][:, 2], rows["v_before"][:, 2]
+        if 2 * len(rows) > LAST_ROWS and np.all(up > -(1 - 1e-9) * down):
+            high, often = up[-1] ** 2 / (2 * -run.scene.pull[2]), np.ptp(rows["t"]) / (len(rows) - 1)
+            return f"; {name} goes on bouncing on the floor, {format_length(high)} high, every {format_time(often)}"
+    return ""
 
 
 def _most(run: RunRecord) -> str:

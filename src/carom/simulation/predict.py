@@ -95,7 +95,8 @@ def _time_when_deep(f: Any, ball: Any, begin: float, until: float) -> float:
         x, v, acc = motion_in(ball, s)
         rate, bend = gap_derivatives(f, x, v, acc)
         gap = contact_gap(f, a, feature_gap(f, a, x), rate)
-        if gap > 0:
+        # (where it has passed the deepest place, over a nose, say, it has turned before)
+        if gap > 0 and rate < 0:
             low = s
         else:
             high = s

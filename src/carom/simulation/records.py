@@ -117,11 +117,18 @@ BALLS = np.dtype(
         ("wall", _WHOLE),
         ("hits", _WHOLE),
         ("pushes", _WHOLE),  # what pushes it now
+        ("parts", _NUMBER),  # how many did in the step that has ended
         ("coupled", _WHOLE),  # whether a wall and something else have pushed it at once
         ("rests", _WHOLE),  # whether the floor bears it
         ("wall_n", _NUMBER, (9,)),  # normals
         ("wall_at", _NUMBER, (3,)),  # where the contacts begin, along the normals
         ("wall_push", _NUMBER, (9,)),  # impulses
+        (
+            "rub",
+            _NUMBER,
+            (60,),
+        ),  # friction at the members before it that are near (carom.simulation.cluster_friction), and walls
+        ("wall_rub", _NUMBER, (15,)),
     ]
 )
 
