@@ -711,9 +711,9 @@ GASES = {
     + _contact("glass", "glass", 0.9, 0.25, 0.4)
     + _contact("steel", "wall", 0.95, 0.1)
     + _contact("glass", "wall", 0.95, 0.1)
-    + '[[drives]]\nwall = "front"\namplitude = 0.6\nfrequency = 2.0\n'
+    + '[[drives]]\nwall = "bottom"\namplitude = 0.6\nfrequency = 2.0\n'
     + RUN.replace("seed", 'start = "random"\nseed'),
-    "a mixture kept warm": '[container]\nshape = "cylinder"\nsize = [9.0, 9.0, 8.0]\n'
+    "a mixture kept warm": '[container]\nshape = "cylinder"\nradius = 4.5\nheight = 8.0\n'
     + _species("big", 60, 0.6, 2.0)
     + _species("small", 120, 0.3, 0.3, 'inertia = "hollow"')
     + _contact("big", "big", 0.9, 0.3, 0.5)

@@ -125,10 +125,8 @@ def test_gases_by_the_names_of_the_command(tmp_path: Any) -> None:
     assert (run.pair_collisions, gas.collisions) == (200, 40 * 30 + 200)
     assert all((total, text) == (1400, "collisions") for _done, total, text in seen)
     scene = carom.replaced(carom.gas.load_gas(file), {"run.seed": 3})
-    assert carom.gas.simulate_gas(scene, collisions=200)[0].balls().position.tobytes() == gas.balls().position.tobytes()
+    assert carom.gas.simulate_gas(scene, max_events=200)[0].balls().position.tobytes() == gas.balls().position.tobytes()
     assert len(carom.simulate_gas(file, max_events=100, ensemble=2).seeds) == 2
-    with pytest.raises(carom.CaromError, match="collisions: expected max_events alone, got both"):
-        carom.simulate_gas(file, max_events=1, collisions=1)
 
 
 V = [1.0, 2.0, 3.0, 4.0]

@@ -18,15 +18,15 @@ SIZE = (6.0, 5.0)
 def box(**changed):
     """The walls of the box, of which some are others."""
     found = {
-        "left": Plane((0, 0, 0), (1, 0, 0)), "right": Plane((6, 0, 0), (-1, 0, 0)), "front": Plane((0, 0, 0), (0, 1, 0)),
-        "back": Plane((0, 5, 0), (0, -1, 0)),
+        "left": Plane((0, 0, 0), (1, 0, 0)), "right": Plane((6, 0, 0), (-1, 0, 0)), "bottom": Plane((0, 0, 0), (0, 1, 0)),
+        "top": Plane((0, 5, 0), (0, -1, 0)),
     }  # fmt: skip
     return list((found | changed).values())
 
 
 CASES = {
     "a piston with a weight": (
-        {}, {"back": Drive(mass=3.0, force=6.0)}, box(back=Plane((0, 5, 0), (0, -1, 0), mass=3.0, force=6.0)), (0, -1), ROUGH,
+        {}, {"top": Drive(mass=3.0, force=6.0)}, box(top=Plane((0, 5, 0), (0, -1, 0), mass=3.0, force=6.0)), (0, -1), ROUGH,
     ),
     "two pistons": (
         {}, {"left": Drive(mass=2.0, speed=0.5, force=3.0), "right": Drive(mass=5.0, force=3.0)},
@@ -34,7 +34,7 @@ CASES = {
         (0, 0), ROUGH,
     ),
     "a belt": (
-        {}, {"front": Drive(surface_velocity=(1.5, 0.0))}, box(front=Plane((0, 0, 0), (0, 1, 0), along=(1.5, 0, 0))), (0, -2),
+        {}, {"bottom": Drive(surface_velocity=(1.5, 0.0))}, box(bottom=Plane((0, 0, 0), (0, 1, 0), along=(1.5, 0, 0))), (0, -2),
         ROUGH,
     ),
     "a hopper": (
@@ -72,16 +72,16 @@ def test_the_same_events_as_in_small_steps(name):
 def test_a_piston_and_its_weight_have_the_energy_that_the_gas_lacks():
     gas = Gas(
         [Species(Disc(0.3, 1.0), 250)], container("box", (12.0, 40.0)), contacts=Surface(1, 0, -1), gravity=(0, -0.1),
-        drives={"back": Drive(mass=30.0, force=40.0)}, seed=2,
+        drives={"top": Drive(mass=30.0, force=40.0)}, seed=2,
     )  # fmt: skip
     start = sum(gas.energy())
     run = gas.run(40_000)
-    piston = gas.wall_motion()["back"]
+    piston = gas.wall_motion()["top"]
     held = 15.0 * piston.speed**2 - 40.0 * piston.displacement
     assert sum(gas.energy()) + held == pytest.approx(start, rel=1e-11)
-    assert run.energy_from_walls["back"] == pytest.approx(-held, rel=1e-10)
+    assert run.energy_from_walls["top"] == pytest.approx(-held, rel=1e-10)
     # the mean pressure on a piston that rests on the gas is its weight
-    assert gas.run(40_000).wall_pressure["back"] == pytest.approx(40.0 / 12.0, rel=0.05)
+    assert gas.run(40_000).wall_pressure["top"] == pytest.approx(40.0 / 12.0, rel=0.05)
     again = Gas.restore(gas.state())
     for one in (gas, again):
         one.run(3000)

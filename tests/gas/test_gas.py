@@ -13,7 +13,7 @@ SPHERE, DISC = Ball(0.5, 1.0, 0.4), Disc(0.5, 1.0, 0.5)
 
 
 def test_mean_free_time_of_hard_spheres():
-    _gas, run = simulate_gas([Species(SPHERE, 4000)], (20.0,) * 3, contacts=SMOOTH, collisions=1_000_000)
+    _gas, run = simulate_gas([Species(SPHERE, 4000)], (20.0,) * 3, contacts=SMOOTH, max_events=1_000_000)
     assert run.pair_collisions == 1_000_000
     # Kolafa's equation of state: 0.13017; one in a thousand is 7 standard errors of this run
     assert run.mean_free_time == pytest.approx(0.13017, rel=2e-3)
@@ -33,14 +33,14 @@ def henderson(y):
 @pytest.mark.parametrize("density", [0.3, 0.7])
 def test_pressure_of_spheres(density):
     side = (2000 / density) ** (1 / 3)
-    _gas, run = simulate_gas([Species(SPHERE, 2000)], (side,) * 3, contacts=SMOOTH, collisions=600_000)
+    _gas, run = simulate_gas([Species(SPHERE, 2000)], (side,) * 3, contacts=SMOOTH, max_events=600_000)
     assert run.pressure / density == pytest.approx(carnahan_starling(density * math.pi / 6), rel=4e-3)
 
 
 @pytest.mark.parametrize("share", [0.3, 0.45])
 def test_pressure_of_discs(share):
     side = math.sqrt(2000 * math.pi / 4 / share)
-    _gas, run = simulate_gas([Species(DISC, 2000)], (side,) * 2, contacts=SMOOTH, collisions=600_000)
+    _gas, run = simulate_gas([Species(DISC, 2000)], (side,) * 2, contacts=SMOOTH, max_events=600_000)
     assert run.pressure / (2000 / side**2) == pytest.approx(henderson(share), rel=5e-3)
 
 

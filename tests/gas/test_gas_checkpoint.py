@@ -113,23 +113,6 @@ def test_a_finished_run_goes_on_for_longer(tmp_path):
     assert load_checkpoint(tmp_path / "c.npz").finished
 
 
-def test_a_checkpoint_without_profiles_goes_on(tmp_path):
-    """Checkpoints of an earlier version have none: profiles begin when such a run is resumed, and g(r) does without them."""
-    scene = scene_of(tmp_path, MIXED)
-    session = Session(scene)
-    session.run(stop=stops([8]))
-    old = {name: array for name, array in session.state().items() if not name.startswith("measures.profile_")}
-    assert len(old) == len(session.state()) - 6
-    again = Session.restore(scene, old)
-    session.run()
-    again.run()
-    assert measured(again) == measured(session)
-    assert session.measures.is_layered
-    assert not again.measures.is_layered
-    assert 0 < again.measures.profiles.profile_samples < session.measures.profiles.profile_samples
-    assert again.measures.pair_counts.tobytes() == session.measures.pair_counts.tobytes()
-
-
 # --- what is none --------------------------------------------------------------------------------------------------
 
 

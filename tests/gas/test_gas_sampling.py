@@ -17,7 +17,7 @@ def shaken(**run) -> GasScene:
         gravity=10.0, contact_time=1e-5, container={"shape": "box", "size": (12.0, 40.0), "periodic": ["x"]},
         species=[{"count": 40, "radius": 0.5, "temperature": 4.0}],
         contacts=[{"between": pair, "restitution": 0.9, "friction": 0} for pair in between],
-        drives=[{"wall": "front", "amplitude": 0.6, "frequency": 1.0}], run={"equilibrate": 8000, "seed": 1, **run},
+        drives=[{"wall": "bottom", "amplitude": 0.6, "frequency": 1.0}], run={"equilibrate": 8000, "seed": 1, **run},
     )  # fmt: skip
 
 

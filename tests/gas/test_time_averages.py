@@ -24,12 +24,12 @@ GASES = {
         [Species(Ball(0.5, 2.0), 20)], (4.0, 4.0, 8.0), periodic=False, gravity=(0, 0, -1.0), contacts=ROUGH, seed=1
     ),
     "on a shaken floor": lambda: Gas(
-        DISCS, (8.0, 16.0), gravity=(0, -1.0), drives={"front": Drive(0.3, 1.0)}, **STRIP
+        DISCS, (8.0, 16.0), gravity=(0, -1.0), drives={"bottom": Drive(0.3, 1.0)}, **STRIP
     ),
     "two species on an inclined floor": lambda: Gas(
-        [*DISCS, Species(Disc(0.3, 2.0), 5, "b")], (8.0, 16.0), gravity=(0.3, -1.0), drives={"front": Drive(0.3, 1.0)}, **STRIP
+        [*DISCS, Species(Disc(0.3, 2.0), 5, "b")], (8.0, 16.0), gravity=(0.3, -1.0), drives={"bottom": Drive(0.3, 1.0)}, **STRIP
     ),
-    "between heated walls": lambda: Gas(DISCS, (8.0, 16.0), drives={"front": Drive(temperature=2.0)}, **STRIP),
+    "between heated walls": lambda: Gas(DISCS, (8.0, 16.0), drives={"bottom": Drive(temperature=2.0)}, **STRIP),
     "across a circle": lambda: Gas(DISCS, container("circle", radius=4.0), contacts=ROUGH, seed=2),
 }  # fmt: skip
 
@@ -160,7 +160,7 @@ def test_a_ratio_of_few_shaken_discs_is_one_of_means():
     contact = {"between": ("*", "*"), "restitution": 0.9, "friction": 0.3, "tangential_restitution": 0.4}
     scene = GasScene(
         container={"shape": "box", "size": (10, 30), "periodic": ["x"]}, species=[{"count": 40, "radius": 0.5}],
-        contacts=[contact], gravity=1.0, contact_time=1e-5, drives=[{"wall": "front", "amplitude": 0.6, "frequency": 1.0}],
+        contacts=[contact], gravity=1.0, contact_time=1e-5, drives=[{"wall": "bottom", "amplitude": 0.6, "frequency": 1.0}],
         run={"equilibrate": 4000, "max_events": 10_000, "seed": 3},
     )  # fmt: skip
     session = Session(scene)

@@ -63,11 +63,11 @@ between = ["big", "wall"]
 restitution = 1.0
 friction = 0.5
 [[contacts]]
-between = ["small", "back"]
+between = ["small", "top"]
 restitution = 1.0
 friction = inf
 [[contacts]]
-between = ["small", "front"]
+between = ["small", "bottom"]
 restitution = 0.9
 friction = 0.0
 [run]

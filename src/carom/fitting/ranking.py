@@ -198,7 +198,7 @@ def fit_laws(
     seed : int
         Of the bootstrap.
     progress : callable(done, total, text), optional
-        Called with the fraction done, 1, and the current step. ``say`` is its older name.
+        Called with the fraction done, 1, and the current step.
 
     Returns
     -------

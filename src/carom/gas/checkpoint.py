@@ -231,7 +231,7 @@ def _description(about: Any) -> dict[str, Any]:
     """Return the description in a checkpoint: format, carom's version, scene, and names of files; ValueError for what is none."""
     if not isinstance(about, dict) or type(about.get("format")) is not int:
         raise ValueError("it does not say its format")
-    # (a checkpoint of an earlier version names no files, and one of another format may hold anything else)
+    # (one of another format may hold anything else)
     found: dict[str, Any] = {"carom": "of an unknown version", "outputs": {}} | about
     if found["format"] == FORMAT and not all(isinstance(found.get(name), dict) for name in ("scene", "outputs")):
         raise ValueError("it holds no scene")

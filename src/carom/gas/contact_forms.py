@@ -171,11 +171,10 @@ def contacts_by_names(faults: FaultList, contacts: Contacts, names: Sequence[str
     if (wrong := _wrong_contacts(contacts)) is not None:
         faults.add("contacts", "a carom.Surface, or one for each pair of names, {('a', 'wall'): Surface(...)}", wrong)
     elif not isinstance(contacts, Surface | GasSurface):
-        known = [ANY, *names, "wall", *dict.fromkeys((*WALLS, *container.names))]
+        sides = [wall_name(name, len(container.size)) for name in WALLS[: 2 * len(container.size)]]
+        known = [ANY, *names, "wall", *dict.fromkeys((*sides, *container.names))]
         for name in sorted({name for key in contacts for name in key} - set(known)):
             faults.add("contacts", "names of species or walls", f"{name!r}; {suggestion(name, known)}")
-        axes = len(container.size)
-        return {(wall_name(one, axes), wall_name(two, axes)): given for (one, two), given in contacts.items()}
     return contacts
 
 

@@ -28,7 +28,6 @@ __all__ = [
     "SHAPES",
     "WALLS",
     "Container",
-    "WallNumbers",
     "as_container",
     "container",
     "container_figures",
@@ -41,22 +40,12 @@ Array = NDArray[np.float64]
 # The walls of a box, the lower and the upper one along each axis.
 WALLS = ("left", "right", "front", "back", "bottom", "top")
 BOXES = ("periodic", "box")
-FLAT = {"front": "bottom", "back": "top"}  # of discs, for which y points upwards: the names of earlier versions
+FLAT = {"front": "bottom", "back": "top"}  # of discs, for which y points upwards
 
 
 def wall_name(name: str, dimensions: int) -> str:
-    """Return the name of a wall: of discs bottom and top for what was called front and back before."""
+    """Return the name of a wall of a box: of discs, the lower and the upper one along y are bottom and top."""
     return FLAT.get(name, name) if dimensions == 2 else name
-
-
-class WallNumbers(dict[str, Any]):
-    """Numbers of discs by the names of walls, which are found by their earlier names as well."""
-
-    def __missing__(self, name: str) -> Any:
-        """Return the number of the wall that had this name."""
-        if name in FLAT and FLAT[name] in self:
-            return self[FLAT[name]]
-        raise KeyError(name)
 
 
 @holds_arrays

@@ -15,7 +15,7 @@ from carom.errors import FaultList, float_or_nan
 from carom.files import require_memory
 from carom.formatting import counted, format_number
 from carom.gas.contact_forms import Contacts
-from carom.gas.containers import Container, WallNumbers, as_container
+from carom.gas.containers import Container, as_container
 from carom.gas.drives import Drive, Thermostat, WallMotion, motion_of_walls
 from carom.gas.edmd import driver as engine
 from carom.gas.edmd.driver import GasArrays
@@ -162,9 +162,7 @@ class Gas:
         gas = object.__new__(cls)
         gas._begin(engine.restore(state))
         gas._names = tuple(str(name) for name in state["names"])
-        # (the state of an earlier version has species of one radius each)
-        kinds = len(state["species"])
-        gas.groups = state["groups"].copy() if "groups" in state else np.arange(kinds)
+        gas.groups = state["groups"].copy()
         gas._time = max(gas._time, float(state["time"][0]))
         return gas
 
@@ -201,15 +199,10 @@ class Gas:
 
     def _sum_by_wall(self, numbers: Any) -> dict[str, float]:
         """Return sums over the faces of each wall."""
-        return self._by_wall(
-            {
-                one: float(sum(n for n, name in zip(numbers, self._names, strict=True) if name == one))
-                for one in self.walls
-            }
-        )
-
-    def _by_wall(self, numbers: dict[str, Any]) -> dict[str, Any]:
-        return WallNumbers(numbers) if int(self.arrays.system[0]["dimensions"]) == 2 else numbers
+        return {
+            one: float(sum(n for n, name in zip(numbers, self._names, strict=True) if name == one))
+            for one in self.walls
+        }
 
     @property
     def shear_rate(self) -> float:
@@ -269,7 +262,7 @@ class Gas:
         """
         one, faces = self.arrays.system[0], self.arrays.walls.faces
         now = (self._time - one["base"]) - one["rest"]
-        return self._by_wall(motion_of_walls(faces, self._names, now, oscillating))
+        return motion_of_walls(faces, self._names, now, oscillating)
 
     @property
     def bytes_per_ball(self) -> float:
@@ -421,7 +414,7 @@ class Gas:
             cpu_seconds=self.cpu_seconds - since.cpu,
             mean_free_time=_mean_free_time(count, t, pairs, self.ended_early),
             pressure=means.pressure,
-            wall_pressure=self._by_wall({k: pushes[k] / (areas[k] * t) if t > 0 else math.nan for k in areas}),
+            wall_pressure={k: pushes[k] / (areas[k] * t) if t > 0 else math.nan for k in areas},
             energy_from_walls=feeds,
             energy_from_thermostat=fed,
             energy_drift=(added(energy) - fed - worked - added(feeds.values())) / added(energy0) - 1

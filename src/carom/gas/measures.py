@@ -278,7 +278,6 @@ class Measures:
     def is_layered(self) -> bool:
         """Whether g(r) is relative to the profile: under gravity, or where plane walls oscillate or are heated."""
         one = self.profiles
-        # (a checkpoint of an earlier version has no profile of its first samples)
         return one is not None and one.layered and one.profile_pair_samples == self.pair_samples
 
     def profile(self, name: str) -> Profile:

@@ -87,14 +87,6 @@ class GasScene(Model):
 
     @model_validator(mode="after")
     def _check(self) -> GasScene:
-        axes = self.container.dimensions
-        drives = (one.model_copy(update={"wall": wall_name(one.wall, axes)}) for one in self.drives)
-        contacts = (
-            one.model_copy(update={"between": tuple(wall_name(name, axes) for name in one.between)})
-            for one in self.contacts
-        )
-        object.__setattr__(self, "drives", tuple(drives))
-        object.__setattr__(self, "contacts", tuple(contacts))
         raise_faults(gas_faults(self))
         return self
 

@@ -33,7 +33,6 @@ def simulate_gas(
     ensemble: None = None,
     equilibrate: int | None = None,
     from_time: float | str | None = None,
-    collisions: int | None = None,
     progress: Progress | None = None,
 ) -> tuple[Gas, GasRun]: ...
 
@@ -48,7 +47,6 @@ def simulate_gas(
     ensemble: int,
     equilibrate: int | None = None,
     from_time: float | str | None = None,
-    collisions: int | None = None,
     progress: Progress | None = None,
 ) -> Ensemble: ...
 
@@ -58,7 +56,7 @@ def simulate_gas(
     species: Sequence[Species],
     side: Sequence[float] | Container,
     *,
-    collisions: int,
+    max_events: int,
     equilibrate: int | None = None,
     **options: Any,
 ) -> tuple[Gas, GasRun]: ...
@@ -74,7 +72,6 @@ def simulate_gas(
     ensemble: int | None = None,
     equilibrate: int | None = None,
     from_time: float | str | None = None,
-    collisions: int | None = None,
     progress: Progress | None = None,
     **options: Any,
 ) -> tuple[Gas, GasRun] | Ensemble:
@@ -87,7 +84,6 @@ def simulate_gas(
     side, **options : as for :class:`Gas`; not with a scene
     max_events : int
         Number of collisions that are measured, with walls included; default with a scene: its own, or its duration.
-        ``collisions`` is its older name.
     duration : float or str, optional
         Of a scene: time that is measured.
     seed : int, optional
@@ -112,7 +108,7 @@ def simulate_gas(
     >>> from carom import Ball, Surface
     >>> from carom.gas import GasScene, Species, simulate_gas
     >>> elastic = Surface(1, 0, -1)
-    >>> gas, run = simulate_gas([Species(Ball(0.5, 1.0), 64)], (6.0, 6.0, 6.0), contacts=elastic, collisions=1000)
+    >>> gas, run = simulate_gas([Species(Ball(0.5, 1.0), 64)], (6.0, 6.0, 6.0), contacts=elastic, max_events=1000)
     >>> gas.collisions, run.pair_collisions
     (3560, 1000)
 
@@ -123,19 +119,15 @@ def simulate_gas(
     ...     container={"shape": "periodic", "size": (6, 6, 6)}, species=[{"count": 64, "radius": 0.5}], contacts=[contact],
     ...     run={"max_events": 2000},
     ... )
-    >>> simulate_gas(scene)[1].pair_collisions, simulate_gas(scene, collisions=500)[1].pair_collisions
+    >>> simulate_gas(scene)[1].pair_collisions, simulate_gas(scene, max_events=500)[1].pair_collisions
     (2000, 500)
     """
     faults = FaultList("simulate_gas")
-    if max_events is not None and collisions is not None:
-        faults.add("collisions", "max_events alone", "both", "collisions is its older name")
-        faults.raise_if_any()
-    collisions = max_events if collisions is None else collisions
     if isinstance(species, str | os.PathLike):
         species = load_gas(species)
     if isinstance(species, GasScene):
         run = {
-            "max_events": collisions,
+            "max_events": max_events,
             "equilibrate": equilibrate,
             "duration": duration,
             "seed": seed,
@@ -158,14 +150,15 @@ def simulate_gas(
             faults.add(name, "a scene, to which it belongs", "a list of Species", "omit it")
     if side is None:
         faults.add("side", "two or three lengths, or a container, with a list of Species", "none")
-    if collisions is None:
-        faults.add("collisions", "the number of collisions to measure", "none")
+    if max_events is None:
+        faults.add("max_events", "the number of collisions to measure", "none")
     faults.raise_if_any()
     assert side is not None
+    assert max_events is not None
     given: dict[str, Any] = options if seed is None else {**options, "seed": seed}
     gas = Gas(species, side, **given)
     gas.run(40 * sum(one.count for one in species) if equilibrate is None else equilibrate)
-    return gas, gas.run(collisions)
+    return gas, gas.run(max_events)
 
 
 def _simulate_scene(scene: GasScene, progress: Progress | None) -> tuple[Gas, GasRun]:

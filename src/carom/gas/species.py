@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from carom.bodies import Ball
 from carom.errors import Fault, FaultList, require_type
 from carom.gas.contact_forms import Contacts, contact_records, contacts_by_names
-from carom.gas.containers import Container, wall_name
+from carom.gas.containers import Container
 from carom.gas.drives import Drive, Thermostat, face_records
 from carom.gas.edmd.driver import SystemRecords
 from carom.gas.edmd.gas_records import (
@@ -121,9 +121,7 @@ def system_records(
 
     ``groups`` numbers the species of which the given ones are classes of radii, which may then have one name.
     """
-    faults = FaultList("Gas")
-    axes = len(container.size)
-    drives = {wall_name(name, axes): drive for name, drive in drives.items()}
+    faults, axes = FaultList("Gas"), len(container.size)
     for one in species:
         require_type("Gas", "species", one, Species)
     names = [one.name for one in species]

@@ -122,8 +122,7 @@ def _set_measures(measures: Measures, gas: Gas, state: Arrays) -> None:
         raise ValueError(f"'followed' of shape {state['followed'].shape}, not {moved}")
     measures.rows = [tuple(row) for row in state["rows"].reshape(-1, len(SERIES)).tolist()]
     measures.followed, measures.temperatures = list(state["followed"]), list(state["temperatures"])
-    # (the state of an earlier version has no profiles: their counts begin anew)
-    if measures.profiles is not None and any(name in state for name in PROFILED):
+    if measures.profiles is not None:
         _take(measures.profiles, PROFILED, state, {})
 
 
@@ -173,11 +172,7 @@ def require_state(scene: GasScene, state: Arrays) -> None:
         forms |= {f"mark.{name}": forms[f"gas.{name}"] for name in MARKED}
         forms["mark.numbers"] = (np.dtype("f8"), (5,))
     for name in forms:
-        # (the state of an earlier version has no curves, and no classes of radii)
-        absent = (name in {"gas.curves", "gas.shear"} and forms[name][1] == (0,)) or (
-            name == "gas.groups" and len(groups) == len(scene.species)
-        )
-        if name not in state and not absent:
+        if name not in state:
             raise KeyError(name)
     for name in state:  # (read from a file one at a time)
         array = state[name]
@@ -188,11 +183,11 @@ def require_state(scene: GasScene, state: Arrays) -> None:
     for name, changing in CHANGES.items():
         own = getattr(records, name)
         fields = [field for field in own.dtype.names or ("",) if field not in changing]
-        for part in ("gas.", "mark."):  # (curves are absent in the state of an earlier version, most in a mark)
+        for part in ("gas.", "mark."):  # (most are absent in a mark)
             _require_the_scenes(state.get(part + name, own.ravel()), name, own, fields)
     _require_the_scenes(state["gas.system"], "system", records.system, FIXED)
     _require_the_scenes(state["gas.whole"], "whole", records.whole, ("axis",))
-    _require_the_scenes(state.get("gas.groups", groups), "groups", groups, ("",))
+    _require_the_scenes(state["gas.groups"], "groups", groups, ("",))
     _require_contents(scene, state, records.system[0])
 
 

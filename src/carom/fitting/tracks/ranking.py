@@ -90,7 +90,7 @@ def fit_tracks(
     laws : str or sequence of str, optional
         Names. Default: all laws for balls on a table.
     progress : callable(done, total, text), optional
-        Called with the fraction done, 1, and the current step. ``say`` is its older name.
+        Called with the fraction done, 1, and the current step.
 
     Returns
     -------

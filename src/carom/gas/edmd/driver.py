@@ -81,7 +81,6 @@ STATE = {
     "curves": np.dtype("f8"),
     "shear": SHEAR,
 }
-LATER = ("curves", "shear")  # not in the states of earlier versions, where there were none
 
 
 class SystemRecords(NamedTuple):
@@ -270,8 +269,8 @@ def restore(state: Mapping[str, NDArray[Any]]) -> GasArrays:
     """Return the arrays of a gas from its saved state, from which it continues with the same bits."""
     memory = _allocate(state["system"][0], state["species"])
     copies = {}
-    for name, kind in STATE.items():
-        given = state[name] if name in state or name not in LATER else np.empty(0, kind)
+    for name in STATE:
+        given = state[name]
         copies[name] = memory[name] if name in memory else np.empty_like(given)
         copies[name][:] = given
         del given  # (a state read from a file has one array in memory at a time)
