@@ -79,3 +79,19 @@ def test_nobody_answers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
         made.run(on="elsewhere")
     with pytest.raises(carom.CaromError, match="expected a store for a run on"):
         carom.sweep(space(), KEEP).run(on="tcp://127.0.0.1:9")
+
+
+def test_a_cluster_without_workers_is_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It was waited for, for ever; what was done stays."""
+    monkeypatch.setattr("carom.sweeps.cluster.ALONE_SECONDS", 0.2)
+    monkeypatch.setattr("carom.sweeps.cluster.ASK_SECONDS", 0.1)
+    made = carom.sweep(space(), KEEP, store=tmp_path / "s.zarr", block=4)
+    with (
+        distributed.LocalCluster(n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None) as one,
+        distributed.Client(one) as client,
+        pytest.raises(carom.CaromError, match=r"expected a worker, got none for 0\.2 s after [1-9]"),
+    ):
+        made.run(on=client, progress=lambda done, _total: one.scale(0) if done else None)
+    assert 0 < len(made.missing()) < made.blocks.number
+    made.run()
+    assert not made.missing()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import os
+import time
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -16,6 +17,8 @@ CONNECT_SECONDS = 10
 IN_FLIGHT = (
     4  # tasks of each thread of the cluster that the scheduler knows of: its graph stays small for any number of blocks
 )
+ALONE_SECONDS = 60.0  # after which a cluster without a worker is given up: one that starts them anew takes some seconds
+POLL_SECONDS, ASK_SECONDS = 0.02, 1.0  # between looks for tasks that are done, and for workers
 MOST_LOST = 1000  # blocks that are begun anew after the scheduler has given them up: three of their workers died
 
 
@@ -25,7 +28,7 @@ def run_on_cluster(sweep: Any, write_block: Callable[..., int], blocks: list[int
     ``write_block(place, identity, own_laws, block)`` is what a worker does.
 
     ``on`` is the address of a scheduler, or a ``distributed.Client``. Raises CaromError where nobody answers within 10 s, where the
-    connection is lost, and where a worker cannot write.
+    connection is lost, where no worker is there for a minute, and where a worker cannot write.
     """
     distributed = import_optional("distributed", "sweep: run: on")
     assert sweep.store is not None
@@ -80,7 +83,9 @@ def _follow(
         loop=client.loop,
     )
     try:
-        for future in line:
+        for future in _as_they_come(client, line):
+            if future is None:
+                raise _given_up(f"a worker, got none for {ALONE_SECONDS:g} s", done, len(blocks))
             block = running.pop(future)
             if future.status == "finished":
                 done += 1
@@ -93,10 +98,32 @@ def _follow(
             if following is not None:
                 line.add(submit(following))
     except (OSError, TimeoutError) as error:
-        raise CaromError(
-            f"sweep: run: on: expected the connection to the scheduler to last, got {type(error).__name__} after {done:,} of"
-            f" {len(blocks):,} blocks; they stay: run it again to go on"
+        raise _given_up(
+            f"the connection to the scheduler to last, got {type(error).__name__}", done, len(blocks)
         ) from None
+
+
+def _as_they_come(client: Any, line: Any) -> Iterator[Any]:
+    """Yield tasks that are done; None, at last, where no worker is there to do the others."""
+    with_workers = asked = time.monotonic()
+    while not line.is_empty():
+        if line.has_ready():
+            yield next(line)
+            continue
+        time.sleep(POLL_SECONDS)
+        now = time.monotonic()
+        if now - asked > ASK_SECONDS:
+            asked = now
+            if client.scheduler_info(n_workers=-1)["workers"]:
+                with_workers = now
+            elif now - with_workers > ALONE_SECONDS:
+                yield None
+
+
+def _given_up(what: str, done: int, count: int) -> CaromError:
+    return CaromError(
+        f"sweep: run: on: expected {what} after {done:,} of {count:,} blocks; they stay: run it again to go on"
+    )
 
 
 def _was_lost(distributed: Any, future: Any) -> bool:
@@ -106,14 +133,8 @@ def _was_lost(distributed: Any, future: Any) -> bool:
 
 def _explained(future: Any, done: int, count: int) -> CaromError:
     if future.status in ("cancelled", "lost"):
-        return CaromError(
-            f"sweep: run: on: expected the connection to the scheduler to last, got {future.status} after {done:,} of {count:,}"
-            " blocks; they stay: run it again to go on"
-        )
+        return _given_up(f"the connection to the scheduler to last, got {future.status}", done, count)
     error = future.exception()
     if isinstance(error, CaromError):
         return error
-    return CaromError(
-        f"sweep: run: on: expected a block from every task, got {type(error).__name__}: {error} after {done:,} of {count:,} blocks;"
-        " they stay: run it again to go on"
-    )
+    return _given_up(f"a block from every task, got {type(error).__name__}: {error}", done, count)
