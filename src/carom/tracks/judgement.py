@@ -170,17 +170,19 @@ def judge(
     balls, sigma, notes = read_paths(table, radius, mass, noise)
     times = np.concatenate([ball.t for ball in balls])
     found = Judgement(sigma, notes, (float(times.min()), float(times.max())))
+    rubs = 0.0  # what the floor's friction does at most, m/s^2
     for ball in balls:
         _in_the_floor(ball, sigma, found)
         for piece in ball.pieces:
-            _between_contacts(ball, piece, sigma, pull, floor_friction, found)
+            rubs = max(rubs, _between_contacts(ball, piece, sigma, pull, floor_friction, found))
     _overlaps(balls, sigma, found)
+    walls = _Walls(balls, sigma)
     for event in _events(balls, sigma):
         t, late = _event_time(event)
         if not math.isnan(t):
             _energy(t, late, event, kappa, pull, found)
             if len(event.members) == 2:
-                _momentum(t, late, event, friction, gravity, found)
+                _momentum(t, late, event, friction, gravity, rubs, walls, found)
     found.violations.sort(key=lambda one: one.time)
     found.unchecked = {law: _why_unchecked(law, balls) for law, count in found.checked.items() if not count}
     return found
@@ -261,13 +263,13 @@ def _hashed(frame: NDArray[np.int64], cell: NDArray[np.int64]) -> NDArray[np.int
 
 def _between_contacts(
     ball: BallPath, piece: PathPiece, sigma: float, pull: Array, floor_friction: float, found: Judgement
-) -> None:
-    """Check free fall in the air; friction and its direction on the floor."""
+) -> float:
+    """Check free fall in the air; friction and its direction on the floor, and return how much it accelerates the ball at least."""
     up = ball.x[piece.first : piece.last + 1, 2] - ball.radius
     a, error = piece.acceleration
     t, names = float(ball.t[piece.first]), [ball.name]
     if len(up) <= FEW:
-        return
+        return 0.0
     if up.min() > SIGMAS * sigma + LEAST * ball.radius:
         off = float(np.linalg.norm(a - pull))
         said = ", ".join(f"{x:.3g}" for x in a)
@@ -281,6 +283,8 @@ def _between_contacts(
         found.check("friction", t, names, along - floor_friction, error / -pull[2], LEAST, text)
         if piece.spins is not None:
             _slip(ball, piece, rubs, error, found)
+        return max(float(np.hypot(*rubs)) - SIGMAS * error, 0.0)
+    return 0.0
 
 
 def _slip(ball: BallPath, piece: PathPiece, a: Array, error: float, found: Judgement) -> None:
@@ -291,19 +295,20 @@ def _slip(ball: BallPath, piece: PathPiece, a: Array, error: float, found: Judge
         v, w = piece.velocity(t)[0], piece.spin(t)
         slips.append(v[:2] + ball.radius * np.array([-w[1], w[0]]))
     speed, size, size1 = (float(np.linalg.norm(x)) for x in (piece.velocity(t0)[0], *slips))
-    dv = math.hypot(piece.velocity(t0)[1], piece.velocity(t1)[1])
+    dv = math.hypot(piece.velocity(t0)[1], piece.velocity(t1)[1], ball.radius * piece.spin_error)
     rolls = SAME * speed + SIGMAS * dv
     if size <= rolls:
         share = size1 / max(speed, 1e-300)
         text = "a ball that rolls begins to slip"
         found.check("slip", t0, [ball.name], share - 2 * SAME, dv / max(speed, 1e-300), LEAST, text)
     elif min(size, size1) > rolls and slips[0] @ slips[1] > 0:
-        pull = float(np.hypot(*a))
-        along, across = float(a @ slips[0]) / size, abs(float(a[0] * slips[0][1] - a[1] * slips[0][0])) / size
-        share = max(along, across) / max(pull, 1e-300)
-        found.check(
-            "slip", t0, [ball.name], share, error / max(pull, 1e-300), SAME, "friction does not act against the slip"
-        )
+        pull = max(float(np.hypot(*a)), 1e-300)
+        # (on a slope the slip turns, and the mean friction is against a direction between its first and its last)
+        across = [float((a[0] * slip[1] - a[1] * slip[0]) / np.linalg.norm(slip)) for slip in slips]
+        sideways = 0.0 if across[0] * across[1] < 0 else min(map(abs, across))
+        share = max(float(a @ slips[0]) / size, float(a @ slips[1]) / size1, sideways) / pull
+        wrong = math.hypot(error / pull, dv / min(size, size1))
+        found.check("slip", t0, [ball.name], share, wrong, SAME, "friction does not act against the slip")
 
 
 # --- contacts -----------------------------------------------------------------------------------------------------------
@@ -454,8 +459,32 @@ def _energy(t: float, late: float, event: _Event, kappa: float, pull: Array, fou
         found.check("energy", t, names, has - had - hidden, math.sqrt(variance), RESOLVED * had, text)
 
 
-def _momentum(t: float, late: float, event: _Event, friction: float, g: float, found: Judgement) -> None:
-    """Check the momentum of two balls along the floor, but for what the floor can give them; and their contact's friction."""
+class _Walls:
+    """Walls that a run may have: no ball of it was ever behind them."""
+
+    def __init__(self, balls: Sequence[BallPath], sigma: float) -> None:
+        self.x = np.concatenate([ball.x[:, :2] for ball in balls])
+        self.radius = np.repeat([ball.radius for ball in balls], [len(ball.x) for ball in balls])
+        self.sigma = sigma
+
+    def pushes(self, ball: BallPath, place: Array, impulse: Array) -> bool:
+        """Return whether a wall that touches a ball at its place (2,) may give it an impulse (2,), with friction up to 1."""
+        for turn in np.linspace(-1, 1, 17) * math.pi / 4:
+            c, s = math.cos(turn), math.sin(turn)
+            n = np.array([[c, -s], [s, c]]) @ impulse / np.linalg.norm(impulse)
+            behind = (self.x - place) @ n - self.radius + ball.radius
+            if behind.min() > -SIGMAS * self.sigma - SAME * ball.radius:
+                return True
+        return False
+
+
+def _momentum(
+    t: float, late: float, event: _Event, friction: float, g: float, rubs: float, walls: _Walls, found: Judgement
+) -> None:
+    """Check the momentum of two balls along the floor, but for what the floor and a wall can give them; and their friction.
+
+    Between the frames beside a contact the floor's friction acts, and a ball may roll again or rest.
+    """
     (one, a, b), (other, c, d) = event.members
     (x, dx), (y, dy) = a.place(t), c.place(t)
     reach = one.radius + other.radius
@@ -466,7 +495,13 @@ def _momentum(t: float, late: float, event: _Event, friction: float, g: float, f
     error = math.hypot(one.mass * of_one, other.mass * of_other, (one.mass + other.mass) * g * late)
     size, extra = float(np.linalg.norm(p)), float(np.linalg.norm((p + q)[:2]))
     floor = abs(float(p[2])) + abs(float(q[2]))  # of its friction, where a ball is pressed down
-    floor = floor if floor > SIGMAS * error else 0.0
+    floor = (floor if floor > SIGMAS * error else 0.0) + (one.mass + other.mass) * rubs * max(
+        event.high - event.low, 0.0
+    )
+    if extra - floor > max(SIGMAS * error, PRESSED * size) and any(
+        walls.pushes(ball, place[:2], (p + q)[:2]) for ball, place in ((one, x), (other, y))
+    ):
+        return  # (a ball that touches a cushion is struck)
     names = [one.name, other.name]
     text = f"{extra:.3g} N s of momentum appear in a contact of {size:.3g} N s"
     found.check("momentum", t, names, extra - floor, error, PRESSED * size, text)

@@ -46,7 +46,7 @@ class PathPiece:
     numbers: Array  # (3, 3): place, velocity, half the acceleration; by coordinate
     covariance: Array  # (3, 3)
     spins: Array | None  # (2, 3): spin, and its rate of change
-    spin_error: float = 0.0  # standard error of a component at the ends
+    spin_error: float = 0.0  # of a component at the ends, at most
 
     def place(self, t: float) -> tuple[Array, float]:
         """Return the place (3,) at a time, and the standard error of a coordinate."""
@@ -316,8 +316,7 @@ def _pieces(t: Array, x: Array, w: Array | None, sigma: float) -> Iterator[PathP
         spins = None if w is None or not turns else np.linalg.lstsq(design[:, :2], w[first : last + 1], rcond=None)[0]
         error = 0.0
         if spins is not None and w is not None:
-            parts = max(int(w[first : last + 1].any(axis=0).sum()), 1)  # (discs turn about one axis)
-            left = float(np.square(design[:, :2] @ spins - w[first : last + 1]).sum()) / parts
-            # (the ends of a line are known four times worse than its mean)
-            error = 2 * math.sqrt(left / max(len(tau) - 2, 1) / len(tau))
+            left = float(np.square(design[:, :2] @ spins - w[first : last + 1]).sum(axis=0).max())
+            # (noise averages out, a spin that changes unevenly does not: the ends of its line are off by twice the rest)
+            error = 2 * math.sqrt(left / max(len(tau) - 2, 1))
         yield PathPiece(first, last, float(middle), numbers, covariance, spins, error)
