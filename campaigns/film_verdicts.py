@@ -5,6 +5,10 @@
 The tables of ``film_coverage.py``: balls rolled against cushions with noses by the engine, filmed, with sidespins that nobody
 measured. N of them (100) a law and camera, and all laws are fitted. A verdict decides at odds of 20 to 1 over the best law that
 does not contain the winner; a winner that contains the true law is not wrong: it says the same with a number more.
+
+And verdicts on what is filmed, of films without any option (`tests/reference/plain_films.py`, closed forms): five times N each of
+pucks on a floor without friction, dead balls, bounces whose frames are lost, balls that bounce toward the camera. The view, how
+often the error bars of the restitution hold the truth, and bounces that appear in no count.
 """
 
 from __future__ import annotations
@@ -15,8 +19,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from campaign import Campaign, film_campaign
+from campaign import Campaign, film_campaign, shares
 from film_coverage import KINDS, LAWS, SETTING
+from reference.plain_films import KINDS as PLAIN
+from reference.plain_films import measured
 from reference.synthetic_tracks import Camera, filmed
 
 from carom.errors import CaromError
@@ -45,11 +51,14 @@ def one(law: str, camera: Camera, seed: int, shots: int) -> dict[str, Any]:
 
 def main(words: Sequence[str] | None = None) -> None:
     """A line a law and camera."""
-    film_campaign("film_verdicts", __doc__, words, KINDS, report, count=100)
+    film_campaign("film_verdicts", __doc__, words, [*KINDS, *PLAIN], report, count=100)
 
 
 def report(run: Campaign, name: str) -> None:
     """Rank the laws on the tables of a law and camera, and print the verdicts."""
+    if name in PLAIN:
+        report_plain(run, name)
+        return
     law, camera = KINDS[name]
     shots: int = run.given.shots
     kind = f"{name}, {shots} shots"
@@ -67,6 +76,26 @@ def report(run: Campaign, name: str) -> None:
         f" {np.median([row['odds'] for row in rows]):.3g}; no law fits in {sum(not row['fits'] for row in rows)};"
         f" {np.mean([row['seconds'] for row in rows]):.1f} s; wrong: {dict(wrong)};"
         f" cannot, against: {dict(against)}"
+    )
+
+
+def report_plain(run: Campaign, name: str) -> None:
+    """Measure films of a kind, and print what is wrong with their views, contacts and counts."""
+
+    def one(seed: int) -> dict[str, Any]:
+        try:
+            return measured(PLAIN[name](np.random.default_rng([seed, len(name)])))._asdict()
+        except CaromError as error:
+            return {"refused": error.faults[0]}
+
+    rows = run.rows.fill(name, range(1 if run.small else 5 * run.count), one)
+    good = [row for row in rows if "refused" not in row]
+    wrong = [row for row in good if not row["view"]]
+    pulls = [pull for row in good if row["view"] for pull in row["pulls"]]
+    run.say(
+        f"{name}: restitutions {shares(pulls)}; {len(wrong)} of {len(good)}"
+        f" views wrong, {sum(row['said'] for row in wrong)} of them with the other's numbers; bounces in no count:"
+        f" {sum(row['unlisted'] for row in good)}; refused {len(rows) - len(good)}"
     )
 
 

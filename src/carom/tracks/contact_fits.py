@@ -304,7 +304,7 @@ class ContactFitter:
             gravity = wall.turned(self.settings.gravity * np.array(self.air.down))
             white = self._whitening(FrameGroups(t, t, np.ones(len(t))))
             fit = fit_flight(t, x, middle, self.noise, gravity, 0.05 * self.settings.gravity, at, self.air, white)
-        if (
+        if (not event.low - self.interval < fit["t"] < event.high + self.interval and self.view == "side") or (
             not np.isfinite(fit.value[AT_CONTACT]).all()
             or not np.isfinite(fit.covariance[AT_CONTACT, AT_CONTACT]).all()
         ):

@@ -55,10 +55,16 @@ def find_turns(track: Track, noise: float, down: tuple[float, float], gravity: f
     t, x = track.time, track.position
     reach = frames_per_side(t)
     height = -x @ np.array(down)
+    gap = np.flatnonzero(np.diff(t) > LOST_FRAMES * interval)
+    edges = np.where(
+        height[gap] < height[gap + 1], gap, gap + 1
+    )  # (where no minimum is seen the flights may meet all the same)
+    edges = edges[(edges > 0) & (edges < len(t) - 1)]
+    turned = turning_points(height, noise, reach)
     rows: list[int] = []
-    for i in turning_points(height, noise, reach).tolist():
-        if rows and i - rows[-1] < max(3, reach // 2):  # noise at a high rate: one turn
-            rows[-1] = min(rows[-1], i, key=height.__getitem__)
+    for i in np.union1d(turned, edges).tolist():
+        if rows and i - rows[-1] < max(3, reach // 2) and not {i, rows[-1]} <= set(edges.tolist()):
+            rows[-1] = min(rows[-1], i, key=height.__getitem__)  # noise at a high rate: one turn
         else:
             rows.append(i)
     # the frame before which the ball turns, where frames are missing on a side of the lowest one; else the lowest is left out
@@ -73,6 +79,8 @@ def find_turns(track: Track, noise: float, down: tuple[float, float], gravity: f
         place = None
         if not lost[n] or t[k + 1] - t[k] < max(MAX_LOST_S, MAX_LOST_FRAMES * interval):
             place = _meeting(t, x, sides, np.array(down) * gravity, noise, interval)
+        if place is None and i not in turned:
+            continue
         low, high = (float(t[k]), float(t[k + 1])) if lost[n] else (float(t[i - 1]), float(t[i + 1]))
         where = (float(x[i, 0]), float(x[i, 1]))
         if place is not None and lost[n]:  # (frames missing are no time during which something else could happen)

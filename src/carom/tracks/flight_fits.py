@@ -95,6 +95,11 @@ def fit_flight(
         return np.concatenate([frames.reshape(-1, len(theta)), known_slope])
 
     best, _chi2 = solve(residual, slope, theta, scale)
+    early, late = time[time < near][-1], time[time >= near][0]
+    if not 2 * early - late < best[TIME] < 2 * late - early:  # straight lines through bent flights met elsewhere
+        fall = gravity * (np.square(time - near) / 2)[:, None]
+        theta = np.concatenate([starting_values(time, position - fall, time < near, time >= near, near), gravity])
+        best, _chi2 = solve(residual, slope, theta, scale)
     rates = slope(best)
     fit = contact_fit(
         best, np.ones(len(theta), bool), residual, rates, _outputs, partial(_position, best, drag=used),

@@ -35,12 +35,13 @@ MAX_PIECES = 400  # of a track
 # Stretches that show a free fall, s, and how many of them: by how much their acceleration may differ from gravity (air), the least
 # cosine of its angle to the vertical, its error bars within that, and their scatter in units of the noise
 FALLS, FALL_FRAMES = ((0.3, 1), (0.2, 1), (0.15, 1), (0.1, 2)), 6
-FALL_SHARE, UPRIGHT, FALL_ERRORS, FALL_SCATTER = 0.15, 0.966, 3.0, 3.0
-MAX_SLIDING, MOVING, LEVEL = (
-    0.7,
-    0.05,
-    0.1,
-)  # of gravity, the largest deceleration on a table; m/s; slope of a level path
+FALL_SHARE, UPRIGHT, FALL_ERRORS, FALL_SCATTER = 0.15, 0.966, 3.0, 1.8
+CORNERS, NO_CORNER = (
+    (-0.5, -0.25, 0.0, 0.25, 0.5),
+    9.0,
+)  # where a bounce in its place is tried, and by how much chi2 excludes it
+# Of gravity, the largest deceleration on a table; a speed, m/s, that counts as motion; slope of a path that is level
+MAX_SLIDING, MOVING, LEVEL = 0.7, 0.15, 0.1
 GRAVITY_SHARE = 0.3  # of gravity, by which an acceleration may differ from it
 UNIT_SHARE = 0.15
 UNITS = {"mm": 1e3, "cm": 1e2, "in": 1 / 0.0254}
@@ -186,10 +187,11 @@ def falls_freely(tracks: Sequence[Track], gravity: float) -> float:
             windows = _windows(track, span)
             if windows is None:
                 continue
-            first, a, error, scatter, v = windows
+            first, a, error, scatter, v, corner = windows
             size = np.hypot(*a.T)
             falls = (np.abs(size / abs(gravity) - 1) < FALL_SHARE) & (-np.sign(gravity) * a[:, 1] > UPRIGHT * size)
             falls &= (FALL_ERRORS * error < FALL_SHARE * abs(gravity)) & (scatter < FALL_SCATTER)
+            falls &= corner > NO_CORNER
             falls &= (gravity > 0) | (np.abs(v[:, 1]) > np.abs(v[:, 0]))
             last = -np.inf
             for t in first[falls].tolist():
@@ -204,7 +206,7 @@ def moves_on_a_table(tracks: Sequence[Track], gravity: float) -> bool:
     """Return whether a ball certainly moves with less acceleration, for some time, than one in flight; not level, as on a floor."""
     for windows in (_windows(track, FALLS[1][0]) for track in tracks):
         if windows is not None:
-            _first, a, error, scatter, v = windows
+            _first, a, error, scatter, v, _corner = windows
             size = np.hypot(*a.T) + FALL_ERRORS * error
             if (
                 (size < MAX_SLIDING * gravity)
@@ -215,10 +217,11 @@ def moves_on_a_table(tracks: Sequence[Track], gravity: float) -> bool:
     return False
 
 
-def _windows(track: Track, span: float) -> tuple[Array, Array, Array, Array, Array] | None:
+def _windows(track: Track, span: float) -> tuple[Array, Array, Array, Array, Array, Array] | None:
     """Return of stretches of a track, each ``span`` s long, their beginnings (n,), accelerations (n, 2) and errors (n,), m/s^2.
 
-    And their scatter about parabolas in units of the noise (n,), and their mean velocities (n, 2), m/s. None of a short track.
+    And their scatter about parabolas in units of the noise (n,), their mean velocities (n, 2), m/s, and by
+    how much chi2 is higher for straight lines with a corner (n,). None of a short track.
     """
     t, x = track.time, track.position
     interval = float(np.median(np.diff(t))) if len(t) > 1 else np.inf
@@ -236,9 +239,15 @@ def _windows(track: Track, span: float) -> tuple[Array, Array, Array, Array, Arr
     inverse = np.linalg.inv(powers.transpose(0, 2, 1) @ powers)
     y = x[rows] - x[rows].mean(axis=1, keepdims=True)
     fit = inverse @ (powers.transpose(0, 2, 1) @ y)
-    scatter = np.sqrt(np.square(y - powers @ fit).sum(axis=(1, 2)) / (2 * size - 6))
+    squares = np.square(y - powers @ fit).sum(axis=(1, 2))
+    scatter = np.sqrt(squares / (2 * size - 6))
+    bent = np.full(len(rows), np.inf)
+    for at in CORNERS:
+        q = np.linalg.qr(np.stack([u**0, u, np.abs(u - at)], axis=-1))[0]
+        bent = np.minimum(bent, np.square(y - q @ (q.transpose(0, 2, 1) @ y)).sum(axis=(1, 2)))
+    corner = (bent - squares) / noise**2
     error = 2 * np.sqrt(inverse[:, 2, 2]) / half[:, 0] ** 2 * np.maximum(scatter, noise)
-    return t[rows[:, 0]], 2 * fit[:, 2] / half**2, error, scatter / noise, fit[:, 1] / half
+    return t[rows[:, 0]], 2 * fit[:, 2] / half**2, error, scatter / noise, fit[:, 1] / half, corner
 
 
 def axis_points_down(tracks: Sequence[Track], gravity: float) -> float:

@@ -26,8 +26,9 @@ def on_either_floor(
 
     ``excess``: by how much all of them together are fitted worse with friction, which is not certain.
     """
+    straight = [replace(one, friction_excess=its.friction_excess) for one, its in zip(straight, sliding, strict=True)]
     if excess >= DECISIVE:
-        return list(straight), [
+        return straight, [
             "the floor has no friction, as of an air table: the ball goes straight on at constant speed where friction would"
             " slow it down after a wall; its spin is unknown (`floor_friction` gives one)"
         ]
