@@ -26,9 +26,10 @@ from carom.tracks.flight_fits import _position, _slope_in_vacuum
 from carom.tracks.floor import pool_floor, shared_fraction
 from carom.tracks.frame_clock import camera_clock
 from carom.tracks.least_squares import ContactFit, Prior
-from carom.tracks.preprocess import position_noise, rounding_step, without_outliers
+from carom.tracks.preprocess import rounding_step, without_outliers
 from carom.tracks.table_contact import COUNT, at_contact, contact_path, contact_slopes
 from carom.tracks.table_motion import moved_slopes, slide_then_roll
+from carom.tracks.track import position_noise
 
 ABOVE = Settings(view="above")
 

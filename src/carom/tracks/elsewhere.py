@@ -113,15 +113,15 @@ def _meeting(
     gain = float((lines[1][1] - lines[0][1]) @ up)
     if gain < 5 * float(np.sqrt(errors[0][1, 1] + errors[1][1, 1])):
         return None
-    s = float((lines[0][0] - lines[1][0]) @ up) / gain
-    both = [line[0] + line[1] * s + pull * (s * s / 2) for line in lines]
-    spread = sum(e[0, 0] + 2 * e[0, 1] * s + e[1, 1] * s * s for e in errors)
-    if not float(t[sides[0][-1]]) - interval < zero + s < zero + interval:
+    since = float((lines[0][0] - lines[1][0]) @ up) / gain
+    both = [line[0] + line[1] * since + pull * (since * since / 2) for line in lines]
+    spread = sum(e[0, 0] + 2 * e[0, 1] * since + e[1, 1] * since * since for e in errors)
+    if not float(t[sides[0][-1]]) - interval < zero + since < zero + interval:
         return None
     if np.hypot(*(both[1] - both[0])) > MAX_APART_M + 5 * float(np.sqrt(spread)):
         return None
     middle = (both[0] + both[1]) / 2
-    return zero + s, (float(middle[0]), float(middle[1]))
+    return zero + since, (float(middle[0]), float(middle[1]))
 
 
 def floor_of_turns(walls: Sequence[WallLine], turns: Sequence[Turn], down: tuple[float, float]) -> tuple[WallLine, ...]:

@@ -40,8 +40,7 @@ from carom.tracks.formats.projects import START, foreign_file
 from carom.tracks.formats.text_table import Calibration, first_rows
 from carom.tracks.frame_clock import MIN_INTERVAL_S, at_rate, without_rounding
 from carom.tracks.free_fall import in_a_plane, likely_unit
-from carom.tracks.preprocess import position_noise
-from carom.tracks.track import Track
+from carom.tracks.track import Track, position_noise
 
 MESSAGE_PACK = ".msgpack"
 OF_REBOUNDS = ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in")  # columns
