@@ -4,7 +4,8 @@
 
 N files (100,000) from the seed ``first`` on: tracks of all formats, tables of rebounds and states, scenes, gases and their
 checkpoints, with bytes flipped, cut, moved and repeated, lines inserted, encodings swapped, cells of 200,000 characters, and
-numbers such as 1e-320, 1e308, nan and inf. Each goes to one command, in a process that is ended after ``limit`` seconds of CPU.
+numbers such as 1e-320, 1e308, nan and inf; brackets nested 100,000 deep, devices and pipes. Each goes to one command, in a process
+that is ended after ``limit`` seconds of CPU.
 A fault is anything but success, or exit code 2 with clean lines on standard error and nothing on standard output; --keep saves such
 files. The commands take turns, so that a run that is ended has files of each. Ends with 1 if there is a fault.
 """
@@ -50,8 +51,14 @@ COMMANDS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "scene check": (("scene", "check", "FILE"), ("scene", "gas")),
     "simulate": (("simulate", "FILE", "--max-events", "40", "--duration", "2", "--json"), ("scene",)),
     "gas": (("gas", "FILE", "--max-events", "10", "--quiet"), ("gas",)),  # (a run of few events has hundreds of samples)
+    "sweep": (("sweep", "explain", "FILE"), ("sweep",)),
+    "figure": (("orbit", "FILE", "--bounces", "20"), ("figure",)),
+    "judge": (("judge", "FILE", "--radius", "0.03"), ("film",)),
     "gas from a checkpoint": (("gas", "--resume", "FILE", "--quiet"), ("checkpoint",)),
 }  # fmt: skip
+ENDINGS = {"checkpoint": "npz", "scene": "toml", "gas": "toml", "sweep": "toml", "figure": "json"}  # (else csv)
+# What stands for a file: devices without an end, and a pipe that nobody writes to.
+NO_FILES = (b"link to /dev/zero", b"link to /dev/urandom", b"link to /dev/tty", b"pipe")
 SLOW = {"fit of rebounds": 0.2, "fit of tracks": 0.1, "fit of whole tracks": 0.005, "design": 0.05, "gas": 0.5}
 """How many of these there are beside one of each other command. A first look leaves out what takes longest."""
 NUMBERS = (
@@ -64,6 +71,8 @@ TEXTS = (
     '"',
     '""',
     "\0",
+    "[" * 100_000,
+    '{"a":' * 3000,
     "\r",
     "\n\n\n",
     "#",
@@ -97,6 +106,7 @@ def bases() -> dict[str, list[bytes]]:
     from carom.data.published import published_rebounds
     from carom.gas.build import gas_text
     from carom.scene.toml import scene_text
+    from carom.sweeps import new_sweep
 
     scenes = [path.read_bytes() for path in sorted((ROOT / "docs" / "scenes").glob("*.toml"))]
     tables = []
@@ -115,6 +125,8 @@ def bases() -> dict[str, list[bytes]]:
         "scene": [scene_text().encode()] + [text for text in scenes if b"[[balls]]" in text],
         "gas": [gas_text().encode()] + [text for text in scenes if b"[[species]]" in text],
         "checkpoint": [_checkpoint()],
+        "sweep": [new_sweep().encode()],
+        "figure": [b"[[0, 0], [2, 0], [2, 1], [0, 1]]", b'{"shape": "curve", "r": "1 + 0.1*cos(3*theta)"}'],
     }
 
 
@@ -178,7 +190,7 @@ def _checkpoint() -> bytes:
 def mutated(raw: bytes, rng: np.random.Generator) -> bytes:
     """A file with one change, or with some more; one in fifty stays as it is."""
     if rng.random() < 0.02:
-        return raw
+        return raw if rng.random() < 0.8 else NO_FILES[rng.integers(len(NO_FILES))]
     if raw.startswith(b"PK") and rng.random() < 0.7:
         return _array(raw, rng)
     for _ in range(rng.geometric(0.6)):
@@ -286,16 +298,17 @@ def _array(raw: bytes, rng: np.random.Generator) -> bytes:
         arrays[name] = np.full(array.shape, "x")
     elif how == 3:
         arrays[name] = np.array([], dtype=array.dtype)
-    elif array.dtype.kind in "iuf" and array.size:
+    elif array.size and (array.dtype.names is not None or array.dtype.kind in "iuf"):
+        arrays[name] = array
+        if array.dtype.names is not None:  # (one field of records)
+            array = array[array.dtype.names[rng.integers(len(array.dtype.names))]]
         value = (
-            (np.nan, np.inf, 1e308, 1e-320, -1.0)[rng.integers(5)]
+            (np.nan, np.inf, -np.inf, 1e308, 1e-320, -1.0, -1e300)[rng.integers(7)]
             if array.dtype.kind == "f"
             else (-1, 2**31 - 1)[rng.integers(2)]
         )
-        flat = array.reshape(-1)
         with np.errstate(all="ignore"):
-            flat[rng.integers(array.size)] = np.array(value).astype(array.dtype)
-        arrays[name] = array
+            array.flat[rng.integers(array.size)] = np.array(value).astype(array.dtype)
     saved = io.BytesIO()
     np.savez(saved, **arrays)
     return saved.getvalue()
@@ -395,10 +408,13 @@ def run_on(raw: bytes, command: str, limit: float) -> str:
     """Run a command on a file with this content, in a folder of its own, in which it may leave nothing."""
     words, kinds = COMMANDS[command]
     with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
-        file = Path(folder) / (
-            "case.npz" if "checkpoint" in kinds else "case.toml" if kinds[0] in ("scene", "gas") else "case.csv"
-        )
-        file.write_bytes(raw)
+        file = Path(folder) / f"case.{ENDINGS.get(kinds[0], 'csv')}"
+        if raw == b"pipe":
+            os.mkfifo(file)
+        elif raw in NO_FILES:
+            file.symlink_to(raw.decode().removeprefix("link to "))
+        else:
+            file.write_bytes(raw)
         found = outcome([str(file) if word == "FILE" else word for word in words], limit)
         left = sorted(path.name for path in Path(folder).iterdir() if path != file)
     if left and found in ("answered", "refused"):
