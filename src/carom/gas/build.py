@@ -73,7 +73,7 @@ def records_of(scene: GasScene) -> tuple[SystemRecords, Array]:
     """Return the records of the gas of a scene without its balls, and the species of each of the engine's."""
     species, *rest, rate = _inputs(scene)
     sizes = SizeClasses(species)
-    return system_records(sizes.kinds, *rest, sizes.groups.tolist(), rate), sizes.groups
+    return system_records(sizes.kinds, *rest, groups=sizes.groups.tolist(), shear_rate=rate), sizes.groups
 
 
 def _from_file(scene: GasScene) -> dict[str, Any]:
