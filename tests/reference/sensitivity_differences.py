@@ -6,7 +6,9 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
+from reference.drawn_options import random_scene
 from reference.scenes_of_all_laws import scene_of_all_laws
+from reference.trips import leaves
 
 import carom
 from carom.scene.paths import path_match, replaced
@@ -65,9 +67,31 @@ def sequence(run: Any, t: float) -> list[tuple[int, ...]]:
     return [tuple(int(row[name]) for name in names) for row in rows]
 
 
-def compare(seed: int) -> list[Case]:
-    """Compare the derivatives of a random scene at a time between two of its events with those of differences."""
-    scene = scene_of_all_laws(seed)
+def drawn_paths(scene: carom.Scene, seed: int) -> list[str]:
+    """Return four numbers of a scene, drawn from all that it has: of every shape, option and form."""
+    rng = np.random.default_rng([seed, 63])
+    found = [path for path, value in leaves(scene) if isinstance(value, float) and _may_vary(scene, path, value)]
+    return [str(path) for path in rng.choice(found, min(4, len(found)), replace=False)]
+
+
+def _may_vary(scene: carom.Scene, path: str, value: float) -> bool:
+    """Return whether a number of a scene can be a little larger and smaller, and has a derivative by itself."""
+    if not (value and math.isfinite(value)) or path.startswith(("run.", "rack.")):
+        return False
+    for factor in (1 + 1e-6, 1 - 1e-6):
+        try:
+            replaced(scene, {path: value * factor})
+        except carom.CaromError:
+            return False
+    return True
+
+
+def compare(seed: int, drawn: bool = False) -> list[Case]:
+    """Compare the derivatives of a random scene at a time between two of its events with those of differences.
+
+    ``drawn``: of a scene of every shape and option, by numbers among all of its own.
+    """
+    scene = random_scene(seed) if drawn else scene_of_all_laws(seed)
     most = min(EVENTS, scene.run.max_events or EVENTS)
     scene = replaced(scene, {"run.max_events": most})
     try:
@@ -80,7 +104,7 @@ def compare(seed: int) -> list[Case]:
     if len(wide) == 0:
         return [Case(seed, "", "no events")]
     t = float((times[wide[-1]] + times[wide[-1] + 1]) / 2)
-    paths = paths_of(scene, seed)
+    paths = drawn_paths(scene, seed) if drawn else paths_of(scene, seed)
     if not paths:
         return [Case(seed, "", "no parameter")]
     try:

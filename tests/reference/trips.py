@@ -19,7 +19,7 @@ from carom.scene.schema import Model
 from carom.simulation.setup import set_up
 from carom.sweeps import ImpactCase, OrbitCase
 
-__all__ = ["fields_given", "leaves", "lost_trips", "same"]
+__all__ = ["fields_given", "leaves", "lost_trips", "same", "swept_otherwise"]
 
 # What a model is whose number stands for others, or for what is computed anew.
 FIXED = ("preset", "shape", "form", "distribution", "rack")
@@ -155,3 +155,19 @@ def lost_trips(model: Any, folder: Path, stores: bool = True) -> list[str]:
         except (carom.CaromError, AssertionError, TypeError, ValueError, KeyError) as error:
             found.append(f"{name}: {type(error).__name__} {str(error)[:300]}")
     return found
+
+
+def swept_otherwise(scene: carom.Scene, path: str, values: list[float]) -> int:
+    """Return at how many values of a number a sweep gives another final state than a run of the scene with that number."""
+    keep = ["final.position", "final.velocity", "final.spin"]
+    found = carom.sweep(carom.Space(scene, {path: values}), keep).run()
+    count = 0
+    for k, value in enumerate(values):
+        swept = [found[name].values.reshape(len(values), len(scene.balls), 3)[k] for name in keep]
+        try:
+            final = carom.simulate(carom.replaced(scene, {path: value})).final
+            alone = [final.position, final.velocity, final.spin]
+        except carom.CaromError:
+            alone = [np.full((len(scene.balls), 3), np.nan)] * 3
+        count += any(one.tobytes() != two.tobytes() for one, two in zip(swept, alone, strict=True))
+    return count
