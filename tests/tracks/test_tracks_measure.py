@@ -68,7 +68,9 @@ def pulls(kind: str, camera: Camera, numbers: range) -> dict[str, np.ndarray]:
         rng = np.random.default_rng(number)
         run = bounce(rng) if kind == "flight" else shot(rng, kind == "sliding")
         axes = (0, 2) if kind == "flight" else (0, 1)
-        settings = Settings(view="side") if kind == "flight" else ABOVE
+        settings = (
+            Settings(view="side", drag=0.0) if kind == "flight" else ABOVE
+        )  # (without air: unknown, it widens the bars)
         told = truth(run, axes)
         for one in measure([seen(run, camera, rng, axes)], settings).contacts:
             near = min(told, key=lambda row: abs(row["t"] - one.time))

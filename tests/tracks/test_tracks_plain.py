@@ -82,3 +82,15 @@ def test_bounces_whose_frames_are_lost_are_met_at_a_given_wall_too() -> None:
     for found in (bottom, measure([film.track], Settings(view="side", walls=(given,)))):
         times = np.array([one.time for one in found.measured])
         assert all(np.abs(times - one).min() < 2e-3 for one in visible[:3])
+
+
+def test_a_turn_at_no_wall_is_listed() -> None:
+    """On a table a ball comes back from a block in the middle, after it has met the wall on the left."""
+    t = np.arange(0, 2.0, 1 / 120)
+    x = np.where(t < 0.6, 0.9 * (0.6 - t), np.where(t < 1.2, 0.7 * (t - 0.6), 0.42 - 0.5 * (t - 1.2)))
+    place = np.stack([x, 0.1 * t], axis=-1) + np.random.default_rng(1).normal(0, 2e-4, (len(t), 2))
+    ball = Track("ball", t, place)
+    left = wall_through("left", (0.0, 0.0), (0.0, 1.0), [ball])
+    found = measure([ball], Settings(view="above", walls=(left,)))
+    assert len(found.contacts) == 1
+    assert any("1 bounce away from the wall, at (x, y) = (0.42" in note for note in found.notes)

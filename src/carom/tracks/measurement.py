@@ -46,7 +46,7 @@ from carom.tracks.plausibility import (
 from carom.tracks.preprocess import guess_view, initial_noise, rounding_step, without_outliers
 from carom.tracks.smooth_turns import certainly_sharp, turns_smoothly
 from carom.tracks.track import Track
-from carom.tracks.turned_camera import without_turned
+from carom.tracks.turned_camera import unlisted_turns, without_turned
 
 __all__ = ["Measured", "Settings", "TrackContact", "measure"]
 
@@ -294,9 +294,12 @@ def _in_view(
         lost = sum(turn.lost and turn.meets for turn in chain.from_iterable(turns.values()))
         notes += elsewhere_notes(chain.from_iterable(events.values()), len(walls) > 1, lost)
     notes += said
-    if view == "above" and settings.walls is None:
-        contacts, said = without_turned(contacts, film.tracks, events, film.noise, film.interval)
-        notes += said
+    if view == "above":
+        turned = list[str]()
+        if settings.walls is None:
+            contacts, turned = without_turned(contacts, film.tracks, events, film.noise, film.interval)
+        unlisted = unlisted_turns(film.tracks, events, film.interval)
+        notes += turned or elsewhere_notes(unlisted, len(walls) > 1, 0)
     notes += shared_error_notes(contacts, air)
     if not walls:
         notes.append("no wall found: no ball turns back at an extreme of the positions (`wall` gives one)")

@@ -13,7 +13,7 @@ from carom.tracks.contact import TrackContact
 from carom.tracks.events import SIDES, TrackEvent, frames_per_side
 from carom.tracks.track import Track
 
-__all__ = ["TURNED", "Turns", "camera_roll", "sharp_turns", "turned_walls", "without_turned"]
+__all__ = ["TURNED", "Turns", "camera_roll", "sharp_turns", "turned_walls", "unlisted_turns", "without_turned"]
 
 Array = NDArray[np.float64]
 SHARP, SLOWEST, NEAR_WALL_M = (
@@ -32,6 +32,8 @@ class Turns(NamedTuple):
     place: Array
     change: Array
     reach: Array
+    time: Array
+    """(n,) s."""
 
 
 def without_turned(
@@ -93,9 +95,24 @@ def sharp_turns(tracks: Sequence[Track], events: dict[tuple[str, str], list[Trac
         change = after - before
         for low, high in np.flatnonzero(np.diff(np.concatenate([[0], turning, [0]]))).reshape(-1, 2).tolist():
             most = low + int(np.argmax(np.hypot(*change[low:high].T)))
-            found.append([*x[i[most]], *change[most], interval * speeds[:, most].max()])
-    rows = np.array(found).reshape(-1, 5)
-    return Turns(rows[:, :2], rows[:, 2:4], rows[:, 4])
+            found.append([*x[i[most]], *change[most], interval * speeds[:, most].max(), t[i[most]]])
+    rows = np.array(found).reshape(-1, 6)
+    return Turns(rows[:, :2], rows[:, 2:4], rows[:, 4], rows[:, 5])
+
+
+def unlisted_turns(
+    tracks: Sequence[Track], events: dict[tuple[str, str], list[TrackEvent]], interval: float
+) -> list[TrackEvent]:
+    """Return the sharp turns of balls on a table that are at no wall and no other ball."""
+    found = []
+    for track in tracks:
+        margin = frames_per_side(track.time) * interval
+        met = [one for one in events[track.group, track.name] if one.kind == "wall"]
+        turns = sharp_turns([track], events, interval)
+        for (x, y), t in zip(turns.place.tolist(), turns.time.tolist(), strict=True):
+            if not any(one.low - margin < t < one.high + margin for one in met):
+                found.append(TrackEvent("turn", t, t, f"({x:.3f}, {y:.3f})"))
+    return found
 
 
 def camera_roll(tracks: Sequence[Track], turns: Turns, noise: float) -> float | None:
