@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import sys
+import warnings
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -340,3 +341,12 @@ def test_a_sweep_over_the_seed_of_a_rack_breaks_the_racks_that_simulate_breaks()
             found.sel(seed=seed), carom.simulate(carom.replaced(pool, {"rack.seed": seed})).final.position
         )
     assert not np.array_equal(found.sel(seed=0), found.sel(seed=1))
+
+
+def test_a_number_out_of_range_is_a_point_that_failed_without_a_warning():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = carom.sweep(
+            carom.Space(carom.new_scene(), {"balls.0.velocity": carom.polar([1.0, 1e308], [10.0])}), ["final.position"]
+        ).run()
+    assert (found["failed"].values.ravel() != 0).tolist() == [False, True]

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from carom.bodies import holds_arrays
 from carom.core.jit.threads import thread_count
 from carom.errors import CaromError, FaultList, require_type
+from carom.files import require_memory
 from carom.gas import histograms, initial, overlaps
 from carom.gas.edmd import driver
 from carom.gas.endings import EarlyEnd, EndedEarlyError
@@ -33,6 +34,7 @@ __all__ = ["Curve", "Ensemble", "member_scene", "simulate_ensemble"]
 
 Array = NDArray[np.float64]
 POLL_SECONDS = 0.1  # between two looks for members that are done, progress, and interrupts
+BYTES_PER_REPORT = 10_000.0  # of a gas, at least
 SEED_BITS = 53  # of a member's seed: JSON readers keep so many
 
 
@@ -154,6 +156,7 @@ def _require(scene: Any, members: Any, threads: Any) -> None:
         if isinstance(count, bool) or not isinstance(count, int | np.integer) or count < least:
             faults.add(name, f"a whole number >= {least}", f"{count!r}")
     faults.raise_if_any()
+    require_memory("simulate_ensemble", "members", members, BYTES_PER_REPORT, "take fewer gases")
     if not _depends_on_seed(scene):
         raise CaromError(
             f"{scene.where}: run: expected a start that depends on the seed, got gases that would all be the same; give a"

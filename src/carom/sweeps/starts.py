@@ -37,7 +37,8 @@ def start_states(scene: Scene, columns: dict[PathMatch, Array], arrays: SceneArr
         ball = scene.balls[i]
         moved |= any(keys[0] == "position" for keys in given)
         _place(ball, given, balls[:, i], doubtful)
-        _set_motion(ball, given, balls[:, i], doubtful)
+        with np.errstate(over="ignore", invalid="ignore"):  # (of numbers out of range, which are doubtful already)
+            _set_motion(ball, given, balls[:, i], doubtful)
     if moved:
         doubtful |= overlapping(SceneArrays(arrays.world[:1], arrays.features[0], balls[0], arrays.users), balls)
         places, which = np.unique(balls["x"].reshape(-1, 3), axis=0, return_inverse=True)
