@@ -270,7 +270,10 @@ def _between_contacts(
     t, names = float(ball.t[piece.first]), [ball.name]
     if len(up) <= FEW:
         return 0.0
+    step = float(np.diff(ball.t[piece.first : piece.last + 1]).max())
     if up.min() > SIGMAS * sigma + LEAST * ball.radius:
+        if up.max() < -pull[2] * step**2 / 2:  # (it may hop from frame to frame)
+            return 0.0
         off = float(np.linalg.norm(a - pull))
         said = ", ".join(f"{x:.3g}" for x in a)
         found.check(
