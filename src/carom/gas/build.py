@@ -71,9 +71,12 @@ def _inputs(scene: GasScene) -> tuple[Any, ...]:
 
 def records_of(scene: GasScene) -> tuple[SystemRecords, Array]:
     """Return the records of the gas of a scene without its balls, and the species of each of the engine's."""
-    species, *rest, rate = _inputs(scene)
+    species, container, contacts, gravity, contact_time, drives, thermostat, seed, rate = _inputs(scene)
     sizes = SizeClasses(species)
-    return system_records(sizes.kinds, *rest, groups=sizes.groups.tolist(), shear_rate=rate), sizes.groups
+    records = system_records(
+        sizes.kinds, container, contacts, gravity, contact_time, drives, thermostat, seed, sizes.groups.tolist(), rate
+    )
+    return records, sizes.groups
 
 
 def _from_file(scene: GasScene) -> dict[str, Any]:
