@@ -16,7 +16,7 @@ native:
 	python -m carom.cli.build_loops
 # the explorer's WebAssembly module, from today's kernels (extra wasm)
 wasm:
-	python -m carom.explorer.build
+	python -m carom.explorer.module
 # the explorer's page: types, lint, and the bundle of web/ with three.js (Node 20 or later)
 page:
 	cd web && npm install --no-package-lock --no-audit --no-fund && npm run check && npm run build

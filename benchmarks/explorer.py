@@ -19,7 +19,7 @@ from rows import run_script
 
 import carom
 from carom.explorer.module import engine_bytes, engine_layout
-from carom.scene.as_json import scene_dict
+from carom.scene.scene import scene_dict
 
 ROOT = Path(__file__).parents[1]
 SITE = "http://carom.test"

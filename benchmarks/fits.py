@@ -16,7 +16,7 @@ from rows import REPEATS, SMALL, alone, paired, report, run_script, seconds, usu
 from carom.data.rebounds import make_rebounds
 from carom.fitting import Setting, fit_law, make_problem, with_bootstrap
 from carom.fitting.laws import laws_named
-from carom.fitting.starts import StatesBy
+from carom.fitting.table_numbers import StatesBy
 from carom.fitting.tracks import fit_tracks, objective
 from carom.simulation.sensitivity.at_times import states_at
 from carom.tracks import Measured, Settings, measure

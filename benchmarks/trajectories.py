@@ -19,7 +19,7 @@ from rows import REPEATS, SMALL, alone, clock, paired, report, run_script, secon
 
 import carom
 from carom.scene.shapes import Plane, Table
-from carom.simulation.compiled import compiled_engine
+from carom.simulation.loop import compiled_engine
 
 RADIUS, MASS, GRAVITY = 0.03075, 0.21, 9.81
 LENGTH, WIDTH = 2.84, 1.42

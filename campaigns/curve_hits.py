@@ -22,9 +22,8 @@ from reference.curves import CURVES, depth, first_crossings, on_parallel
 
 import carom
 from carom import billiards
-from carom.core.geometry.arc_tables import arc_tables
-from carom.core.geometry.curve_features import HIT, NUMBERS, arc_address
-from carom.core.jit.pointers import address_of_table
+from carom.core.geometry.curve_arcs import HIT, NUMBERS, arc_address, arc_tables
+from carom.core.jit.calls import address_of_table
 from carom.scene.figures import OutlineFigure, Piece
 
 NEAR = 1e-12  # m: a hit lies at the ball's distance from the curve to this

@@ -22,13 +22,13 @@ from carom.gas import (
     Gas,
     Species,
     diffusion_coefficients,
-    layer_profiles,
     scattered,
     sheared_viscosity,
     simulate_gas,
     transport_coefficients,
 )
-from carom.gas import enskog as enskog_theory
+from carom.gas import coefficients as enskog_theory
+from carom.gas import measures as layer_profiles
 
 SMOOTH, ROUGH = carom.Surface(1, 0, -1), carom.Surface(1, math.inf, 1)
 BALL, DISC = carom.Ball(0.5, 1.0, 0.4), carom.Disc(0.5, 1.0, 0.5)

@@ -21,20 +21,25 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.fitting.shots.film import FilmedShot
 from carom.fitting.shots.result import ShotsFit
-from carom.fitting.shots.search import SearchSettings, ShotStart, error_of_frames, horizons, refined, search_start, soft
-from carom.fitting.shots.start import (
+from carom.fitting.shots.search import (
     FIRST_PLACE,
     LIMITS,
     SPIN,
     TIME,
     VELOCITY,
+    SearchSettings,
+    ShotStart,
+    error_of_frames,
+    horizons,
+    refined,
     residuals,
+    search_start,
+    soft,
     start_size,
     starting_balls,
 )
 from carom.fitting.shots.table import table_of
-from carom.fitting.starts import balls_by, balls_of, states_by
-from carom.fitting.table_numbers import TableNumbers
+from carom.fitting.table_numbers import TableNumbers, balls_by, balls_of, states_by
 from carom.simulation.sensitivity.at_times import states_at
 
 Array = NDArray[np.float64]

@@ -19,7 +19,7 @@ from reference.known_films import drawn_curve, drawn_fall, fallen
 from carom.errors import CaromError
 from carom.fitting import Setting, fit_laws
 from carom.tracks import Settings, measure, usable_stages
-from carom.tracks.film_files import measure_films
+from carom.tracks.films import measure_films
 from carom.tracks.read import TrackFile
 
 # What is given of the falls, and whether the air slows them

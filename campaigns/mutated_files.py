@@ -493,7 +493,7 @@ def _serve(line: Connection, limit: float, keep: Path | None) -> None:
 
 def _measure_each_film_once() -> None:
     """Keep the latest films that were measured: many changes of a file leave its tracks as they were."""
-    from carom.tracks import film_files
+    from carom.tracks import films as film_files
 
     known: OrderedDict[bytes, Any] = OrderedDict()
     measure = film_files.measure

@@ -23,7 +23,7 @@ import carom
 from carom.fitting.result import with_error_bar
 from carom.fitting.shots import ShotsFit, drawn_films, fit_of_some
 from carom.fitting.shots.result import HORIZONS
-from carom.tracks.film_tracks import films_of
+from carom.tracks.films import films_of
 
 KINDS = ("fit", "rest", "halves", "alone")
 PARTS = ((1 / 3, "first third"), (1 / 2, "first half"))

@@ -18,7 +18,7 @@ from campaign import campaign, counting_errors, held
 from reference.synthetic_runs import RADIUS, film
 
 from carom.errors import CaromError
-from carom.fitting.setting import Setting
+from carom.fitting.rows import Setting
 from carom.fitting.tracks import fit_tracks
 from carom.tracks import Settings, measure
 

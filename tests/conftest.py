@@ -58,7 +58,7 @@ def forked() -> Iterator[Forked]:
     It has imported neither SciPy nor Matplotlib, which some processes must find missing.
     """
     with forking(
-        "carom.laws.comparison", "pydantic.main", "pydantic.types", "carom.scene.plausible", "rich.table",
+        "carom.laws.comparison", "pydantic.main", "pydantic.types", "carom.scene.openings", "rich.table",
         "carom.simulation.simulate", "carom.gas.session", "xarray", "pyarrow.parquet", "gsd.hoomd",
     ) as run:  # fmt: skip
         yield run

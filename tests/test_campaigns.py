@@ -53,8 +53,8 @@ def test_an_equivalent_mutant_is_one_line_of_code_of_today() -> None:
         lines = [line.strip() for line in (ROOT / "src" / "carom" / path).read_text(encoding="utf-8").splitlines()]
         assert text in lines, known
         assert change.split(" -> ")[0] in text, known
-    row = {"mutant": "gas/sizes.py:23: 0 -> 1", "text": "found = 0"}
-    assert mutants.identity(row) == "gas/sizes.py | found = 0 | 0 -> 1"
+    row = {"mutant": "gas/species.py:23: 0 -> 1", "text": "found = 0"}
+    assert mutants.identity(row) == "gas/species.py | found = 0 | 0 -> 1"
     elsewhere = {"mutant": "billiards/setup.py:1: 0 -> 1", "text": "return np.zeros(0)"}
     assert mutants.identity(elsewhere) not in mutants.judged_equivalent()
 

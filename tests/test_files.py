@@ -19,7 +19,7 @@ from carom.cli import main
 from carom.errors import CaromError, MissingLibraryError
 from carom.files import OPTIONAL, atomic_path, install_command, require_library, require_writable, write_text
 from carom.gas.snapshots import read_initial_state
-from carom.laws.user import find_law
+from carom.laws.registry import find_law
 from carom.public.own_laws import OwnLaw
 from carom.tracks import judge
 

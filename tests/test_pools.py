@@ -17,7 +17,7 @@ import pytest
 
 import carom
 from carom import scene
-from carom.laws.user import find_law
+from carom.laws.registry import find_law
 from carom.public.own_laws import OwnLaw
 
 OWN = "def law(v, w, n, a, kappa, e, mu, beta):\n    return (-0.5 * v[0], v[1], v[2]), w\n"

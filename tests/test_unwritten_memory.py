@@ -15,7 +15,7 @@ from carom import billiards, gas
 from carom.data import make_rebounds
 from carom.fitting import fit_law, make_problem
 from carom.fitting.laws import laws_named
-from carom.tracks.table_contact import contact_path, contact_slopes
+from carom.tracks.contact_models import contact_path, contact_slopes
 
 BALL, WALL, FLOOR = carom.Ball(0.03, 0.2), carom.Surface(0.85, 0.2), carom.Surface(0.5, 0.2)
 FILLS = (0x00, 0x3F, 0xC0, 0xFF)  # as numbers: zeros, 4.8e-4, -8577.5, NaN

@@ -175,9 +175,9 @@ def name_of(code: CodeType) -> str:
 
 def run_as_python() -> None:
     """Have loops and kernels run as plain Python, all warnings of NumPy's numbers off, as in compiled code."""
+    from carom.core.jit import calls as pointers
     from carom.core.jit import compile as compiling
-    from carom.core.jit import pointers
-    from carom.core.jit.objects import as_objects, write_back
+    from carom.core.jit.kernel import as_objects, write_back
 
     def njit(function: Callable[..., Any], signature: Any = None, **_options: Any) -> Callable[..., Any]:
         @functools.wraps(function)

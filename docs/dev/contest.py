@@ -27,12 +27,11 @@ import numpy as np
 from carom.bodies import inertia_number
 from carom.data import published_rebounds, read_rebounds
 from carom.fitting import Setting, fit_law, make_problem
-from carom.fitting.data import Problem
-from carom.fitting.form_choice import choose_forms
-from carom.fitting.laws import laws_for
+from carom.fitting.forms import choose_forms
+from carom.fitting.laws import FORMS, laws_for
 from carom.fitting.model import predict_law
-from carom.fitting.parameters import FORMS
-from carom.fitting.predictive import predictive_of
+from carom.fitting.rows import Problem
+from carom.fitting.varying import predictive_of
 
 FOLDS, SPINS = 5, 400
 LEAST_NOISE = 1e-3  # of a Gaussian process: its variance, in that of the outputs

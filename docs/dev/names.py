@@ -21,16 +21,15 @@ import carom
 from carom.data.headers import STATE_COLUMNS
 from carom.data.rebounds import COLUMNS, NAMED
 from carom.fitting import Setting
-from carom.fitting.parameters import ALONG, PARAMETERS
-from carom.fitting.setting import FORM_PARAMETERS
+from carom.fitting.laws import ALONG, PARAMETERS
+from carom.fitting.rows import FORM_PARAMETERS
 from carom.fitting.tracks.model import FLOOR as TRACK_PARAMETERS
-from carom.scene.ball import CueStrike, SceneBall, SceneCue
-from carom.scene.ball_contact import BallContact
+from carom.scene.ball import BallContact, CueStrike, SceneBall, SceneCue
 from carom.scene.floor import Floor
-from carom.scene.pockets import Pockets
 from carom.scene.restitution import Exponential, Polynomial, Viscoelastic
 from carom.scene.scene import Run, Scene
 from carom.scene.shapes import Table
+from carom.scene.shapes.table import Pockets
 from carom.sweeps import ImpactCase
 from carom.tracks import Settings
 from carom.tracks.rebounds import FLOOR as FILM_COLUMNS

@@ -20,8 +20,8 @@ import numpy as np
 
 from carom.data import Rebounds, make_rebounds, read_rebounds
 from carom.fitting import Fit, Ranking, Setting, fit_laws, make_problem
+from carom.fitting.laws import INDEX
 from carom.fitting.model import predict_law
-from carom.fitting.parameters import INDEX
 from carom.fitting.result import with_error_bar
 
 IMAGES = Path(__file__).parents[1] / "images"

@@ -16,9 +16,9 @@ from rich.progress import Progress
 from scipy.stats import wilcoxon
 
 from carom.fitting.result import with_error_bar
-from carom.fitting.setting import Setting
+from carom.fitting.rows import Setting
 from carom.fitting.tracks import TrackFit, fit_tracks
-from carom.plot.fit_tracks import plot_tracks
+from carom.plot.fit import plot_tracks
 from carom.plot.style import save
 from carom.tracks import Settings, measure, read_tracks
 

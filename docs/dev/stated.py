@@ -38,10 +38,13 @@ import numpy as np
 
 import carom
 from carom.data import read_rebounds
-from carom.fitting import evidence, identifiability, spin_quadrature, tabulated
+from carom.fitting import evidence
+from carom.fitting import identify as identifiability
+from carom.fitting import law_table as tabulated
+from carom.fitting import spins as spin_quadrature
 from carom.gas import initial, session
 from carom.gas.edmd import calendar, collisions
-from carom.laws import hertz
+from carom.laws import pair as hertz
 from carom.simulation import cluster_steps
 
 ROOT = Path(__file__).parents[2]
@@ -311,15 +314,15 @@ STATEMENTS = (
             ("gas", r"reset every (\d+) collisions per ball", initial.STAGE, "carom.gas.initial"),
             ("gas", r"a ball that has (\d+) contacts in a row", collisions.PATIENCE, "carom.gas.edmd.collisions"),
             ("pairs", r"and Kennedy\), (\d+) a contact", cluster_steps.STEPS, "carom.simulation.cluster_steps"),
-            ("fitting", r"has risen by ([\d.]+) \(99", identifiability.FLAT_RISE, "carom.fitting.identifiability"),
-            ("fitting", r"stays below ([\d.]+) \(99", identifiability.FLAT_RISE, "carom.fitting.identifiability"),
-            ("fitting", r"From (\d+) such rows on", tabulated.LEAST_ROWS, "carom.fitting.tabulated"),
+            ("fitting", r"has risen by ([\d.]+) \(99", identifiability.FLAT_RISE, "carom.fitting.identify"),
+            ("fitting", r"stays below ([\d.]+) \(99", identifiability.FLAT_RISE, "carom.fitting.identify"),
+            ("fitting", r"From (\d+) such rows on", tabulated.LEAST_ROWS, "carom.fitting.law_table"),
             ("fitting", r"normal prior by (\d+) to 1", evidence.DECIDED, "carom.fitting.evidence"),
             (
                 "fitting",
                 r"evaluated at (\d+) values",
                 len(spin_quadrature.sigma_grid()),
-                "carom.fitting.spin_quadrature",
+                "carom.fitting.spins",
             ),
         )
     ),
@@ -364,7 +367,7 @@ STATEMENTS = (
         "its formula",
     ),
     Statement("docs/theory/pairs.md", r"0\.95\$ this is ([\d.]+) even", lambda: [2 / 7 / 1.95], "its formula"),
-    Statement("docs/theory/pairs.md", r"for (\d+) µs at 1 m/s and (\d+) µs at 9\.5", pool_balls, "carom.laws.hertz"),
+    Statement("docs/theory/pairs.md", r"for (\d+) µs at 1 m/s and (\d+) µs at 9\.5", pool_balls, "carom.laws.pair"),
     Statement(
         "docs/theory/strike.md",
         r"default cue \((\d+) oz, end mass (\d+) g, tip \$e = ([\d.]+)\$, \$\\mu = ([\d.]+)\$",

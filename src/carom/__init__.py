@@ -12,7 +12,7 @@ from carom.public.interrupts import end_at_once_while_starting as _end_at_once_w
 
 _end_at_once_while_starting()
 
-from carom.public.names import attach_public as _attach_public  # noqa: E402
+from carom.public.guard import attach_public as _attach_public  # noqa: E402
 from carom.public.other_rooms import find_functions_with as _find_functions_with  # noqa: E402
 
 __getattr__, __dir__, __all__ = _attach_public(__name__, __file__)

@@ -25,8 +25,8 @@ from .data.predict import predict as predict
 from .errors import CaromError as CaromError
 from .explorer.page import explore as explore
 from .fitting.design_shots import design as design
-from .fitting.fit_files import fit as fit
-from .fitting.gas_fit import fit_gas as fit_gas
+from .fitting.files import fit as fit
+from .fitting.gas import fit_gas as fit_gas
 from .fitting.shots.fit import fit_shots as fit_shots
 from .gas.simulate import simulate_gas as simulate_gas
 from .laws.comparison import Comparison as Comparison
@@ -38,6 +38,10 @@ from .laws.contact import impact_into as impact_into
 from .laws.conventional import conventional as conventional
 from .laws.domenech import Scattering as Scattering
 from .laws.domenech import domenech as domenech
+from .laws.landing import Flight as Flight
+from .laws.landing import Impact as Impact
+from .laws.landing import Settled as Settled
+from .laws.landing import TwoStep as TwoStep
 from .laws.landing import settle as settle
 from .laws.law import Card as Card
 from .laws.law import Law as Law
@@ -49,17 +53,13 @@ from .laws.pair import Collision as Collision
 from .laws.pair import collide as collide
 from .laws.registry import CARDS as CARDS
 from .laws.registry import LAWS as LAWS
-from .laws.results import Flight as Flight
-from .laws.results import Impact as Impact
-from .laws.results import Settled as Settled
-from .laws.results import TwoStep as TwoStep
 from .laws.strike import Cue as Cue
 from .laws.strike import Strike as Strike
 from .laws.strike import strike as strike
 from .laws.two_step import two_step as two_step
 from .laws.two_step_batch import two_step_into as two_step_into
+from .scene.ball import BallContact as BallContact
 from .scene.ball import SceneBall as SceneBall
-from .scene.ball_contact import BallContact as BallContact
 from .scene.floor import Floor as Floor
 from .scene.paths import replaced as replaced
 from .scene.rack import Rack as Rack
@@ -70,14 +70,14 @@ from .scene.toml import load_scene as load_scene
 from .scene.toml import new_scene as new_scene
 from .scene.toml import save_scene as save_scene
 from .scene.toml import scene_text as scene_text
-from .simulation.events import Event as Event
-from .simulation.events import Events as Events
 from .simulation.load import load_trajectory as load_trajectory
-from .simulation.many_runs import ManyRuns as ManyRuns
-from .simulation.sensitivity.many import ManySensitivities as ManySensitivities
-from .simulation.sensitivity.many import sensitivities as sensitivities
+from .simulation.sensitivity.at_times import ManySensitivities as ManySensitivities
+from .simulation.sensitivity.at_times import sensitivities as sensitivities
+from .simulation.simulate import ManyRuns as ManyRuns
 from .simulation.simulate import simulate as simulate
 from .simulation.simulate import simulate_many as simulate_many
+from .simulation.trajectory import Event as Event
+from .simulation.trajectory import Events as Events
 from .simulation.trajectory import Trajectory as Trajectory
 from .sweeps.aiming import Aim as Aim
 from .sweeps.aiming import Aims as Aims
@@ -86,6 +86,6 @@ from .sweeps.axes import polar as polar
 from .sweeps.space import Space as Space
 from .sweeps.sweep import Sweep as Sweep
 from .sweeps.sweep import sweep as sweep
-from .tracks.film_files import measure_tracks as measure_tracks
+from .tracks.films import measure_tracks as measure_tracks
 
 __version__: str

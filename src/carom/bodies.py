@@ -25,10 +25,6 @@ from carom.errors import (
     require_type,
 )
 
-__all__ = [
-    "INERTIAS", "Ball", "Disc", "State", "Surface", "holds_arrays", "inertia_number", "kinetic_energy", "rolling", "slip",
-]  # fmt: skip
-
 Array = NDArray[np.float64]
 Record = TypeVar("Record")
 Numbers = float | Array  # one number, or an array of them

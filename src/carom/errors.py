@@ -16,29 +16,6 @@ from typing import Any
 
 import numpy as np
 
-__all__ = [
-    "MAX_MAGNITUDE",
-    "MIN_MAGNITUDE",
-    "CaromError",
-    "Fault",
-    "FaultList",
-    "MissingLibraryError",
-    "broadcast_shape",
-    "checked_number",
-    "collected",
-    "did_you_mean",
-    "first_bad_index",
-    "float_array",
-    "float_or_nan",
-    "near_name",
-    "noting",
-    "require_type",
-    "shortened_list",
-    "shown",
-    "suggestion",
-    "with_size_limit",
-]
-
 # Squares of all inputs must be finite and not zero: no ball is faster, heavier or larger than the one, or moves more slowly
 # without being at rest, is lighter or smaller than the other.
 MAX_MAGNITUDE = 1e100

@@ -30,27 +30,6 @@ from typing import Any, BinaryIO, NamedTuple
 from carom.errors import CaromError, Fault, MissingLibraryError, did_you_mean
 from carom.formatting import escape_controls, format_bytes
 
-__all__ = [
-    "TextEncoding",
-    "as_path",
-    "atomic_file",
-    "atomic_path",
-    "cannot_write",
-    "import_optional",
-    "install_command",
-    "memory_left",
-    "open_regular",
-    "read_regular",
-    "read_text",
-    "require_library",
-    "require_memory",
-    "require_unpacked_size",
-    "require_writable",
-    "text_encoding",
-    "write_text",
-]
-
-
 # --- optional libraries --------------------------------------------------------------------------------------------
 
 # Each optional library: its name in prose, and carom's extra that installs it.

@@ -12,19 +12,6 @@ from typing import Any, SupportsFloat
 
 import numpy as np
 
-__all__ = [
-    "called_ball",
-    "counted",
-    "escape_controls",
-    "format_bytes",
-    "format_length",
-    "format_number",
-    "format_time",
-    "format_uncertain",
-    "html_table",
-    "json_value",
-]
-
 # What steers a terminal and is no text: C0 without tab and new line, C1, line separators, changes of the writing direction, and
 # the halves of characters that stand for bytes of a file's name.
 _CONTROLS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")

@@ -13,8 +13,7 @@ from reference.exploring import tried
 
 import carom
 from carom import billiards
-from carom.billiards.curved_region import curved_region
-from carom.billiards.curved_wall import CurvedWall
+from carom.billiards.curved_wall import CurvedWall, curved_region
 from carom.billiards.intersections import next_hit
 from carom.billiards.loop import MEMORY, follow
 from carom.billiards.setup import orbit_setup, start_rows

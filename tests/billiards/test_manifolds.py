@@ -7,8 +7,7 @@ import pytest
 
 import carom
 from carom import billiards
-from carom.core.geometry.ellipse import oval_depth
-from carom.core.geometry.polygon import ellipse_depth
+from carom.core.geometry.outlines import ellipse_depth, oval_depth
 
 
 @pytest.fixture(scope="module")

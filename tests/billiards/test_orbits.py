@@ -10,12 +10,12 @@ from reference.plane_tables import CLEARANCE, L_SHAPE, PLANE, first_outside
 
 import carom
 from carom import billiards
-from carom.billiards.elliptic_boundary import ellipse_arc_length
+from carom.billiards.boundary import ellipse_arc_length
 from carom.billiards.intersections import circle_exit
 from carom.billiards.loop import MEMORY, follow
 from carom.billiards.setup import orbit_setup, start_rows
+from carom.billiards.stability import follow_tangents
 from carom.billiards.table_records import ENDS
-from carom.billiards.tangent import follow_tangents
 from carom.core.jit.kernel import dot
 from carom.laws.no_slip import no_slip_bounce, no_slip_reflection
 

@@ -7,7 +7,7 @@ import pytest
 
 import carom
 from carom import billiards
-from carom.billiards.lanes import CHUNK, LANES, STATE, T, U, V, W, X, Y, chunk_in_step, goes_in_step
+from carom.billiards.loop import CHUNK, LANES, STATE, T, U, V, W, X, Y, chunk_in_step, goes_in_step
 from carom.billiards.setup import orbit_setup
 
 DISC = carom.Disc(0.1, 1.0, 0.45)

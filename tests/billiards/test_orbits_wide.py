@@ -7,8 +7,8 @@ import pytest
 
 import carom
 from carom import billiards
-from carom.billiards.elliptic_boundary import EllipticArc, arc_along, arc_length, arc_normals, arc_place
-from carom.core.geometry.polygon import ellipse_depth
+from carom.billiards.boundary import EllipticArc, arc_along, arc_length, arc_normals, arc_place
+from carom.core.geometry.outlines import ellipse_depth
 from carom.gas import Gas, Species, container
 
 P, Q = 1.2, 0.5  # smallest radius of curvature: 0.2083

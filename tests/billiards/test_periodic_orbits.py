@@ -14,7 +14,7 @@ from reference.precise_bounces import return_map_trace
 
 import carom
 from carom import billiards
-from carom.billiards.same_orbits import periods_of
+from carom.billiards.coded_orbits import periods_of
 from carom.errors import CaromError
 
 GOLDEN = (3 - math.sqrt(5)) / 2

@@ -285,8 +285,7 @@ def test_what_is_no_pair_of_laws(value):
 @pytest.mark.parametrize("value", [3, None, ["a"], b"mirror"])
 def test_what_is_no_name(value):
     from carom.data import datasets
-    from carom.laws.registry import card_named, law_named
-    from carom.laws.user import find_law
+    from carom.laws.registry import card_named, find_law, law_named
 
     for verb in (datasets.load, find_law, law_named, card_named, lambda name: carom.compare(laws=[name])):
         refused(lambda verb=verb: verb(value), "name: expected a str")
@@ -296,7 +295,7 @@ def test_what_is_no_name(value):
 @pytest.mark.parametrize("value", ["x", [0.1], b"x", 1j, 10**400])
 def test_settings_of_fits_that_are_no_numbers(value):
     from carom.fitting import Setting
-    from carom.fitting.setting import require_settings
+    from carom.fitting.rows import require_settings
 
     names = ("kappa", "contact_height", "floor_restitution", "floor_friction", "roll", "spin_width", "spin_mean")
     given = dict.fromkeys(names, value)

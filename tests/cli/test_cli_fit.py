@@ -13,7 +13,7 @@ from reference.synthetic_bounces import measured_bounces as bounces
 
 import carom
 from carom import cli
-from carom.cli.ranking_output import _in_lines
+from carom.cli.fit import _in_lines
 from carom.data import published_rebounds
 from carom.data.datasets import load
 from carom.fitting.shots import drawn_films
@@ -495,7 +495,7 @@ def test_a_file_of_the_program_that_ends_early_is_no_interrupt(monkeypatch):
     def ends_early(*_args, **_named):
         raise EOFError("marshal data too short")
 
-    monkeypatch.setattr("carom.fitting.fit_files.fit", ends_early)
+    monkeypatch.setattr("carom.fitting.files.fit", ends_early)
     monkeypatch.setattr(sys, "argv", ["carom", "fit", "kharaz2001"])
     with pytest.raises(EOFError, match="marshal data too short"):
         cli.main()

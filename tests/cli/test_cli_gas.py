@@ -69,7 +69,8 @@ def whole_long_run():
 HIT = """
 import os, signal, sys
 from carom.cli import main
-from carom.gas import checkpoint, snapshots
+from carom.gas import files as checkpoint
+from carom.gas import snapshots
 
 (where, call, which), sys.argv = SIGNAL, ["carom", "gas", *WORDS]
 room, name = {"a checkpoint": (checkpoint.os, "fsync"), "a frame": (snapshots.Snapshots, "write")}[where]
@@ -317,7 +318,7 @@ def test_a_killed_run_goes_on_with_the_same_bits(folder, struck, where, call):
 
 
 def test_a_full_disk_does_not_end_the_run(folder, monkeypatch):
-    from carom.gas import checkpoint
+    from carom.gas import files as checkpoint
 
     tries = []
 

@@ -19,7 +19,7 @@ import carom
 from carom import billiards
 from carom.cli import app, main
 from carom.plot import plot_boundary, plot_lyapunov, plot_orbit, plot_portrait, save
-from carom.plot.portrait import on_curves
+from carom.plot.billiards import on_curves
 
 runner = CliRunner()
 START = ["--position", "0.2,0.1", "--velocity", "0.8,0.3", "--spin", "0.5"]

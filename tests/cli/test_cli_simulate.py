@@ -20,9 +20,9 @@ from typer.testing import CliRunner
 import carom
 from carom.cli import app, main
 from carom.formatting import format_number
-from carom.simulation.budget import budget
-from carom.simulation.compiled import compiled_engine
+from carom.simulation.loop import compiled_engine
 from carom.simulation.narrate import FIRST, LAST, describe_run
+from carom.simulation.trajectory import budget
 
 runner = CliRunner()
 
@@ -487,7 +487,7 @@ def test_options_take_the_place_of_the_scenes(scenes: Path) -> None:
 def test_the_compiled_loop_is_found_in_the_package_or_in_the_cache(
     scenes: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from carom.simulation.compiled import compiled_before
+    from carom.simulation.loop import compiled_before
 
     monkeypatch.setattr("carom.core.jit.compile.cache_folder", lambda: scenes / "empty")
     for shipped in (True, False):
@@ -527,7 +527,7 @@ def test_compiling_is_shown_while_it_happens(scenes: Path, monkeypatch: pytest.M
 def test_a_bar_on_a_terminal() -> None:
     from rich.console import Console
 
-    from carom.cli.progress import show_progress
+    from carom.cli.console import show_progress
     from carom.core.jit.progress import announce, called_kernels
     from carom.core.roots.first_root import hit4
 

@@ -10,10 +10,10 @@ import pytest
 from reference.synthetic_tracks import Camera, bounce, seen, shot
 
 from carom.cli import main
-from carom.cli.tracks_output import grouped_reasons
+from carom.cli.tracks import grouped_reasons
 from carom.data import read_rebounds
 from carom.tracks import Settings
-from carom.tracks.film_files import rebounds_of_films
+from carom.tracks.films import rebounds_of_films
 
 HERE = Path(__file__).parents[1] / "tracks" / "files"
 

@@ -18,7 +18,7 @@ from reference.laws_in_files import GAS, SCENE, SWEEPS
 import carom
 from carom import files, sweeps
 from carom.gas import GasScene, Session, load_checkpoint, save_checkpoint
-from carom.simulation import save
+from carom.simulation import files as save
 
 LIMIT, MANY = 1_000_000, 2_000_000
 SAID = "expected arrays of at most 100 times the size of their file, got "

@@ -16,7 +16,7 @@ from reference.laws_in_files import AS_IT_IS, EVIL, KINDS, LAW, SWEEPS, Case, ca
 import carom
 from carom import billiards, sweeps
 from carom.billiards.setup import law_of
-from carom.laws.user import find_law
+from carom.laws.registry import find_law
 from carom.public.own_laws import OwnLaw, with_own_laws
 from carom.scene.schema import from_file
 
@@ -172,4 +172,4 @@ def test_one_module_runs_files() -> None:
         for path in ROOT.rglob("*.py")
         for word in words.findall(path.read_text(encoding="utf-8"))
     }
-    assert found == {("laws/user.py", "exec_module")}
+    assert found == {("laws/registry.py", "exec_module")}

@@ -19,7 +19,7 @@ from carom.data import make_rebounds, published_rebounds, read_rebounds
 from carom.data.datasets import load
 from carom.fitting import Ranking, Setting, fit_laws, ranking
 from carom.tracks import Settings
-from carom.tracks.film_files import rebounds_of_films
+from carom.tracks.films import rebounds_of_films
 
 BALL = ("--radius", str(RADIUS), "--inertia", str(KAPPA))
 SETTING = {"radius": RADIUS, "kappa": KAPPA}

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from carom.core.jit import background
+from carom.core.jit import workers as background
 from carom.core.jit.progress import watch_compiling
 
 FOREVER = "signal:pause"

@@ -6,8 +6,16 @@ import math
 
 import pytest
 
-from carom.core.motion.bounces import bounces, series_lasts
-from carom.core.motion.restitution import CONSTANT, EXPONENTIAL, POLYNOMIAL, POWER, VISCOELASTIC, restitution
+from carom.core.motion.phases import (
+    CONSTANT,
+    EXPONENTIAL,
+    POLYNOMIAL,
+    POWER,
+    VISCOELASTIC,
+    bounces,
+    restitution,
+    series_lasts,
+)
 
 G = 9.8
 FORMS = {

@@ -17,7 +17,7 @@ ABSENT = "import sys; sys.modules.update(dict.fromkeys(('numba', 'llvmlite', 'lz
 REFUSED = """
 import json, sys, carom
 from carom import billiards, gas
-from carom.tracks.table_motion import slide_then_roll
+from carom.tracks.contact_models import slide_then_roll
 import numpy as np
 
 wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0))

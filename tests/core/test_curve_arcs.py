@@ -10,9 +10,7 @@ import pytest
 from reference.curve_walls import Backwards, drawn_flights, first_contact
 from reference.curves import CURVES, PolarSum, depth
 
-from carom.core.geometry.arc_tables import arc_tables
-from carom.core.geometry.curve_arc_paths import arc_hit
-from carom.core.geometry.curve_arcs import SENSE, arc_contact, arc_gap
+from carom.core.geometry.curve_arcs import SENSE, arc_contact, arc_gap, arc_hit, arc_tables
 
 END = 4.0
 

@@ -15,13 +15,11 @@ import pytest
 from reference.forking import forking
 
 from carom.core.jit import cache
-from carom.core.jit.generations import MARK, generations, use_generation
+from carom.core.jit.cache import MARK, generations, use_generation
 
 DAY = 86_400.0
 OWN = "00000000000000ff"
-HOLD = (
-    "import sys, pathlib; from carom.core.jit.generations import use_generation as use; use(pathlib.Path(sys.argv[1]));"
-)
+HOLD = "import sys, pathlib; from carom.core.jit.cache import use_generation as use; use(pathlib.Path(sys.argv[1]));"
 
 
 def made(base: Path, name: str, days: float, size: int = 100, marked: bool = True) -> Path:
@@ -87,20 +85,20 @@ def test_what_was_not_used_for_a_month_is_removed(tmp_path: Path) -> None:
 
 
 def test_beyond_the_size_the_least_recently_used_goes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("carom.core.jit.generations.KEPT_BYTES", 3500)
+    monkeypatch.setattr("carom.core.jit.cache.KEPT_BYTES", 3500)
     own = made(tmp_path, OWN, 3, 1000)
     for days in (4, 7, 12, 20):
         made(tmp_path, f"{days:016x}", days, 1000)
     use_generation(own)
     assert names(tmp_path) == {OWN, f"{4:016x}", f"{7:016x}"}
-    monkeypatch.setattr("carom.core.jit.generations.KEPT_BYTES", 10)
+    monkeypatch.setattr("carom.core.jit.cache.KEPT_BYTES", 10)
     made(tmp_path, f"{1:016x}", 0.5, 0)
     use_generation(tmp_path / f"{1:016x}")  # (it was marked today: nothing is looked for)
     assert names(tmp_path) == {OWN, f"{1:016x}", f"{4:016x}", f"{7:016x}"}
 
 
 def test_what_a_process_uses_is_kept_while_it_does(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("carom.core.jit.generations.KEPT_BYTES", 10)
+    monkeypatch.setattr("carom.core.jit.cache.KEPT_BYTES", 10)
     busy, idle = made(tmp_path, "000000000000000a", 3), made(tmp_path, "000000000000000b", 2)
     with in_use(busy):
         old = time.time() - 40 * DAY  # (a process that began long ago)
@@ -121,7 +119,7 @@ def test_a_use_is_marked_once_a_day(tmp_path: Path) -> None:
 
 
 def test_without_locks_what_was_used_lately_counts_as_in_use(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("carom.core.jit.generations.KEPT_BYTES", 10)
+    monkeypatch.setattr("carom.core.jit.cache.KEPT_BYTES", 10)
     monkeypatch.setitem(sys.modules, "fcntl", None)
     made(tmp_path, "000000000000000a", 1.5)
     made(tmp_path, "000000000000000b", 2.5)
@@ -137,7 +135,7 @@ def test_a_cache_that_cannot_be_written_is_no_fault(tmp_path: Path) -> None:
 
 MANY = """
 import os, pathlib, sys, time
-import carom.core.jit.generations as g
+import carom.core.jit.cache as g
 g.KEPT_BYTES = 10
 begin, go = os.pipe()  # (all wait for its end)
 children = []

@@ -20,8 +20,7 @@ from collections.abc import Iterator
 import pytest
 from reference.commands import command
 
-from carom.core.jit.slices import GROWTH, Pace, row_slices, sliced
-from carom.core.jit.threads import call_in_parts, call_in_threads
+from carom.core.jit.threads import GROWTH, Pace, call_in_parts, call_in_threads, row_slices, sliced
 
 PATIENCE = 60  # s: a job that goes on is killed then
 

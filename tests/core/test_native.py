@@ -20,14 +20,14 @@ import numpy as np
 import pytest
 from reference.forking import forking
 
-from carom.core.jit import machine_code, native, native_build
+from carom.core.jit import native, native_build
+from carom.core.jit import native as machine_code
 from carom.core.jit.compile import array_of, njit, signature
 from carom.core.jit.kernel import kernel, prange
 from carom.core.jit.lowering import LoweringError
-from carom.core.jit.marshal import dtype_of, dtype_text
-from carom.core.jit.native import NativeLoop
+from carom.core.jit.native import NativeLoop, dtype_of, dtype_text
 from carom.core.jit.native_build import NativeBuild
-from carom.simulation import run_many
+from carom.simulation import simulate as run_many
 
 PLACE = np.dtype([("x", "f8", (3,)), ("count", "i4"), ("weight", "f8")])
 SCALE = 3.0
@@ -130,8 +130,10 @@ def test_loops_of_the_package_are_for_the_records_of_today(
 
 def test_every_loop_with_a_signature_is_in_the_package() -> None:
     from carom.fitting import likelihood
-    from carom.simulation.compiled import compiled_engine
-    from carom.simulation.sensitivity import at_times, compiled, near_misses
+    from carom.simulation.loop import compiled_engine
+    from carom.simulation.sensitivity import at_times
+    from carom.simulation.sensitivity import follow as compiled
+    from carom.simulation.sensitivity import margins as near_misses
 
     if native.why_not_shipped():
         pytest.skip("Numba compiles all loops")
@@ -323,9 +325,9 @@ def test_the_hash_is_of_the_code_and_of_the_arguments(monkeypatch: pytest.Monkey
 
 
 def test_a_changed_loop_is_numbas(monkeypatch: pytest.MonkeyPatch) -> None:
-    from carom.simulation.states import state_rows
+    from carom.simulation.motion import state_rows
 
-    code = native._index()["loops"]["carom.simulation.states:state_rows"][0]
+    code = native._index()["loops"]["carom.simulation.motion:state_rows"][0]
     monkeypatch.setattr(native, "_as_built", lambda: False)
     monkeypatch.setattr(native, "_known_hashes", functools.cache(lambda: (Path(os.devnull) / "none", {})))
     assert native._is_current(state_rows, code)

@@ -8,7 +8,7 @@ import pytest
 
 import carom
 from carom import billiards
-from carom.core.geometry.polygon import MOST, outline_faults
+from carom.core.geometry.outlines import MOST, outline_faults
 from carom.gas import container
 
 RUNS, LIES, CROSS, ONCE, TOUCH = (

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from carom.core.jit.calls import prefetch, register_prefetch
 from carom.core.jit.compile import njit
-from carom.core.jit.prefetch import prefetch, register_prefetch
 
 
 def test_a_compiled_loop_may_prefetch_what_it_reads() -> None:

@@ -21,7 +21,7 @@ def test_called_kernels_are_all_that_a_loop_calls() -> None:
     assert all(name.startswith("carom.core.") for name in names)
     engine = called_kernels(run, finish)
     assert names < engine
-    assert {"carom.core.contact:one_contact", "carom.laws.wall_and_floor.impact:impact_and_way"} <= engine
+    assert {"carom.core.contact:one_contact", "carom.laws.wall_and_floor.solver:impact_and_way"} <= engine
     assert all(any(name.startswith(part) for part in progress.PARTS) for name in engine)
 
 

@@ -10,9 +10,8 @@ from typing import Any
 
 import pytest
 
+from carom.core.jit.cache import Locator, locked
 from carom.core.jit.compile import is_cached
-from carom.core.jit.file_locks import locked
-from carom.core.jit.shared_cache import Locator
 
 # A module of carom's, at a path of its own; it says how often its loop was compiled, and how often it was loaded.
 MODULE = """
@@ -71,7 +70,7 @@ def test_functions_of_others_keep_numbas_own_place(monkeypatch: pytest.MonkeyPat
 
 
 def test_a_lock_that_cannot_be_had_is_done_without(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("carom.core.jit.file_locks.LONGEST_WAIT", 0.1)
+    monkeypatch.setattr("carom.core.jit.cache.LONGEST_WAIT", 0.1)
     (tmp_path / "file").touch()
     with locked(tmp_path / "file" / "below"):  # no folder can be made there
         pass
@@ -97,7 +96,7 @@ def test_what_numba_cannot_cache_is_said_and_not_raised() -> None:
     class Result:
         lifted: tuple[Any, ...] = ()
         library = type("Library", (), {"has_dynamic_globals": True})
-        fndesc = type("Described", (), {"qualname": "carom.core.jit.file_locks.locked"})
+        fndesc = type("Described", (), {"qualname": "carom.core.jit.cache.locked"})
 
     found = CompileResultCacheImpl.__new__(CompileResultCacheImpl)
     found._lineno, found._locator = 1, Locator.from_function(locked, __file__)

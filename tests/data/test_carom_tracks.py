@@ -10,8 +10,7 @@ import pytest
 
 from carom.data import read_rebounds
 from carom.fitting import Setting, fit_law, make_problem
-from carom.fitting.laws import laws_named
-from carom.fitting.parameters import INDEX
+from carom.fitting.laws import INDEX, laws_named
 
 ROOT = Path(__file__).parents[2]
 

@@ -11,7 +11,7 @@ import pytest
 
 import carom
 from carom.data import PredictSettings, datasets, predict_table
-from carom.laws.user import find_law
+from carom.laws.registry import find_law
 
 SHAPES = {"mathavan2009": (30, 5), "kharaz2001": (35, 5), "alciatore_tpb28": (30, 7), "tt_rackets": (38, 7)}
 

@@ -16,10 +16,10 @@ import pytest
 import carom
 from carom.cli import main
 from carom.data import PredictSettings, predict_table
-from carom.data import csv as text
+from carom.data import table_files as text
 from carom.data.headers import parse_header
 from carom.files import atomic_file
-from carom.laws.user import find_law
+from carom.laws.registry import find_law
 
 BALL = carom.Ball()
 WALL = carom.Surface(0.8, 0.2)
@@ -695,7 +695,7 @@ def test_compiling_is_told_and_loading_is_not(tmp_path):
 
     from rich.console import Console
 
-    from carom.cli.progress import working
+    from carom.cli.console import working
     from carom.core.jit.progress import watch_compiling
 
     text = "velocity_x,velocity_y\n" + "-1,1\n" * 500

@@ -11,7 +11,7 @@ from carom.data.rebound_files import read_rebounds
 from carom.data.rebounds import COLUMNS, Rebounds, make_rebounds
 from carom.errors import CaromError
 from carom.fitting import Setting, fit_laws
-from carom.tracks.film_files import is_track
+from carom.tracks.films import is_track
 
 PLANAR = "v_n_in,v_t_in,spin_in,v_n_out,v_t_out,spin_out"
 TABLE = "v_n_in,v_t_in,spin_z_in,v_n_out,v_t_out,spin_z_out,stage"

@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 
 from carom.data import make_rebounds
-from carom.data.energy import energy_remarks
-from carom.data.rebounds import Kind
+from carom.data.rebounds import Kind, energy_remarks
 from carom.fitting import Setting
-from carom.fitting.data import make_problem
+from carom.fitting.rows import make_problem
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from carom.derive import ImpulsiveMotion, corner_conditions, corner_jump
 from carom.derive.linear import is_zero
-from carom.derive.paper import model
+from carom.derive.paper import ledger as model
 from carom.errors import CaromError
 from carom.laws.conventional import mirror_root
 

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from sympy.physics.mechanics import dynamicsymbols
 
-from carom.derive.integrability import first_integrals, frobenius, integral_drift, lie_bracket
+from carom.derive.corners import first_integrals, frobenius, integral_drift, lie_bracket
 from carom.derive.linear import is_zero
 from carom.errors import CaromError
 

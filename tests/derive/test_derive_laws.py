@@ -16,13 +16,13 @@ from examples import bodies
 
 from carom.core import contact as contact_module
 from carom.core.contact import SLIDE, STICK, wall_contact
-from carom.core.motion.rolling import rolls_at_last
+from carom.core.motion.phases import rolls_at_last
 from carom.derive import Contact, ImpulsiveMotion
 from carom.derive.linear import is_zero, tidy
 from carom.laws.conventional import conventional_reflection, mirror_root
 from carom.laws.mirror import mirror_reflection
 from carom.laws.no_slip import no_slip_reflection
-from carom.laws.wall_and_floor.impact import wall_and_floor
+from carom.laws.wall_and_floor.solver import wall_and_floor
 
 NAMES = sp.symbols("xdot0 ydot0 zdot0 omega_x0 omega_y0 omega_z0", real=True)
 a, kappa, e, mu, beta = bodies.a, bodies.kappa, bodies.e, bodies.mu, bodies.beta

@@ -307,7 +307,7 @@ def test_contradictory_constraints_are_refused():
 
 
 def test_singular_attitude_is_told_and_has_a_limit():
-    from carom.derive.paper import model
+    from carom.derive.paper import ledger as model
 
     motion = model.both_contacts()
     rate = model.PHI.diff(t)
@@ -330,7 +330,7 @@ def test_singular_attitude_is_told_and_has_a_limit():
 
 
 def test_euler_angles_fail_upright_and_the_message_names_the_idle_motion():
-    from carom.derive.paper import model
+    from carom.derive.paper import ledger as model
 
     up = model._angles()
     with pytest.raises(
@@ -343,7 +343,7 @@ def test_euler_angles_fail_upright_and_the_message_names_the_idle_motion():
 
 
 def test_closing_equations_of_ones_own():
-    from carom.derive.paper import model
+    from carom.derive.paper import ledger as model
 
     motion = model.conventional()
     with pytest.raises(CaromError, match="closing"):

@@ -25,7 +25,7 @@ from __future__ import annotations
 
 from carom.core.jit.kernel import Vec, dot, kernel
 from carom.laws.law import Card, wall_law
-from carom.laws.rules import Case, Objections, Predicted, Rule, Said
+from carom.laws.law import Case, Objections, Predicted, Rule, Said
 
 CARD = Card("three-quarters", "A quarter of the velocity along the wall is lost.", ("spin unchanged",), "A test.", "none", "none")
 
@@ -114,7 +114,7 @@ def test_a_wall_of_the_shape_is_checked_by_its_kernel(package: Path) -> None:
 @pytest.mark.skipif(find_spec("ziglang") is None, reason="builds the module; install carom's extra wasm")
 def test_all_are_in_the_page_once_the_module_is_built(package: Path, open_page: Any, tmp_path: Path) -> None:
     shutil.copytree(cache_folder(), tmp_path / cache_folder().name)
-    built = python(package, "-m", "carom.explorer.build", cache=tmp_path)
+    built = python(package, "-m", "carom.explorer.module", cache=tmp_path)
     assert built.returncode == 0, built.stderr
     made = python(package, "-m", "carom", "explore", "scene.toml", "--out", "page.html", "--no-open", cache=tmp_path)
     assert made.returncode == 0, made.stderr

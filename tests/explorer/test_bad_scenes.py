@@ -13,7 +13,7 @@ import pytest
 from reference.scenes_of_all_laws import with_infinities
 
 import carom
-from carom.scene.as_json import scene_dict
+from carom.scene.scene import scene_dict
 from carom.scene.shapes import PAGE_SHAPES, SHAPES
 
 WALL = {"restitution": 0.9, "friction": 0.2}

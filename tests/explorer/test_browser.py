@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 import carom
-from carom.scene.as_json import scene_dict
+from carom.scene.scene import scene_dict
 
 ALL_RUNS = """['two-step', 'stronge', 'sliding'].map(law => {
     try { return JSON.stringify(carom.run(carom.scene(), law)) } catch (error) { return error.message }

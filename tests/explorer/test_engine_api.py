@@ -15,10 +15,10 @@ import carom
 from carom.cli.trajectory_output import as_json
 from carom.core.motion.phases import PHASES
 from carom.explorer.module import version
+from carom.laws.landing import REGIME_NAMES as NAMES
 from carom.laws.registry import laws_of_pairs
-from carom.scene.as_json import scene_dict
+from carom.scene.scene import scene_dict
 from carom.simulation.records import BALL, SEEN, WALL, kind_names
-from carom.simulation.tables import NAMES
 
 SCENES = 60
 EVENTS = 60

@@ -14,11 +14,11 @@ from carom.core.jit import webassembly
 from carom.core.jit.compile import numba_signature, signature
 from carom.core.jit.kernel_hash import kernel_hash
 from carom.core.jit.lowering import LoweringError, linked_dispatcher, llvm_text
-from carom.explorer import build, fields
-from carom.explorer.build import MAX_BYTES
-from carom.explorer.module import ASSETS, description, engine_bytes, engine_layout, version
+from carom.explorer import fields
+from carom.explorer import module as build
+from carom.explorer.module import ASSETS, MAX_BYTES, description, engine_bytes, engine_layout, version
 from carom.scene.schema import Model
-from carom.scene.sides import Side, Sides
+from carom.scene.shapes.table import Side, Sides
 
 
 def test_the_module_is_of_todays_kernels() -> None:

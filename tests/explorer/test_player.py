@@ -12,7 +12,7 @@ from reference.drawn_scenes import SCENES, hop, three
 
 import carom
 from carom.core.jit.kernel import kernel
-from carom.explorer import player
+from carom.explorer import page as player
 from carom.laws.law import Card, wall_law
 from carom.scene import Box, Floor, Plane, Run, Scene, SceneBall, Stadium, Table
 

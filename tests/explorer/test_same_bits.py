@@ -19,11 +19,9 @@ from reference.table_shots import shot
 
 import carom
 from carom.core.geometry.features import FEATURES, RIM
-from carom.scene.as_json import scene_dict
 from carom.scene.presets import presets
-from carom.simulation.compiled import compiled_engine
-from carom.simulation.event_rows import ALL
-from carom.simulation.loop import LIMIT
+from carom.scene.scene import scene_dict
+from carom.simulation.loop import ALL, LIMIT, compiled_engine
 from carom.simulation.records import BALLS, KINDS, LOG, WORLD
 from carom.simulation.setup import set_up
 

@@ -15,13 +15,12 @@ from carom.data import make_rebounds, published_rebounds, read_rebounds
 from carom.data.datasets import load
 from carom.fitting import Setting, fit_law, fit_laws, make_problem
 from carom.fitting.design import Shots, design
-from carom.fitting.laws import laws_named
+from carom.fitting.identify import with_profiles
+from carom.fitting.laws import FORMS, laws_named
 from carom.fitting.model import model_of
-from carom.fitting.parameters import FORMS
-from carom.fitting.profile_likelihood import with_profiles
 from carom.fitting.result import refit, rows_of_fit
-from carom.fitting.setting import require_settings
-from carom.fitting.uncertainty import with_bootstrap
+from carom.fitting.rows import require_settings
+from carom.fitting.scatter import with_bootstrap
 from carom.laws import maw
 
 A, KAPPA = 0.02, 2 / 3
@@ -576,9 +575,8 @@ def test_the_plan_gives_the_odds_that_it_promises():
 
 
 def test_shots_of_a_law_whose_numbers_are_given_by_name():
-    from carom.fitting.candidate_shots import candidates
-    from carom.fitting.laws import laws_named
-    from carom.fitting.parameters import INDEX
+    from carom.fitting.design import candidates
+    from carom.fitting.laws import INDEX, laws_named
 
     (law,), _notes = laws_named(["sliding"], "planar", True)
     shots, numbers = Shots(speeds=(2.0, 2.0), counts=(3, 1, 1)), {"restitution": 0.7, "friction": 0.1}

@@ -22,10 +22,18 @@ from carom.fitting import (
     with_profiles,
 )
 from carom.fitting.evidence import DECIDED
-from carom.fitting.kernels import AFTER_WALL, ROLLING, TOGETHER, TURN, table_rebound
-from carom.fitting.laws import laws_named
+from carom.fitting.laws import (
+    AFTER_WALL,
+    INDEX,
+    LAW_NUMBERS,
+    PARAMETERS,
+    ROLLING,
+    TOGETHER,
+    TURN,
+    laws_named,
+    table_rebound,
+)
 from carom.fitting.model import model_of, predict_law
-from carom.fitting.parameters import INDEX, LAW_NUMBERS, PARAMETERS
 from carom.tracks import Settings, measure, to_rebounds
 
 CAMERA = Camera(50, 3e-4)

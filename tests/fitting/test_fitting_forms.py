@@ -10,9 +10,9 @@ from reference.written_tables import KAPPA, RADIUS, bounces
 
 from carom.data import make_rebounds, published_rebounds
 from carom.fitting import FITTED, Setting, fit_law, fit_laws, make_problem
+from carom.fitting.laws import INDEX
 from carom.fitting.model import predict_law
-from carom.fitting.parameters import INDEX
-from carom.fitting.usable_rows import usable_rows
+from carom.fitting.rows import usable_rows
 
 
 def fitted(form: str, fixed: dict[str, float]) -> tuple[float, dict[str, float | None]]:

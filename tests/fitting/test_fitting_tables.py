@@ -11,12 +11,13 @@ from reference.exploring import tried
 
 import carom
 from carom.data import make_rebounds, rebounds_of_collisions
-from carom.fitting import Setting, cross_validation, fit_law, fit_laws, make_problem, tabulated
-from carom.fitting.adequacy import adequacy
-from carom.fitting.laws import laws_for, laws_named
+from carom.fitting import Setting, fit_law, fit_laws, make_problem
+from carom.fitting import held_out as cross_validation
+from carom.fitting import law_table as tabulated
+from carom.fitting.laws import INDEX, NUMBERS, PARAMETERS, laws_for, laws_named
 from carom.fitting.likelihood import evaluate, predictions
 from carom.fitting.model import model_of, predict_law
-from carom.fitting.parameters import INDEX, NUMBERS, PARAMETERS
+from carom.fitting.verdict import adequacy
 
 A, HEIGHT = 0.03075, 37 / 30.75
 BALL = carom.Ball(radius=A, mass=0.21)

@@ -16,17 +16,14 @@ from reference.synthetic_runs import RADIUS, TRUTH, film, write
 
 import carom
 from carom.errors import CaromError
-from carom.fitting.example_films import TRUTH as EXAMPLES
-from carom.fitting.example_films import write_example_films
-from carom.fitting.laws import FITTED
-from carom.fitting.parameters import FORMS
-from carom.fitting.setting import Setting
-from carom.fitting.starts import balls_of, states_by
-from carom.fitting.table_numbers import TableNumbers
+from carom.fitting.files import TRUTH as EXAMPLES
+from carom.fitting.files import write_example_films
+from carom.fitting.laws import FITTED, FORMS
+from carom.fitting.rows import Setting
+from carom.fitting.table_numbers import TableNumbers, balls_of, states_by
 from carom.fitting.tracks import TrackFit, TrackRanking, fit_tracks
-from carom.fitting.tracks.model import track_models
+from carom.fitting.tracks.model import find_segments, track_models
 from carom.fitting.tracks.objective import SIDESPIN, START, SegmentArrays, balls_by_start, gaps, shared_slope
-from carom.fitting.tracks.segments import find_segments
 from carom.scene.shapes import Table
 from carom.simulation.sensitivity.at_times import states_at
 from carom.simulation.setup import set_up

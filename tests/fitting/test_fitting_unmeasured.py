@@ -13,14 +13,11 @@ from reference.exploring import tried
 import carom
 from carom.data import make_rebounds
 from carom.fitting import Setting, fit_law, fit_laws, make_problem
-from carom.fitting.kernels import planar_law
-from carom.fitting.laws import laws_named
+from carom.fitting.laws import INDEX, PARAMETERS, laws_named, planar_law
 from carom.fitting.likelihood import evaluate, make_trial, make_workspace
 from carom.fitting.model import model_of, predict_law
-from carom.fitting.parameters import INDEX, PARAMETERS
 from carom.fitting.result import refit, rows_of_fit
-from carom.fitting.spin_marginal import row_deviance_over_spins
-from carom.fitting.spin_quadrature import REFINED_C, SpinGrid, kink_position, sigma_grid
+from carom.fitting.spins import REFINED_C, SpinGrid, kink_position, row_deviance_over_spins, sigma_grid
 
 A, KAPPA = 0.02, 2 / 3
 NAMES = ("v_n_in", "v_t_in", "spin_in", "v_n_out", "v_t_out", "spin_out")

@@ -16,10 +16,9 @@ from carom.data import make_rebounds, read_rebounds
 from carom.data.datasets import load
 from carom.data.published import published_rebounds
 from carom.fitting import Setting, fit_law, fit_laws, make_problem
-from carom.fitting.adequacy import adequacy, coverage
-from carom.fitting.conditions import odds_note
 from carom.fitting.evidence import UNLIKELY
 from carom.fitting.laws import laws_named
+from carom.fitting.verdict import adequacy, coverage, odds_note
 
 
 def law(name: str):

@@ -11,12 +11,11 @@ from scipy.stats import t as student
 
 from carom.data import make_rebounds
 from carom.fitting import Setting, fit_law, fit_laws, make_problem, with_profiles
-from carom.fitting.form_starts import form_starts
+from carom.fitting.forms import _Joint, with_mixtures
 from carom.fitting.laws import laws_named
-from carom.fitting.mixture_fit import _Joint, with_mixtures
-from carom.fitting.model import model_of
-from carom.fitting.spin_mixture import SpinMixture
-from carom.fitting.usable_rows import usable_rows
+from carom.fitting.likelihood import SpinMixture
+from carom.fitting.model import form_starts, model_of
+from carom.fitting.rows import usable_rows
 
 BALL = Setting(RADIUS, KAPPA)
 

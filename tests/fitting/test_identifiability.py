@@ -9,9 +9,9 @@ import pytest
 from reference.brute_profiles import wrongly_untold
 
 import carom
-from carom.fitting.identifiability import NOT_IDENTIFIABLE, identify
+from carom.fitting.identify import NOT_IDENTIFIABLE, identify
+from carom.fitting.laws import Parameter
 from carom.fitting.model import model_of
-from carom.fitting.parameters import Parameter
 
 BEST = 0.4
 ROOT = Path(__file__).parents[2]

@@ -12,7 +12,7 @@ from reference.varying_bounces import RADIUS, bounce, drawn_table
 import carom
 from carom.data.rebounds import make_rebounds
 from carom.fitting import FITTED, Prediction, Setting, fit_law, make_problem
-from carom.fitting.predictive import impacts, predictive_of
+from carom.fitting.varying import impacts, predictive_of
 
 TRUTH: dict[str, Any] = {"e": lambda v: 0.7 + 0 * v, "mu": lambda s: 0.3 + 0 * s, "beta": lambda s: 0.3 + 0 * s}
 OPTIONS: dict[str, Any] = {"radius": RADIUS, "inertia": "hollow", "bootstrap": 0, "profiles": False}

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.shot_search import ShotSearch
+from carom.fitting.design import ShotSearch
 
 WORTH = np.array([1.0, 3.0, 2.0])
 

@@ -10,18 +10,16 @@ import pytest
 
 import carom
 from carom.core.motion.phases import REST
-from carom.fitting.identifiability import NOT_IDENTIFIABLE, Identified
+from carom.fitting.identify import NOT_IDENTIFIABLE, Identified
 from carom.fitting.result import Estimate
 from carom.fitting.shots import drawn_films, fit_of_some
-from carom.fitting.shots.errors import Optimum, in_combination
 from carom.fitting.shots.film import filmed_shots
 from carom.fitting.shots.fit import DRAWS, _Together
-from carom.fitting.shots.joint import PRIOR_WIDTH, JointFit, TablePrior, likely_widths
-from carom.fitting.shots.search import SearchSettings, _drawn, descend, rms, search_start
-from carom.fitting.shots.start import VELOCITY, residuals
+from carom.fitting.shots.joint import PRIOR_WIDTH, JointFit, Optimum, TablePrior, in_combination, likely_widths
+from carom.fitting.shots.search import VELOCITY, SearchSettings, _drawn, descend, residuals, rms, search_start
 from carom.fitting.shots.table import FREE, TERMS, TableModel, begun, scene_of_films
 from carom.fitting.shots.together import searched_together
-from carom.simulation.sensitivity.parameters import parameters_of
+from carom.simulation.sensitivity.seeds import parameters_of
 from carom.simulation.setup import set_up
 from carom.tracks import Track
 

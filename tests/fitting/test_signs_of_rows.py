@@ -7,7 +7,7 @@ import pytest
 
 from carom.data import make_rebounds
 from carom.fitting import Setting
-from carom.fitting.usable_rows import usable_rows
+from carom.fitting.rows import usable_rows
 
 
 @pytest.mark.parametrize(

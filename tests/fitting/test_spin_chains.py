@@ -9,14 +9,14 @@ import pytest
 from reference.puck_sequences import KAPPA, RADIUS, deviance, table
 
 from carom.data import Rebounds, make_rebounds
-from carom.fitting import Setting, fit_law, make_problem, spin_chains, usable_rows
-from carom.fitting.conditions import unsettled
-from carom.fitting.cross_validation import cross_validated_score
-from carom.fitting.data import Problem
-from carom.fitting.laws import laws_named
+from carom.fitting import Setting, fit_law, make_problem, spin_chains
+from carom.fitting import rows as usable_rows
+from carom.fitting.held_out import cross_validated_score
+from carom.fitting.laws import INDEX, laws_named
 from carom.fitting.model import model_of
-from carom.fitting.parameters import INDEX
 from carom.fitting.result import Estimate
+from carom.fitting.rows import Problem
+from carom.fitting.verdict import unsettled
 
 SETTING = Setting(RADIUS, KAPPA)
 CONTACT = laws_named(["contact"], "planar", upright=True)[0][0]

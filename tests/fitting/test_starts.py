@@ -10,9 +10,18 @@ from numpy.typing import NDArray
 from scipy.optimize import lsq_linear
 
 import carom
-from carom.fitting.optimizer import minimize
-from carom.fitting.starts import Projection, balls_by, balls_of, descend_shared, nearest_starts, states_by
-from carom.fitting.table_numbers import SharedNumber, TableNumbers, affine_table
+from carom.fitting.spin_chains import minimize
+from carom.fitting.table_numbers import (
+    Projection,
+    SharedNumber,
+    TableNumbers,
+    affine_table,
+    balls_by,
+    balls_of,
+    descend_shared,
+    nearest_starts,
+    states_by,
+)
 from carom.scene.shapes import Table
 
 Array = NDArray[np.float64]

@@ -11,11 +11,9 @@ from reference.exploring import tried
 from reference.varying_bounces import RADIUS, bounce, drawn_table
 
 import carom
-from carom.fitting.form_choice import choose_forms
-from carom.fitting.noise import Noise
-from carom.fitting.parameters import ALONG, INDEX
-from carom.fitting.smooth import smooth_parameter
-from carom.fitting.varying import fit_varying
+from carom.fitting.forms import choose_forms
+from carom.fitting.laws import ALONG, INDEX
+from carom.fitting.varying import Noise, fit_varying, smooth_parameter
 
 CONSTANT = {"e": lambda v: 0.7 + 0 * v, "mu": lambda s: 0.5 + 0 * s, "beta": lambda s: 0.3 + 0 * s}
 

@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 from carom import CaromError, Disc, Surface
 from carom.cli import app
 from carom.gas import EndedEarlyError, Gas, Session, Species, load_gas, simulate_ensemble, simulate_gas
-from carom.gas.checkpoint import load_checkpoint, save_checkpoint
+from carom.gas.files import load_checkpoint, save_checkpoint
 
 COLLAPSING = """
 [container]

@@ -9,8 +9,7 @@ from reference.exploring import tried
 
 from carom import Ball, CaromError, Disc, Surface
 from carom.gas import WALLS, Gas, Species, lattice
-from carom.gas.edmd.housekeeping import SORT_INTERVAL
-from carom.gas.edmd.loop import CACHED_BALLS
+from carom.gas.edmd.loop import CACHED_BALLS, SORT_INTERVAL
 
 ROUGH, SMOOTH = Surface(1, math.inf, 1), Surface(1, 0, 0)
 

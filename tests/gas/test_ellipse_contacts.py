@@ -5,8 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from carom.core.geometry.ellipse import inner_axes, oval_depth, oval_hit
-from carom.core.geometry.polygon import ellipse_depth
+from carom.core.geometry.outlines import ellipse_depth, inner_axes, oval_depth, oval_hit
 from carom.core.roots.first_root import hit4
 
 

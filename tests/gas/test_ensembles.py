@@ -20,8 +20,8 @@ import carom
 from carom.cli import app, main
 from carom.formatting import format_uncertain
 from carom.gas import Session, load_gas, simulate_ensemble
-from carom.gas.ensembles import member_scene
 from carom.gas.report import report
+from carom.gas.simulate import member_scene
 from carom.plot import plot_ensemble, plot_gas
 
 SHORT = ROUGH.replace("60_000", "6_000").replace("5_000", "1_000")

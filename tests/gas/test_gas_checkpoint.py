@@ -19,9 +19,9 @@ from reference.exploring import tried
 from reference.gases import MIXED, ROUGH
 
 from carom import CaromError
-from carom.gas import checkpoint
+from carom.gas import files as checkpoint
 from carom.gas.build import load_gas
-from carom.gas.checkpoint import load_checkpoint, save_checkpoint
+from carom.gas.files import load_checkpoint, save_checkpoint
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
 

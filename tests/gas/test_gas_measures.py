@@ -9,8 +9,7 @@ import pytest
 
 from carom import Ball, CaromError, Disc, Surface
 from carom.gas import Drive, Gas, Species, container, lattice
-from carom.gas.curves import PairCorrelation
-from carom.gas.measures import Measures, mean_square_displacement
+from carom.gas.measures import Measures, PairCorrelation, mean_square_displacement
 from carom.gas.report import channels
 
 SMOOTH, ROUGH = Surface(1, 0, -1), Surface(1, math.inf, 1)

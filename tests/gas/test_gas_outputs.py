@@ -104,7 +104,7 @@ def test_a_checkpoint_does_not_take_the_place_of_another_file(folder, capsys, mo
 
 def test_what_was_measured_is_told_even_if_its_files_fail(folder, capsys, monkeypatch):
     # the disk fills up while the run goes on
-    from carom.gas import checkpoint
+    from carom.gas import files as checkpoint
     from carom.plot import gas as drawing
 
     def full(*_args):

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from carom.gas import GasScene, Session
-from carom.gas.checkpoint import load_checkpoint, save_checkpoint
-from carom.gas.sampling import spread_time
+from carom.gas.files import load_checkpoint, save_checkpoint
+from carom.gas.results import spread_time
 
 
 def shaken(**run) -> GasScene:

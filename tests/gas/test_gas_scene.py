@@ -14,8 +14,7 @@ from carom import Ball, CaromError, Surface
 from carom.gas import Gas, Species, simulate_gas
 from carom.gas.build import build, gas_text, is_gas, load_gas
 from carom.gas.report import report
-from carom.gas.scene import GasScene
-from carom.gas.schema import GasContact, GasContainer, GasSettings, GasSpecies
+from carom.gas.scene import GasContact, GasContainer, GasScene, GasSettings, GasSpecies
 from carom.gas.session import Session
 
 

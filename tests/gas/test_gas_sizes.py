@@ -10,7 +10,7 @@ import pytest
 from carom import Ball, CaromError, Surface
 from carom.gas import Gas, GasScene, Species, dense, lattice
 from carom.gas.measures import Measures
-from carom.gas.sizes import CELLS_PER_BALL, cells_at_most, lattice_steps
+from carom.gas.species import CELLS_PER_BALL, cells_at_most, lattice_steps
 
 ELASTIC = Surface(1.0, 0.0, -1.0)
 

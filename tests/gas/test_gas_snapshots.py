@@ -18,9 +18,8 @@ from carom import CaromError
 from carom.cli import app
 from carom.gas import GasScene, Session, gas_text
 from carom.gas.build import build, load_gas
-from carom.gas.sampling import LogTimes
-from carom.gas.snapshot_sizes import expected_snapshots, mean_free_time, require_size
-from carom.gas.snapshots import Snapshots, spins_of
+from carom.gas.results import LogTimes
+from carom.gas.snapshots import Snapshots, expected_snapshots, mean_free_time, require_size, spins_of
 
 
 @pytest.fixture(params=["rough", "mixed"])

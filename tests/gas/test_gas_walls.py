@@ -11,9 +11,8 @@ from reference.exploring import tried
 from carom import Ball, CaromError, Disc, Surface
 from carom.gas import Drive, Gas, Species, Thermostat, container
 from carom.gas.edmd.gas_records import ELLIPSE
-from carom.gas.edmd.moving_walls import oscillating_collision_time
-from carom.gas.edmd.walls import _is_present, _release_speed
-from carom.gas.spatial_profiles import Profiles
+from carom.gas.edmd.walls import _is_present, _release_speed, oscillating_collision_time
+from carom.gas.profiles import Profiles
 
 ROUGH, SMOOTH = Surface(1, math.inf, 1), Surface(1, 0, -1)
 

@@ -10,9 +10,9 @@ import pytest
 from carom import Ball, Surface
 from carom.core.jit.compile import njit
 from carom.gas import Gas, Species
-from carom.gas.edmd.cell_lists import SLOTS, morton_offsets
+from carom.gas.edmd.calendar import SLOTS, morton_offsets
 from carom.gas.edmd.gas_records import NO_BALL
-from carom.gas.edmd.housekeeping import sort_by_cell
+from carom.gas.edmd.loop import sort_by_cell
 
 BOXES = {"periodic": (True, True, True), "walls": (True, False, True)}
 

@@ -10,7 +10,7 @@ from reference.exploring import tried
 from reference.identities import approaching, surfaces, units, with_zeros
 
 import carom
-from carom.core.jit.pointers import answer_at
+from carom.core.jit.calls import answer_at
 from carom.laws.arrays import FEW_AT_FIRST, loop_for, wall_law_rows
 from carom.laws.callbacks import user_address
 from carom.laws.contact import contact_final_rows, contact_rows

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from reference.bad_options import BAD
 
 import carom
-from carom.laws.remarks import remarks_on
+from carom.laws.comparison import remarks_on
 
 
 def test_the_papers_example() -> None:

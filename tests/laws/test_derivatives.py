@@ -14,9 +14,9 @@ from reference.exploring import tried
 from carom.laws.stronge import stronge_slip_ratio
 from carom.laws.two_step import first_impact
 from carom.laws.wall_and_floor.solver import pressed_down
-from carom.simulation.sensitivity.dual import Dual, derivative
-from carom.simulation.sensitivity.lift import lifted
-from carom.simulation.wall_and_floor import compiled_joint_impact
+from carom.simulation.contact_kinds import compiled_joint_impact
+from carom.simulation.sensitivity.follow import lifted
+from carom.simulation.sensitivity.passages import Dual, derivative
 
 RADIUS, KAPPA, COLUMNS = 0.03, 0.4, 3
 # f'(0) = sum of c_k (f(k h) - f(-k h)) / h, of order 8

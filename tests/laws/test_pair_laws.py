@@ -17,8 +17,8 @@ import carom
 from carom.laws.law import contact_kernel
 from carom.laws.registry import laws_of_pairs
 from carom.scene.paths import replaced
-from carom.simulation.law_notes import law_notes
 from carom.simulation.records import IN_CLUSTER
+from carom.simulation.simulate import law_notes
 
 POOL = {"radius": 0.028575, "mass": 0.17}
 REST = carom.State((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))

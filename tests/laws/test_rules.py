@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import carom
+from carom.bodies import Surface
 from carom.explorer.entries import rule_name, rules_of
 from carom.laws.law import Meeting
 from carom.laws.registry import laws
-from carom.laws.results import Surface
 
 COUNT = 60
 

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 import carom
 from carom.laws.strike import tip_impulse
-from carom.scene.as_json import scene_dict
+from carom.scene.scene import scene_dict
 
 BALL = carom.Ball(radius=0.028575, mass=0.17)
 

@@ -11,7 +11,7 @@ from reference import brute_force as brute
 from reference.identities import ROUNDING, floor_invariants, mirrored, rotation, size
 
 import carom
-from carom.core.motion.rolling import rolls_at_last
+from carom.core.motion.phases import rolls_at_last
 from carom.laws.landing import second_impact
 from carom.laws.two_step import first_impact, two_step_final
 

@@ -11,8 +11,7 @@ import carom
 from carom.core.contact import GRAZE, SLIDE, STICK
 from carom.laws.arrays import loop_for
 from carom.laws.two_step import first_rows
-from carom.laws.wall_and_floor.impact import wall_and_floor
-from carom.laws.wall_and_floor.solver import JAM, STALL
+from carom.laws.wall_and_floor.solver import JAM, STALL, wall_and_floor
 
 COUNT = 50_000
 # Of the speeds. A slip counts as ended at 3e-9 of them, and a step's error is kept below 1e-10 over some hundred steps.

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from carom.core.contact import SLIDE, STICK
-from carom.laws.wall_and_floor.both_sliding import _changes, _dormand_prince_step
+from carom.laws.wall_and_floor.integrators import _changes, _dormand_prince_step
 from carom.laws.wall_and_floor.rates import FLOOR_SLIP, _start_at_wall, pressed_rates
 
 

@@ -53,8 +53,8 @@ def test_a_gif_has_its_frames_and_its_pace(tmp_path: Path) -> None:
 
 def test_a_film_shows_the_ball_where_it_is() -> None:
     pytest.importorskip("matplotlib")
+    from carom.plot.animation import Film
     from carom.plot.style import style
-    from carom.plot.video import Film
 
     run = carom.simulate(hop())
     times = np.array([0.0, 0.3, 0.9])

@@ -13,9 +13,9 @@ import pytest
 import carom
 from carom import billiards, plot
 from carom.cli.streams import guarded_streams
-from carom.plot.fit_tracks import _from_above
+from carom.plot.animation import Film
+from carom.plot.fit import _from_above
 from carom.plot.style import literal, new_figure, style
-from carom.plot.video import Film
 
 pytest.importorskip("matplotlib")
 from matplotlib.text import Text

@@ -17,7 +17,8 @@ from carom.plot.comparison import path_after_wall
 
 pytest.importorskip("matplotlib")
 from carom import billiards, plot
-from carom.plot.style import law_styles, spread_apart
+from carom.laws.registry import law_styles
+from carom.plot.style import spread_apart
 
 CASES: list[dict[str, Any]] = [
     {},

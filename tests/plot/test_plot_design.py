@@ -37,7 +37,7 @@ def test_no_shot_of_the_plan_is_worthless(plan: Plan) -> None:
 
 def test_the_odds_of_a_plan_hold_in_every_minimum() -> None:
     """Searched from all starts, the other law followed a plan of 12 shots with 2 log odds of about 1 in place of 6."""
-    from carom.fitting.candidate_shots import candidates
+    from carom.fitting.design import candidates
 
     setting, shots = Setting(radius=0.02, kappa=2 / 3), Shots(speeds=(3, 10), sigma_v=0.15, sigma_spin=10)
     found = design("planar", setting, ("maw", "contact"), shots)

@@ -12,10 +12,10 @@ import pytest
 from reference.drawn_scenes import SCENES, gallery, hop, three
 
 import carom
-from carom.simulation.budget import budget
+from carom.simulation.trajectory import budget
 
 pytest.importorskip("matplotlib")
-from carom.plot.scene_view import CALLED, View, _clipped, colour, last_time, steps, view, walls_in, way
+from carom.plot.trajectory import CALLED, View, _clipped, colour, last_time, steps, view, walls_in, way
 
 
 @pytest.mark.parametrize("scene", SCENES)

@@ -10,7 +10,7 @@ import pytest
 
 pytest.importorskip("matplotlib")
 
-from carom.plot.fit_tracks import WIDTH, plot_tracks
+from carom.plot.fit import WIDTH, plot_tracks
 
 
 def ranking(tracks: int, size: tuple[float, float]) -> Any:

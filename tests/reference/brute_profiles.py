@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from scipy.optimize import minimize
 
+from carom.fitting.laws import NUMBERS
 from carom.fitting.model import model_of
-from carom.fitting.parameters import NUMBERS
 
 RISE = 6.63  # chi^2 of one parameter, 99 %
 DRAWN = 12  # random starts at each value

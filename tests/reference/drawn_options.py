@@ -14,7 +14,7 @@ import numpy as np
 
 import carom
 from carom.gas import GasScene
-from carom.gas.schema import CONTAINERS, GasThermostat
+from carom.gas.scene import CONTAINERS, GasThermostat
 from carom.laws.registry import laws, laws_of_pairs
 from carom.scene.figures.figure import FIGURES, CellFigure, Figure, PlaneFigure
 from carom.scene.presets import presets

@@ -275,7 +275,7 @@ def _remove_at_exit(folder: Path) -> None:
 
 def _runs(law: str, every: bool) -> Iterator[Case]:
     """Runs that were saved, whose checksums fit what the law was written into."""
-    from carom.simulation import save
+    from carom.simulation import files as save
 
     run = carom.simulate(carom.load_scene(SCENE))
     columns = save.log_columns(run.log)

@@ -11,7 +11,7 @@ from reference.brute_force_scene import random_scene
 import carom
 from carom.laws.maw import CHI
 from carom.laws.registry import laws
-from carom.scene.as_json import plain_model
+from carom.scene.scene import plain_model
 
 __all__ = ["may_call_libm", "scene_of_all_laws", "with_infinities"]
 

@@ -12,7 +12,7 @@ import pytest
 import carom
 from carom.errors import CaromError
 from carom.scene.figures import FIGURES, ArcPiece, EllipsePiece, ParallelPiece, Piece, PlaneFigure, SegmentPiece, figure
-from carom.scene.shapes.outline import OutlineWall, placed_pieces
+from carom.scene.shapes.curves import OutlineWall, placed_pieces
 
 
 class General(Piece):

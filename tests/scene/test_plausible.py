@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 
 import carom
 from carom.cli import app
-from carom.scene.plausible import scene_notes
+from carom.scene.openings import scene_notes
 
 ROOT = Path(__file__).parents[2]
 

@@ -14,8 +14,8 @@ import pytest
 import carom
 from carom.core.geometry.features import FALLS, LEAVES, LINE, OVER, RIM, gap_to_feature
 from carom.scene import Pockets, Table
-from carom.scene.as_json import scene_dict
 from carom.scene.presets import presets
+from carom.scene.scene import scene_dict
 
 CORNER = {"mouth": 0.116, "jaw_angle": 142, "jaw_radius": 0.005, "shelf": 0.041, "radius": 0.062}
 SIDE = {"mouth": 0.129, "jaw_angle": 104, "jaw_radius": 0.005, "shelf": 0.005, "radius": 0.0645}

@@ -12,7 +12,7 @@ from reference.sweep_scenes import CAROM_TABLE
 
 import carom
 from carom.core.geometry.features import FALLS
-from carom.scene.as_json import scene_dict
+from carom.scene.scene import scene_dict
 from carom.scene.shapes import Table
 
 VELOCITIES = {"bottom": (0.6, -3.0), "right": (3.0, 0.6), "top": (-0.6, 3.0), "left": (-3.0, -0.6)}

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import carom
-from carom.simulation.budget import budget
 from carom.simulation.records import IN_CLUSTER
+from carom.simulation.trajectory import budget
 
 MASS, RADIUS, G = 0.2, 0.03, 9.8
 

@@ -12,8 +12,7 @@ from reference.cloth_shots import Ball, Cloth, Shot, Wall
 from reference.exploring import tried
 
 import carom
-from carom.core.motion.decay import decay_integrals, time_of_integral, time_of_path
-from carom.core.motion.phases import ROLLING, SLIDING
+from carom.core.motion.phases import ROLLING, SLIDING, decay_integrals, time_of_integral, time_of_path
 from carom.scene.paths import path_match
 from carom.simulation.motion import begin_phase
 from carom.simulation.predict import pair_hit

@@ -11,12 +11,11 @@ from reference.hertz_contacts import MASS, RADIUS, Case, Wall, integrate, known,
 from simulation.test_clusters import energy, scene_of
 
 import carom
-from carom.core.jit.objects import as_objects
-from carom.simulation.budget import budget
-from carom.simulation.event_rows import ALL
-from carom.simulation.loop import run
+from carom.core.jit.kernel import as_objects
+from carom.simulation.loop import ALL, run
 from carom.simulation.records import BALL, IN_CLUSTER, LOG, WALL, WALL_IN_CLUSTER, event_numbers
 from carom.simulation.setup import set_up
+from carom.simulation.trajectory import budget
 
 CASES = known()["walls"]
 HEAD_ON = CASES["frozen to a hard wall, head-on"]

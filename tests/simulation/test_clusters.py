@@ -9,10 +9,9 @@ import pytest
 from reference.hertz_contacts import MASS, RADIUS, Case, contact_time, integrate, known, known_case, rack
 
 import carom
-from carom.core.jit.objects import as_objects
+from carom.core.jit.kernel import as_objects
 from carom.simulation import cluster
-from carom.simulation.event_rows import ALL
-from carom.simulation.loop import FULL, run
+from carom.simulation.loop import ALL, FULL, run
 from carom.simulation.records import BALL, IN_CLUSTER, LOG, event_numbers
 from carom.simulation.setup import set_up
 

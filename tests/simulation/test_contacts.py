@@ -3,7 +3,7 @@
 import pytest
 
 import carom
-from carom.simulation.contacts import kinds
+from carom.simulation import contact_kinds as kinds
 from carom.simulation.records import BALL, KINDS, POCKETED_EVENT, WALL
 
 
@@ -36,4 +36,4 @@ def test_what_is_met_is_that_of_the_table():
 
 def test_refusals_of_all_contacts_have_codes_of_their_own():
     codes = [code for one in kinds.CONTACTS.values() for code in one.refusals]
-    assert len(codes) == len(set(codes)) == len(kinds.REFUSALS) > 0
+    assert len(codes) == len(set(codes)) == len(kinds.ALL_REFUSALS) > 0

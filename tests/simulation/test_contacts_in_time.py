@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 
 import carom
 from carom.cli import app
-from carom.laws.hertz import contact_time
+from carom.laws.pair import contact_time
 from carom.simulation.contacts_in_time import overlap_note, overlaps
 
 R, M = 0.028575, 0.17

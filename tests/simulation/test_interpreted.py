@@ -11,11 +11,11 @@ import pytest
 from reference.brute_force_scene import random_scene
 
 import carom
-from carom.simulation import compiled, interpreted, scene_loop
-from carom.simulation.compiled import compiled_engine
-from carom.simulation.event_rows import ALL
+from carom.simulation import loop as compiled
+from carom.simulation import loop as interpreted
+from carom.simulation import loop as scene_loop
+from carom.simulation.loop import ALL, compiled_engine, run_limits
 from carom.simulation.records import LOG
-from carom.simulation.run_log import run_limits
 from carom.simulation.setup import set_up
 
 SCENES = 40

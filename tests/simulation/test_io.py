@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import carom
-from carom.simulation import save as storage
+from carom.simulation import files as storage
 
 pa = pytest.importorskip("pyarrow")
 pq = pytest.importorskip("pyarrow.parquet")

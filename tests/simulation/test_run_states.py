@@ -13,10 +13,9 @@ from carom.core.motion.phases import REST, SLIDING
 from carom.scene.paths import replaced
 from carom.simulation.loop import FULL
 from carom.simulation.sensitivity.at_times import Limits, RunSlopes, kept_states
-from carom.simulation.sensitivity.compiled import dual_users
-from carom.simulation.sensitivity.parameters import ARRAYS, parameters_of
-from carom.simulation.setup import set_up
-from carom.simulation.starts import starts_of
+from carom.simulation.sensitivity.follow import dual_users
+from carom.simulation.sensitivity.seeds import ARRAYS, parameters_of
+from carom.simulation.setup import set_up, starts_of
 
 RADIUS = 0.03
 WRT = ["balls.0.velocity", "walls.0.restitution", "floor.friction"]

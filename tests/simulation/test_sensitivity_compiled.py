@@ -18,11 +18,9 @@ import carom
 from carom.core.jit.dual.numbers import LANES, seeded
 from carom.core.jit.threads import limit_threads, thread_count
 from carom.scene.paths import replaced
-from carom.simulation.sensitivity import compiled as the_pass
-from carom.simulation.sensitivity.compiled import follow_compiled
-from carom.simulation.sensitivity.interpreted import follow_interpreted
-from carom.simulation.sensitivity.parameters import parameters_of
-from carom.simulation.sensitivity.seeds import Column, _columns_of, _differences, _step_of, shifted_scene
+from carom.simulation.sensitivity import follow as the_pass
+from carom.simulation.sensitivity.follow import follow_compiled, follow_interpreted
+from carom.simulation.sensitivity.seeds import Column, _columns_of, _differences, _step_of, parameters_of, shifted_scene
 from carom.simulation.setup import SceneArrays, set_up
 
 

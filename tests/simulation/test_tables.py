@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import carom
-from carom.simulation.tables import UNITS, event_columns
+from carom.simulation.files import UNITS, event_columns
 
 pytest.importorskip("pandas")
 

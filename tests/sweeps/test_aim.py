@@ -14,13 +14,11 @@ from reference.sweep_scenes import table_scene
 
 import carom
 from carom.core.jit.progress import announce, called_kernels
-from carom.simulation.compiled import loops_of
+from carom.simulation.loop import loops_of
 from carom.simulation.records import BALL, WALL
-from carom.simulation.sensitivity.compiled import pass_loop
-from carom.sweeps.aim_problem import AimProblem
-from carom.sweeps.aiming import Aim, Aims, is_linear
+from carom.simulation.sensitivity.follow import pass_loop
+from carom.sweeps.aiming import Aim, AimProblem, Aims, is_linear, unknowns_of
 from carom.sweeps.targets import is_reached, sizes, targets_of
-from carom.sweeps.unknowns import unknowns_of
 
 GRAVITY = 9.80665
 
@@ -365,7 +363,7 @@ def test_the_command_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
     words = ["aim", str(file), "--hit", "red", "--cushions", "1", "--starts", "1024", "--solutions", "2"]
     done = CliRunner().invoke(app, [*words, "--json", "--plot", str(tmp_path / "aim.svg")])
     assert done.exit_code == 0, done.output
-    monkeypatch.setattr("carom.plot.aims.DRAWN", 0)
+    monkeypatch.setattr("carom.plot.trajectory.DRAWN", 0)
     more = CliRunner().invoke(app, [*words, "--json", "--plot", str(tmp_path / "more.svg")])
     assert f"note: the figure has the first 0 of the {len(json.loads(more.stdout))} shots" in more.stderr
     assert (tmp_path / "aim.svg").stat().st_size > 5000

@@ -13,7 +13,10 @@ from reference.synthetic_tracks import RADIUS, Camera, seen, shot, truth
 
 from carom.fitting import Setting, make_problem
 from carom.tracks import Measured, Settings, Track, TrackContact, measure, to_rebounds, usable_stages
-from carom.tracks.correlation import (
+from carom.tracks.events import wall_through
+from carom.tracks.films import air_together, combined_rebounds
+from carom.tracks.flights import fit_flights, flight_path, joint_air
+from carom.tracks.least_squares import (
     GRID,
     WHITE,
     Correlation,
@@ -23,9 +26,6 @@ from carom.tracks.correlation import (
     weigh_correlations,
     whitening,
 )
-from carom.tracks.events import wall_through
-from carom.tracks.films import air_together, combined_rebounds
-from carom.tracks.flights import fit_flights, flight_path, joint_air
 
 
 def filmed(seed: int, correlation: float, rate: float = 240.0) -> tuple[Measured, list[dict[str, float]]]:

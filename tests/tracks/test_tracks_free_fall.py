@@ -13,7 +13,7 @@ from reference.thrown_ball import film, thrown
 
 from carom.errors import CaromError
 from carom.tracks import Calibration, Settings, Track, measure, read_tracks
-from carom.tracks.free_fall import axis_points_down, constant_acceleration, likely_unit, what_would_give
+from carom.tracks.flights import axis_points_down, constant_acceleration, likely_unit, what_would_give
 
 DROP, THROW = thrown(0.0, 1.2), thrown(1.0, 1.2)
 # lengths of units, m

@@ -8,7 +8,7 @@ from reference.known_films import Fall, drawn_curve, fallen, noise, rotated, swu
 
 from carom.errors import CaromError
 from carom.tracks import Measured, Settings, Track, measure, to_rebounds, usable_stages
-from carom.tracks.free_motion import flight_ends
+from carom.tracks.events import flight_ends
 
 
 def usable(found: Measured) -> list[float]:

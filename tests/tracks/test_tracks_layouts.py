@@ -25,8 +25,7 @@ import carom
 from carom.data import read_rebounds
 from carom.errors import CaromError
 from carom.tracks import Calibration, Settings, judge, measure, read_tracks
-from carom.tracks.film_files import measure_tracks, rebounds_of_films
-from carom.tracks.film_tracks import films_of
+from carom.tracks.films import films_of, measure_tracks, rebounds_of_films
 
 
 @pytest.mark.parametrize("name", LAYOUTS)

@@ -19,16 +19,22 @@ from carom.data import read_rebounds
 from carom.errors import CaromError
 from carom.scene.shapes import Plane
 from carom.tracks import Measured, Settings, Track, WallLine, measure, to_rebounds, usable_stages
+from carom.tracks.clock import camera_clock
 from carom.tracks.contact import _not_rolling
-from carom.tracks.contact_models import slide_would_show
+from carom.tracks.contact_models import (
+    COUNT,
+    at_contact,
+    contact_path,
+    contact_slopes,
+    moved_slopes,
+    slide_then_roll,
+    slide_would_show,
+)
 from carom.tracks.events import _bends
-from carom.tracks.flight_fits import _position, _slope_in_vacuum
+from carom.tracks.flights import _position, _slope_in_vacuum
 from carom.tracks.floor import pool_floor, shared_fraction
-from carom.tracks.frame_clock import camera_clock
 from carom.tracks.least_squares import ContactFit, Prior
 from carom.tracks.preprocess import rounding_step, without_outliers
-from carom.tracks.table_contact import COUNT, at_contact, contact_path, contact_slopes
-from carom.tracks.table_motion import moved_slopes, slide_then_roll
 from carom.tracks.track import position_noise
 
 ABOVE = Settings(view="above")

@@ -12,7 +12,7 @@ from reference.synthetic_tracks import Camera, seen, shot
 from carom.errors import CaromError
 from carom.tracks import Settings, Track, measure, to_rebounds
 from carom.tracks.events import wall_through
-from carom.tracks.free_fall import falls_freely
+from carom.tracks.flights import falls_freely
 
 
 @pytest.mark.parametrize("name", KINDS)

@@ -16,9 +16,9 @@ from carom.errors import CaromError
 from carom.fitting.shots import drawn_films
 from carom.fitting.shots.film import filmed_shots
 from carom.tracks import Calibration, Track, read_tracks
-from carom.tracks.exchanged import with_one_name, with_own_names
-from carom.tracks.film_tracks import films_of
+from carom.tracks.films import films_of
 from carom.tracks.formats.tailuge import UNIT
+from carom.tracks.preprocess import with_one_name, with_own_names
 
 RADIUS = 0.03075
 

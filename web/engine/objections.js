@@ -6,7 +6,7 @@
 /** @import { Module } from "./module.js" */
 import { general } from "./text.js";
 
-/** What kernels of rules take of a meeting (carom.laws.rules.Case). @param {Omit<Meeting, "t" | "wall" | "balls" | "given" | "g">} m */
+/** What kernels of rules take of a meeting (carom.laws.law.Case). @param {Omit<Meeting, "t" | "wall" | "balls" | "given" | "g">} m */
 export const numbersOf = (m) => [
   ...m.v, ...m.w, ...m.n, m.radius, m.kappa, m.mass, m.e, m.mu, m.beta, m.stiffness, 0, m.floor?.mu ?? 0, m.floor?.beta ?? 0, m.height,
   Number(m.together),

@@ -14,6 +14,6 @@
 - Rolling on surfaces: `roll`, `surfaces`.
 """
 
-from carom.public.names import attach_public as _attach_public
+from carom.public.guard import attach_public as _attach_public
 
 __getattr__, __dir__, __all__ = _attach_public(__name__, __file__)

@@ -9,16 +9,6 @@ import numpy as np
 
 from carom.errors import CaromError, Fault, FaultList, checked_number, float_array, suggestion
 
-__all__ = [
-    "BOUNDS",
-    "Bounds",
-    "ball_too_large",
-    "checked_acceleration",
-    "positive_number",
-    "require_bounds",
-    "require_room",
-]
-
 Bounds = Literal["centre", "surface"]
 BOUNDS = ("centre", "surface")
 

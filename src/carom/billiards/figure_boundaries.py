@@ -14,18 +14,14 @@ from numpy.typing import NDArray
 
 from carom.billiards.boundary import Boundary, Face, InsetEllipse, Obstacle, ObstacleImage, RoundWall, face
 from carom.billiards.checks import ball_too_large, require_room
-from carom.billiards.curved_region import curved_region
-from carom.billiards.curved_wall import CurvedWall
+from carom.billiards.curved_wall import CurvedWall, curved_region
 from carom.errors import CaromError, Fault
 from carom.scene.figures import CellFigure, Figure, PlaneFigure
 from carom.scene.figures.cells import DiscsFigure
-from carom.scene.figures.figure import Loop
-from carom.scene.figures.open import PlatesFigure, StripFigure, WedgeFigure
-from carom.scene.figures.pieces import ArcPiece, EllipsePiece, SegmentPiece
+from carom.scene.figures.curve import PlatesFigure, StripFigure, WedgeFigure
+from carom.scene.figures.figure import ArcPiece, EllipsePiece, Loop, SegmentPiece
 from carom.scene.figures.polygons import RectangleFigure
 from carom.scene.figures.solids import BoxFigure, CylinderFigure, SphereFigure
-
-__all__ = ["boundary_of"]
 
 Array = NDArray[np.float64]
 INF = math.inf

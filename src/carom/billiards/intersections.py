@@ -5,9 +5,9 @@ A single ball needs no event queue: its next event is the nearest of the table's
 Where no force acts across the walls, the flight is met as a straight line: linear for a face, quadratic for a circle, a sphere, an
 ellipse. Under a force across walls it is a parabola; its roots, of degree 2 (faces) or 4 (curved pieces), are those of
 :mod:`carom.core.roots.first_root`, which find the first of them, and a crossing outside the ends of a piece is skipped for the next
-one. The curve at a distance from an ellipse, of degree eight, is in :mod:`carom.billiards.elliptic_boundary` and
-:mod:`carom.core.geometry.ellipse`; smooth curves, with a table of ``panels``, are in :mod:`carom.core.geometry.curve`. Arcs of
-circles, in a magnetic field, are in :mod:`carom.billiards.circling`.
+one. The curve at a distance from an ellipse, of degree eight, is in :mod:`carom.billiards.boundary` and
+:mod:`carom.core.geometry.outlines`; smooth curves, with a table of ``panels``, are in :mod:`carom.core.geometry.curve`. Arcs of
+circles, in a magnetic field, are in :mod:`carom.billiards.intersections`.
 """
 
 from __future__ import annotations
@@ -15,19 +15,395 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.billiards.circling import arc_hit
-from carom.billiards.elliptic_boundary import arc_exit, arc_wall
+from carom.billiards.boundary import arc_exit, arc_wall
 from carom.billiards.table_records import ARC, STRAIGHT
-from carom.core.geometry.curve import curve_line, curve_wall
-from carom.core.geometry.curve_parabola import curve_parabola, flight_end
-from carom.core.geometry.ellipse import oval_hit
+from carom.core.geometry.angles import angle_of_tangent
+from carom.core.geometry.curve import (
+    BEND,
+    CX,
+    FIRST_XI,
+    HIGH,
+    LAST_XI,
+    LOW,
+    OX,
+    SLOPE,
+    curve_line,
+    curve_parabola,
+    curve_wall,
+    flight_end,
+    graph_at,
+)
+from carom.core.geometry.outlines import oval_depth, oval_hit
 from carom.core.jit.kernel import Vec, hot_kernel, kernel
-from carom.core.roots.first_root import hit2, hit4, next_hit4
-
-__all__ = ["next_hit", "straight_hit", "wall_normal"]
+from carom.core.roots.first_root import hit2, hit4, least_of_chord, newton_or_half, next_hit4
 
 NEVER = math.inf
+FULL_CIRCLE = 4.0 + 1e-9  # quarters of a circle, and a margin for rounding
+OVERLAP = 1e-13  # of a panel's length: so much beyond its ends still belongs to it
+SLOW = 1e-14  # approach that counts as rounding, relative to the speed
 NOISE = 4e-16  # of the table's size: so much of a distance from a smooth curve is rounding
+CIRCLE_NOISE = 1e-14  # of the Larmor radius: rounding of distances from the circle's middle
+BEHIND = 1e3  # times a distance that is rounding: so far beyond a wall a ball has not just met it
+ON_THE_CIRCLE, ALONG_THE_CIRCLE = 1e-14, 1e-8  # squares, relative: a ball on a circle, and nearly tangent to it
+
+
+# --- the path -------------------------------------------------------------------------------------------------------
+
+
+@kernel
+def _quarters(v: Vec, count: int, way: float) -> Vec:
+    """Return a velocity after a number of quarters of the circle."""
+    k = count % 4
+    if k == 0:
+        return v
+    if k == 2:
+        return (-v[0], -v[1], v[2])
+    c = way if k == 1 else -way
+    return (-c * v[1], c * v[0], v[2])
+
+
+@kernel
+def on_arc(field: float, x: Vec, v: Vec, s: float) -> tuple[Vec, Vec]:
+    """Return position and velocity after a flight up to s."""
+    way = 1.0 if field > 0.0 else -1.0
+    size = abs(field)
+    whole = math.floor(s)
+    u = s - whole
+    q = _quarters(v, int(whole), way)
+    # whole quarters: x + K (v - q)/|W|
+    x0, x1 = x[0] - way * (v[1] - q[1]) / size, x[1] + way * (v[0] - q[0]) / size
+    d = 1.0 / (1.0 + u * u)
+    f = 2.0 * u * d
+    k0, k1 = -way * q[1], way * q[0]
+    f0, f1 = f * (k0 - u * q[0]), f * (k1 - u * q[1])
+    f = f / size
+    return (x0 + f * (q[0] + u * k0), x1 + f * (q[1] + u * k1), x[2]), (q[0] + f0, q[1] + f1, v[2])
+
+
+@kernel
+def arc_duration(field: float, s: float) -> float:
+    """Return the time of a flight up to s."""
+    whole = math.floor(s)
+    return (whole * (0.5 * math.pi) + 2.0 * angle_of_tangent(s - whole)) / abs(field)
+
+
+@kernel
+def arcs_joined(s: float, more: float) -> float:
+    """Return the place on a flight that goes on with another."""
+    m, n = math.floor(s), math.floor(more)
+    u, w = s - m, more - n
+    top, bottom = u + w, 1.0 - u * w
+    if top < bottom:
+        return m + n + top / bottom
+    # the tangent of half the angle beyond a quarter
+    return m + n + 1.0 + (top - bottom) / (top + bottom)
+
+
+@kernel
+def displaced_on_arc(field: float, dx: Vec, dv: Vec, s: float) -> tuple[Vec, Vec]:
+    """Return the displacement of a neighbour's position and velocity after flights up to s: the flight is linear in both."""
+    return on_arc(field, dx, dv, s)
+
+
+# --- pieces with a closed form -----------------------------------------------------------------------------------------
+
+
+@kernel
+def _falls_through_zero(c0: float, c1: float, c2: float, near: float) -> float:
+    """Return u within the quarter at which c0 + c1 u + c2 u^2 falls through zero; from below -near, only after it has risen."""
+    if c0 >= -near:
+        return hit2(c0, c1, c2, 1.0, 0.0)
+    inside = c1 * c1 - 4.0 * c2 * c0
+    if c1 <= 0.0 or c2 >= 0.0 or inside <= 0.0:
+        return NEVER
+    u = (c1 + math.sqrt(inside)) / (-2.0 * c2)
+    return u if u <= 1.0 else NEVER
+
+
+@kernel
+def _face(p: Any, near: float, x: Vec, v: Vec, k: Vec) -> float:
+    """Return u at which a face is met: v and k, velocity and its quarter turn, are over |W|/2."""
+    d = p.n[0] * x[0] + p.n[1] * x[1] - p.c
+    return _falls_through_zero(d, p.n[0] * v[0] + p.n[1] * v[1], d + p.n[0] * k[0] + p.n[1] * k[1], near)
+
+
+@kernel
+def _depth(x: float, y: float, v: Vec, k: Vec, r: float) -> tuple[float, float, float]:
+    """Return (1 + u^2) (r^2 - |x(u)|^2) as coefficients of a polynomial in u, for a circle about the origin."""
+    c0 = r * r - (x * x + y * y)
+    c1 = -2.0 * (x * v[0] + y * v[1])
+    c2 = c0 - 2.0 * (x * k[0] + y * k[1]) - (v[0] * v[0] + v[1] * v[1])
+    if abs(c0) < ON_THE_CIRCLE * (r * r) and c1 * c1 < ALONG_THE_CIRCLE * (v[0] * v[0] + v[1] * v[1]) * (r * r):
+        c0 = 0.0
+    return c0, c1, c2
+
+
+@kernel
+def _ellipse(p: Any, x: Vec, v: Vec, k: Vec) -> float:
+    """Return u at which an ellipse is left."""
+    # (1 + u^2) x(u), over the half axes
+    x0, x1, x2 = x[0] / p.c, v[0] / p.c, (x[0] + k[0]) / p.c
+    y0, y1, y2 = x[1] / p.r, v[1] / p.r, (x[1] + k[1]) / p.r
+    return hit4(
+        1.0 - (x0 * x0 + y0 * y0),
+        -2.0 * (x0 * x1 + y0 * y1),
+        2.0 - (x1 * x1 + y1 * y1) - 2.0 * (x0 * x2 + y0 * y2),
+        -2.0 * (x1 * x2 + y1 * y2),
+        1.0 - (x2 * x2 + y2 * y2),
+        1.0,
+        0.0,
+    )
+
+
+# --- pieces whose gap has a bounded second derivative ---------------------------------------------------------------------
+
+
+@kernel
+def _gap(panels: Any, j: int, a: float, p: float, q: float, x: Vec, v: Vec, k: Vec, u: float) -> tuple[float, float]:
+    """Return the gap at u and its rate: to panel j in its chord's frame, or (j < 0) to the curve within an ellipse."""
+    d = 1.0 / (1.0 + u * u)
+    f, g = u * d, d * d
+    px, py = x[0] + f * (v[0] + u * k[0]), x[1] + f * (v[1] + u * k[1])
+    even, odd = g * (1.0 - u * u), g * (2.0 * u)
+    vx, vy = even * v[0] + odd * k[0], even * v[1] + odd * k[1]
+    if j < 0:
+        depth, nx, ny, _rho = oval_depth(p, q, px, py)
+        return depth - a, nx * vx + ny * vy
+    eta, slope = graph_at(panels, j, a, px)
+    return py - eta, vy - slope * vx
+
+
+@kernel
+def _gap_root(
+    panels: Any, j: int, a: float, p: float, q: float, x: Vec, v: Vec, k: Vec, low: float, high: float, gap: float, rate: float
+) -> float:  # fmt: skip
+    """Return the root between low, where the gap is positive, and high, where it is not and falls."""
+    u = high
+    for _ in range(200):
+        new = newton_or_half(u, gap, rate, low, high)
+        if abs(new - u) <= 4e-16 * high or not low < new < high:
+            return new
+        u = new
+        gap, rate = _gap(panels, j, a, p, q, x, v, k, u)
+        if gap > 0.0:
+            low = u
+        else:
+            high = u
+    return u
+
+
+@kernel
+def _first_fall(  # noqa: PLR0911  (one return per outcome)
+    panels: Any, j: int, a: float, p: float, q: float, near: float, pull: float, x: Vec, v: Vec, k: Vec, u0: float, end: float
+) -> float:  # fmt: skip
+    """Return the first u between u0 and the end at which the gap falls through zero, or infinity; pull: an upper bound of G''."""
+    speed = math.sqrt(v[0] * v[0] + v[1] * v[1])
+    tiny = near / speed
+    g0, rate0 = _gap(panels, j, a, p, q, x, v, k, u0)
+    if g0 < -BEHIND * near:
+        return NEVER  # behind the wall: it has left the interior before, or is in another part of it
+    if g0 <= near:
+        if rate0 < -SLOW * speed:
+            return u0
+        # it touches: on to where the gap is more than rounding. (The rate is known better than the gap.)
+        # (a panel's gap is at least rate0 u - pull u^2/2; that to an ellipse is concave but for the path, and may fall faster)
+        step, left = max(tiny, rate0 / pull) if j >= 0 else tiny, u0
+        while g0 <= near:
+            if u0 >= end:
+                return NEVER
+            u0 = min(left + step, end)
+            g0, rate0 = _gap(panels, j, a, p, q, x, v, k, u0)
+            if rate0 < 0.0 and g0 <= near:
+                return u0
+            step = step + step
+    right = end
+    while u0 < end:
+        g1, rate1 = _gap(panels, j, a, p, q, x, v, k, right)
+        length = right - u0
+        short = length <= max(tiny, 4e-16 * right)
+        if g1 > 0.0:
+            if short or least_of_chord(g0, g1, length, pull) >= 0.0:
+                u0, g0, rate0 = right, g1, rate1
+                right = min(right + 2.0 * max(length, tiny, 4e-16 * right), end)
+                continue
+        elif rate0 + pull * length < 0.0:
+            return _gap_root(panels, j, a, p, q, x, v, k, u0, right, g1, rate1)
+        elif short:
+            return right
+        right = u0 + length / 2.0
+    return NEVER
+
+
+@kernel
+def _next_zero(c0: float, c1: float, c2: float, after: float) -> float:
+    """Return the first zero of c0 + c1 u + c2 u^2 beyond a place, or infinity."""
+    inside = c1 * c1 - 4.0 * c2 * c0
+    if inside < 0.0:
+        return NEVER
+    root = math.sqrt(inside)
+    b = -0.5 * (c1 + root) if c1 > 0.0 else -0.5 * (c1 - root)
+    one, other = b / c2 if c2 != 0.0 else NEVER, c0 / b if b != 0.0 else NEVER
+    low, high = min(one, other), max(one, other)
+    return low if low > after else high if high > after else NEVER
+
+
+@kernel
+def _panel(panels: Any, j: int, a: float, near: float, x: Vec, v: Vec, k: Vec, most: float) -> float:
+    """Return the first u within ``most`` at which a quarter meets a panel from above; x, v, k in its chord's frame."""
+    first, last = panels[j, FIRST_XI], panels[j, LAST_XI]
+    margin = OVERLAP * (last - first)
+    first, last = first - margin, last + margin
+    size = math.sqrt(v[0] * v[0] + v[1] * v[1])
+    # x(u) = x + u/(1 + u^2) (v + u k) has |x'| <= |v| and |x''| <= 2 |v|
+    pull = (2.0 + 2.0 * panels[j, SLOPE] + panels[j, BEND] * size) * size
+    u = 0.0
+    while u < most:
+        # to the next place at which xi enters the panel or leaves it
+        out = min(
+            most,
+            _next_zero(x[0] - first, v[0], x[0] - first + k[0], u),
+            _next_zero(x[0] - last, v[0], x[0] - last + k[0], u),
+        )
+        m = 0.5 * (u + out)
+        middle = x[0] + m / (1.0 + m * m) * (v[0] + m * k[0])
+        if first <= middle <= last:
+            found = _first_fall(panels, j, a, 0.0, 0.0, near, pull, x, v, k, u, out)
+            if found < NEVER:
+                return found
+        u = out
+    return NEVER
+
+
+@kernel
+def _curve(panels: Any, first: int, last: int, a: float, near: float, x: Vec, v: Vec, k: Vec, most: float) -> float:
+    """Return the first u within ``most`` at which a quarter leaves through an arc of a smooth curve; infinity where it does not."""
+    best = most
+    found = NEVER
+    radius = 0.5 * math.sqrt(v[0] * v[0] + v[1] * v[1])
+    # of a circle much larger than the table, too, whose middle is rounded
+    near_circle = near + CIRCLE_NOISE * radius
+    mx, my = x[0] + 0.5 * k[0], x[1] + 0.5 * k[1]
+    for j in range(first, last):
+        ex, ey = panels[j, CX], panels[j, CX + 1]
+        dx, dy = mx - panels[j, OX], my - panels[j, OX + 1]
+        # the panel's rectangle, and the circle's middle, in the chord's frame
+        begin, end, low, high = panels[j, FIRST_XI], panels[j, LAST_XI], panels[j, LOW] - near, panels[j, HIGH] + near
+        cx, cy = ex * dx + ey * dy, ex * dy - ey * dx
+        wide, tall = max(begin - cx, cx - end, 0.0), max(low - cy, cy - high, 0.0)
+        if wide * wide + tall * tall > (radius + near_circle) * (radius + near_circle):
+            continue
+        wide, tall = max(cx - begin, end - cx), max(cy - low, high - cy)
+        inner = radius - near_circle
+        if inner > 0.0 and wide * wide + tall * tall < inner * inner:
+            continue
+        dx, dy = x[0] - panels[j, OX], x[1] - panels[j, OX + 1]
+        u = _panel(
+            panels, j, a, near, (ex * dx + ey * dy, ex * dy - ey * dx, 0.0), (ex * v[0] + ey * v[1], ex * v[1] - ey * v[0], 0.0),
+            (ex * k[0] + ey * k[1], ex * k[1] - ey * k[0], 0.0), best,
+        )  # fmt: skip
+        if u < NEVER:
+            best, found = u, u
+    return found
+
+
+# --- all pieces -----------------------------------------------------------------------------------------------------------
+
+
+@kernel
+def _at(x: Vec, v: Vec, k: Vec, u: float) -> tuple[float, float]:
+    """Return the place at u."""
+    f = u / (1.0 + u * u)
+    return x[0] + f * (v[0] + u * k[0]), x[1] + f * (v[1] + u * k[1])
+
+
+@kernel
+def _on_second_arc_turning(p: Any, near: float, x: Vec, v: Vec, k: Vec, u: float) -> bool:
+    """Return whether the second of an ellipse's two arcs is met; in their corner, the one towards which the ball flies."""
+    i = 1 if p.c > p.r else 0
+    side = _at(x, v, k, u)[i]
+    rate = (1.0 - u * u) * v[i] + 2.0 * u * k[i]
+    second: bool = (side if abs(side) > near else rate) < 0.0
+    return second
+
+
+@kernel
+def _hit_in_quarter(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec, k: Vec) -> tuple[float, int]:
+    """Return u at the next piece within a quarter of the circle, and its index; infinity and -1 where none is met."""
+    best = NEVER
+    which = -1
+    near = world.corner_tolerance
+    for i in range(world.windows):
+        p = pieces[i]
+        part = world.finite_faces and i < world.faces
+        u = _face(p, near if part else NEVER, x, v, k)
+        if u < best:
+            if part:
+                px, py = _at(x, v, k, u)
+                s = p.n[1] * px - p.n[0] * py
+                if s < p.begin - near or s > p.end + near:
+                    continue
+            best, which = u, i
+    for i in range(world.windows, world.inside):
+        p = pieces[i]
+        c0, c1, c2 = _depth(x[0] - p.n[0], x[1] - p.n[1], v, k, p.r)
+        u = _falls_through_zero(c0, c1, c2, 2.0 * p.r * near if p.begin != 0.0 else NEVER)
+        if u < best and (p.begin == 0.0 or p.begin * (_at(x, v, k, u)[0] - p.n[0]) >= -near):
+            best, which = u, i
+    for i in range(world.inside, world.outside):
+        p = pieces[i]
+        c0, c1, c2 = _depth(x[0] - p.n[0], x[1] - p.n[1], v, k, p.r)
+        u = hit2(-c0, -c1, -c2, 1.0, 0.0)
+        if u < best:
+            best, which = u, i
+    if world.outside < world.ellipses:
+        p, i = pieces[world.outside], world.outside
+        if world.inset > 0.0:
+            noise = NOISE * (p.c + p.r)
+            pull = 2.0 * math.sqrt(v[0] * v[0] + v[1] * v[1])
+            u = _first_fall(panels, -1, world.inset, p.c, p.r, noise, pull, x, v, k, 0.0, min(best, 1.0))
+            if world.arc_corners != 0 and u < NEVER and _on_second_arc_turning(p, near, x, v, k, u):
+                i += 1
+        else:
+            u = _ellipse(p, x, v, k)
+        if u < best:
+            best, which = u, i
+    for i in range(world.ellipses, world.curves):
+        p = pieces[i]
+        u = _curve(panels, int(p.c), int(p.r), world.inset, NOISE * world.extent, x, v, k, min(best, 1.0))
+        if u < best:
+            best, which = u, i
+    return best, which
+
+
+@kernel
+def arc_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple[float, int]:
+    """Return the place s on the flight at which it meets the next piece, and its index; infinity and -1 for a closed circle."""
+    field = world.magnetic_field
+    way = 1.0 if field > 0.0 else -1.0
+    scale = 2.0 / abs(field)
+    for count in range(4):
+        y, w = on_arc(field, x, v, float(count))
+        u, i = _hit_in_quarter(
+            world, pieces, panels, y, (scale * w[0], scale * w[1], 0.0), (-way * scale * w[1], way * scale * w[0], 0.0)
+        )
+        if i >= 0:
+            return count + u, i
+    return NEVER, -1
+
+
+# ----------------------------------------------------------------------------------------------------
+# Find the next piece of the boundary that a flying ball meets, and the wall's normal there.
+#
+# A single ball needs no event queue: its next event is the nearest of the table's pieces. All pieces bound the ball's centre.
+#
+# Where no force acts across the walls, the flight is met as a straight line: linear for a face, quadratic for a circle, a sphere,
+# an
+# ellipse. Under a force across walls it is a parabola; its roots, of degree 2 (faces) or 4 (curved pieces), are those of
+# :mod:`carom.core.roots.first_root`, which find the first of them, and a crossing outside the ends of a piece is skipped for the
+# next
+# one. The curve at a distance from an ellipse, of degree eight, is in :mod:`carom.billiards.boundary` and
+# :mod:`carom.core.geometry.outlines`; smooth curves, with a table of ``panels``, are in :mod:`carom.core.geometry.curve`. Arcs of
+# circles, in a magnetic field, are in :mod:`carom.billiards.intersections`.
 
 
 @hot_kernel
@@ -292,7 +668,7 @@ def parabolic_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple
 def next_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple[float, int]:
     """Return how far the next piece is and its index; infinity and -1 where none lies ahead.
 
-    The distance along the flight is its time, or on an arc the number of :mod:`carom.billiards.circling`.
+    The distance along the flight is its time, or on an arc the number of :mod:`carom.billiards.intersections`.
     """
     if world.flight != STRAIGHT:
         if world.flight == ARC:

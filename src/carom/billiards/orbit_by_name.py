@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer, require_reversible, reverse
-from carom.billiards.periodic import periodic_orbits
-from carom.billiards.periodic_records import PeriodicOrbits
+from carom.billiards.periodic import PeriodicOrbits, periodic_orbits
 from carom.billiards.sampling import starts as sampled_starts
 from carom.billiards.setup import OrbitSetup, Start, default_ball, law_of, needs_surface, orbit_setup, start_rows
 from carom.billiards.stability import Lyapunov
@@ -25,8 +24,6 @@ from carom.laws.law import Law
 from carom.public.defaults import BOUNCES, PERIODIC_STARTS
 from carom.public.progress import Progress
 from carom.scene.figures import Figure
-
-__all__ = ["OrbitResult", "check_orbit", "orbit"]
 
 Array = NDArray[np.float64]
 

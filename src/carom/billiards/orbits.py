@@ -9,30 +9,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards.lanes import LANES, STATE
-from carom.billiards.loop import MEMORY, compiled_many, follow_one
+from carom.billiards.loop import LANES, MEMORY, STATE, compiled_many, follow_one
 from carom.billiards.setup import OrbitSetup, Start, orbit_setup, start_rows
 from carom.billiards.table_records import DONE, ENDING, ENDS, POSITION, TIME
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Numbers, Surface
-from carom.core.jit.slices import Pace
+from carom.core.jit.threads import Pace
 from carom.errors import CaromError, Fault
 from carom.files import require_memory
 from carom.public.progress import Progress
-
-__all__ = [
-    "FIRST_BOUNCES",
-    "MAX_KEPT_BYTES",
-    "Orbit",
-    "final",
-    "moved_in_flight",
-    "orbit",
-    "orbit_from_setup",
-    "require_integer",
-    "require_reversible",
-    "reverse",
-    "state_of_rows",
-]  # fmt: skip
 
 Array = NDArray[np.float64]
 

@@ -20,8 +20,6 @@ from carom.core.sums import added
 from carom.errors import CaromError, Fault
 from carom.files import require_memory
 
-__all__ = ["free_area", "starts"]
-
 Array = NDArray[np.float64]
 BYTES_PER_START = 400  # of memory, while a start is drawn and followed
 COVERED = 1e-9  # radii within the image of an obstacle: rounding

@@ -39,10 +39,7 @@ from carom.laws.law import (
     Law,
     wall_law,
 )
-from carom.laws.registry import laws
-from carom.laws.user import find_law
-
-__all__ = ["LAWS", "OrbitSetup", "Start", "default_ball", "orbit_setup", "start_rows"]
+from carom.laws.registry import find_law, laws
 
 Array = NDArray[np.float64]
 LAWS = tuple(law.name for law in laws().values() if law.kernel is not None)

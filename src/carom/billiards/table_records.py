@@ -4,11 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-__all__ = [
-    "ARC", "CORNER", "DONE", "ENDING", "ENDS", "ESCAPED", "FREE", "GRAZED", "MAX_EMPTY_CELLS", "PARABOLA", "PIECES", "POSITION",
-    "SPIN", "STRAIGHT", "TIME", "VELOCITY", "WORLD",
-]  # fmt: skip
-
 # A piece of the boundary of the region open to the ball's CENTRE. What the fields mean depends on the kind of piece:
 #
 #          face                                circle                    ellipse                               sphere

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from os import PathLike
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from carom.billiards.boundary import Boundary
 from carom.billiards.checks import Bounds, checked_acceleration, require_bounds
 from carom.billiards.figure_boundaries import boundary_of
-from carom.errors import MAX_MAGNITUDE, FaultList, checked_number
+from carom.errors import MAX_MAGNITUDE, CaromError, Fault, FaultList, checked_number
 from carom.scene.figures import Figure, figure
-
-__all__ = ["Table", "in_magnetic_field", "table", "under"]
+from carom.scene.figures.rounds import CircleFigure
 
 WEAKEST_FIELD = 1e-50  # rad/s: powers of the Larmor radius overflow in a weaker one, which bends nothing
 
@@ -224,3 +225,406 @@ def _require_one_force(faults: FaultList, field: str, table: Table) -> None:
         faults.add(field, "a magnetic field in a table in the plane only", f"{table.name}, in space")
     elif table.magnetic_field and any(table.acceleration):
         faults.add(field, "an acceleration or a magnetic field", "both")
+
+
+# ----------------------------------------------------------------------------------------------------
+# Tables of the package's figures by their sizes, one function each.
+
+
+Circles = Sequence[Sequence[float]]
+
+# --- in the plane --------------------------------------------------------------------------------------------------
+
+
+def strip(width: float = 1.0, *, bounds: Bounds = "centre", acceleration: float = 0.0) -> Table:
+    """Return a strip: two parallel walls y = -width/2 and y = width/2.
+
+    Parameters
+    ----------
+    width : float, m
+    bounds : "centre" or "surface" of the ball
+    acceleration : float, along the walls, in x, m/s^2
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> print(billiards.strip(2.0))
+    strip (width 2.0; bounds the centre)
+    """
+    return _along((1, 0, 0), acceleration, "strip", bounds, width=width)
+
+
+def wedge(angle: float, *, bounds: Bounds = "centre") -> Table:
+    """Return a wedge: two walls from the origin, symmetric about the x axis.
+
+    Parameters
+    ----------
+    angle : float, between the walls, 0 to pi, rad
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> print(billiards.wedge(1.0))
+    wedge (angle 57.29577951308232; bounds the centre)
+    """
+    return table("wedge", bounds=bounds, angle=math.degrees(angle))
+
+
+def polygon(vertices: ArrayLike, *, bounds: Bounds = "centre", name: str = "polygon") -> Table:
+    """Return the polygon with the vertices in order; it need not be convex, but must not intersect itself.
+
+    Parameters
+    ----------
+    vertices : array (N, 2), m
+    bounds : "centre" or "surface" of the ball
+    name : str, for messages
+
+    Returns
+    -------
+    Table. Raises CaromError for coincident vertices and for sides that cross, overlap or run back, with their numbers from 1.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> table = billiards.polygon([(0, 0), (2, 0), (0, 1)])
+    >>> table.wall().lengths
+    array([2.        , 2.23606798, 1.        ])
+    """
+    return replace(table("polygon", bounds=bounds, points=vertices), name=name)
+
+
+def regular(sides: int, radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
+    """Return the regular polygon about the origin whose lowest side is horizontal.
+
+    Parameters
+    ----------
+    sides : int
+    radius : float, of the circumscribed circle, m
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> print(billiards.regular(5))
+    regular (sides 5, radius 1.0; bounds the centre)
+    """
+    return table("regular", bounds=bounds, sides=sides, radius=radius)
+
+
+def rectangle(width: float = 2.0, height: float = 1.0, *, bounds: Bounds = "centre") -> Table:
+    """Return a rectangle about the origin.
+
+    Parameters
+    ----------
+    width, height : float, along x and along y, m
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> print(billiards.rectangle(2.0, 1.0))
+    rectangle (size [2.0, 1.0]; bounds the centre)
+    """
+    return table("rectangle", bounds=bounds, size=(width, height))
+
+
+def circle(radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
+    """Return a circle about the origin.
+
+    Parameters
+    ----------
+    radius : float, m
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> print(billiards.circle(1.5))
+    circle (radius 1.5; bounds the centre)
+    """
+    return table("circle", bounds=bounds, radius=radius)
+
+
+def ellipse(major: float = 1.0, minor: float = 0.8, *, bounds: Bounds = "centre") -> Table:
+    """Return the ellipse (x/major)^2 + (y/minor)^2 = 1.
+
+    With bounds="surface" the centre moves within the parallel curve, which is not an ellipse; it is treated exactly (flights that
+    leave the wall at less than 1e-8 rad end as "grazed"). A ball larger than the smallest radius of curvature does not reach the
+    ends of the long axis: its centre's curve has two arcs, with corners where the ball touches both sides at once. A ball as large
+    as the smaller half axis does not fit.
+
+    Parameters
+    ----------
+    major, minor : float, half axes in x and y, m
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> billiards.ellipse(1.2, 0.5).wall().lengths
+    array([5.56...])
+    """
+    return table("ellipse", bounds=bounds, half_axes=(major, minor))
+
+
+def stadium(straight: float = 2.0, radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
+    """Return Bunimovich's stadium: two straight sides along x, and two half circles.
+
+    Parameters
+    ----------
+    straight, radius : float, length of the straight sides and radius of the half circles, m
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> billiards.stadium(2.0, 1.0).wall().lengths
+    array([2.        , 2.        , 3.14159265, 3.14159265])
+    """
+    return table("stadium", bounds=bounds, straight=straight, radius=radius)
+
+
+# --- with round obstacles: in the open plane, and periodic ------------------------------------------------------------
+
+
+def discs(obstacles: Circles | None = None, *, bounds: Bounds = "centre") -> Table:
+    """Return round obstacles in the open plane: a ball that meets none flies away.
+
+    Parameters
+    ----------
+    obstacles : sequence of (x, y, radius), m
+        Default: three of radius 1/4 in a triangle with sides of 3/2.
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> print(billiards.discs([(0.0, 0.0, 1.0), (3.0, 0.0, 1.0)]))
+    discs (obstacles [[0.0, 0.0, 1.0], [3.0, 0.0, 1.0]]; bounds the centre)
+    """
+    sizes: dict[str, Any] = {} if obstacles is None else {"obstacles": obstacles}
+    return table("discs", bounds=bounds, **sizes)
+
+
+# --- periodic, with round obstacles -----------------------------------------------------------------------------------
+
+
+def torus(
+    cell: Sequence[float] = (1.0, 1.0), scatterers: Circles = ((0.0, 0.0, 0.3),), *, bounds: Bounds = "centre"
+) -> Table:
+    """Return a periodic cell about the origin with circular obstacles.
+
+    Parameters
+    ----------
+    cell : (width, height), m
+    scatterers : sequence of (x, y, radius), m
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> print(billiards.torus((1.0, 1.0), [(0.0, 0.0, 0.4)]))
+    torus (size [1.0, 1.0], obstacles [[0.0, 0.0, 0.4]], periodic ['x', 'y']; bounds the centre)
+    """
+    return replace(table("cell", bounds=bounds, size=cell, obstacles=scatterers), name="torus")
+
+
+def sinai(radius: float = 0.3, side: float = 1.0, *, bounds: Bounds = "centre") -> Table:
+    """Return Sinai's billiard: one circular obstacle in a square torus.
+
+    Parameters
+    ----------
+    radius, side : float, of the obstacle and of the torus, m
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> print(billiards.sinai(0.3))
+    sinai (radius 0.3, side 1.0; bounds the centre)
+    """
+    return table("sinai", bounds=bounds, radius=radius, side=side)
+
+
+def periodic_strip(
+    period: float = 1.0, width: float = 1.0, scatterers: Circles = ((0.0, 0.0, 0.2),), *, bounds: Bounds = "centre"
+) -> Table:
+    """Return a strip, periodic in x, with walls y = -width/2 and y = width/2 and circular obstacles in each period.
+
+    Parameters
+    ----------
+    period, width : float, m
+    scatterers : sequence of (x, y, radius), m
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> billiards.periodic_strip(2.0, 1.0).wall().cell
+    (2.0, inf)
+    """
+    made = table("cell", bounds=bounds, size=(period, width), obstacles=scatterers, periodic=("x",))
+    return replace(made, name="periodic strip")
+
+
+# --- in space ------------------------------------------------------------------------------------------------------
+
+
+def sphere(radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
+    """Return a sphere about the origin.
+
+    Parameters
+    ----------
+    radius : float, m
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> print(billiards.sphere(2.0))
+    sphere (radius 2.0; bounds the centre)
+    """
+    return table("sphere", bounds=bounds, radius=radius)
+
+
+def plates(distance: float = 1.0, *, bounds: Bounds = "centre", acceleration: Sequence[float] = (0.0, 0.0)) -> Table:
+    """Return two parallel plates y = -distance/2 and y = distance/2.
+
+    Parameters
+    ----------
+    distance : float, m
+    bounds : "centre" or "surface" of the ball
+    acceleration : (x, z), along the plates, m/s^2
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> print(billiards.plates(1.0, acceleration=(0.0, -9.81)))
+    plates (distance 1.0, acceleration [0.0, 0.0, -9.81]; bounds the centre)
+    """
+    faults = FaultList("plates")
+    g = checked_acceleration(faults, acceleration, 2)
+    made: Table = faults.attempt(table, "plates", bounds=bounds, distance=distance)
+    faults.raise_if_any()
+    return replace(made, acceleration=(g[0], 0.0, g[1]))
+
+
+def cylinder(section: Table | float = 1.0, height: float | None = None, *, acceleration: float = 0.0) -> Table:
+    """Return a cylinder along z over a table in the plane, open or with two lids.
+
+    Parameters
+    ----------
+    section : Table or float
+        A table in the plane, or the radius of a circle, m. The cylinder bounds the same ("centre" or "surface") as the
+        section, and an acceleration of the section is kept.
+    height : float, optional
+        Distance of the lids, m. Default: open.
+    acceleration : float
+        Along the axis, m/s^2 (gravity: -9.81).
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> print(billiards.cylinder(1.0, height=2.0, acceleration=-9.81))
+    cylinder (radius 1.0, height 2.0, acceleration [0.0, 0.0, -9.81]; bounds the centre)
+    """
+    if isinstance(section, Table):
+        over: dict[str, Any] = {"section": section.figure}
+        if isinstance(section.figure, CircleFigure):
+            over = {"radius": section.figure.radius}
+        if section.magnetic_field:
+            raise CaromError(Fault("cylinder", "section", "a table without a magnetic field", f"{section}"))
+        x, y, _z = section.acceleration
+        made = _along((0, 0, 1), acceleration, "cylinder", section.bounds, **over, height=height)
+        return replace(made, acceleration=(x, y, made.acceleration[2]))
+    return _along((0, 0, 1), acceleration, "cylinder", "centre", radius=section, height=height)
+
+
+def box(size: Sequence[float] = (1.0, 1.0, 1.0), *, bounds: Bounds = "centre") -> Table:
+    """Return a box about the origin.
+
+    At an edge between a lid and a side, lid and side act one after the other.
+
+    Parameters
+    ----------
+    size : (x, y, z), m
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> print(billiards.box((1.0, 2.0, 3.0)))
+    box (size [1.0, 2.0, 3.0]; bounds the centre)
+    """
+    return table("box", bounds=bounds, size=size)
+
+
+def _along(axis: tuple[int, int, int], acceleration: float, kind: str, bounds: Any, **sizes: Any) -> Table:
+    """Return the table of a figure with an acceleration along an axis."""
+    faults = FaultList(kind)
+    (g,) = checked_acceleration(faults, acceleration)
+    made: Table = faults.attempt(table, kind, bounds=bounds, **sizes)
+    faults.raise_if_any()
+    x, y, z = (g if one else 0.0 for one in axis)
+    return replace(made, acceleration=(x, y, z))

@@ -10,7 +10,7 @@ from typing import Annotated, Any
 
 import typer
 
-from carom.cli.interrupts import noticed_interrupts, say_interrupted
+from carom.cli.streams import noticed_interrupts, say_interrupted
 from carom.cli.verbs import App, help_of, usage_fault
 from carom.errors import CaromError
 from carom.public.interrupts import INTERRUPTED

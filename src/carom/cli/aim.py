@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.common import require_outputs, wrote
-from carom.cli.options import OUTPUT, RUN, option, parse_pair, shared
+from carom.cli.options import OUTPUT, RUN, option, parse_pair, require_outputs, shared, wrote
 from carom.cli.streams import note, say_json
 from carom.errors import CaromError, FaultList
 
@@ -105,10 +104,9 @@ def aim(
     errors = found.attempt(dict, (_error(text) for text in error or ()))
     if found or made is None or ranges is None or errors is None:
         raise CaromError(*found)
-    from carom.cli.console import err
-    from carom.cli.progress import show_progress
-    from carom.simulation.compiled import loops_of
-    from carom.simulation.sensitivity.compiled import pass_loop
+    from carom.cli.console import err, show_progress
+    from carom.simulation.loop import loops_of
+    from carom.simulation.sensitivity.follow import pass_loop
     from carom.sweeps.aiming import aim as solve
 
     # (the many runs are compiled first, then the derivatives)
@@ -131,7 +129,7 @@ def aim(
     elif not quiet:
         _show(aims, scene)
     if plot is not None:
-        from carom.plot.aims import DRAWN, plot_aims
+        from carom.plot.trajectory import DRAWN, plot_aims
 
         plot_aims(aims, plot)
         if len(aims) > DRAWN and not quiet:
@@ -141,7 +139,7 @@ def aim(
 
 def _ranges(free: list[str]) -> Any:
     """Return paths, with their ranges where any is given."""
-    from carom.sweeps.unknowns import RANGES
+    from carom.sweeps.aiming import RANGES
 
     pairs = [text.partition("=") for text in free]
     if not any(sign for _path, sign, _range in pairs):

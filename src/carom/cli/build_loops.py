@@ -10,10 +10,9 @@ import sys
 import time
 
 from carom.cli.warm import COMPILE_JOBS
-from carom.core.jit.native_build import LoweringError, NativeBuild
+from carom.core.jit.lowering import LoweringError
+from carom.core.jit.native_build import NativeBuild
 from carom.core.jit.workers import do_job
-
-__all__ = ["main"]
 
 
 def main() -> int:

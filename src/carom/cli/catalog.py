@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.common import require_outputs, wrote
 from carom.cli.console import err
-from carom.cli.options import shared
+from carom.cli.options import require_outputs, shared, wrote
 from carom.cli.streams import say_json
 from carom.errors import CaromError, FaultList
 

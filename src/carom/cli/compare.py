@@ -13,9 +13,8 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from carom.cli.common import require_outputs, tick, wrote
 from carom.cli.console import out
-from carom.cli.options import BALL, OUTPUT, comma_separated, option, shared
+from carom.cli.options import BALL, OUTPUT, comma_separated, option, require_outputs, shared, tick, wrote
 from carom.cli.streams import say_json, say_notes
 from carom.errors import FaultList
 from carom.formatting import format_length, format_number
@@ -23,8 +22,6 @@ from carom.public.own_laws import with_own_laws
 
 if TYPE_CHECKING:
     from carom.laws.comparison import Comparison, Verdict
-
-__all__ = ["show"]
 
 MIN_WIDTH_WITH_SPIN = 116  # columns of the terminal from which the table has room for the spin
 
@@ -77,8 +74,8 @@ def compare(
     The defaults are the paper's example.
     """
     from carom.laws import comparison as library
-    from carom.laws.user import find_law
-    from carom.scene.plausible import ball_notes
+    from carom.laws.registry import find_law
+    from carom.scene.openings import ball_notes
 
     contact: Literal["with", "after"] = floor_contact  # type: ignore[assignment]  # checked by the library
     settings: dict[str, Any] = {

@@ -7,9 +7,8 @@ from typing import Annotated, Any
 
 import typer
 
-from carom.cli.common import require_outputs, wrote
-from carom.cli.options import BALL, WALL, option, parse_assignments, parse_number, shared
-from carom.cli.progress import working
+from carom.cli.console import working
+from carom.cli.options import BALL, WALL, option, parse_assignments, parse_number, require_outputs, shared, wrote
 from carom.cli.streams import note, say_json
 from carom.errors import CaromError, FaultList
 from carom.public.defaults import ANGLES_DEG, DESIGNED_LAWS, ODDS, RADIUS, SIGMA_V, SPEEDS, SPINS

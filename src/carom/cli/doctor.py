@@ -73,14 +73,12 @@ def doctor(
 def report() -> dict[str, Any]:
     """Return the versions and features of the installation."""
     import carom
-    from carom.core.jit.background import core_count
-    from carom.core.jit.cache import cache_base
-    from carom.core.jit.compile import cache_folder
-    from carom.core.jit.generations import generations
+    from carom.core.jit.cache import cache_base, cache_folder, generations
     from carom.core.jit.native import describe_loops
     from carom.core.jit.threads import thread_count
+    from carom.core.jit.workers import core_count
     from carom.files import OPTIONAL
-    from carom.simulation.compiled import compiled_before
+    from carom.simulation.loop import compiled_before
 
     folder = cache_folder()
     sizes = {one.folder: one.size / 1e6 for one in generations(cache_base())}

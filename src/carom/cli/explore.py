@@ -7,8 +7,7 @@ from typing import Annotated
 
 import typer
 
-from carom.cli.common import require_outputs, wrote
-from carom.cli.options import OUTPUT, RUN, comma_separated, option, shared
+from carom.cli.options import OUTPUT, RUN, comma_separated, option, require_outputs, shared, wrote
 from carom.errors import FaultList
 
 

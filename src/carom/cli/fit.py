@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+import re
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.common import require_outputs, tell, write_report_page, wrote
-from carom.cli.fit_shots import show_shots, write_shots_page
-from carom.cli.fit_tracks import show_whole, write_whole_page
+from carom.cli.console import working
 from carom.cli.option_names import with_options
 from carom.cli.options import (
     OUTPUT,
@@ -22,15 +22,218 @@ from carom.cli.options import (
     parse_bounds,
     parse_length,
     parse_number,
+    require_outputs,
     shared,
+    tell,
+    write_report_page,
+    wrote,
 )
-from carom.cli.progress import working
-from carom.cli.ranking_output import show, show_each
-from carom.errors import CaromError, FaultList
+from carom.errors import CaromError, FaultList, shortened_list
+from carom.formatting import counted
 from carom.public.defaults import CUSHIONS
 
 if TYPE_CHECKING:
     from rich.console import Console
+
+    from carom.fitting import Fit, Ranked, Ranking, RankingsBy
+    from carom.fitting.forms import FormChoice
+    from carom.fitting.shots import ShotsFit, ShotsRanking
+    from carom.fitting.tracks import TrackFit, TrackRanking
+
+
+def write_shots_page(ranking: ShotsRanking, files: Sequence[Path], page: Path) -> Path:
+    """Write the report, and return its path."""
+    from carom.plot.shots import write_shots_report
+
+    return write_shots_report(ranking, shortened_list([str(file) for file in files]), page)
+
+
+def show_shots(ranking: ShotsRanking) -> None:
+    """Print a ranking of fits to whole shots, then the sentences on the best one."""
+    from rich.text import Text
+
+    from carom.cli.console import out
+    from carom.fitting.result import with_error_bar
+    from carom.fitting.shots.result import HORIZONS
+    from carom.formatting import counted
+
+    best = ranking.best
+    frames = sum(len(one.film.time) for one in best.shots)
+    out().print(f"{counted(len(best.shots), 'shot')}, {frames:,} frames; noise {1e3 * best.noise:.2g} mm estimated")
+
+    def cells(one: Ranked[ShotsFit]) -> tuple[str, ...]:
+        numbers = ", ".join(f"{name} {with_error_bar(estimate)}" for name, estimate in one.fit.estimates.items())
+        medians = (1e3 * one.fit.median(name) for name in HORIZONS)
+        return (*("–" if math.isnan(mm) else f"{mm:.1f}" for mm in medians), numbers or "none")
+
+    said = f"\nRMS distances in mm: median of the shots, to the first ball, through its cushions, to rest. Errors: {_errors(best)}"
+    print_ranking(ranking, ("ball", "1", "2", "3 cushions", "whole"), cells, said)
+    for line in best.describe()[1:]:
+        out().print(Text(line), soft_wrap=True)
+
+
+def _errors(fit: ShotsFit) -> str:
+    return (
+        "from the scatter of shots."
+        if fit.by_shots
+        else "from the residuals of the frames, of which correlated ones count as one."
+    )
+
+
+# ----------------------------------------------------------------------------------------------------
+# Output of ``carom fit TRACKS --whole``: laws fitted to whole tracks, each simulated from its own initial state.
+
+
+def write_whole_page(ranking: TrackRanking, files: Sequence[Path], page: Path) -> Path:
+    """Write the report, and return its path."""
+    from carom.plot.fit import write_track_report
+
+    return write_track_report(ranking, shortened_list([str(file) for file in files]), page)
+
+
+def show_whole(ranking: TrackRanking) -> None:
+    """Print a ranking of fits to whole tracks."""
+    from carom.cli.console import out
+    from carom.fitting.result import with_error_bar
+    from carom.formatting import counted
+
+    best, tracks = ranking.best, ranking.best.frames.segments
+    out().print(
+        f"{counted(len(tracks), 'track segment')}, {counted(sum(len(one.contacts) for one in tracks), 'contact')},"
+        f" {int(best.frames.count.sum()):,} frames; noise {1e3 * best.noise:.3g} mm {'as given' if best.known else 'estimated'}"
+    )
+
+    def cells(one: Ranked[TrackFit]) -> tuple[str, ...]:
+        fit = one.fit
+        known = [f"{name} {with_error_bar(e)}" for name, e in fit.estimates.items() if not name.startswith("wall_")]
+        chi2 = f"{fit.chi2:.4g}/{fit.dof:.0f}" if fit.known else "–"
+        return chi2, f"{1e3 * fit.median_rms:.3g}", ", ".join(known)
+
+    over_all = f"{best.law.name} over all {1e3 * best.rms():.3g} mm"
+    more = f"\nRMS: median of the segments; {over_all}. Wall positions: --json, --report"
+    print_ranking(ranking, ("chi²/dof", "RMS, mm"), cells, more)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Print a ranking of laws, fitted to rebounds or to whole tracks, as a table, with its verdict and notes.
+
+
+MAX_OUTLIERS = 10
+GAP, EDGES = 3, 2  # characters between columns, and at both edges of a table
+LEAST_ROOM = 26  # characters, for the longest names of parameters
+
+
+def show(ranking: Ranking) -> None:
+    """Print a ranking of fits to rebounds."""
+    from rich.text import Text
+
+    from carom.cli.console import out
+    from carom.fitting.result import with_error_bar
+
+    def cells(one: Ranked[Fit]) -> tuple[str, ...]:
+        fit = one.fit
+        numbers = ", ".join(f"{name} {with_error_bar(estimate)}" for name, estimate in fit.estimates.items())
+        return (
+            f"{one.weight:.3g}" if one.weight >= 1e-4 else "0",
+            "–" if fit.scatter or fit.dof <= 0 else f"{fit.chi2:.4g}/{fit.dof}",
+            "–" if math.isnan(one.score) else f"{one.score:.3g}",
+            ", ".join(part for part in (numbers, fit.scatter_in_words) if part) or "none",
+        )
+
+    print_ranking(ranking, ("weight", "chi²/dof", "CV score"), cells)
+    for choice in ranking.forms:
+        _print_forms(choice)
+    for outlier in ranking.outliers[:MAX_OUTLIERS]:
+        out().print(Text(f"outlier: {outlier.row}: chi² {outlier.chi2:.1f}, {outlier.why}"), soft_wrap=True)
+    if (more := len(ranking.outliers) - MAX_OUTLIERS) > 0:
+        out().print(f"and {counted(more, 'more outlier')}")
+
+
+def _print_forms(choice: FormChoice) -> None:
+    """Print the functions of the impact that were tried for a law's parameters, and the choice."""
+    from rich import box
+    from rich.table import Table
+    from rich.text import Text
+
+    from carom.cli.console import out
+
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
+    for head in (f"{choice.law}: parameters as", "ΔAICc", "held-out score", "gain"):
+        table.add_column(head, justify="left" if head.startswith(choice.law) else "right", no_wrap=True)
+    first = choice.tried[0]
+    for i, one in enumerate(choice.tried):
+        gain = f"{one.gain:+.3f} ± {one.gain_error:.3f}" if i else ""
+        cells = (one.words, f"{one.aicc - first.aicc:+.1f}", f"{one.score:.3f}", gain)
+        table.add_row(*cells, style="bold" if i in choice.chosen else None)
+    out().print(table)
+    out().print(Text(f"{choice.sentence}."), soft_wrap=True)
+
+
+def show_each(rankings: RankingsBy) -> None:
+    """Print the rankings of the values of a column, one after the other."""
+    from rich.text import Text
+
+    from carom.cli.console import out
+
+    for value, ranking in rankings.items():
+        out().print(Text(f"{rankings.column} {value}", style="bold"))
+        show(ranking)
+
+
+def _in_lines(parameters: str, room: int) -> str:
+    """Return names with their numbers in lines of so many characters, which end between two of them, or before a number."""
+    lines: list[str] = []
+    for item in re.split(r"(?<=,) (?=[a-z])", parameters):
+        if lines and len(lines[-1]) + 1 + len(item) <= room:
+            lines[-1] += f" {item}"
+        else:
+            lines += [item] if len(item) <= room else item.split(" ", 1)
+    return "\n".join(lines)
+
+
+def print_ranking(
+    ranking: Ranking | TrackRanking | ShotsRanking,
+    heads: Sequence[str],
+    cells: Callable[[Any], Sequence[str]],
+    more: str = "",
+) -> None:
+    """Print the laws as a table, best first, and the sentences below it.
+
+    ``cells`` of a ranked fit: one for each of ``heads``, and the parameters; ``more``: a note on the columns.
+    """
+    from rich import box
+    from rich.table import Table
+    from rich.text import Text
+
+    from carom.cli.console import out
+
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
+    names = ("law", "ΔAICc", *heads, "parameters")
+    for head in names:
+        words = head in ("law", "parameters")
+        table.add_column(head, justify="left" if words else "right", no_wrap=head != "parameters")
+    rows = [(one.fit.law.name, f"{one.fit.aicc - ranking.best.aicc:.1f}", *cells(one)) for one in ranking.ranked]
+    others = list(zip(names, *rows, strict=True))[:-1]
+    room = out().width - EDGES - sum(GAP + max(map(len, column)) for column in others)
+    beside = room >= LEAST_ROOM
+    if not beside:  # the numbers of each law stand below the table
+        table.columns.pop()
+    for i, row in enumerate(rows):
+        table.add_row(*row[:-1], *([_in_lines(row[-1], room)] if beside else []), style=None if i else "bold")
+    out().print(table)
+    for law, *_cells, numbers in [] if beside else rows:
+        out().print(Text(f"{law}: {numbers}"))
+    out().print(Text(f"{ranking.aicc_note}{more}", style="dim"), soft_wrap=True)
+    out().print(Text(ranking.verdict, style="bold green" if ranking.decisive else "bold yellow"), soft_wrap=True)
+    if unidentified := dict.fromkeys(ranking.degenerate):
+        out().print("Unconstrained parameters:")
+    for line in unidentified:
+        out().print(Text(f"  {line}"), soft_wrap=True)
+
+
+# ----------------------------------------------------------------------------------------------------
+# ``carom fit``: fit the laws to measured rebounds or whole tracks, rank them, and write a report.
+
 
 DATA, LAWS = REBOUNDS, "Laws"
 
@@ -197,8 +400,8 @@ def fit(
     from carom.files import require_library
 
     require_library("scipy", "fit")
-    from carom.fitting.fit_files import check_fit
-    from carom.fitting.fit_files import fit as fit_laws_to
+    from carom.fitting.files import check_fit
+    from carom.fitting.files import fit as fit_laws_to
 
     faults = FaultList()
     fixed, bounds = _held(faults, fix, bound)
@@ -285,8 +488,7 @@ def _picture(ranking: Any) -> Any:
     """Return the figure of a fit: film and model on each other, of rows what was measured and predicted."""
     from carom.fitting import Ranking
     from carom.fitting.shots import ShotsRanking
-    from carom.plot.fit import plot_fit
-    from carom.plot.fit_tracks import plot_tracks
+    from carom.plot.fit import plot_fit, plot_tracks
     from carom.plot.shots import plot_shot, plot_shots
 
     if not isinstance(ranking, ShotsRanking):

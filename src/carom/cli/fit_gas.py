@@ -34,7 +34,7 @@ def fit_gas(
     from carom.files import require_library
 
     require_library("scipy", "fit")
-    from carom.fitting.gas_fit import fit_gas as infer
+    from carom.fitting.gas import fit_gas as infer
     from carom.fitting.result import with_error_bar
 
     found = infer(file, scene)

@@ -2,28 +2,178 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import shlex
 import sys
+import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
+from rich.text import Text
 
-from carom.cli.common import GAS_FILMS, of_option, require_outputs, write_files, wrote
-from carom.cli.gas_snapshots import allowed_size, size_limit
-from carom.cli.interrupts import stop_requests
-from carom.cli.options import OUTPUT, RUN, option, shared
-from carom.cli.streams import json_text, note, say_notes
+from carom.cli.console import out
+from carom.cli.gas_output import LINE_INTERVAL, Progress, no_diffusion, print_tables
+from carom.cli.options import GAS_FILMS, OUTPUT, RUN, of_option, option, require_outputs, shared, write_files, wrote
+from carom.cli.streams import json_text, note, say_interrupted, say_json, say_notes, stop_requests
 from carom.errors import CaromError, FaultList, collected
-from carom.formatting import counted
+from carom.formatting import counted, format_bytes
 
 if TYPE_CHECKING:
-    from carom.cli.gas_output import Progress
-    from carom.gas.run_files import SessionEnd
-    from carom.gas.sampling import Every
+    from carom.gas.files import SessionEnd
+    from carom.gas.results import Every
     from carom.gas.scene import GasScene
     from carom.gas.session import Session
+    from carom.gas.simulate import Ensemble
+
+
+def require_no_files(found: FaultList, members: int, files: dict[str, Any]) -> None:
+    """Add the faults of a number of members, and of files that only a single gas has, to ``found``."""
+    if members < 2:
+        found.add("--ensemble", "a number of gases >= 2", str(members))
+    for file_option, value in files.items():
+        if value is not None:
+            advice = "run one of its gases by its --seed, which --json prints"
+            found.add(file_option, "none with --ensemble", str(value), advice)
+
+
+def run_ensemble(
+    scene: GasScene,
+    members: int,
+    progress: Progress,
+    plot: Path | None,
+    measures: Path | None,
+    as_json: bool,
+    quiet: bool,
+) -> None:
+    """Simulate an ensemble; print it, plot it, and write its measures."""
+    from carom.gas.results import EndedEarlyError
+    from carom.gas.simulate import simulate_ensemble
+
+    progress.note_compiling()
+    found = FaultList()
+    try:
+        with progress:
+            ensemble = simulate_ensemble(scene, members, progress=_Bar(progress, members).show)
+    except EndedEarlyError as error:
+        if error.result is None:
+            raise
+        ensemble = error.result
+        found += error.records
+    except KeyboardInterrupt:
+        say_interrupted("carom: interrupted; nothing was saved")
+        raise
+    written = write_files(found, ensemble, [(plot, _plot_ensemble), (measures, _write)])
+    # the report is printed even if a file cannot be written
+    if as_json:
+        say_json(_numbers(ensemble), 1)
+    elif not quiet:
+        undefined = not (scene.container.geometry.faces or scene.shear_rate) and math.isnan(ensemble.mean["diffusion"])
+        notes = [no_diffusion("displacement" in ensemble.curves or not ensemble.curves)] if undefined else []
+        if ensemble.ended_early:
+            notes.append(f"{len(ensemble.ended_early)} of {members} gases ended early; each counts up to its end.")
+        print_tables(scene, f"{members} gases: {scene.describe()}", ensemble.mean, ensemble.error, notes)
+        out().print(Text("In brackets: standard error of the mean, in units of the last digits."), soft_wrap=True)
+    wrote(*(() if quiet else written))
+    found.raise_if_any()
+
+
+class _Bar:
+    """Shows how far all members are."""
+
+    def __init__(self, progress: Progress, members: int) -> None:
+        self.progress, self.members, self.begin = progress, members, time.monotonic()
+        self.announced = False
+
+    def show(self, events: float, total: float, _text: str) -> None:
+        """Show the number of collisions so far, and the fraction that is done."""
+        share = events / total if total > 0 else 0.0
+        one, now = self.progress, time.monotonic()
+        if one.bar is None and not self.announced:
+            one.say(f"simulating {self.members} gases")
+        self.announced = True
+        rate = f"{events / max(now - self.begin, 1e-9):,.0f} events/s"
+        if one.bar is not None:
+            one.bar.describe(f"{self.members} gases")
+            one.bar.show(share, 1.0, f"{events:,} events  {rate}")
+        elif now - one.last_line >= LINE_INTERVAL:
+            one.last_line = now
+            one.say(f"{self.members} gases: {share:.0%}, {events:,} events, {rate}")
+
+
+# --- output --------------------------------------------------------------------------------------------------------
+
+
+def _numbers(ensemble: Ensemble) -> dict[str, Any]:
+    """Return the object of ``--json``."""
+    return {
+        "ensemble": len(ensemble.seeds), "seeds": list(ensemble.seeds), "mean": ensemble.mean, "error": ensemble.error,
+        "ended_early": {str(seed): end.to_dict() for seed, end in ensemble.ended_early.items()},
+    }  # fmt: skip
+
+
+def _write(ensemble: Ensemble, path: Path) -> None:
+    """Write all measures, of each member and their means, and the curves as JSON."""
+    from carom.files import write_text
+
+    curves = {
+        name: {part: values.tolist() for part, values in curve._asdict().items()}
+        for name, curve in ensemble.curves.items()
+    }
+    found = _numbers(ensemble) | {"curves": curves, "members": ensemble.members}
+    write_text(path, json_text(found, None))
+
+
+def _plot_ensemble(ensemble: Ensemble, path: Path) -> None:
+    from carom.plot.gas import plot_ensemble
+
+    plot_ensemble(ensemble, path)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Snapshots of ``carom gas``: how large they may become.
+
+
+UNITS = {"": 1.0, "B": 1.0, "KB": 1e3, "MB": 1e6, "GB": 1e9, "TB": 1e12}
+SAID_FROM = 1e8  # bytes: smaller files need no word
+
+
+def size_limit(text: str | None) -> float | None:
+    """Return a size in bytes, such as "20 GB", as a number."""
+    if text is None:
+        return None
+    words = text.strip().upper()
+    number = words.rstrip("BKMGT ")
+    with contextlib.suppress(ValueError, KeyError):
+        if (size := float(number) * UNITS[words[len(number) :].strip()]) > 0:
+            return size
+    raise CaromError(f"--max-size: expected a size > 0, such as '20 GB' or '500 MB', got {text!r}")
+
+
+def allowed_size(path: Path, scene: GasScene, every: Every | None, most: float | None, progress: Progress) -> float:
+    """Return how many bytes of snapshots may be written. CaromError where more are expected, and nobody can be asked or agrees."""
+    from carom.gas.snapshots import MAX_BYTES, expected_snapshots, require_size
+
+    assert every is not None
+    size = expected_snapshots(scene, every)
+    limit = MAX_BYTES if most is None else most
+    if size.total >= SAID_FROM:
+        progress.say(f"snapshots: {size.describe(scene.count)}")
+    try:
+        require_size(path, size, scene.count, limit)
+    except CaromError as error:
+        asked = most is None and size.total > limit and progress.console.is_terminal and sys.stdin.isatty()
+        if not asked or not typer.confirm(f"Write {format_bytes(size.total)} of snapshots to {path}?", err=True):
+            raise CaromError(*(of_option("--snapshots", fault) for fault in error.records)) from None
+        require_size(path, size, scene.count, size.total)  # (the disk still needs room)
+        return float("inf")
+    return limit
+
+
+# ----------------------------------------------------------------------------------------------------
+# ``carom gas``: run the scene of a gas; print, plot and save what was measured; stop and resume.
+
 
 RESUME = "Stop and resume"
 CHECKPOINT_INTERVAL = "10 min"
@@ -100,9 +250,8 @@ def gas(
     ] = None,
 ) -> None:
     """Simulate a gas of balls or discs, event by event, and report what was measured as tables, JSON or a plot."""
-    from carom.cli.gas_ensemble import require_no_files, run_ensemble
     from carom.cli.gas_output import Progress
-    from carom.gas.run_files import RunFiles, run_with_files
+    from carom.gas.files import RunFiles, run_with_files
 
     found = FaultList()
     kept = {
@@ -177,7 +326,7 @@ def gas(
 
 def _check_files(found: FaultList, named: dict[str, Path | None], kept: dict[str, Path | None]) -> None:
     """Add the faults of the files to be written, and of missing libraries, to ``found``."""
-    from carom.gas.checkpoint import require_checkpoint
+    from carom.gas.files import require_checkpoint
 
     # (a checkpoint has any name)
     kinds: dict[str, tuple[str, ...]] = {
@@ -205,8 +354,8 @@ def _snapshot_options(
 
 def _spacing(text: str, scene: GasScene | None) -> Every:
     """Return the interval of snapshots; of so many per decade of time the first is at the gas's mean free time."""
-    from carom.gas.sampling import LogTimes
-    from carom.gas.snapshot_sizes import mean_free_time
+    from carom.gas.results import LogTimes
+    from carom.gas.snapshots import mean_free_time
 
     words = text.split()
     if words[1:] in (["per", "decade"], ["per", "decade", "from", words[-1]]):
@@ -249,8 +398,7 @@ def _time(option: str, text: str, such_as: str = "0.5, or '10 min'") -> float:
 def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> GasScene | None:
     """Return the scene of a file, with the options in place of its [run]; None: the checkpoint's."""
     from carom.gas.build import load_gas
-    from carom.gas.scene import GasScene
-    from carom.gas.schema import GasSettings
+    from carom.gas.scene import GasScene, GasSettings
 
     changes = {name: value for name, value in changes.items() if value is not None}
     if path is None:
@@ -309,7 +457,7 @@ def _spaced(every: Every) -> str:
 
 
 def _session(scene: GasScene | None, resume: Path | None, progress: Progress) -> Session:
-    from carom.gas.checkpoint import load_checkpoint
+    from carom.gas.files import load_checkpoint
     from carom.gas.session import Session
 
     if resume is not None:
@@ -361,7 +509,7 @@ def _plot(session: Session, plot: Path) -> None:
 
 def _animate(session: Session, path: Path, quiet: bool) -> None:
     """Write the film."""
-    from carom.cli.progress import working
+    from carom.cli.console import working
     from carom.plot.gas_film import animate_gas
 
     with working("rendering", quiet=quiet) as progress:

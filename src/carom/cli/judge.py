@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from carom.cli.common import require_outputs, wrote
-from carom.cli.options import quantity, shared
+from carom.cli.options import quantity, require_outputs, shared, wrote
 from carom.errors import FaultList
 
 if TYPE_CHECKING:
@@ -64,7 +63,7 @@ def judge(
         say_notes(found.notes)
         _show(found)
     if plot is not None:
-        from carom.plot.judgement import plot_judgement
+        from carom.plot.tracks import plot_judgement
 
         plot_judgement(found, plot)
         wrote(plot)

@@ -3,22 +3,280 @@
 from __future__ import annotations
 
 import functools
+import math
 from pathlib import Path
+from statistics import median
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.common import require_outputs, wrote
-from carom.cli.options import BALL, OUTPUT, option, parse_whole, shared
-from carom.cli.orbit_output import every_bounce, orbit_facts, print_orbit
-from carom.cli.progress import working
+from carom.cli.console import working
+from carom.cli.options import BALL, OUTPUT, option, parse_whole, require_outputs, shared, wrote
 from carom.cli.streams import note, say_json
 from carom.errors import CaromError, FaultList
+from carom.formatting import counted, json_value
 from carom.public.defaults import BOUNCES, PERIODIC_STARTS
 from carom.public.own_laws import with_own_laws
 
 if TYPE_CHECKING:
-    from carom.billiards import OrbitResult
+    from carom.billiards import Lyapunov, Orbit, OrbitResult, PeriodicOrbits
+
+LONGEST_SHOWN = 12  # walls of a periodic orbit, as letters
+# Why an orbit ended, in words.
+REASONS = {
+    "bounces": "after all bounces",
+    "escaped": "escaped",
+    "corner": "at a corner",
+    "grazed": "grazing the wall",
+    "free": "without another bounce",
+}
+
+
+def orbit_facts(found: OrbitResult) -> dict[str, Any]:
+    """Return the results of the orbits as plain numbers; None for quantities that are undefined."""
+    import numpy as np
+
+    from carom import billiards
+    from carom.billiards.table_records import PARABOLA
+
+    table = found.setup.table
+    ball = found.setup.ball
+    made, ends = np.atleast_1d(found.count), np.atleast_1d(found.ended)
+    facts: dict[str, Any] = {
+        "table": {"name": table.name, "bounds": table.bounds, **table.sizes},
+        "ball": {"radius": float(ball.radius), "kappa": float(ball.kappa)},
+        "law": found.setup.law,
+        "orbits": len(made),
+        "count": int(made.sum()),
+        "ended": {str(name): int((ends == name).sum()) for name in np.unique(ends)},
+        "energy_drift": None,
+    }
+    whole = made == found.t.shape[-1]
+    if made.max(initial=0) > 0:
+        speed = np.atleast_2d(found.speed)
+        facts["mean_time_between_bounces"] = float(np.nansum(found.last[..., 0]) / made.sum())
+        if found.setup.conservative:
+            fall = 2 * (found.position @ np.array(table.acceleration[: table.dimension])).reshape(speed.shape)
+            lost = speed**2 - fall
+            lost = lost[np.arange(len(made)), np.maximum(made, 1) - 1] - lost[:, 0]
+            facts["energy_drift"] = float(np.nanmax(np.abs(lost) / np.nanmax(speed**2, axis=1)))
+    if whole.all() and found.t.shape[-1] > 1:
+        periods = np.atleast_1d(billiards.period(found))
+        names, counts = np.unique(periods, return_counts=True)
+        facts["periods"] = {str(p): int(c) for p, c in zip(names.tolist(), counts.tolist(), strict=True) if p}
+        falls = bool(found.setup.world["flight"][0] == PARABOLA)
+        round_ = "circle" in (table.name, getattr(getattr(table.figure, "over", None), "shape", ""))
+        if round_ and not falls:
+            caustics = billiards.caustics(found)
+            facts["caustics"] = np.atleast_2d(caustics.radii)[0].tolist() if len(made) == 1 else None
+        along = any(table.acceleration) or table.name in ("strip", "plates", "cylinder")
+        if along and not falls and found.t.shape[-1] >= 4:
+            axis = 2 if table.name in ("plates", "cylinder") else 0
+            drift = billiards.drift(found, axis)
+            names_ = ("extent", "velocity", "velocity_error", "acceleration", "acceleration_error", "growth")
+            if len(made) == 1:
+                facts["drift"] = {"axis": "xyz"[axis]} | {n: json_value(np.ravel(getattr(drift, n))[0]) for n in names_}
+    if found.reversal_error is not None:
+        facts["reversal_error"] = float(np.max(found.reversal_error))
+    if found.spectrum is not None:
+        facts["lyapunov"] = _exponents(found.spectrum)
+    if found.periodic is not None:
+        facts["periodic"] = [one.to_dict() for one in found.periodic]
+    return facts
+
+
+def _exponents(spectrum: Lyapunov) -> dict[str, Any]:
+    """Return the exponents of an orbit with their errors; of several their means, standard errors of these, and each one's.
+
+    An orbit that ended early has no exponents. Orbits of a mixed phase space have different ones, so the error of a mean over
+    orbits is the error of their scatter.
+    """
+    import numpy as np
+
+    every = spectrum.per_bounce.reshape(-1, spectrum.per_bounce.shape[-1])
+    lasted = np.isfinite(every).all(axis=-1)
+    means = [every, spectrum.per_time.reshape(every.shape), spectrum.error.reshape(every.shape)]
+    per_bounce, per_time, error = (
+        np.mean(x[lasted], axis=0) if lasted.any() else np.full(x.shape[-1], np.nan) for x in means
+    )
+    if lasted.sum() > 1:
+        error = np.std(every[lasted], axis=0, ddof=1) / math.sqrt(lasted.sum())
+    named = {"per_bounce": per_bounce, "per_time": per_time, "error": error}
+    found: dict[str, Any] = {name: json_value(values) for name, values in named.items()}
+    if len(every) > 1:
+        found["per_bounce_of_each"] = json_value(every)
+    return found
+
+
+def every_bounce(found: Orbit) -> list[Any]:
+    """Return every bounce: of one orbit a list, of many a list of lists."""
+    import numpy as np
+
+    d = found.setup.table.dimension
+    n = found.t.shape[-1]
+    flat = found.setup.shape.sphere is None
+    columns = {
+        "t": found.t, "piece": found.piece, "s": found.arc if flat else None, "position": found.position,
+        "velocity": found.velocity, "spin": found.spin, "along": found.along, "across": found.across,
+    }  # fmt: skip
+    rows = []
+    counts = np.atleast_1d(found.count)
+    reshaped = {
+        key: np.asarray(value).reshape(
+            len(counts), n, *([-1] if key in ("position", "velocity") or (key == "spin" and d == 3) else [])
+        )
+        for key, value in columns.items()
+        if value is not None
+    }
+    for m, count in enumerate(counts):
+        lists = {key: value[m, :count].tolist() for key, value in reshaped.items()}
+        rows.append([dict(zip(lists, values, strict=True)) for values in zip(*lists.values(), strict=True)])
+    return rows[0] if len(rows) == 1 else rows
+
+
+def print_orbit(facts: dict[str, Any], found: OrbitResult) -> None:
+    """Print the results as tables."""
+    from rich import box
+    from rich.table import Table as Grid
+
+    from carom.cli.console import out
+
+    console = out()
+    grid = Grid(box=None, show_header=False, pad_edge=False)
+    grid.add_column(style="bold")
+    grid.add_column()
+    sizes = ", ".join(
+        f"{k} {v:.6g}" if isinstance(v, float) else f"{k} {v}"
+        for k, v in facts["table"].items()
+        if k not in ("name", "bounds")
+    )
+    grid.add_row("table", f"{facts['table']['name']}: {sizes}; bounds the {facts['table']['bounds']}")
+    grid.add_row(
+        "ball", f"kappa {facts['ball']['kappa']:.6g}, radius {facts['ball']['radius']:.6g} m; law {facts['law']}"
+    )
+    reasons = {REASONS[name]: count for name, count in facts["ended"].items()}
+    ends = ", ".join(f"{count} {name}" if facts["orbits"] > 1 else name for name, count in reasons.items())
+    grid.add_row(
+        "bounces", f"{facts['count']:,} in {facts['orbits']:,} orbit{'s' * (facts['orbits'] > 1)}; ended: {ends}"
+    )
+    if facts.get("mean_time_between_bounces") is not None:
+        grid.add_row("mean time", f"{facts['mean_time_between_bounces']:.6g} s between bounces")
+    if facts["energy_drift"] is not None:
+        grid.add_row("energy", f"conserved to {facts['energy_drift']:.1e}")
+    if facts.get("periods"):
+        shown = ", ".join(p if facts["orbits"] == 1 else f"{p} ({c})" for p, c in facts["periods"].items())
+        grid.add_row("period", shown)
+    elif "periods" in facts:
+        grid.add_row("period", f"none up to {counted(found.t.shape[-1] // 2, 'bounce')}")
+    if facts.get("caustics"):
+        grid.add_row("caustics", " and ".join(f"{r:.9g}" for r in facts["caustics"]) + " m")
+    if facts.get("drift"):
+        d = facts["drift"]
+        kind = "bounded" if d["growth"] is not None and d["growth"] < 1.3 else "not bounded so far"
+        grid.add_row(
+            "along " + d["axis"],
+            f"{kind}: extent {d['extent']:.6g} m{_drift_rates(d)}",
+        )
+    if facts.get("reversal_error") is not None:
+        grid.add_row("backwards", f"returns to within {facts['reversal_error']:.1e} m")
+    console.print(grid)
+    if facts.get("lyapunov"):
+        spectrum = Grid(box=box.SIMPLE_HEAD, pad_edge=False)
+        for name in ("Lyapunov exponents", "per bounce", "±", "per second"):
+            spectrum.add_column(name, justify="right")
+        both = facts["lyapunov"]
+        for number, row in enumerate(zip(both["per_bounce"], both["error"], both["per_time"], strict=True)):
+            spectrum.add_row(str(number + 1), *("–" if x is None else f"{x:.5f}" for x in row))
+        console.print(spectrum)
+        console.print(_meaning(both), style="dim", soft_wrap=True)
+    if found.periodic is not None:
+        console.print(_periodic_orbits(found.periodic))
+        console.print(found.periodic.completeness, style="dim", soft_wrap=True)
+    elif facts["orbits"] == 1 and facts["count"]:
+        console.print(_first_bounces(found))
+
+
+def _drift_rates(d: dict[str, Any]) -> str:
+    """Return mean velocity and acceleration with their errors; nothing for an orbit that is too short to have errors."""
+    if d["velocity_error"] is None:
+        return ""
+    return (
+        f", mean velocity {d['velocity']:.3g} ± {d['velocity_error']:.1g} m/s,"
+        f" acceleration {d['acceleration']:.3g} ± {d['acceleration_error']:.1g} m/s²"
+    )
+
+
+def _periodic_orbits(found: PeriodicOrbits) -> Any:
+    """Return periodic orbits as a table: a row each."""
+    from rich import box
+    from rich.table import Table as Grid
+
+    grid = Grid(box=box.SIMPLE_HEAD, pad_edge=False)
+    for name in (
+        "bounces",
+        "duration (s)",
+        "stability",
+        "multiplier",
+        "rotation number",
+        "walls",
+        "turns",
+        "family",
+        "found",
+    ):
+        grid.add_column(name, justify="left" if name == "stability" else "right")
+    for one in found:
+        far, turns = one.multipliers[0], one.rotation_number
+        walls = one.itinerary if one.period <= LONGEST_SHOWN else "–"
+        grid.add_row(
+            str(one.period), f"{one.duration:.9g}", one.stability, "–" if far.imag else f"{far.real:.6g}",
+            "–" if turns is None else f"{turns:.6f}", walls, "–" if one.winding is None else str(one.winding),
+            str(one.family) if one.family else "–", str(one.found),
+        )  # fmt: skip
+    return grid
+
+
+def _meaning(exponents: dict[str, Any]) -> str:
+    """Return a sentence on the exponents and their errors."""
+    largest = sorted(row[0] for row in exponents.get("per_bounce_of_each", ()) if row[0] is not None)
+    if len(largest) < 2:
+        return "±: error of exponents per bounce: scatter between 20 parts of the orbit, or change since half of it if it is more."
+    low, middle, high = largest[0], median(largest), largest[-1]
+    return (
+        f"Means over {len(largest):,} orbits; ±: their standard error, from the scatter between orbits."
+        f" Largest exponent of each, per bounce: {low:.5f} to {high:.5f}, median {middle:.5f}."
+    )
+
+
+def _first_bounces(found: Orbit) -> Any:
+    """Return the first five bounces and the last as a table that fits 80 columns."""
+    import numpy as np
+    from rich.table import Table as Grid
+
+    n = found.t.shape[-1]
+    x = found.position.reshape(n, -1)
+    columns = {"t": found.t}
+    if found.setup.planar:
+        columns |= {"s": found.arc, "x": x[:, 0], "y": x[:, 1]}
+    else:
+        columns["z"] = x[:, 2]
+    columns |= {"v along": found.along, "v across": found.across}
+    spins = found.spin.reshape(n, -1)
+    grid = Grid(box=None, padding=(0, 1, 0, 0), title="bounces (m, s, rad)", title_style="dim", title_justify="left")
+    for name in ("", *columns, "spin"):
+        grid.add_column(name, justify="right", no_wrap=True, header_style="bold")
+    count = int(np.ravel(found.count)[0])
+    for k in [*range(min(count, 5)), *([count - 1] if count > 5 else [])]:
+        if k > 5:
+            grid.add_row("…")
+        numbers = [float(column.reshape(n)[k]) for column in columns.values()]
+        turn = " ".join(f"{w:.3g}" if len(spins[k]) > 1 else f"{w:.4g}" for w in spins[k])
+        grid.add_row(str(k + 1), *(f"{number + 0.0:.4g}" if math.isfinite(number) else "–" for number in numbers), turn)
+    return grid
+
+
+# ----------------------------------------------------------------------------------------------------
+# ``carom orbit``: follow single-particle billiards; bounces, phase portraits, Lyapunov exponents.
+
 
 TABLE, LAW, START = "Table", "Law", "Initial state"
 

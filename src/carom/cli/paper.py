@@ -10,10 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.common import wrote
-from carom.cli.console import err, out
-from carom.cli.options import shared
-from carom.cli.progress import working
+from carom.cli.console import err, out, working
+from carom.cli.options import shared, wrote
 from carom.cli.streams import json_text, say
 from carom.errors import CaromError
 from carom.files import require_library, require_writable, write_text

@@ -10,11 +10,9 @@ from rich.console import Console
 from rich.text import Text
 
 from carom.cli.catalog import datasets
-from carom.cli.common import require_outputs, wrote
-from carom.cli.console import err
+from carom.cli.console import err, working
 from carom.cli.option_names import in_options
-from carom.cli.options import WALL, option, shared
-from carom.cli.progress import working
+from carom.cli.options import WALL, option, require_outputs, shared, wrote
 from carom.cli.streams import say_json
 from carom.errors import CaromError, FaultList
 from carom.public.defaults import CONTACT_HEIGHT, FLOOR_CONTACT, GRAVITY

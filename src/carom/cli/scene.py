@@ -49,7 +49,7 @@ def new(
     force: Annotated[bool, shared("force")] = False,
 ) -> None:
     """Write a commented scene that runs as it stands: one ball on a carom table; a real table by name; or a gas."""
-    from carom.cli.common import wrote
+    from carom.cli.options import wrote
     from carom.errors import CaromError
     from carom.files import write_text
     from carom.gas.build import gas_text
@@ -88,7 +88,7 @@ def check(
     """Validate a scene and summarise it; or print it in full, in SI units, with every default filled in."""
     from carom.cli.streams import say, say_notes
     from carom.gas.build import is_gas, load_gas
-    from carom.scene.plausible import scene_notes
+    from carom.scene.openings import scene_notes
     from carom.scene.toml import load_scene
 
     if is_gas(file):
@@ -97,7 +97,7 @@ def check(
         gas = load_gas(file)
         build(gas)
         if as_json:
-            from carom.scene.as_json import plain_model
+            from carom.scene.scene import plain_model
 
             _print(plain_model(gas))
             return
@@ -106,7 +106,7 @@ def check(
         return
     scene = load_scene(file, allow_own_laws=allow_own_laws)
     if as_json:
-        from carom.scene.as_json import scene_dict
+        from carom.scene.scene import scene_dict
 
         _print(scene_dict(scene))
         return

@@ -12,10 +12,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.common import require_outputs, wrote
-from carom.cli.interrupts import noticed_interrupts, say_interrupted
-from carom.cli.options import OUTPUT, RUN, option, shared
-from carom.cli.progress import working
+from carom.cli.console import working
+from carom.cli.options import OUTPUT, RUN, option, require_outputs, shared, wrote
+from carom.cli.streams import noticed_interrupts, say_interrupted
 from carom.errors import CaromError, FaultList
 from carom.public.own_laws import with_own_laws
 
@@ -89,11 +88,10 @@ def simulate(
 ) -> None:
     """Simulate a scene event by event; print a description, the events, the final states and the energy budget."""
     from carom.cli.streams import say_notes
-    from carom.scene.plausible import scene_notes
+    from carom.scene.openings import scene_notes
     from carom.simulation.contacts_in_time import overlap_note
-    from carom.simulation.frames import FORMATS as FRAME_FORMATS
-    from carom.simulation.law_notes import law_notes
-    from carom.simulation.save import FORMATS
+    from carom.simulation.files import FORMATS, FRAME_FORMATS
+    from carom.simulation.simulate import law_notes
 
     try:
         found = FaultList()
@@ -169,7 +167,7 @@ def _assigned(text: str) -> dict[str, Any]:
 
 def _rate(frames: float | None, out: Path | None) -> float:
     """Return the number of frames per second of a file of frames."""
-    from carom.simulation.frames import FRAME_RATE
+    from carom.simulation.files import FRAME_RATE
 
     if frames is not None and out is None:
         raise CaromError("--frames: has no effect without --out; name the file with --out FILE.csv, .json or .parquet")
@@ -210,9 +208,8 @@ def _scene(path: Path, allow_own_laws: bool, changes: dict[str, Any], values: di
 
 
 def _run(scene: Scene, quiet: bool) -> Trajectory:
-    from carom.cli.console import err
-    from carom.cli.progress import show_progress
-    from carom.simulation.compiled import loops_of
+    from carom.cli.console import err, show_progress
+    from carom.simulation.loop import loops_of
     from carom.simulation.simulate import simulate as follow
 
     with show_progress(err(), quiet, *loops_of(scene)) as say, noticed_interrupts(always=True) as asked:
@@ -239,7 +236,7 @@ def _reached(run: Trajectory, times: list[float]) -> None:
 
 def _frames(run: Trajectory, rate: float) -> None:
     """Raise CaromError for more frames than a file may have."""
-    from carom.simulation.frames import frame_times
+    from carom.simulation.files import frame_times
 
     try:
         frame_times(run, rate)
@@ -253,8 +250,7 @@ def _frames(run: Trajectory, rate: float) -> None:
 def _write(run: Trajectory, quiet: bool, outputs: dict[str, Path | None], rate: float) -> list[Path]:
     """Write the files, all of them or none."""
     from carom.files import atomic_path
-    from carom.simulation.frames import write_columns
-    from carom.simulation.tables import event_columns
+    from carom.simulation.files import event_columns, write_columns
 
     makers: dict[str, Callable[[Path], Any]] = {
         "--plot": run.plot,

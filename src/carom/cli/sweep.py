@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.common import require_outputs, wrote
-from carom.cli.options import OUTPUT, RUN, option, shared
-from carom.cli.progress import working
+from carom.cli.console import working
+from carom.cli.options import OUTPUT, RUN, option, require_outputs, shared, wrote
 from carom.cli.streams import say_json
 from carom.cli.verbs import App
 from carom.errors import CaromError, FaultList
@@ -98,7 +97,7 @@ def run(
     quiet: Annotated[bool, shared("quiet")] = False,
 ) -> None:
     """Compute what is missing of a sweep, block by block; stopped, by Ctrl-C or kill, it goes on where it was."""
-    from carom.cli.interrupts import say_interrupted
+    from carom.cli.streams import say_interrupted
 
     part = None if block is None else _part(block)
     place = on.removeprefix("dask:")
@@ -168,7 +167,7 @@ def plot(
     """Draw a map of an outcome over one or two dimensions, with small multiples for a third."""
     from carom.plot import save
     from carom.plot.sweeps import plot_sweep
-    from carom.sweeps.dataset import open_dataset
+    from carom.sweeps.store import open_dataset
 
     found = FaultList()
     require_outputs(found, {"--out": out})

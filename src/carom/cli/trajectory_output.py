@@ -15,17 +15,15 @@ from rich.text import Text
 
 from carom.cli.console import out
 from carom.formatting import counted, format_number, json_value
-from carom.simulation.budget import budget
-from carom.simulation.contacts.wall import cushion_side
+from carom.simulation.contact_kinds import cushion_side
+from carom.simulation.files import event_columns
 from carom.simulation.narrate import describe_run
 from carom.simulation.records import BALL, CLUSTERS, FLOOR, WALL, kind_names
-from carom.simulation.tables import event_columns
+from carom.simulation.trajectory import budget
 
 if TYPE_CHECKING:
     from carom.bodies import State
     from carom.simulation.trajectory import Trajectory
-
-__all__ = ["MOST_ROWS", "as_json", "show", "show_sensitivity"]
 
 MOST_ROWS = 40
 WIDE = 112  # least width at which the table has room for the spin

@@ -13,14 +13,12 @@ from carom.errors import CaromError
 if TYPE_CHECKING:
     from carom.bodies import State
 
-__all__ = ["COMPILE_JOBS", "compile_all", "warm_up"]
-
 # Compilation jobs, as module:function, the longest first. Loops without a fixed signature are compiled by calling them with
 # typical arguments, in the functions below.
 COMPILE_JOBS = (
-    "carom.simulation.wall_and_floor:compiled_joint_impact",
-    "carom.simulation.compiled:compiled_engine",
-    "carom.simulation.sensitivity.compiled:compiled_follow",
+    "carom.simulation.contact_kinds:compiled_joint_impact",
+    "carom.simulation.loop:compiled_engine",
+    "carom.simulation.sensitivity.follow:compiled_follow",
     f"{__name__}:measure_gas",
     f"{__name__}:measure_sheared_gas",
     f"{__name__}:measure_heat_current",
@@ -29,13 +27,13 @@ COMPILE_JOBS = (
     f"{__name__}:follow_called_laws",
     f"{__name__}:measure_gas_in_container",
     f"{__name__}:answer_many_rows",
-    "carom.billiards.tangent:compiled_tangent_loop",
+    "carom.billiards.stability:compiled_tangent_loop",
     f"{__name__}:settle_many_rows",
     "carom.billiards.loop:compiled_many",
     f"{__name__}:fit_bounces",
     f"{__name__}:load_called_laws",
-    "carom.simulation.run_many:compiled_many",
-    "carom.simulation.sensitivity.near_misses:compiled_least_gaps",
+    "carom.simulation.simulate:compiled_many",
+    "carom.simulation.sensitivity.margins:compiled_least_gaps",
     f"{__name__}:draw_shots",
     f"{__name__}:follow_many_runs",
     f"{__name__}:draw_numbers",
@@ -112,7 +110,7 @@ def _states() -> State:
 def load_called_laws() -> None:
     """Compile the laws that loops call by their address, the rims of cylinders, and smooth curves."""
     from carom.core.geometry.circles import rim_address
-    from carom.core.geometry.curve_features import arc_address
+    from carom.core.geometry.curve_arcs import arc_address
     from carom.laws.callbacks import user_address
     from carom.laws.law import CALLED_WALL
     from carom.laws.registry import laws
@@ -128,7 +126,7 @@ def follow_called_laws() -> None:
     """Compile the laws that loops call by their address, with derivatives."""
     from carom.laws.law import CALLED_WALL
     from carom.laws.registry import laws
-    from carom.simulation.sensitivity.compiled import dual_users
+    from carom.simulation.sensitivity.follow import dual_users
 
     dual_users(law for law in laws().values() if law.response == CALLED_WALL)
 
@@ -138,7 +136,7 @@ def draw_shots() -> None:
     import numpy as np
 
     import carom
-    from carom.simulation.states import FEW_BEFORE_COMPILING
+    from carom.simulation.motion import FEW_BEFORE_COMPILING
 
     ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1.0, 0.0), velocity=(-1.0, 0.0, 0.0))
     wall = carom.scene.Plane(point=(0.0, 0.0, 0.0), normal=(1.0, 0.0, 0.0))
@@ -157,9 +155,8 @@ def draw_numbers() -> None:
     import numpy as np
 
     from carom.sweeps.draws import normal_draws, uniform_draws
+    from carom.tracks.contact_models import COUNT, contact_path, contact_slopes, hop_slide_roll, slide_then_roll
     from carom.tracks.flights import flight_path
-    from carom.tracks.table_contact import COUNT, contact_path, contact_slopes
-    from carom.tracks.table_motion import hop_slide_roll, slide_then_roll
 
     uniform_draws(1, 1, 0, 2, 0.0, 1.0)
     normal_draws(1, 1, 0, 2, 0.0, 1.0)

@@ -16,11 +16,6 @@ import math
 
 from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel
 
-__all__ = [
-    "GRAZE", "NO_REGIME", "REGIMES", "SLIDE", "STICK", "contact", "friction_at_slip", "inside_friction_cone", "one_contact",
-    "slip_velocity", "struck_along", "wall_contact",
-]  # fmt: skip
-
 # What a contact did; the names that people see are REGIMES[code].
 GRAZE, STICK, SLIDE = 0, 1, 2
 REGIMES = ("graze", "stick", "slide")

@@ -11,8 +11,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["FUNCTIONS", "Jet", "variable"]
-
 Array = NDArray[np.float64]
 # The value of each function, and its first and second derivative.
 FUNCTIONS: dict[str, Callable[[Array], tuple[Array, Array, Array]]] = {

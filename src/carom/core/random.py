@@ -11,8 +11,6 @@ import math
 
 from carom.core.jit.kernel import kernel
 
-__all__ = ["exponential", "logarithm", "normals", "threefry", "uniform"]
-
 ROTATIONS = (13, 15, 26, 6, 17, 29, 16, 24)
 PARITY = 0x1BD11BDA
 WORD = 0xFFFFFFFF

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-__all__ = ["added"]
-
 
 def added(numbers: Iterable[Any]) -> Any:
     """Return the sum of numbers, each added to those before it."""

@@ -16,8 +16,6 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["UNITS", "Unit", "in_si", "parse_quantity", "unit_named", "unlikely_density"]
-
 
 @dataclass(frozen=True)
 class Unit:

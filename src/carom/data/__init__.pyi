@@ -1,7 +1,6 @@
 from . import datasets as datasets
 from . import rebounds as rebounds
-from .collisions import rebounds_of_collisions as rebounds_of_collisions
-from .predict import PredictSettings as PredictSettings
+from .plan import PredictSettings as PredictSettings
 from .predict import PredictSummary as PredictSummary
 from .predict import predict_table as predict_table
 from .published import Published as Published
@@ -9,3 +8,4 @@ from .published import published_rebounds as published_rebounds
 from .rebound_files import read_rebounds as read_rebounds
 from .rebounds import Rebounds as Rebounds
 from .rebounds import make_rebounds as make_rebounds
+from .rebounds import rebounds_of_collisions as rebounds_of_collisions

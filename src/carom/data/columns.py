@@ -9,13 +9,13 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.csv import CsvTable, TableChunk, row_label
 from carom.data.plan import TablePlan
+from carom.data.rebound_files import Numbers, rebounds_of_columns
+from carom.data.rebounds import Kind, Rebounds
 from carom.data.table_cells import decimal_commas, parse_numbers
-from carom.errors import CaromError
+from carom.data.table_files import CsvTable, TableChunk, row_label
+from carom.errors import CaromError, FaultList
 from carom.files import MOST_TABLE, open_regular
-
-__all__ = ["ColumnTable", "Columns", "as_columns", "is_columns", "read_columns"]
 
 Array = NDArray[np.float64]
 Columns = dict[str, NDArray[Any]]
@@ -94,7 +94,7 @@ def read_columns(path: Path) -> tuple[Columns, list[str]]:
     with open_regular(path, most=MOST_TABLE) as file:
         start = file.read(4)
     if start == b"PAR1" or path.suffix.lower() in (".parquet", ".pq"):
-        from carom.data.parquet import ParquetTable
+        from carom.data.table_files import ParquetTable
 
         with ParquetTable(path) as table:
             arrow = table.whole()
@@ -180,3 +180,38 @@ class ColumnTable:
         notes = [said.get(i, "") for _added, said, count in self.parts for i in range(count)]
         found[self.names[-1]] = np.array(notes, dtype=str) if notes else np.empty(0, dtype=str)
         return found
+
+
+# ----------------------------------------------------------------------------------------------------
+# Measured rebounds from a table in memory: a dict of arrays, a data frame, a structured array.
+
+
+def as_rebounds(
+    table: Any, kind: Kind | None = None, stage: str | None = None, ball: tuple[float, float] | None = None
+) -> Rebounds:
+    """Return measured rebounds of columns in memory, with names and units as in a file (:func:`carom.data.read_rebounds`).
+
+    Raises CaromError with all problems of the columns.
+
+    Examples
+    --------
+    >>> as_rebounds({"v_n_in_mm_s": [1500.0], "v_t_in": [0.5], "v_n_out": [1.2], "spin_in": [0.0]})["v_n_in"]
+    array([1.5])
+    """
+    if isinstance(table, Rebounds):
+        return table
+    faults = FaultList("rebounds")
+    columns = as_columns(table, "rebounds")
+    headers, every = list(columns), list(columns.values())
+
+    def number(i: int, header: str) -> Numbers:
+        try:
+            return np.asarray(every[i], dtype=float), None
+        except (TypeError, ValueError):
+            faults.add(f"column {header!r}", "numbers", f"{every[i].tolist()[0]!r:.40}")
+        return np.full(len(every[i]), np.nan), None
+
+    rows = [f"row {i + 1}" for i in range(len(every[0]) if every else 0)]
+    return rebounds_of_columns(
+        headers, lambda i: every[i].astype(str).tolist(), number, rows, kind, stage, faults, "rebounds", ball
+    )

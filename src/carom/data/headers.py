@@ -16,21 +16,6 @@ from typing import Literal
 from carom.core.units import UNITS, Unit, unit_named
 from carom.errors import Fault
 
-__all__ = [
-    "BRACKETS",
-    "STATE_COLUMNS",
-    "STATE_NAMES",
-    "WRITTEN_COLUMNS",
-    "ColumnNames",
-    "Heading",
-    "header_with_unit",
-    "missing_unit",
-    "parse_header",
-    "series_headings",
-    "with_units_below",
-    "without_unit",
-]
-
 # The columns of a table of incoming states: name -> dimension, and other names of the same quantity.
 STATE_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
     **{f"velocity_{k}": ("speed", (f"v_{k}", f"v{k}")) for k in "xyz"},

@@ -10,8 +10,6 @@ import numpy as np
 
 from carom.errors import MAX_MAGNITUDE, MIN_MAGNITUDE, FaultList
 
-__all__ = ["CHECKS", "FINITE", "bad_numbers"]
-
 
 def _within(low: float, high: float) -> Callable[[Any], Any]:
     return lambda x: (x >= low) & (x <= high)

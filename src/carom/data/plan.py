@@ -20,20 +20,9 @@ from carom.data.headers import (
     without_unit,
 )
 from carom.data.limits import bad_numbers
-from carom.data.remarks import PASSED_ON, not_used
+from carom.data.rebounds import PASSED_ON, not_used
 from carom.errors import CaromError, Fault, FaultList, did_you_mean, near_name, require_type
 from carom.laws.law import LIKE_SOLIDS, SURFACES, Law, Meeting
-
-__all__ = [
-    "DEFAULTS",
-    "PARAMETERS",
-    "InputColumn",
-    "OutputColumn",
-    "PredictSettings",
-    "TablePlan",
-    "make_plan",
-    "unread",
-]
 
 SpinRule = Literal["rolling", "none"]
 

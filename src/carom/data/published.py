@@ -15,8 +15,6 @@ from carom.data.rebound_files import read_rebounds
 from carom.data.rebounds import Rebounds, make_rebounds
 from carom.files import read_regular
 
-__all__ = ["Published", "published_at", "published_name", "published_rebounds"]
-
 
 @dataclass(frozen=True)
 class Published:

@@ -16,7 +16,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.csv import LEADING_LINES, CsvTable
 from carom.data.headers import (
     BRACKETS,
     DIRECTION_COLUMN,
@@ -26,8 +25,17 @@ from carom.data.headers import (
     series_headings,
     without_unit,
 )
-from carom.data.rebounds import NAMED, Kind, Rebounds, make_rebounds, rows_of_stage, stages_of_column
-from carom.data.remarks import EMPTY_CELL, PASSED_ON, which_rows
+from carom.data.rebounds import (
+    EMPTY_CELL,
+    NAMED,
+    PASSED_ON,
+    Kind,
+    Rebounds,
+    make_rebounds,
+    rows_of_stage,
+    stages_of_column,
+    which_rows,
+)
 from carom.data.table_cells import (
     COMMENT,
     decimal_commas,
@@ -37,11 +45,10 @@ from carom.data.table_cells import (
     relative_header,
     split_errors,
 )
+from carom.data.table_files import LEADING_LINES, CsvTable
 from carom.data.written_forms import SERIES, TARGETS, WRITTEN, components
 from carom.errors import CaromError, FaultList, shortened_list, suggestion
 from carom.files import MOST_TABLE, as_path, open_regular
-
-__all__ = ["heads_rebounds", "read_rebounds", "rebounds_of_columns"]
 
 Array = NDArray[np.float64]
 Errors = tuple[Array, NDArray[np.bool_]]
@@ -341,7 +348,7 @@ def _read_csv(path: Path, faults: FaultList) -> Reader:
 
 
 def _read_parquet(path: Path, faults: FaultList) -> Reader:
-    from carom.data.parquet import ParquetTable
+    from carom.data.table_files import ParquetTable
 
     with ParquetTable(path) as table:
         arrow = table.whole()

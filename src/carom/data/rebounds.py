@@ -14,7 +14,8 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -23,17 +24,109 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.data.headers import ColumnNames
-from carom.data.remarks import EMPTY_CELL, speed_remarks, which_rows
 from carom.data.table_cells import parse_numbers
-from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, shortened_list, suggestion
+from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, first_bad_index, float_array, shortened_list, suggestion
 from carom.files import as_path, atomic_file, import_optional
 
 if TYPE_CHECKING:
     import pandas as pd
 
-__all__ = ["COLUMNS", "KINDS", "STAGES", "Kind", "Rebounds", "make_rebounds", "rows_of_stage", "stages_of_column"]
-
 Array = NDArray[np.float64]
+# A larger ratio of the speeds before and after a contact suggests mixed units.
+MAX_SPEED_RATIO = 20.0
+BEYOND = 3.0  # error bars by which a number has to exceed what is possible
+# Columns of numbers that are known and passed on: labels, and what carom's own tables of contacts have beside the velocities
+PASSED_ON = re.compile(
+    r"use|shot|sheet|ball|film|drop|wall|cushion|camera|surface|racket|contact|bounce|striking|struck|plane|t|t_s|sigma_t|air_drag|sigma_air_drag"
+    r"|(sigma_)?floor_friction|(sigma_)?rolling_resistance|(sigma_)?slip_[nt]_(in|out)|covariance_v_[nt]|(blind|cloth|rolling|drag|roll)_.*"
+)
+MOST_NAMED = 24  # columns in one note
+EMPTY_CELL = "an empty cell"  # as messages name a number that is not there
+WITHOUT_ERROR_BARS = 0.02  # relative excess that is reported where error bars are unknown
+
+
+def not_used(headers: Iterable[str]) -> list[str]:
+    """Return the note on columns of a table, of films or of rebounds, that were not used; none if there are none.
+
+    Examples
+    --------
+    >>> not_used(["Area", "Mean"]), not_used([" "])
+    (["not used: columns 'Area', 'Mean'"], [])
+    """
+    names = [repr(header.strip()) for header in headers if header.strip()]
+    return [f"not used: column{'s' if len(names) > 1 else ''} {shortened_list(names, MOST_NAMED)}"] if names else []
+
+
+def which_rows(bad: NDArray[np.bool_] | Sequence[int], rows: Sequence[str]) -> str:
+    """Return which rows are bad, from a mask or indices: "at line 3 (2 in all)"."""
+    which = np.flatnonzero(bad) if isinstance(bad, np.ndarray) else bad
+    return f"at {rows[which[0]]}" + (f" ({len(which)} in all)" if len(which) > 1 else "")
+
+
+def speed_remarks(
+    columns: Mapping[str, Array], sigma: Mapping[str, Array], covariance: Array | None, rows: Sequence[str]
+) -> list[str]:
+    """Return notes on the speeds of rebounds: mixed units, a restitution above 1 beyond its error bar.
+
+    Parameters
+    ----------
+    columns, sigma : mapping
+        (N,) by name of the column, SI; of ``sigma`` only the known columns.
+    covariance : (N,), optional
+        Of the errors of v_n_in and v_n_out, m^2/s^2.
+    rows : sequence of N str
+    """
+    remarks = []
+    v_in, v_out = (np.hypot(columns[f"v_n_{side}"], columns[f"v_t_{side}"]) for side in ("in", "out"))
+    spin_unknown = all(np.isnan(column).all() for name, column in columns.items() if name.startswith("spin"))
+    odd = (v_out > MAX_SPEED_RATIO * v_in) | (v_out * MAX_SPEED_RATIO < v_in)
+    if odd.any() and (spin_unknown or odd.mean() > 0.5):
+        i = np.flatnonzero(odd)[0]
+        remarks.append(
+            f"speeds: {v_in[i]:.4g} m/s before and {v_out[i]:.4g} m/s after {which_rows(odd, rows)}: mixed units?"
+            " write units in the headers, as in v_n_in_mm_s"
+        )
+    before, after = columns["v_n_in"], columns["v_n_out"]
+    error = _difference_error(before, sigma, covariance)
+    grows = after - before > BEYOND * error
+    if grows.any():
+        with np.errstate(over="ignore"):  # (a speed before the wall may be as small as a number can be)
+            ratio = np.where(grows, after / before, -np.inf)
+            i = int(np.argmax(ratio))
+            said = f" ± {error[i] / before[i]:.2g}" if sigma else ""
+        remarks.append(
+            f"v_n_out: {grows.sum()} of {len(before)} rebounds have a restitution above 1 beyond the error bar, up to"
+            f" {ratio[i]:.3g}{said} at {rows[i]}: no wall at rest gives back more than it gets; are columns swapped, or the scale,"
+            " the frame rate or the view wrong?"
+        )
+    return remarks
+
+
+def _difference_error(before: Array, sigma: Mapping[str, Array], covariance: Array | None) -> Array:
+    """Return the error bar (N,) of v_n_out - v_n_in; where none is known, a third of what is reported."""
+    variance = sum(
+        (np.nan_to_num(sigma[name]) ** 2 for name in ("v_n_in", "v_n_out") if name in sigma),
+        start=np.zeros(len(before)),
+    )
+    if covariance is not None:
+        variance = np.maximum(variance - 2 * np.nan_to_num(covariance), 0.0)
+    return np.where(variance > 0, np.sqrt(variance), WITHOUT_ERROR_BARS / BEYOND * before)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Measured rebounds: one row per contact, velocity and spin before and after it, with error bars.
+#
+# Two kinds. A **planar** bounce, of a ball in flight say: ``v_n_in, v_t_in, spin_in, v_n_out, v_t_out, spin_out``, where
+# ``spin`` is about the axis for which the slip at the contact is v_t - a spin. A ball on a **table**: ``v_n_in, v_t_in,
+# spin_z_in, v_n_out, v_t_out, spin_z_out, stage``, where stage is when the ball was measured after the contact:
+# ``after_wall``, as it leaves the wall, or ``rolling``, once it rolls again; before the contact it rolls. v_n is positive
+# toward the wall before and away from it after. SI: m/s and rad/s. What was not measured (a spin before the contact, anything
+# after
+# it) is NaN: an empty cell, or no column. Every number may have an error bar, one standard deviation, in a column ``sigma_...``.
+#
+# In a file the columns may be in any order and in other units (``v_n_in_mm_s``, ``spin_out [rpm]``).
+
+
 Kind = Literal["planar", "table"]
 KINDS: tuple[Kind, ...] = ("planar", "table")
 STAGES = ("after_wall", "rolling")
@@ -310,3 +403,122 @@ def _remarks(found: Rebounds) -> list[str]:
     if not found.sigma:
         remarks.append("no sigma_ columns: the error bars are unknown, and a fit has to estimate them")
     return remarks
+
+
+# ----------------------------------------------------------------------------------------------------
+# A note on measured rebounds with more energy after the contact than before it.
+
+
+MAX_SPIN = 3.0  # largest spin before a contact that is taken for possible where it was not measured, in units of speed / radius
+
+
+def energy_remarks(rebounds: Rebounds, radius: float | None, kappa: float, roll: float = 1.0) -> list[str]:
+    """Return a note on rebounds with more energy after the contact than before it, beyond the error bar.
+
+    Where the spin before was not measured, the ball may have brought the energy along as spin, but no more than MAX_SPIN speeds per
+    radius. A spin after that was not measured counts as none.
+
+    Parameters
+    ----------
+    rebounds : Rebounds
+    radius : float or None
+        Of the ball, m; None: not known, so that spins that were measured do not tell energies.
+    kappa : float
+        I/(m a^2).
+    roll : float
+        Spin of a ball on a table before the contact, in units of a rolling ball's spin.
+    """
+    columns, sigma, n = rebounds.columns, rebounds.sigma, len(rebounds)
+    if radius is None:
+        columns = columns | {name: np.full(n, np.nan) for name in columns if name.startswith("spin")}
+    rows = rebounds.rows or tuple(f"row {i + 1}" for i in range(n))
+    # the spin about a horizontal axis of a ball that rolls goes with its velocity
+    rolls = np.zeros((n, 2))
+    if rebounds.kind == "table":
+        rolls[:, 0], rolls[:, 1] = roll**2, rebounds.stage == "rolling"
+    spin = next(name.removesuffix("_in") for name in columns if name.startswith("spin"))
+    energy, error = np.zeros((2, len(rows))), np.zeros((2, len(rows)))
+    # (numbers that are too large are refused elsewhere; the square of one that is hardly more than zero is zero)
+    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        for k, side in enumerate(("in", "out")):
+            for name, factor in ((f"v_n_{side}", 1 + kappa * rolls[:, k]), (f"v_t_{side}", 1 + kappa * rolls[:, k]),
+                                 (f"{spin}_{side}", kappa * (radius or 0.0) ** 2)):  # fmt: skip
+                value = columns[name]
+                energy[k] += np.where(np.isnan(value) & (name == f"{spin}_{side}"), 0.0, factor * value**2 / 2)
+                error[k] += np.nan_to_num(factor * value * sigma.get(name, np.zeros(len(rows)))) ** 2
+        speed2 = columns["v_n_in"] ** 2 + columns["v_t_in"] ** 2
+        energy[0] += np.where(np.isnan(columns[f"{spin}_in"]), kappa * MAX_SPIN**2 * speed2 / 2, 0.0)
+        bar = np.sqrt(error.sum(axis=0))
+        bar = np.where(bar > 0, bar, 2 * WITHOUT_ERROR_BARS / BEYOND * energy[0])
+        grows = energy[1] - energy[0] > BEYOND * bar
+        if not grows.any():
+            return []
+        ratio = np.where(grows, energy[1] / energy[0], -np.inf)
+    i = int(np.argmax(ratio))
+    return [
+        f"energy: {grows.sum()} of {len(rows)} rebounds have more energy after the contact than before, beyond the error bar, up"
+        f" to {ratio[i]:.3g} times as much at {rows[i]}: no wall at rest gives energy; are the radius, and the spins' signs and"
+        " units, right?"
+    ]
+
+
+# ----------------------------------------------------------------------------------------------------
+# Measured collisions of two balls as rebounds of one: what a fit of restitution and friction between balls takes.
+
+
+def rebounds_of_collisions(
+    before: ArrayLike, after: ArrayLike, struck: ArrayLike, centres: ArrayLike, *, sigma_v: ArrayLike | None = None
+) -> Rebounds:
+    """Return collisions of a rolling ball with an equal one at rest as rebounds, whose laws a fit compares.
+
+    By their relative velocity two balls meet as one meets a wall (:func:`carom.collide`), and a ball that rolls without sidespin
+    meets one at rest as a rolling ball does. So `carom.fit(table, radius, laws=["contact", "maw"], spin="0")` gives restitution and
+    friction between the balls, with error bars.
+
+    Parameters
+    ----------
+    before, after : array (N, 2)
+        Velocity of the striking ball along the table just before the collision and just after it, before the cloth has bent its
+        path, m/s.
+    struck : array (N, 2)
+        Velocity of the ball that was at rest, just after the collision.
+    centres : array (N, 2)
+        From the centre of the striking ball to the centre of the other as they touch; any length.
+    sigma_v : float or array (N,), optional
+        One standard deviation of each component of these velocities, m/s.
+
+    Returns
+    -------
+    Rebounds
+        Of the kind "table", stage "after_wall". Raises CaromError for arrays of other shapes, a line of centres of zero length, or
+        balls that do not approach.
+
+    Examples
+    --------
+    >>> from carom.data import rebounds_of_collisions
+    >>> table = rebounds_of_collisions([[1.0, 0.0]], [[0.26, 0.42]], [[0.74, -0.42]], [[0.866, -0.5]], sigma_v=0.01)
+    >>> table["v_n_in"].round(3).tolist(), table["v_n_out"].round(3).tolist(), table["v_t_out"].round(3).tolist()
+    ([0.866], [0.836], [0.487])
+    """
+    given = {"before": before, "after": after, "struck": struck, "centres": centres}
+    arrays = {name: float_array(value) for name, value in given.items()}
+    shape = (len(np.atleast_1d(arrays["before"])), 2)
+    for name, array in arrays.items():
+        if array.shape != shape:
+            raise CaromError(f"rebounds_of_collisions: {name}: expected an array of shape {shape}, got {array.shape}")
+    u, v, w, line = arrays.values()
+    length = np.linalg.norm(line, axis=1)
+    if (length == 0).any():
+        bad = first_bad_index(length == 0)
+        raise CaromError(f"rebounds_of_collisions: centres: expected a direction, got zero length{bad}")
+    n = line / length[:, None]
+    t = np.stack([-n[:, 1], n[:, 0]], axis=1)
+    relative = v - w
+    columns: dict[str, ArrayLike] = {
+        "v_n_in": (u * n).sum(axis=1), "v_t_in": (u * t).sum(axis=1),
+        "v_n_out": -(relative * n).sum(axis=1), "v_t_out": (relative * t).sum(axis=1),
+    }  # fmt: skip
+    if sigma_v is not None:
+        sigma = np.broadcast_to(float_array(sigma_v), shape[:1])
+        columns |= {f"sigma_{name}": sigma * (1 if name.endswith("in") else np.sqrt(2)) for name in list(columns)}
+    return make_rebounds("table", columns, stage="after_wall", source="collisions")

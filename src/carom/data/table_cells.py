@@ -9,11 +9,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = [
-    "EMPTY", "MISSING", "SIGNS", "ParsedCells", "decimal_commas", "header_error", "number_advice", "parse_numbers", "plain_number",
-    "relative_header", "split_errors",
-]  # fmt: skip
-
 EMPTY = frozenset({""})
 # As programs and people write that there is no number; in lower case.
 MISSING = frozenset({"", "nan", "na", "n/a", "n.a.", "#n/a", "null", "nil", "-", "--", "none", "<na>", ".", "?"})

@@ -10,8 +10,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.errors import FaultList, did_you_mean, shortened_list, suggestion
 
-__all__ = ["Where", "is_of_words", "kinds_note", "rows_where"]
-
 Where = str | Sequence[str] | Mapping[str, Any]
 """Conditions that a row has to meet, all of them: ``"racket=smooth"``, several of these, or ``{"racket": "smooth"}``."""
 

@@ -20,8 +20,6 @@ from numpy.typing import NDArray
 from carom.data.headers import WRITTEN_COLUMNS, ColumnNames
 from carom.errors import FaultList, shortened_list
 
-__all__ = ["TARGETS", "WRITTEN", "WrittenComponents", "components"]
-
 Array = NDArray[np.float64]
 Measured = Mapping[str, Array]
 GRAVITY = 9.80665  # m/s^2

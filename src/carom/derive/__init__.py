@@ -7,7 +7,7 @@ the numeric laws can be tested against what is derived here. :mod:`carom.derive.
 from typing import Any
 
 from carom.files import require_library as _require_library
-from carom.public.names import attach_public as _attach_public
+from carom.public.guard import attach_public as _attach_public
 
 _attached, __dir__, __all__ = _attach_public(__name__, __file__)
 

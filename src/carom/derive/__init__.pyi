@@ -1,9 +1,9 @@
-from .constraints import Contact as Contact
-from .constraints import contact_at as contact_at
 from .corners import corner_conditions as corner_conditions
 from .corners import corner_jump as corner_jump
 from .impulsive import ImpulsiveMotion as ImpulsiveMotion
-from .jump import EnergyGain as EnergyGain
-from .jump import FrictionJam as FrictionJam
-from .jump import ImpactWarning as ImpactWarning
-from .jump import Jump as Jump
+from .percussion import EnergyGain as EnergyGain
+from .percussion import FrictionJam as FrictionJam
+from .percussion import ImpactWarning as ImpactWarning
+from .percussion import Jump as Jump
+from .system import Contact as Contact
+from .system import contact_at as contact_at

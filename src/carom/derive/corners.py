@@ -15,19 +15,17 @@ one solution: the velocity that the constraints allow is mirrored, in the metric
 from __future__ import annotations
 
 import copy
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
 
-from carom.derive.delassus import delassus
 from carom.derive.impulsive import ImpulsiveMotion
-from carom.derive.jump import Jump
-from carom.derive.linear import Expr, is_zero, tidy
-from carom.derive.system import ConstraintRow
+from carom.derive.linear import Expr, Matrix, independent_rows, is_zero, null_basis, reduce_trig, tidy
+from carom.derive.percussion import Jump, delassus
+from carom.derive.system import ConstraintRow, constraint_row, make_speeds, named_constraints
 from carom.errors import CaromError, Fault
-
-__all__ = ["corner_conditions", "corner_jump"]
 
 
 def corner_conditions(motion: ImpulsiveMotion) -> list[Any]:
@@ -141,3 +139,242 @@ def _yield(motion: ImpulsiveMotion, wall: ConstraintRow) -> Expr:
             Fault("corner", "instant", "a surface that the constraints let the body approach", f"{wall.name}")
         )
     return found
+
+
+# ----------------------------------------------------------------------------------------------------
+# Test by Frobenius' theorem whether velocity constraints integrate to constraints on the coordinates.
+#
+# Pfaffian rows A(q) dq = 0 define a distribution D, the velocities that they allow. D is integrable (the constraints are
+# holonomic) exactly when it is closed under the Lie bracket. Where it is not, brackets are added until it is: the successive
+# ranks
+# are its growth vector, and the number of coordinates minus the last rank is the number of holonomic constraints that the rows
+# imply.
+
+
+@dataclass(frozen=True)
+class Integrability:
+    """Result of Frobenius' test.
+
+    Attributes
+    ----------
+    coordinates : tuple
+        The coordinates, in order.
+    rows : Matrix
+        Independent constraint rows A.
+    fields : Matrix
+        Columns that span D, the velocities that the constraints allow.
+    growth : tuple of int
+        Rank of D, of D with its brackets, and so on until it stops growing.
+    witness : tuple or None
+        A pair of columns of ``fields`` whose bracket leaves D, and the row values A [X, Y]; None if there is none.
+    closure : Matrix
+        Columns that span the smallest integrable distribution that contains D.
+    """
+
+    coordinates: tuple[Expr, ...]
+    rows: Matrix
+    fields: Matrix
+    growth: tuple[int, ...]
+    witness: tuple[int, int, Matrix] | None
+    closure: Matrix
+
+    @property
+    def rank(self) -> int:
+        """Degrees of freedom that the constraints leave: the rank of D."""
+        return self.growth[0]
+
+    @property
+    def integrable(self) -> bool:
+        """Whether all the constraints are holonomic."""
+        return len(self.growth) == 1
+
+    @property
+    def holonomic(self) -> int:
+        """Number of independent holonomic constraints that follow."""
+        return len(self.coordinates) - self.growth[-1]
+
+    @property
+    def trivial(self) -> bool:
+        """Whether D is integrable whatever the constraints are, because its rank is 0 or 1."""
+        return self.rank <= 1
+
+    def sentence(self) -> str:
+        """Return the result as a sentence."""
+        n, k = len(self.coordinates), self.rank
+        if self.trivial:
+            why = (
+                "one degree of freedom is left, and every distribution of rank 1 is integrable"
+                if k
+                else "no freedom is left"
+            )
+            return f"integrable, trivially: {why} ({n - k} constraints on {n} coordinates)"
+        if self.integrable:
+            return f"integrable: rank {k} of {n} and closed under brackets, {self.holonomic} holonomic constraints"
+        return (
+            f"not integrable: the ranks grow {' -> '.join(map(str, self.growth))} on {n} coordinates; "
+            f"{self.holonomic} of {n - k} constraints are holonomic"
+        )
+
+
+def lie_bracket(x: Matrix, y: Matrix, coordinates: Sequence[Expr]) -> Matrix:
+    """Return the Lie bracket [X, Y] of two vector fields given as columns over ``coordinates`` (plain symbols)."""
+    return (y.jacobian(list(coordinates)) * x - x.jacobian(list(coordinates)) * y).applyfunc(reduce_trig)
+
+
+def frobenius(constraints: Mapping[str, Expr] | Iterable[Expr], coordinates: Sequence[Expr]) -> Integrability:
+    """Apply Frobenius' test to constraints that are linear in the speeds, for the given coordinates (``dynamicsymbols``).
+
+    The ranks are those at a generic configuration. Raises CaromError for a constraint that is not linear and homogeneous in the
+    speeds (with a term free of speeds, make time a coordinate first), or where no constraint is given.
+    """
+    speeds = make_speeds(coordinates, None)
+    rows = [
+        constraint_row(n, c, tuple(coordinates), speeds, {})
+        for n, c in named_constraints(constraints, "constraint").items()
+    ]
+    if not rows:
+        raise CaromError("frobenius: constraints: expected at least one, got no constraint")
+    for row in rows:
+        if not is_zero(row.drift):
+            raise CaromError(f"constraint {row.name}: has the term {row.drift} free of speeds; make time a coordinate")
+    plain = {q: sp.Symbol(q.func.__name__, real=True) for q in coordinates}
+    symbols = [plain[q] for q in coordinates]
+    table = sp.Matrix.vstack(*[r.coefficients for r in rows]).xreplace(plain)
+    kept, _ = independent_rows(table)
+    table = table.extract(kept, list(range(table.cols)))
+    fields = null_basis(table)
+    growth = [fields.cols]
+    closure, layer = fields, fields
+    witness: tuple[int, int, Matrix] | None = None
+    while layer.cols and closure.cols < len(symbols):
+        news = []
+        for i in range(fields.cols):
+            for j in range(layer.cols):
+                if layer is fields and j <= i:
+                    continue
+                bracket = lie_bracket(fields[:, i], layer[:, j], symbols)
+                leaves = (table * bracket).applyfunc(tidy)
+                if layer is fields and witness is None and any(not is_zero(v) for v in leaves):
+                    witness = (i, j, leaves)
+                news.append(bracket)
+        if not news:
+            break
+        wide = sp.Matrix.hstack(closure, *news)
+        independent, _ = independent_rows(wide.T)
+        fresh = [k for k in independent if k >= closure.cols]
+        if not fresh:
+            break
+        layer = wide.extract(list(range(wide.rows)), fresh)
+        closure = sp.Matrix.hstack(closure, layer)
+        growth.append(closure.cols)
+    return Integrability(tuple(symbols), table, fields, tuple(growth), witness, closure)
+
+
+def _library(coordinates: Sequence[Expr], degree: int) -> list[Expr]:
+    """Return products of coordinates, sines and cosines up to a degree, at most one factor per coordinate."""
+    factors = [[sp.S.One, q, sp.sin(q), sp.cos(q)] for q in coordinates]
+    terms = {sp.S.One}
+    for choices in factors:
+        terms |= {t * f for t in terms for f in choices[1:] if _degree(t) < degree}
+    return sorted(terms - {sp.S.One}, key=lambda t: (_degree(t), sp.count_ops(t), str(t)))
+
+
+def _degree(term: Expr) -> int:
+    return 0 if term == 1 else len(sp.Mul.make_args(term))
+
+
+def first_integrals(test: Integrability, degree: int = 2, extra: Iterable[Expr] = ()) -> list[Expr]:
+    """Return functions of the coordinates that are constant along every velocity that the constraints allow.
+
+    The search covers linear combinations of products of coordinates, sines and cosines up to ``degree``, and of the ``extra``
+    functions. Each one found is verified: its derivative along the closure of D is identically zero. At most
+    ``test.holonomic`` functionally independent ones exist; fewer may be found, since the search space is finite.
+    """
+    terms = _library(test.coordinates, degree) + [sp.sympify(t) for t in extra]
+    rows = []
+    for k in range(test.closure.cols):
+        field = test.closure[:, k]
+        common = sp.S.One
+        for x in field:
+            common = sp.lcm(common, sp.fraction(reduce_trig(x))[1])
+        cleared = [reduce_trig(x * common) for x in field]
+        rates = [
+            reduce_trig(sum((sp.diff(t, q) * c for q, c in zip(test.coordinates, cleared, strict=True)), sp.S.Zero))
+            for t in terms
+        ]
+        rows += _coefficient_rows(rates)
+    if not rows:
+        return list(test.coordinates)[: test.holonomic]
+    space = sp.Matrix(rows).nullspace()
+    found: list[Expr] = []
+    jacobian = sp.zeros(0, len(test.coordinates))
+    for vector in space:
+        candidate = sum((c * t for c, t in zip(vector, terms, strict=True)), sp.S.Zero)
+        gradient = sp.Matrix([[sp.diff(candidate, q) for q in test.coordinates]])
+        if not all(is_zero(x) for x in (gradient * test.closure)):
+            continue
+        wide = sp.Matrix.vstack(jacobian, gradient)
+        if len(independent_rows(wide)[0]) == wide.rows:
+            jacobian = wide
+            found.append(candidate)
+        if len(found) == test.holonomic:
+            break
+    return found
+
+
+def _coefficient_rows(rates: Sequence[Expr]) -> list[list[Expr]]:
+    """Return the linear conditions on the coefficients c_i: every monomial of the sum of c_i rates_i must vanish."""
+    common = sp.S.One
+    for r in rates:
+        common = sp.lcm(common, sp.fraction(sp.together(r))[1])
+    numerators = [sp.expand(sp.cancel(r * common)) for r in rates]
+    table: dict[Expr, dict[int, Expr]] = {}
+    gens = sorted({g for n in numerators for g in (n.atoms(sp.sin, sp.cos) | n.free_symbols)}, key=str)
+    for i, n in enumerate(numerators):
+        if n == 0:
+            continue
+        variable = [g for g in gens if not (g.is_Symbol and g.is_positive)]  # parameters are positive symbols
+        poly = sp.Poly(n, *variable)
+        for monomial, coefficient in poly.terms():
+            table.setdefault(monomial, {})[i] = coefficient
+    return [[row.get(i, sp.S.Zero) for i in range(len(rates))] for row in table.values()]
+
+
+def integral_drift(
+    test: Integrability,
+    integral: Expr,
+    start: Mapping[Expr, float],
+    drive: Callable[[float], Sequence[float]],
+    parameters: Mapping[Expr, float] | None = None,
+    length: float = 1.0,
+    steps: int = 400,
+) -> float:
+    """Return the largest change of ``integral`` along a path that the constraints allow, integrated by RK4.
+
+    The path starts at ``start`` and follows the columns of D (``test.fields``) with the speeds ``drive(s)``, s from 0 to
+    ``length``. For a true first integral the change is the error of the integrator, about (length/steps)^4.
+    """
+    numbers = dict(parameters or {})
+    table = test.fields.subs(numbers).tolist()
+    field: Any = sp.lambdify(list(test.coordinates), table, modules="math")
+    value: Any = sp.lambdify(list(test.coordinates), sp.sympify(integral).subs(numbers), modules="math")
+    q = [float(start[c]) for c in test.coordinates]
+
+    def flow(s: float, at: Sequence[float]) -> list[float]:
+        columns, speeds = field(*at), drive(s)
+        if len(speeds) != test.rank:
+            raise CaromError(
+                f"integral drift: expected {test.rank} speeds along the allowed velocities, got {len(speeds)}"
+            )
+        return [float(sum(columns[i][k] * speeds[k] for k in range(test.rank))) for i in range(len(at))]
+
+    h, first, worst = length / steps, value(*q), 0.0
+    for n in range(steps):
+        s = n * h
+        k1 = flow(s, q)
+        k2 = flow(s + h / 2, [a + h / 2 * b for a, b in zip(q, k1, strict=True)])
+        k3 = flow(s + h / 2, [a + h / 2 * b for a, b in zip(q, k2, strict=True)])
+        k4 = flow(s + h, [a + h * b for a, b in zip(q, k3, strict=True)])
+        q = [a + h / 6 * (b + 2 * c + 2 * d + e) for a, b, c, d, e in zip(q, k1, k2, k3, k4, strict=True)]
+        worst = max(worst, abs(value(*q) - first))
+    return worst

@@ -17,18 +17,6 @@ from numpy.typing import ArrayLike, NDArray
 from carom.bodies import Ball
 from carom.errors import CaromError
 
-__all__ = [
-    "angular_velocity",
-    "euler_angles",
-    "euler_rates",
-    "kinetic_energy_rolling",
-    "phi_integral",
-    "psi_integral",
-    "rolling_velocity",
-    "wall_constraint",
-    "wall_rates",
-]
-
 Array = NDArray[np.float64]
 
 

@@ -15,14 +15,15 @@ from typing import Any
 
 import sympy as sp
 
-from carom.derive import delassus as contact_mass
-from carom.derive.compiled import compile_jump
-from carom.derive.constraints import Contact, displacement_basis, displacement_limit
-from carom.derive.jump import EnergyGain, Jump
+from carom.derive import percussion as contact_mass
 from carom.derive.linear import Expr, Matrix, is_zero, tidy
-from carom.derive.percussion import Percussion, follow
-from carom.derive.solvers import (
+from carom.derive.percussion import (
+    EnergyGain,
     Instant,
+    Jump,
+    Percussion,
+    compile_jump,
+    follow,
     impulses_of,
     prescribe_poisson_impulses,
     relations_before,
@@ -32,10 +33,18 @@ from carom.derive.solvers import (
     targets,
     value_of,
 )
-from carom.derive.system import ConstraintRow, Speeds, constraint_row, make_speeds, mass_matrix, named_constraints
+from carom.derive.system import (
+    ConstraintRow,
+    Contact,
+    Speeds,
+    constraint_row,
+    displacement_basis,
+    displacement_limit,
+    make_speeds,
+    mass_matrix,
+    named_constraints,
+)
 from carom.errors import CaromError
-
-__all__ = ["ImpulsiveMotion"]
 
 
 class ImpulsiveMotion:
@@ -406,7 +415,7 @@ class ImpulsiveMotion:
     # -- one contact --------------------------------------------------------------------------------------------------
 
     def delassus(self, name: str) -> Matrix:
-        """Return the inverse mass that a contact feels; see :func:`carom.derive.delassus.delassus`."""
+        """Return the inverse mass that a contact feels; see :func:`carom.derive.percussion.delassus`."""
         return contact_mass.delassus(
             self.mass, self.contact(name)[1], [*self.permanent, *self.imposed], f"contact {name}"
         )
@@ -416,7 +425,7 @@ class ImpulsiveMotion:
         return contact_mass.jam_friction(self.delassus(name))
 
     def newton_minors(self, name: str) -> list[Expr]:
-        """Return the leading minors of the energy loss under Newton's rule; see :func:`carom.derive.delassus.newton_minors`."""
+        """Return the leading minors of the energy loss under Newton's rule; see :func:`carom.derive.percussion.newton_minors`."""
         return contact_mass.newton_minors(self.delassus(name), self.contact(name)[0])
 
     def percussion(self, name: str, values: Mapping[Expr, Any], hypothesis: str | None = None) -> Percussion:
@@ -439,5 +448,5 @@ class ImpulsiveMotion:
         return follow(g, start, number(contact.restitution), number(contact.friction), hypothesis or contact.hypothesis)
 
     def lambdify(self, jump: Jump, arguments: Sequence[Expr] | None = None) -> Callable[..., Any]:
-        """Return ``jump`` as a compiled function of numbers; see :func:`carom.derive.compiled.compile_jump`."""
+        """Return ``jump`` as a compiled function of numbers; see :func:`carom.derive.percussion.compile_jump`."""
         return compile_jump(jump, self.speeds, arguments)

@@ -1,6 +1,6 @@
 """The functions that the explorer's module offers: entries of a few lines over the kernels that Python runs.
 
-Each is described by the records and numbers that it takes; :mod:`carom.explorer.build` compiles them to WebAssembly.
+Each is described by the records and numbers that it takes; :mod:`carom.explorer.module` compiles them to WebAssembly.
 """
 
 from __future__ import annotations
@@ -14,16 +14,16 @@ from carom.core.geometry.circles import rim_entry
 from carom.core.geometry.features import FEATURES, contact_normal, gap_to_feature
 from carom.core.jit.compile import array_of
 from carom.core.jit.kernel import Vec, dot, kernel, vector
-from carom.core.motion.restitution import restitution
+from carom.core.motion.phases import restitution
 from carom.explorer.pieces import piece_rows
 from carom.laws.callbacks import NUMBERS as LAW_NUMBERS
 from carom.laws.callbacks import law_entry
 from carom.laws.landing import second_impact
+from carom.laws.law import Case, Conditions, Objections, Predicted, Rule, energy_of, size_of, slips_at_wall
+from carom.laws.pair import YOUNG
 from carom.laws.registry import laws
-from carom.laws.rules import Case, Conditions, Objections, Predicted, Rule, energy_of, size_of, slips_at_wall
 from carom.laws.two_step import first_impact
-from carom.scene.ball import SceneBall
-from carom.scene.ball_contact import YOUNG, FallingFriction
+from carom.scene.ball import FallingFriction, SceneBall
 from carom.scene.feature_builders import minus
 from carom.scene.floor import Floor
 from carom.scene.ruled import Ruled
@@ -32,9 +32,6 @@ from carom.scene.shapes import PAGE_SHAPES
 from carom.scene.wall import ShapeKernels
 from carom.simulation.loop import run
 from carom.simulation.records import BALLS, LOG, WORLD
-
-__all__ = ["PARTS", "ModuleFunction", "entries", "rule_name", "rules_of"]
-
 
 PARTS: dict[str, type[Ruled]] = {"floor": Floor, "ball": SceneBall, "falling_friction": FallingFriction}
 """Parts of a scene with rules, beside walls."""
@@ -225,7 +222,7 @@ def meet_row(features: Any, balls: Any, out: Any) -> None:
 
 
 def judge_row(p: Any, out: Any) -> None:
-    """Write what is said of a motion after a wall; p: a case (:class:`carom.laws.rules.Case`), v and w just after, and at last.
+    """Write what is said of a motion after a wall; p: a case (:class:`carom.laws.law.Case`), v and w just after, and at last.
 
     Friction that the wall needs for the motion just after it, whether the ball slips before it, the angles before, just after and
     at last (degrees from the normal, along the floor; NaN at rest), and the share of the energy that is kept (NaN: there was none).
@@ -254,7 +251,7 @@ def _angle(n: Vec, v: Vec, way: float, size: float) -> float:
 
 
 def restitution_row(p: Any, out: Any) -> None:
-    """:func:`carom.core.motion.restitution.restitution` of a form, its three numbers and a speed."""
+    """:func:`carom.core.motion.phases.restitution` of a form, its three numbers and a speed."""
     out[0] = restitution(int(p[0]), (p[1], p[2], p[3]), p[4])
 
 

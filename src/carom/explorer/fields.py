@@ -14,15 +14,12 @@ from pydantic.fields import FieldInfo
 from carom.explorer.entries import PARTS
 from carom.formatting import json_value
 from carom.laws.registry import laws, laws_of_pairs
-from carom.scene.ball import KAPPA
-from carom.scene.ball_contact import RUBBING, BallContact
+from carom.scene.ball import KAPPA, RUBBING, BallContact
 from carom.scene.presets import presets
 from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, Power, Viscoelastic
 from carom.scene.scene import GRAVITY, Run, Scene
 from carom.scene.schema import EXPECTED, Acceleration, Components, Model, Number, Whole
 from carom.scene.shapes import PAGE_SHAPES
-
-__all__ = ["scene_fields"]
 
 FORMS = (Constant, Polynomial, Han2005, Power, Viscoelastic, Exponential)
 

@@ -9,6 +9,9 @@ from __future__ import annotations
 import functools
 import json
 import math
+import sys
+import time
+import zlib
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -16,15 +19,17 @@ from typing import Any
 import numpy as np
 
 from carom.core.geometry.features import FACE, FALLS, FEATURES, GOES_ON, LEAVES, LINE, OVER, POINT, RIM
+from carom.core.jit.kernel import kernel
 from carom.core.jit.kernel_hash import kernel_hash
-from carom.core.motion.phases import PHASES
-from carom.core.motion.restitution import FORMS
+from carom.core.motion.phases import FORMS, PHASES
+from carom.errors import CaromError
 from carom.explorer.entries import PARTS, entries, rule_name, rules_of
 from carom.explorer.fields import scene_fields
-from carom.laws.landing import WHY
+from carom.files import write_text
+from carom.laws.callbacks import register_calls
+from carom.laws.landing import REGIME_NAMES, WHY
 from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL, ROLLING_WALL, TWO_STEP_WALL
 from carom.laws.registry import laws
-from carom.laws.results import REGIME_NAMES
 from carom.laws.two_step import answer_two_step
 from carom.laws.wall_and_floor.solver import LEAST_FIRM
 from carom.scene.feature_builders import FIRST_CUSHION
@@ -34,13 +39,9 @@ from carom.scene.scene import needed_faults
 from carom.scene.scene_rules import LAW_FAULTS, SCENE_FAULTS
 from carom.scene.shapes import PAGE_SHAPES
 from carom.scene.wall import VANISHES
-from carom.simulation.contacts.contact import DONE
-from carom.simulation.contacts.kinds import REFUSALS
-from carom.simulation.event_rows import ALL, ROWS
-from carom.simulation.loop import FULL, LIMIT, QUIET
+from carom.simulation.contact_kinds import ALL_REFUSALS, DONE, joint_impact
+from carom.simulation.loop import ALL, FULL, LIMIT, QUIET, ROWS
 from carom.simulation.records import BALLS, LOG, SEEN, WORLD
-
-__all__ = ["ASSETS", "MOST_BALLS", "MOST_FEATURES", "description", "engine_bytes", "engine_layout", "version"]
 
 # What the page takes at most: balls, and features (faces, edges, rims... of all walls).
 MOST_BALLS, MOST_FEATURES = 100, 2000
@@ -85,7 +86,7 @@ def _described() -> dict[str, Any]:
         "han2005": list(Han2005().p),
         "reasons": list(WHY),
         "run": {"done": DONE, "full": FULL, "limit": LIMIT, "quiet": QUIET, "rows": ROWS, "all": ALL},
-        "refusals": {str(code): text for code, text in REFUSALS.items()},
+        "refusals": {str(code): text for code, text in ALL_REFUSALS.items()},
         "responses": {
             "two-step": TWO_STEP_WALL, "rolling": ROLLING_WALL, "no-slip": NO_SLIP_WALL, "mirror": MIRROR_WALL,
             "contact": CONTACT_WALL, "called": CALLED_WALL,
@@ -152,3 +153,74 @@ def _law(law: Any) -> dict[str, Any]:
         "conditions": _rules(law.conditions),
         "objections": _rules(law.objections),
     }
+
+
+# ----------------------------------------------------------------------------------------------------
+# Build the explorer's WebAssembly module from today's kernels: what `make wasm` runs.
+#
+# ``python -m carom.explorer.module`` writes ``assets/engine.wasm``, ``assets/engine.json`` and musl's licence.
+
+
+MAX_BYTES = 300_000
+
+
+def build() -> tuple[bytes, str, str]:
+    """Return the module, the text of its description, and the licence of the functions of libm in it.
+
+    Raises CaromError where it cannot be built.
+    """
+    from carom.core.jit.compile import signature
+    from carom.core.jit.webassembly import (
+        Export,
+        WebAssemblyError,
+        build_module,
+        libm_licence,
+        plain_signature,
+        require_tools,
+        tool_versions,
+    )
+
+    try:
+        require_tools()
+    except WebAssemblyError as error:  # (before the kernels are compiled, which takes a minute)
+        raise CaromError(str(error)) from None
+
+    # (in the engine's own loop another process compiles this part)
+    kernel(joint_impact)
+    register_calls()
+    exports = [
+        Export(one.name, one.function, plain_signature(one.numbers), True) if one.numbers
+        else Export(one.name, one.function, signature(one.returns, *one.arguments))
+        for one in entries()
+    ]  # fmt: skip
+    described = description()
+    try:
+        module = build_module(exports, described["version"])
+        described["built_with"] = tool_versions()
+        licence = libm_licence()
+    except WebAssemblyError as error:
+        raise CaromError(str(error)) from None
+    if len(module) > MAX_BYTES:
+        raise CaromError(f"make wasm: expected at most {MAX_BYTES:,} bytes, got {len(module):,}")
+    return module, json.dumps(described, indent=1, allow_nan=False) + "\n", licence
+
+
+def main() -> int:
+    """Build the module and write it beside its description; return the exit code."""
+    begin = time.perf_counter()
+    try:
+        module, text, licence = build()
+    except CaromError as error:
+        sys.stderr.write(f"carom: {error}\n")
+        return 2
+    ASSETS.mkdir(exist_ok=True)
+    (ASSETS / "engine.wasm").write_bytes(module)
+    write_text(ASSETS / "engine.json", text)
+    write_text(ASSETS / "LICENSE-musl.txt", licence)
+    size = len(zlib.compress(module, 9))
+    sys.stdout.write(f"engine.wasm: {len(module):,} bytes ({size:,} compressed), {time.perf_counter() - begin:.0f} s\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

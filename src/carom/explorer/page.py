@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import functools
+import gzip
 import html
 import json
 import os
@@ -12,27 +13,156 @@ import tomllib
 from collections.abc import Iterable, Sequence
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from carom.data.rebound_files import read_rebounds
 from carom.data.rebounds import Rebounds
-from carom.errors import CaromError, Fault, FaultList, require_type
-from carom.explorer.film import FilmedRun, fitted_shots, places_in_film, places_of_shot
+from carom.errors import CaromError, Fault, FaultList, require_type, shortened_list, suggestion
 from carom.explorer.module import MOST_BALLS, MOST_FEATURES, engine_bytes, engine_layout
 from carom.files import as_path, require_writable, write_text
 from carom.laws.law import Law
 from carom.laws.registry import law_named, law_styles, one_or_several
 from carom.laws.registry import laws as all_laws
-from carom.scene.as_json import scene_dict
-from carom.scene.scene import Scene
+from carom.scene.scene import Scene, scene_dict
 from carom.scene.shapes import FigureWall
 from carom.scene.shapes.planes import Plane
 from carom.scene.toml import load_scene
 from carom.scene.wall import WallShape, law_name
+from carom.simulation.records import LOG
+from carom.simulation.simulate import simulate
+from carom.simulation.trajectory import Trajectory
+from carom.tracks import Calibration, read_tracks
+from carom.tracks.read import film_of
+from carom.tracks.track import Track
 
-__all__ = ["ExplorerPage", "explore", "filled_page", "not_shown", "page_text", "presets"]
+PageFilm = list[list[list[float]]]
+"""Of each ball of a scene the rows of a film: s after the start of the scene, x and y in m."""
+BEFORE_FILM_S = 0.2  # that a scene may begin before the film does
+STARTS, FRAMES = 400, 60  # starts of the scene that are tried, and frames at which they are compared
+STEP_S, MOST_PLACES = 0.002, 20_000  # of the run, between which a ball is taken to go straight
+FAR = 0.3  # m: a frame that is farther from the run counts as this far
+
+
+class FilmedRun(Protocol):
+    """A run beside its film: a shot of a fit (:class:`carom.fitting.shots.FittedShot`; fits stand above the page's room)."""
+
+    @property
+    def name(self) -> str:
+        """Its title."""
+        ...
+
+    @property
+    def scene(self) -> Scene:
+        """The table with the balls as they start."""
+        ...
+
+    @property
+    def film(self) -> Any:
+        """Its ``balls``, ``time`` (T,), ``position`` (T, B, 2) and ``measured`` (T, B)."""
+        ...
+
+    @property
+    def time(self) -> float:
+        """Time of the film at which the scene begins, s."""
+        ...
+
+    @property
+    def rms(self) -> float:
+        """Root mean square distance from the film, m."""
+        ...
+
+
+def fitted_shots(given: Any) -> tuple[FilmedRun, ...]:
+    """Return the shots of a fit to whole shots, of a ranking of such fits, or one shot; none of anything else."""
+    fit = getattr(given, "best", given)
+    shots = getattr(fit, "shots", (given,))
+    return (
+        tuple(shots)
+        if all(isinstance(getattr(one, "scene", None), Scene) and hasattr(one, "film") for one in shots)
+        else ()
+    )
+
+
+def places_of_shot(shot: FilmedRun) -> PageFilm:
+    """Return where the film of a fitted shot saw its balls."""
+    film = shot.film
+    return [
+        _rows(film.time[seen] - shot.time, film.position[seen, k])
+        for k, seen in enumerate(film.measured[:, : len(film.balls)].T)
+    ]
+
+
+def places_in_film(film: Any, shot: str | None, scene: Scene) -> PageFilm:
+    """Return where a film saw the balls of a scene, which begins when its run is nearest to the film."""
+    found = film_of(film, 0, Calibration())
+    tracks = (read_tracks(found) if isinstance(found, Path) else found).tracks
+    shots = list(dict.fromkeys(track.group for track in tracks))
+    if len(shots) > 1 and shot is None:
+        got = f"{len(shots)}: {shortened_list(shots, 6)}"
+        raise CaromError(Fault("explore", "film", "one shot", got, "name one with `shot`"))
+    if shot is not None and shot not in shots:
+        raise CaromError(
+            Fault("explore", "shot", f"one of {shortened_list(shots, 6)}", repr(shot), suggestion(shot, shots))
+        )
+    tracks = tuple(track for track in tracks if shot is None or track.group == shot)
+    names = scene.ball_names
+    if len(tracks) > len(names):
+        raise CaromError(Fault("explore", "film", f"at most the {len(names)} balls of the scene", f"{len(tracks)}"))
+    if all(track.name in names for track in tracks):
+        order = [names.index(track.name) for track in tracks]
+    else:
+        order = list(range(len(tracks)))
+    start = _start_of_scene(scene, order, tracks)
+    places: PageFilm = [[] for _ in names]
+    for k, track in zip(order, tracks, strict=True):
+        places[k] = _rows(track.time[track.seen] - start, track.position[track.seen][:, :2])
+    return places
+
+
+def _rows(time: Any, position: Any) -> list[list[float]]:
+    rows: list[list[float]] = np.column_stack([time, position]).round(5).tolist()
+    return rows
+
+
+def _start_of_scene(scene: Scene, order: Sequence[int], tracks: Sequence[Track]) -> float:
+    """Return the time of a film, s, at which the run of a scene begins that is nearest to it."""
+    run = simulate(scene)
+    seen = [
+        (k, *_some(track.time[track.seen], track.position[track.seen])) for k, track in zip(order, tracks, strict=True)
+    ]
+    first, last = min(t[0] for _k, t, _x in seen), max(t[-1] for _k, t, _x in seen)
+    until = min(run.end, last - first + BEFORE_FILM_S)
+    grid = np.linspace(0.0, until, max(2, min(MOST_PLACES, int(until / STEP_S))))
+    path = np.nan_to_num(np.asarray(run.at(grid).position)[:, :, :2], nan=np.inf)
+
+    def distance(start: float) -> float:
+        """Mean distance of the frames from the run, m."""
+        far = [
+            np.hypot(
+                np.interp(t - start, grid, path[:, k, 0]) - x[:, 0], np.interp(t - start, grid, path[:, k, 1]) - x[:, 1]
+            )
+            for k, t, x in seen
+        ]
+        return float(np.mean(np.fmin(np.concatenate(far), FAR)))
+
+    tried = np.linspace(first - BEFORE_FILM_S, last, STARTS)
+    best = min(tried, key=distance)
+    step = tried[1] - tried[0]
+    return float(min(np.linspace(best - step, best + step, 41), key=distance))
+
+
+def _some(time: Any, position: Any) -> tuple[Any, Any]:
+    """Return as many frames as are compared."""
+    rows = np.unique(np.linspace(0, len(time) - 1, FRAMES).astype(int))
+    return time[rows], position[rows]
+
+
+# ----------------------------------------------------------------------------------------------------
+# The explorer as one HTML file: the engine's module, the page's script and styles, presets, a scene and measured rebounds.
+
 
 MOST_REBOUNDS = 20_000
 FEW_BALLS = 6
@@ -357,3 +487,97 @@ def _script_json(data: Any) -> str:
 def _filled(**parts: str) -> str:
     """Return the page with its parts, in one pass: what is put in is not looked at again."""
     return re.sub(r"@([A-Z]+)@", lambda match: parts[match[1]], _asset("index.html"))
+
+
+# ----------------------------------------------------------------------------------------------------
+# A run as a page that plays it: the explorer with one law, or with a recorded run where the page cannot compute it.
+
+
+# Up to so many events the page runs a scene itself (web/state/compute.js); a longer run is recorded, up to so many rows of its log:
+# with more a browser no longer plays smoothly.
+MOST_EVENTS_RUN, MOST_ROWS = 2000, 200_000
+STATUS = {"nothing more happens": "quiet", "duration": "done", "max_events": "limit"}
+
+
+def player_page(run: Trajectory, start: float, end: float, speed: float) -> str:
+    """Return the HTML of a page that plays a run from ``start`` to ``end`` (s), ``speed`` seconds of it in one second.
+
+    A run of at most 2,000 events under carom's own laws is computed by the page, from the scene, and the scene can be changed
+    there. Any other is recorded: its log of events is in the page, and the motion between them is computed from it.
+
+    Raises CaromError for a run of more than 200,000 events.
+
+    Examples
+    --------
+    >>> import carom
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0, 0), velocity=(-1, 0, 0))
+    >>> run = carom.simulate(carom.Scene(gravity=0, balls=[ball], run=carom.Run(law="mirror", duration=2)))
+    >>> player_page(run, 0.0, 2.0, 1.0).startswith("<!doctype html>")
+    True
+    """
+    seen = {"span": [start, end], "time": start, "slow": speed}
+    why = _why_recorded(run)
+    if not why:
+        name = SEVERAL_LAWS if _several(run) else law_name(run.scene.run.law)
+        return page_text(run.scene, [name], seen=seen)
+    rows = _piece_rows(run, start, end)
+    if len(rows) > MOST_ROWS + len(run.scene.balls):
+        raise CaromError(
+            f"animate: expected at most {MOST_ROWS:,} events in a page, got {len(rows):,}; take a shorter time: start=, end="
+        )
+    card = _run_card(run)
+    about = f"{run.scene.describe()}; recorded: {why}"
+    first = {"name": "scene", "title": "Recorded run", "about": about, "laws": [card["name"]]}
+    recorded = {
+        "log": base64.b64encode(gzip.compress(rows.tobytes(), mtime=0)).decode("ascii"),
+        "status": STATUS[run.ended],
+        "end": min(run.end, max(end, float(rows["t"].max(initial=0.0)))),
+        "why": f"A recorded run ({why}): it is played, not computed anew.",
+    }
+    return filled_page(
+        {
+            "presets": [{**first, "scene": scene_dict(run.scene), **seen}],
+            "cards": [card],
+            "rebounds": [],
+            "reboundsFrom": "",
+            "recorded": recorded,
+        }
+    )
+
+
+def _why_recorded(run: Trajectory) -> str:
+    """Return why the page does not compute a run; empty if it does."""
+    balls, events = len(run.scene.balls), len(run.events)
+    if balls > MOST_BALLS:
+        return f"{balls:,} balls"
+    if events > MOST_EVENTS_RUN:
+        return f"{events:,} events"
+    return "a page does not show its walls or its law" if not_shown(run.scene, "") else ""
+
+
+def _several(run: Trajectory) -> bool:
+    return any(wall.law is not None for wall in run.scene.walls)
+
+
+def _piece_rows(run: Trajectory, start: float, end: float) -> NDArray[np.void]:
+    """Return the log from ``start`` to ``end``, and before it the row in which each ball is at ``start``, in their order."""
+    log = run.log
+    before = log[log["t"] <= start]
+    last = {int(ball): i for i, ball in enumerate(before["ball"])}
+    first = before[[last[i] for i in range(len(run.scene.balls))]]
+    rows = np.concatenate([first, log[(log["t"] > start) & (log["t"] <= end)]])
+    # (the page reads the records by the layout of its module)
+    assert rows.dtype == LOG
+    assert LOG.itemsize == engine_layout()["records"]["log"]["bytes"]
+    return rows
+
+
+def _run_card(run: Trajectory) -> dict[str, Any]:
+    """Description of the law of a recorded run, as the page shows it."""
+    several, law = _several(run), run.scene.run.law
+    card = (law if isinstance(law, Law) else law_named(law)).card
+    name = SEVERAL_LAWS if several else law_name(law)
+    colour, _dashes = law_styles([name])[name] if not several else ("#777777", None)
+    summary = "Each wall with its own law." if several else card.summary
+    valid = "" if several else card.valid
+    return {"name": name, "summary": summary, "valid": valid, "colour": colour, "dashes": None, "reads": None}

@@ -9,8 +9,6 @@ from carom.core.jit.kernel import Vec, kernel, vector
 from carom.core.motion.phases import BOUNCING, HELD
 from carom.simulation.motion import begin_phase, move_by, write_vector
 
-__all__ = ["PIECE_COLUMNS", "piece_rows"]
-
 PIECE = 0.05  # s: a ball whose acceleration decays is drawn by parabolas so short, 1e-7 m from its path
 PIECE_COLUMNS = 18  # time, duration; position, velocity, spin, acceleration, change of the spin; phase
 ZERO: Vec = (0.0, 0.0, 0.0)

@@ -4,6 +4,6 @@ ranking = fitting.fit_laws(carom.data.read_rebounds("bounces.csv"), fitting.Sett
 ranking.verdict, ranking.best.estimates["friction"]
 """
 
-from carom.public.names import attach_public as _attach_public
+from carom.public.guard import attach_public as _attach_public
 
 __getattr__, __dir__, __all__ = _attach_public(__name__, __file__)

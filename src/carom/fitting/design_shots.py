@@ -10,17 +10,14 @@ from types import SimpleNamespace
 from typing import Any
 
 from carom.bodies import inertia_number
-from carom.data.rebound_columns import as_rebounds
+from carom.data.columns import as_rebounds
 from carom.data.rebound_files import read_rebounds
 from carom.data.rebounds import KINDS, STAGES, Rebounds
 from carom.errors import FaultList
 from carom.fitting.design import Plan, Shots, require_plan
 from carom.fitting.design import design as plan_shots
-from carom.fitting.setting import Setting
-from carom.fitting.usable_rows import spin_of_rows
+from carom.fitting.rows import Setting, spin_of_rows
 from carom.public.defaults import ANGLES_DEG, DESIGNED_LAWS, ODDS, RADIUS, SIGMA_V, SPEEDS, SPINS
-
-__all__ = ["check_design", "design"]
 
 
 def design(
@@ -66,7 +63,7 @@ def design(
     speeds, spins : pairs
         Ranges of their speeds, m/s, and of their spins before the wall, rad/s, or "unknown".
     spin : float or str, optional
-        Unmeasured spins in ``file``, as for :func:`carom.fitting.usable_rows`.
+        Unmeasured spins in ``file``, as for :func:`carom.fitting.rows`.
     sigma_v, sigma_spin : float
         Error bars of the shots to come, m/s and rad/s. Default of ``sigma_spin``: spin is not measured.
     odds : float

@@ -7,7 +7,7 @@ Inputs x and outputs y are measured with variances. The law f(x, p), linear near
 which is the least sum of squared adjustments of x and y, in error bars (Fuller, Measurement Error Models (1987), 1.3).
 Its gradient in p is -2 G' S^-1 r with G = df/dp at the most likely x, x + (var(x) J' - C) S^-1 r; log det S is left out, since it
 would bias the estimates. With nu > 0 errors follow Student's t with nu degrees of freedom: (nu + d) log(1 + c/nu). Rows whose spin
-was not measured are in :mod:`carom.fitting.spin_marginal`.
+was not measured are in :mod:`carom.fitting.spins`.
 """
 
 from __future__ import annotations
@@ -16,12 +16,7 @@ import math
 from typing import Any, NamedTuple
 
 from carom.core.jit.kernel import Vec, kernel
-from carom.fitting.parameters import INDEX, NUMBERS
-
-__all__ = [
-    "UNDEFINED_DEVIANCE", "RowData", "Trial", "Workspace", "call_law", "measured_outputs", "predict_with_derivatives",
-    "residual_precision", "row_deviance",
-]  # fmt: skip
+from carom.fitting.laws import INDEX, NUMBERS
 
 UNDEFINED_DEVIANCE = 1e8  # of a row for which a law has no prediction
 RELATIVE_STEP = 1e-4  # of a numerical derivative, in the parameter's own size
@@ -29,7 +24,7 @@ SPIN_WIDTH, SPIN_MEAN = INDEX["spin_width"], INDEX["spin_mean"]  # of the prior:
 
 
 def call_law(called: Any, given: tuple[Any, ...]) -> Vec:
-    """Call a law: a function; in compiled code its address (:func:`carom.core.jit.pointers.call_at`)."""
+    """Call a law: a function; in compiled code its address (:func:`carom.core.jit.calls.call_at`)."""
     return called(*given)  # type: ignore[no-any-return]
 
 
@@ -37,13 +32,13 @@ class RowData(NamedTuple):
     """N rebounds in the form used by compiled code."""
 
     code: int
-    """Code of the contact model (:mod:`carom.fitting.kernels`)."""
+    """Code of the contact model (:mod:`carom.fitting.laws`)."""
     form: int
     """Form of the restitution."""
     stages: Any
     radius: float
     spins: Any
-    """A :class:`carom.fitting.spin_quadrature.SpinGrid`, or None where all spins were measured."""
+    """A :class:`carom.fitting.spins.SpinGrid`, or None where all spins were measured."""
     x: Any
     """(N, 3) v_n, v_t, spin before the wall."""
     vx: Any
@@ -56,7 +51,7 @@ class RowData(NamedTuple):
     nu: float
     """Degrees of freedom of Student's t; 0: normal errors."""
     known: Any
-    """(M,) a table of the law at the trial point (:mod:`carom.fitting.tabulated`); empty where the law itself is asked."""
+    """(M,) a table of the law at the trial point (:mod:`carom.fitting.law_table`); empty where the law itself is asked."""
 
 
 class Trial(NamedTuple):
@@ -103,7 +98,7 @@ class Workspace(NamedTuple):
     predicted: Any
     """(P, 3) its predictions there."""
     intervals: Any
-    """(M,) records of :data:`carom.fitting.spin_quadrature.INTERVAL`."""
+    """(M,) records of :data:`carom.fitting.spins.INTERVAL`."""
     score: Any
     """(k, 3) score of each parameter as a polynomial in the position within an interval."""
     prior: Any

@@ -17,11 +17,6 @@ from numpy.typing import NDArray
 
 from carom.fitting.laws import FittedLaw
 
-__all__ = [
-    "DECIDED", "LEANS", "UNLIKELY", "Evidence", "OneFit", "Ranked", "RankedLaws", "akaike", "decisive", "odds_in_words",
-    "verdict_words", "weigh", "widened",
-]  # fmt: skip
-
 DECIDED, LEANS = 20.0, 3.0  # odds
 UNLIKELY = 1e-3  # probability of a chi^2 below which a law does not fit
 MOST_LOG_ODDS = 700.0

@@ -16,21 +16,21 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.data import Problem
-from carom.fitting.form_starts import form_starts
-from carom.fitting.identifiability import identified_covariance, identify, parameter_ranges
-from carom.fitting.laws import FittedLaw
+from carom.fitting.identify import identified_covariance, identify, parameter_ranges
+from carom.fitting.law_table import LawTable, coarse_table, fine_table
+from carom.fitting.laws import FORMS, INDEX, NUMBERS, FittedLaw
 from carom.fitting.likelihood import TabulatedLaw
-from carom.fitting.model import STEPS, TOLERANCE, FitModel, feels_spins, model_of
-from carom.fitting.optimizer import EVERYWHERE, Minimum, cross_kinks
-from carom.fitting.parameters import FORMS, INDEX, NUMBERS
+from carom.fitting.model import STEPS, TOLERANCE, FitModel, feels_spins, form_starts, model_of
 from carom.fitting.result import Estimate, Fit, refit, working_model
-from carom.fitting.scatter import Scattered, with_contact_scatter, with_estimated_scatter
-from carom.fitting.spin_chains import chain_information
-from carom.fitting.tabulated import LawTable, coarse_table, fine_table
-from carom.fitting.uncertainty import with_marginal_errors, with_profiled_friction
-
-__all__ = ["Place", "fit_at", "fit_law", "own_information", "place_near"]
+from carom.fitting.rows import Problem
+from carom.fitting.scatter import (
+    Scattered,
+    with_contact_scatter,
+    with_estimated_scatter,
+    with_marginal_errors,
+    with_profiled_friction,
+)
+from carom.fitting.spin_chains import EVERYWHERE, Minimum, chain_information, cross_kinks
 
 Array = NDArray[np.float64]
 FEW_STEPS, HELD_STEPS = 40, 12
@@ -383,7 +383,7 @@ def _refined(model: FitModel, best: Place, coarse: LawTable) -> tuple[Place, Law
 
 
 class _Subject:
-    """A fit to rebounds, for :func:`carom.fitting.identifiability.identify`."""
+    """A fit to rebounds, for :func:`carom.fitting.identify.identify`."""
 
     def __init__(self, fit: Fit, information: Array) -> None:
         model = model_of(fit.law, fit.problem)

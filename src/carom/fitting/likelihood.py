@@ -9,29 +9,31 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.jit.calls import call_at, compiled_address
 from carom.core.jit.compile import array_of, named_tuple_type, njit, signature
 from carom.core.jit.kernel import kernel
-from carom.core.jit.pointers import call_at, compiled_address
-from carom.core.jit.slices import block_slices
-from carom.core.jit.threads import call_in_threads
-from carom.fitting.deviance import RELATIVE_STEP, RowData, Trial, Workspace, call_law, row_deviance
-from carom.fitting.parameters import LAW_NUMBERS, NUMBERS
-from carom.fitting.spin_marginal import row_deviance_over_spins
-from carom.fitting.spin_quadrature import INTERVAL, SpinGrid
+from carom.core.jit.threads import block_slices, call_in_threads
+from carom.fitting.deviance import (
+    RELATIVE_STEP,
+    SPIN_MEAN,
+    SPIN_WIDTH,
+    RowData,
+    Trial,
+    Workspace,
+    call_law,
+    row_deviance,
+)
+from carom.fitting.laws import LAW_NUMBERS, NUMBERS
+from carom.fitting.spins import INTERVAL, SpinGrid, row_deviance_over_spins
 from carom.laws.callbacks import register_calls
 
 if TYPE_CHECKING:
     from carom.data.rebounds import Kind
-
-__all__ = [
-    "Evaluation", "LikelihoodModel", "TabulatedLaw", "compile_likelihood", "evaluate", "make_trial", "make_workspace",
-    "predictions",
-]  # fmt: skip
 
 Array = NDArray[np.float64]
 PARTS = 8
@@ -41,7 +43,7 @@ SERIAL_WORK = 4000  # law evaluations up to which one core is faster
 
 
 class TabulatedLaw(Protocol):
-    """A table in place of a law (:mod:`carom.fitting.tabulated`)."""
+    """A table in place of a law (:mod:`carom.fitting.law_table`)."""
 
     def at(self, p: Array, moves: Array, free: NDArray[np.int64]) -> Array:
         """Return the table at a trial point, with derivatives in the free numbers, as compiled code reads it."""
@@ -170,7 +172,7 @@ def _declare_calls() -> None:
 @functools.cache
 def _compiled_law(kind: Kind) -> Callable[..., Any]:
     """Return the laws of a kind, compiled."""
-    from carom.fitting.kernels import planar_law, table_law
+    from carom.fitting.laws import planar_law, table_law
 
     law = planar_law if kind == "planar" else table_law
     return njit(law, signature(*_types()["law"]), (register_calls,), nogil=True)
@@ -307,3 +309,65 @@ def predictions(kind: Kind, rows: RowData, x: Array, p: Array) -> Array:
 
     call_in_threads(part, _equal_slices(len(x), PARTS if len(x) > SERIAL_WORK else 1))
     return out
+
+
+# ----------------------------------------------------------------------------------------------------
+# Likelihood with a prior of flexible shape for spins that were not measured: a mixture of normal distributions.
+#
+# The likelihood of a row under a mixture is the sum of its likelihoods under the components, each weighted with the component's
+# share. Scores are those of the components, weighted with the row's probability of having come from each (Fisher's identity); so
+# is
+# the information, which is that of the rows with known component, an upper bound (Dempster, Laird & Rubin, J. R. Stat. Soc. B 39,
+# 1
+# (1977)).
+
+
+class SpinMixture(NamedTuple):
+    """A prior of spins: normal distributions with shares (C,), means (C,) in v_t/a and widths (C,) in v/a."""
+
+    share: Array
+    mean: Array
+    width: Array
+
+    @property
+    def parameters(self) -> int:
+        """Number of adjusted parameters: the shares add up to 1."""
+        return 3 * len(self.share) - 1
+
+    @property
+    def in_words(self) -> str:
+        """The components, largest first."""
+        order = np.argsort(-self.share)
+        return ", ".join(f"{self.share[i]:.0%} at {self.mean[i]:.2f} ± {self.width[i]:.2f}" for i in order)
+
+    def given(self, p: Array) -> Array:
+        """Return numbers (B C, K) of all components for p (B, K)."""
+        every = np.repeat(p, len(self.share), axis=0)
+        every[:, SPIN_MEAN], every[:, SPIN_WIDTH] = np.tile(self.mean, len(p)), np.tile(self.width, len(p))
+        return every
+
+
+def evaluate_components(likelihood: LikelihoodModel, every: Array, components: int) -> Evaluation:
+    """Evaluate the rows under each component, for numbers (B C, K): all results have (B, C, N) in place of (B, N)."""
+    seen = vars(evaluate(likelihood, every, by_row=True))
+    return Evaluation(**{name: x.reshape(len(x) // components, components, *x.shape[1:]) for name, x in seen.items()})
+
+
+def mixture_deviances(deviance: Array, log_share: Array) -> tuple[Array, Array]:
+    """Return the rows' deviances (B, N), and their probabilities (B, C, N) of each component, from the components' likelihoods."""
+    logs = log_share[:, :, None] - deviance / 2
+    top = logs.max(axis=1, keepdims=True)
+    total = top[:, 0] + np.log(np.exp(logs - top).sum(axis=1))
+    return -2 * total, np.exp(logs - total[:, None])
+
+
+def evaluate_mixture(
+    likelihood: LikelihoodModel, mixture: SpinMixture, p: Array, weights: Array | None
+) -> Evaluation:  # fmt: skip
+    """Evaluate the likelihood under a mixture at B sets of numbers p (B, K), with weights (B or 1, N) of the rows."""
+    seen = evaluate_components(likelihood, mixture.given(p), len(mixture.share))
+    deviance, belongs = mixture_deviances(seen.deviance, np.log(mixture.share)[None])
+    chi2 = np.take_along_axis(seen.chi2, np.argmax(belongs, axis=1)[:, None], axis=1)[:, 0]
+    weighted = belongs if weights is None else belongs * weights[:, None]
+    scores, information = (np.einsum("bcn,bcn...->b...", weighted, x) for x in (seen.scores, seen.information))
+    return Evaluation(deviance, chi2, scores, information)

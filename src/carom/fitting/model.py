@@ -10,18 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.data import Problem
 from carom.fitting.deviance import RowData
-from carom.fitting.kernels import TABULATED
-from carom.fitting.laws import FittedLaw
-from carom.fitting.likelihood import Evaluation, LikelihoodModel, TabulatedLaw, evaluate, predictions
-from carom.fitting.optimizer import Minimum, minimize
-from carom.fitting.parameters import ALONG, INDEX, NUMBERS, PARAMETERS, PLACES, Parameter
-from carom.fitting.setting import Setting, code_of, decided, forms_of
-from carom.fitting.spin_chains import evaluate_chains
-from carom.fitting.spin_mixture import evaluate_mixture
-
-__all__ = ["SETTING_NUMBERS", "STEPS", "FitModel", "feels_spins", "model_of", "predict_law"]
+from carom.fitting.laws import ALONG, INDEX, NUMBERS, PARAMETERS, PLACES, TABULATED, FittedLaw, Parameter, viscous_loss
+from carom.fitting.likelihood import Evaluation, LikelihoodModel, TabulatedLaw, evaluate, evaluate_mixture, predictions
+from carom.fitting.rows import Problem, Setting, code_of, decided, forms_of
+from carom.fitting.spin_chains import Minimum, evaluate_chains, minimize
 
 Array = NDArray[np.float64]
 STEPS = 200
@@ -55,7 +48,7 @@ class FitModel:
     moves: Array
     """(S, NUMBERS) change of the law's parameters by shared errors."""
     tabulated: TabulatedLaw | None = None
-    """A table that stands in for the law (:mod:`carom.fitting.tabulated`)."""
+    """A table that stands in for the law (:mod:`carom.fitting.law_table`)."""
     profiled: bool = False
     """Whether the scatter of outputs without error bars is that of the residuals at each place, and enters the deviance; else it is
     the problem's."""
@@ -279,3 +272,61 @@ def predict_law(law: FittedLaw, problem: Problem, p: Array) -> Array:
     mean = p[INDEX["spin_mean"]] * x[:, 1] / problem.setting.radius
     x[:, 2] = np.where(np.isnan(x[:, 2]), mean, x[:, 2])
     return predictions(law.kind, model.likelihood().rows, x, p) - moved[:, 3:]
+
+
+# ----------------------------------------------------------------------------------------------------
+# Starting values of a restitution that depends on the speed, from the measured ratios of normal speeds.
+#
+# A form of three numbers has several valleys, and a grid of starting values may miss the one of the data: a polynomial whose
+# vertex
+# lies below the least measured speed is constant over the table, and the deviance there does not depend on two of its
+# coefficients.
+
+
+SPEED_SHARES = (0.3, 1.0, 3.0)  # of the median speed: over which an exponential is tried
+LEAST_SPEEDS = 3
+MOST_RATIO = 1.2  # of normal speeds: larger ones are errors of measurement
+
+
+def form_starts(form: str, speed: Array, ratio: Array) -> list[tuple[float, ...]]:
+    """Return starting values of a form's parameters, by least squares.
+
+    Parameters
+    ----------
+    form : str
+        One of :data:`carom.fitting.laws.FORMS`.
+    speed, ratio : (N,)
+        Normal speed of the approach, m/s, and the ratio of the normal speeds after and before; NaN: not measured.
+
+    Returns
+    -------
+    list of tuples, empty for a constant, and where fewer than three different speeds were measured.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> speed = np.array([4.0, 8.0, 12.0])
+    >>> [[round(x, 4) for x in one] for one in form_starts("polynomial", speed, 0.95 - 0.03 * speed + 0.001 * speed**2)]
+    [[0.95, -0.03, 0.001]]
+    """
+    good = np.isfinite(speed) & np.isfinite(ratio) & (speed > 0)
+    v, e = speed[good], np.clip(ratio[good], 1e-3, MOST_RATIO)
+    if len(np.unique(v)) < LEAST_SPEEDS:
+        return []
+    if form in ("polynomial", "line"):
+        coefficients = np.polyfit(v, e, 2)[::-1] if form == "polynomial" else np.polyfit(v, e * v, 1)
+        return [tuple(coefficients.tolist())]
+    if form == "power":
+        slope, height = np.polyfit(np.log(v / v.min()), np.log(e), 1)
+        return [(float(np.exp(height)), float(v.min()), -float(slope))]
+    if form == "viscoelastic":
+        return [(float(np.median(viscous_loss(e) / v**0.2)),)]
+    if form == "exponential":
+        found: list[tuple[float, ...]] = []
+        for share in SPEED_SHARES:
+            over = share * float(np.median(v))
+            fall = np.exp(-v / over)
+            (far, rise), *_ = np.linalg.lstsq(np.stack([np.ones_like(v), fall], axis=-1), e, rcond=None)
+            found.append((float(far + rise), float(far), over))
+        return found
+    return []

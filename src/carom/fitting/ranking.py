@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from carom.bodies import Surface
 from carom.data.rebounds import Rebounds
-from carom.data.where import Where
-from carom.errors import CaromError, noting, require_type
+from carom.data.where import Where, is_of_words
+from carom.errors import CaromError, FaultList, noting, require_type, shortened_list, suggestion
 from carom.files import require_library
-from carom.fitting.adequacy import Adequacy, Coverage, adequacy, coverage, nothing_along_the_wall
-from carom.fitting.conditions import assumptions_in_words, kinked_rows_warning, odds_note, restitution_gain, unsettled
-from carom.fitting.cross_validation import cross_validated_score, score_warnings
-from carom.fitting.data import Problem, make_problem
 from carom.fitting.evidence import (
     DECIDED,
+    UNLIKELY,
     Evidence,
     Ranked,
     RankedLaws,
@@ -27,29 +27,158 @@ from carom.fitting.evidence import (
     weigh,
     widened,
 )
-from carom.fitting.fit import fit_law
-from carom.fitting.form_choice import FormChoice, choose_forms
-from carom.fitting.groups import with_group_scatter
-from carom.fitting.laws import FittedLaw, laws_named
-from carom.fitting.mixture_fit import may_mix, with_flexible_prior
-from carom.fitting.model import SETTING_NUMBERS
-from carom.fitting.outliers import Outlier, heavy_tails, outliers_of
-from carom.fitting.parameters import FORMS
-from carom.fitting.predictive import Prediction
-from carom.fitting.profile_likelihood import with_profiles
-from carom.fitting.result import Fit, with_error_bar
-from carom.fitting.setting import Setting, require_settings
-from carom.fitting.uncertainty import with_bootstrap, with_shared
-from carom.fitting.usable_rows import rows_that_meet, second_rows, usable_rows
+from carom.fitting.fit import fit_law, own_information
+from carom.fitting.forms import FormChoice, choose_forms, may_mix, with_flexible_prior
+from carom.fitting.held_out import cross_validated_score, score_warnings
+from carom.fitting.identify import with_profiles
+from carom.fitting.laws import FORMS, FittedLaw, laws_named
+from carom.fitting.model import SETTING_NUMBERS, model_of
+from carom.fitting.result import Fit, refit, scaled, with_error_bar
+from carom.fitting.rows import (
+    Problem,
+    Setting,
+    make_problem,
+    require_settings,
+    rows_that_meet,
+    second_rows,
+    usable_rows,
+)
+from carom.fitting.scatter import with_bootstrap, with_shared
+from carom.fitting.varying import Prediction
+from carom.fitting.verdict import (
+    Adequacy,
+    Coverage,
+    Outlier,
+    adequacy,
+    assumptions_in_words,
+    coverage,
+    heavy_tails,
+    kinked_rows_warning,
+    nothing_along_the_wall,
+    odds_note,
+    outliers_of,
+    restitution_gain,
+    unsettled,
+)
 from carom.formatting import json_value
 from carom.laws.registry import one_or_several
 from carom.public.progress import Progress, loop_callback
 from carom.scene import Scene
 
-__all__ = ["Outlier", "Ranking", "fit_laws"]
+Array = NDArray[np.float64]
+NAMED = (
+    "ball",
+    "camera",
+    "cushion",
+    "film",
+    "racket",
+    "surface",
+    "wall",
+)  # columns whose values name kinds, even if they are numbers
+LEAST_ROWS, MOST_GROUPS = 5, 40
+MOST_WORK = 4e5  # law evaluations for all groups
+STAGE = "stage"
+
+
+def with_group_scatter(fit: Fit) -> tuple[Fit, list[str], str]:
+    """Return the fit with error bars that include the scatter between groups of rows, notes, and a contradiction between stages.
+
+    Groups are the values of columns of words and of those called ball, camera, cushion, film, racket, surface or wall, and the two
+    stages at which balls on a table were measured, whose parameters must agree.
+    """
+    notes, contradiction = [], ""
+    heavy = fit.law.search_code is not None
+    for column, labels, groups in _groupings(fit):
+        if not fit.names or fit.problem.work(heavy) * len(groups) > MOST_WORK:
+            continue
+        values, variances = _by_group(fit, groups)
+        told = [
+            i
+            for i, name in enumerate(fit.names)
+            if fit.estimates[name].value is not None and fit.estimates[name].stderr
+        ]
+        differ = []
+        for i in told:
+            good = np.isfinite(variances[:, i]) & (variances[:, i] > 0)
+            if good.sum() < 2:
+                continue
+            chance, tau2, stderr = _scatter(values[good, i], variances[good, i])
+            if chance > UNLIKELY / len(told):
+                continue
+            name, own = fit.names[i], fit.estimates[fit.names[i]].stderr or stderr
+            each = [
+                f"{labels[j]} {values[j, i]:.4g} ± {variances[j, i] ** 0.5:.1g}"
+                for j in np.flatnonzero(good)[:4].tolist()
+            ]
+            differ.append(f"{name} {', '.join(each)}{', ...' if good.sum() > 4 else ''}")
+            if column != STAGE and stderr > own:
+                fit = scaled(fit, name, stderr / own)
+                differ[-1] += f" (scatter {tau2**0.5:.2g}, error bar {stderr / own:.2g} times as large)"
+        if differ and column == STAGE:
+            contradiction = f"rows of the two stages contradict each other under it: {'; '.join(differ)}"
+        elif differ:
+            notes.append(
+                f"{column}: under {fit.law.name} the {len(groups)} kinds of rows differ by more than their error bars:"
+                f" {'; '.join(differ)}"
+            )
+    return fit, notes, contradiction
+
+
+def _groupings(fit: Fit) -> Iterator[tuple[str, list[str], Array]]:
+    """Yield columns that divide the rows into groups, the groups' names, and their rows as weights (G, N)."""
+    rebounds = fit.problem.rebounds
+    columns = dict(rebounds.extra) | ({} if rebounds.stage is None else {STAGE: rebounds.stage})
+    for name, column in columns.items():
+        cells = np.array([str(cell) for cell in column.tolist()])
+        labels, count = np.unique(cells, return_counts=True)
+        if not (name in (*NAMED, STAGE) or is_of_words(labels.tolist())):
+            continue
+        if not 2 <= len(labels) <= min(MOST_GROUPS, len(cells) // LEAST_ROWS):
+            continue
+        several = [
+            str(label) for label, n in zip(labels.tolist(), count.tolist(), strict=True) if label and n >= LEAST_ROWS
+        ]
+        if len(several) >= 2:
+            yield name, several, np.array([cells == label for label in several], float)
+
+
+def _by_group(fit: Fit, groups: Array) -> tuple[Array, Array]:
+    """Return the parameters (G, k) fitted to each group alone, and their variances."""
+    model = model_of(fit.law, fit.problem)
+    numbers, _deviance = refit(fit, fit.problem, groups)
+    seen = model.evaluate(numbers, groups)
+    places = [model.places[name] for name in fit.names]
+    variances = np.full((len(groups), len(places)), np.nan)
+    for g, information in enumerate(seen.information):
+        own = own_information(
+            information + np.diag((model.free >= len(fit.numbers) - len(fit.problem.shared)) * 1.0), len(places)
+        )
+        inverse = np.linalg.pinv(own, hermitian=True)
+        variances[g] = np.diag(inverse)
+    low, high = model.low[places], model.high[places]
+    values = numbers[:, places]
+    variances[(values <= low) | (values >= high)] = np.nan
+    return values, variances
+
+
+def _scatter(values: Array, variances: Array) -> tuple[float, float, float]:
+    """Return the probability of such differences by chance, the variance between groups, and the error bar of the common value."""
+    from scipy.special import chdtrc
+
+    weight = 1 / variances
+    mean = (weight * values).sum() / weight.sum()
+    q, n = float((weight * np.square(values - mean)).sum()), len(values)
+    # (the sum of weights less that of their squares over it, by products: the difference is 0 where one group is far more exact)
+    tau2 = max(q - (n - 1), 0.0) * float(weight.sum() / (2 * np.triu(np.outer(weight, weight), 1).sum()))
+    return float(chdtrc(n - 1, q)), tau2, float((1 / (variances + tau2)).sum() ** -0.5)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Fit all laws to rebounds and rank them: which law the data favour, by what odds, and whether any law fits.
+
 
 LEAST_DATA = 4  # measured numbers for each fitted one, where the scatter is estimated
-# Law evaluations (carom.fitting.data.Problem.work) up to which these are done by default
+# Law evaluations (carom.fitting.rows.Problem.work) up to which these are done by default
 PROFILE_WORK, MARGINAL_PROFILE_WORK, BOOTSTRAP_WORK = 3e3, 5e3, 3e3
 DRAWS = 200
 LEAST_OF_STAGE, CONTRADICTION = 5, 4.0  # rows; error bars between the stages of a film
@@ -186,7 +315,7 @@ def fit_laws(
     laws : str or sequence of str, optional
         Names. Default: all laws for this kind of rebound.
     where, sigma_v, sigma_spin, spin, every_contact
-        Which rows are used, and default error bars and spins, as for :func:`carom.fitting.usable_rows`: unmeasured spins of later
+        Which rows are used, and default error bars and spins, as for :func:`carom.fitting.rows`: unmeasured spins of later
         contacts follow from the contacts before.
     shifted : sequence of (str, Rebounds)
         Systematic errors common to all rows: a description of each, and the rebounds shifted by one standard deviation
@@ -446,3 +575,63 @@ def _verdict(best: Fit, evidence: Evidence, few: bool, found: Adequacy, covers: 
         said += "" if first else f"; {found.in_words()}"
     said = first + said if first else said[0].upper() + said[1:]
     return f"{said}. This is for contacts like these: {covers.in_words()}."
+
+
+# ----------------------------------------------------------------------------------------------------
+# Laws fitted to the rows of each surface, ball or racket of one table by itself: ``carom.fit(by=...)``.
+
+
+class RankingsBy(dict[str, Ranking]):
+    """The ranking of laws for each value of a column, in the order of the table.
+
+    Examples
+    --------
+    >>> from carom.fitting import RankingsBy
+    >>> RankingsBy("surface").as_dict()
+    {'by': 'surface', 'fits': {}, 'left_out': []}
+    """
+
+    def __init__(self, column: str) -> None:
+        super().__init__()
+        self.column = column
+        self.left_out: list[str] = []
+        """Values whose rows cannot be fitted, with the reason."""
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Notes of all fits, each with the value."""
+        own = [f"{value}: {note}" for value, ranking in self.items() for note in ranking.notes]
+        return (*(f"left out: {text}" for text in self.left_out), *own)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the rankings for JSON."""
+        fits = {value: ranking.as_dict() for value, ranking in self.items()}
+        return {"by": self.column, "fits": fits, "left_out": self.left_out}
+
+
+def fit_by(
+    rebounds: Rebounds, setting: Setting, laws: Any, column: str, *, forms: bool = False, **options: Any
+) -> RankingsBy:
+    """Fit laws to the rows of each value of a column; ``options`` as for :func:`carom.fitting.fit_laws`.
+
+    ``forms``: whether functions of the impact are chosen for the parameters. Rows with an empty cell are a group of their own.
+
+    Raises CaromError where the table has no such column, and where no value has rows that can be fitted.
+    """
+    if column not in rebounds.extra:
+        known = list(rebounds.extra)
+        hint = suggestion(column, known) if known else "there is none"
+        faults = FaultList()
+        faults.add("`by`", "an additional column of the table", repr(column), hint)
+        faults.raise_if_any()
+    cells = np.array([str(cell).strip() or f"(no {column})" for cell in rebounds.extra[column].tolist()])
+    found = RankingsBy(column)
+    for value in dict.fromkeys(cells.tolist()):
+        try:
+            ranking = fit_laws(rebounds.select(cells == value), setting, laws, **options)
+            found[value] = ranking.with_forms() if forms else ranking
+        except CaromError as error:
+            found.left_out.append(f"{column} {value}: {shortened_list(list(map(str, error.faults)), 2)}")
+    if not found:
+        raise CaromError(*found.left_out)
+    return found

@@ -9,8 +9,6 @@ from numpy.typing import NDArray
 
 from carom.data.rebounds import Rebounds
 
-__all__ = ["SHARED", "Shared", "film_says", "numbers_of", "shared_errors", "shared_in_words"]
-
 Array = NDArray[np.float64]
 # Quantities that a film measures once for all its rows: prefix of the columns, and name
 SHARED = {

@@ -1,5 +1,5 @@
 """Gases of many balls or discs: event-driven, rough or smooth, in periodic boxes, between walls, in round containers."""
 
-from carom.public.names import attach_public as _attach_public
+from carom.public.guard import attach_public as _attach_public
 
 __getattr__, __dir__, __all__ = _attach_public(__name__, __file__)

@@ -21,11 +21,9 @@ from carom.gas.size_distributions import SizeClasses
 from carom.gas.snapshots import InitialState, read_initial_state
 from carom.gas.species import system_records
 from carom.public.progress import Progress
+from carom.scene.presets import parse_toml, read_toml
 from carom.scene.schema import from_file
 from carom.scene.toml import toml_text
-from carom.scene.toml_files import parse_toml, read_toml
-
-__all__ = ["build", "gas_text", "is_gas", "load_gas", "new_gas", "records_of"]
 
 Array = NDArray[Any]
 

@@ -13,9 +13,7 @@ from numpy.typing import NDArray
 from carom.errors import FaultList, checked_number, suggestion
 from carom.gas.containers import Container
 from carom.gas.edmd.gas_records import CURVE, FACE
-from carom.gas.edmd.moving_walls import oscillation, place
-
-__all__ = ["Drive", "Thermostat", "WallMotion", "drive_faults", "face_records", "motion_of_walls"]
+from carom.gas.edmd.walls import oscillation, place
 
 # Of the largest radius: a ball whose centre is further behind a wall that bounds centres overlaps it (snapshots are in single
 # precision).

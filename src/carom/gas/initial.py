@@ -16,17 +16,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, Surface
-from carom.core.jit.slices import block_slices, row_slices
+from carom.core.jit.threads import block_slices, row_slices
 from carom.errors import CaromError, FaultList
 from carom.gas.containers import Container, as_container
 from carom.gas.edmd.driver import advance, arrays_at_start, put_in_place, synchronized, time_of_last_event
 from carom.gas.edmd.gas_records import DONE, PLANE
 from carom.gas.overlaps import neighbour_cell
-from carom.gas.sizes import cells_at_most, lattice_steps
-from carom.gas.species import Species, system_records
+from carom.gas.species import Species, cells_at_most, lattice_steps, system_records
 from carom.public.progress import Progress, loop_callback
-
-__all__ = ["compiled_loops", "dense", "lattice", "scattered", "thermal"]
 
 Array = NDArray[np.float64]
 BLOCK = 1 << 16  # balls that are handled at once

@@ -6,32 +6,291 @@ is in :func:`carom.gas.channels` and :class:`carom.gas.GasRun`.
 
 from __future__ import annotations
 
+import functools
 import math
-from typing import Any
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, Fault, suggestion
+from carom.core.jit.kernel import hot_kernel
+from carom.errors import CaromError, Fault, FaultList, suggestion
 from carom.gas import containers
 from carom.gas.containers import Container
-from carom.gas.curves import Displacement, Distribution, Outflow, PairCorrelation
 from carom.gas.edmd.driver import synchronized
 from carom.gas.gas import Gas
-from carom.gas.histograms import add_component_histograms, add_pair_histograms, species_sums
-from carom.gas.spatial_profiles import Profile, Profiles, layers, volume_within
-
-__all__ = [
-    "MAX_FOLLOWED",
-    "SERIES",
-    "Displacement",
-    "Distribution",
-    "Measures",
-    "PairCorrelation",
-    "mean_square_displacement",
-]
+from carom.gas.profiles import LayerAverages, Profile, Profiles, layers, volume_within
+from carom.gas.species import cells_at_most
+from carom.public.progress import Progress
 
 Array = NDArray[np.float64]
+FIT_STEPS, LARGEST_LOG = 50, 30.0  # of the fit of g at contact
+MAX_LOG_ERROR = 0.25  # of log g at contact: with fewer pairs it is not given
+
+
+@dataclass(frozen=True, eq=False)
+class Distribution:
+    """Distribution of the velocity or spin components of a species, in units of their standard deviation at each time."""
+
+    center: Array
+    """Middles of the bins, (B,), in standard deviations."""
+    density: Array
+    """Probability density, (B,)."""
+    error: Array
+    """Statistical error of the density, from the counts, (B,)."""
+    a2: float
+    """The fourth cumulant of d components, d <c^4> / ((d + 2) <c^2>^2) - 1: 0 for a Maxwellian."""
+
+    @property
+    def maxwell(self) -> Array:
+        """Return the Maxwellian of the same width, (B,)."""
+        density: Array = np.exp(-(self.center**2) / 2) / math.sqrt(2 * math.pi)
+        return density
+
+
+@dataclass(frozen=True, eq=False)
+class Displacement:
+    """Mean square displacement as a function of the lag time, averaged over starting times."""
+
+    lag: Array
+    square: Array
+    dimensions: int
+
+    @property
+    def diffusion(self) -> float:
+        """Diffusion coefficient in d dimensions: slope of the later two thirds over 2 d (Einstein); nan with too few lags."""
+        late = self.lag >= self.lag.max(initial=0.0) / 3
+        if late.sum() < 3 or not (self.square[late] > 0).all():
+            return math.nan
+        # the error of a mean square is proportional to it
+        line = Polynomial.fit(self.lag[late], self.square[late], 1, w=1 / self.square[late]).convert()
+        return float(line.coef[1] / (2 * self.dimensions))
+
+
+@dataclass(frozen=True)
+class Outflow:
+    """Balls that left a gas through a periodic border along gravity, and came in again on the other side."""
+
+    axis: str
+    """Along which they fall: "x", "y" or "z"."""
+    balls: int
+    """How many more went with gravity than against it."""
+    time: float
+    """In which they did (s)."""
+
+    @property
+    def rate(self) -> float:
+        """Balls per unit time (1/s)."""
+        return self.balls / self.time if self.time > 0 else math.nan
+
+    def to_dict(self) -> dict[str, str | float]:
+        """Return axis, balls, time and rate."""
+        return {"axis": self.axis, "balls": self.balls, "time": self.time, "rate": self.rate}
+
+
+@dataclass(frozen=True, eq=False)
+class PairCorrelation:
+    """Pair correlation function g(r) of two species."""
+
+    distance: Array
+    """Distances of the centres, (B,): the middles of the bins."""
+    g: Array
+    error: Array
+    """Statistical error of g, from the counts, (B,)."""
+    contact_distance: float
+    """Distance of the centres in contact."""
+
+    one_pair: Array
+    """g of one counted pair, (B,)."""
+
+    @property
+    def contact(self) -> float:
+        """g at contact: a parabola for log g up to 1.25 contact distances, of greatest likelihood; nan with too few pairs."""
+        return self._at_contact()[0]
+
+    @property
+    def contact_error(self) -> float:
+        """Standard error of :attr:`contact`, from the counts; nan with too few pairs."""
+        return self._at_contact()[1]
+
+    def _at_contact(self) -> tuple[float, float]:
+        """Return g at contact and its standard error.
+
+        The counts are those of Poisson's distribution, each pair counted twice. Weights follow from the fitted curve: those of the
+        counts themselves would prefer bins that have more than their share.
+        """
+        near = self.distance < 1.25 * self.contact_distance
+        g, unit = self.g[near], self.one_pair[near]
+        if (g > 0).sum() < 4:
+            return math.nan, math.nan
+        powers = np.vander(self.distance[near] / self.contact_distance - 1, 3, increasing=True)
+        log, rows, factors = np.full(len(g), math.log(g.mean())), powers, np.zeros(3)
+        for _ in range(FIT_STEPS):  # Newton's
+            weight = np.sqrt(np.exp(log) / (2 * unit))
+            rows = powers * weight[:, None]
+            factors = np.linalg.lstsq(rows, weight * (log + g * np.exp(-log) - 1), rcond=None)[0]
+            log, before = np.clip(powers @ factors, -LARGEST_LOG, LARGEST_LOG), log
+            if np.abs(log - before).max() < 1e-12:
+                break
+        value, error = math.exp(factors[0]), math.sqrt(np.linalg.inv(rows.T @ rows)[0, 0])
+        # (an exponential of so uncertain a logarithm is biased, and far from normally distributed)
+        return (value, value * error) if error < MAX_LOG_ERROR else (math.nan, math.nan)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Sums, component histograms and pair histograms over the balls of a gas: compiled loops over the engine's records.
+
+
+# Of each species: the number of balls, and the sums of v^2, v^4, w^2, w^4, and of the components of v.
+SUMS = ("count", "v2", "v4", "w2", "w4", "vx", "vy", "vz")
+
+
+class _CompiledCounts(NamedTuple):
+    sums: Callable[..., Any]
+    spread: Callable[..., Any]
+    pairs: Callable[..., Any]
+
+
+@functools.cache
+def compiled_loops() -> _CompiledCounts:
+    """Return the compiled sums and histograms."""
+    from carom.core.jit.compile import njit
+
+    return _CompiledCounts(
+        *(njit(loop, nogil=True) for loop in (_species_sums, _component_histograms, _pair_histogram))
+    )
+
+
+def species_sums(motions: Any, bodies: Any, kinds: int) -> Array:
+    """Return sums over the balls of each species, (species, 8), in the order of SUMS."""
+    sums = np.zeros((kinds, len(SUMS)))
+    compiled_loops().sums(motions, bodies, sums)
+    return sums
+
+
+def add_component_histograms(motions: Any, bodies: Any, axes: int, scale: Array, velocities: Any, spins: Any) -> None:
+    """Add the components of velocity and spin, times ``scale`` (species, 2), to histograms (species, bins) centred on zero.
+
+    The bins have width 1; a species with scale zero is skipped. Discs have two components of velocity and one of spin.
+    """
+    compiled_loops().spread(motions, bodies, axes, scale, velocities, spins)
+
+
+def add_pair_histograms(
+    x: Array, kind: Any, chosen: Any, radius: Array, side: Array, periodic: Any, reach: float, width: float, pairs: Any
+) -> None:
+    """Add the pairs of a ball in ``chosen`` and any other to histograms (species, species, bins) of the gap between them.
+
+    ``x`` is (N, 3), ``kind`` the species, ``chosen`` indices of balls, ``periodic`` by axis. The bins have a ``width``; ``reach``
+    is the largest distance of centres that is counted, at most half of a periodic side.
+    """
+    # cells of at least reach; of fewer than 3 along a periodic axis all are searched, once
+    n = np.array(cells_at_most((side / reach).tolist(), len(x)), np.int64)
+    place = np.clip((x / (side / n)).astype(np.int64), 0, n - 1)
+    cell = (place[:, 2] * n[1] + place[:, 1]) * n[0] + place[:, 0]
+    order = np.argsort(cell, kind="stable")
+    first = np.concatenate([[0], np.cumsum(np.bincount(cell, minlength=int(n.prod())))])
+    # sorted by cell
+    rows, kinds, here = np.ascontiguousarray(x[order].T), kind[order].astype(np.int64), np.argsort(order)[chosen]
+    compiled_loops().pairs(
+        rows, kinds, here, place[chosen], radius, side, periodic, n, first, reach * reach, width, pairs,
+        np.zeros(3, np.int64), np.zeros(3, np.int64),
+    )  # fmt: skip
+
+
+def _species_sums(motions: Any, bodies: Any, sums: Any) -> None:
+    for i in range(motions.shape[0]):
+        ball, body = motions[i], bodies[i]
+        k = ball.species
+        v = ball.vx * ball.vx + ball.vy * ball.vy + ball.vz * ball.vz
+        w = body.wx * body.wx + body.wy * body.wy + body.wz * body.wz
+        sums[k, 0] += 1
+        sums[k, 1] += v
+        sums[k, 2] += v * v
+        sums[k, 3] += w
+        sums[k, 4] += w * w
+        sums[k, 5] += ball.vx
+        sums[k, 6] += ball.vy
+        sums[k, 7] += ball.vz
+
+
+@hot_kernel
+def _count_value(histogram: Any, k: int, x: float) -> None:
+    """Count x in row k of a histogram with bins of width 1 centred on zero."""
+    place = x + histogram.shape[1] / 2
+    if 0 <= place < histogram.shape[1]:
+        histogram[k, int(place)] += 1
+
+
+def _component_histograms(motions: Any, bodies: Any, axes: int, scale: Any, velocities: Any, spins: Any) -> None:
+    for i in range(motions.shape[0]):
+        ball, body = motions[i], bodies[i]
+        k = ball.species
+        s = scale[k, 0]
+        if s > 0:
+            _count_value(velocities, k, ball.vx * s)
+            _count_value(velocities, k, ball.vy * s)
+            if axes == 3:
+                _count_value(velocities, k, ball.vz * s)
+        s = scale[k, 1]
+        if s > 0:
+            if axes == 3:
+                _count_value(spins, k, body.wx * s)
+                _count_value(spins, k, body.wy * s)
+            _count_value(spins, k, body.wz * s)
+
+
+@hot_kernel
+def _nearest_image(r: float, side: float, periodic: bool) -> float:
+    """Return a coordinate difference, between nearest images if the axis is periodic."""
+    if not periodic:
+        return r
+    if r > side / 2:
+        return r - side
+    return r + side if r < -side / 2 else r
+
+
+def _pair_histogram(
+    x: Any, kind: Any, chosen: Any, place: Any, radius: Any, side: Any, periodic: Any, n: Any, first: Any, reach2: float,
+    width: float, pairs: Any, low: Any, high: Any,
+) -> None:  # fmt: skip
+    """Count pairs; ``low`` and ``high`` (3,) are room for the cells around one."""
+    bins = pairs.shape[2]
+    for k in range(chosen.shape[0]):
+        i = chosen[k]
+        for axis in range(3):
+            low[axis], high[axis] = place[k, axis] - 1, place[k, axis] + 1
+            if periodic[axis] and n[axis] < 3:
+                low[axis], high[axis] = 0, n[axis] - 1
+            elif not periodic[axis]:
+                low[axis], high[axis] = max(low[axis], 0), min(high[axis], n[axis] - 1)
+        for cz in range(low[2], high[2] + 1):
+            for cy in range(low[1], high[1] + 1):
+                for cx in range(low[0], high[0] + 1):
+                    cell = ((cz % n[2]) * n[1] + cy % n[1]) * n[0] + cx % n[0]
+                    for j in range(first[cell], first[cell + 1]):
+                        rx = _nearest_image(x[0, i] - x[0, j], side[0], periodic[0])
+                        ry = _nearest_image(x[1, i] - x[1, j], side[1], periodic[1])
+                        rz = _nearest_image(x[2, i] - x[2, j], side[2], periodic[2])
+                        r2 = rx * rx + ry * ry + rz * rz
+                        if r2 < reach2 and j != i:
+                            gap = math.sqrt(r2) - (radius[kind[i]] + radius[kind[j]])
+                            bin_ = max(int(gap / width), 0)
+                            if bin_ < bins:
+                                pairs[kind[i], kind[j], bin_] += 1
+
+
+# ----------------------------------------------------------------------------------------------------
+# Measures of a gas: velocity distributions, pair correlation, diffusion, temperatures over time.
+#
+# :class:`Measures` samples a gas and returns means over its samples. What is counted at every collision (rates, energies,
+# pressure)
+# is in :func:`carom.gas.channels` and :class:`carom.gas.GasRun`.
+
+
 BIN_WIDTH, BINS = 0.1, 120  # of the components, in standard deviations
 GAP_BINS_PER_DIAMETER, MAX_GAP_BINS = 60, 180  # of the gap between balls: per smallest diameter, and in all
 MAX_FOLLOWED = 8192  # balls, for diffusion
@@ -386,3 +645,84 @@ def mean_square_displacement(positions: Array, masses: Array | None = None) -> A
     x -= (weight[:, None] * x).sum(axis=1, keepdims=True) / weight.sum()
     found = [0.0] + [float(((x[k:] - x[:-k]) ** 2).sum(axis=2).mean()) for k in range(1, len(x))]
     return np.array(found)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Profiles across a gas with their errors: density, velocity, temperatures and fluxes in layers, from blocks of a run.
+
+
+BLOCKS = 10  # of the run, for the errors
+PLACES = ("axis", "edges")  # fields that are no measurements
+
+
+class LayerProfiles(NamedTuple):
+    """Exact means over a run, and their standard errors in the same form."""
+
+    mean: LayerAverages
+    error: LayerAverages
+
+
+def layer_profiles(
+    gas: Gas, collisions: int, *, blocks: int = BLOCKS, progress: Progress | None = None
+) -> LayerProfiles:
+    """Return the profiles of a gas between walls, or of a sheared gas, which is advanced by so many collisions.
+
+    The means are exact (:class:`carom.gas.profiles.LayerAverages`). Their standard errors are those of the means of the
+    blocks, which should be long compared with the memory of the gas: the time in which heat crosses it.
+
+    Parameters
+    ----------
+    gas : Gas
+        With walls or a shear rate; in a steady state.
+    collisions : int
+        To measure over, those with walls included.
+    blocks : int
+        Into which the run is divided, at least 2.
+    progress : callable(done, total, text), optional
+
+    Returns
+    -------
+    LayerProfiles
+
+    Raises
+    ------
+    CaromError
+        For a gas without layers, too few collisions or blocks, and as :meth:`Gas.run` does.
+
+    Examples
+    --------
+    >>> from carom import Ball, Surface
+    >>> from carom.gas import Drive, Gas, Species, layer_profiles
+    >>> surfaces = {("a", "a"): Surface(1, 0, -1), ("a", "wall"): Surface(1, 0, -1)}
+    >>> gas = Gas(
+    ...     [Species(Ball(0.5, 1.0), 60)], (5.0, 5.0, 12.0), periodic=(True, True, False), contacts=surfaces,
+    ...     drives={"bottom": Drive(temperature=2.0), "top": Drive(temperature=1.0)}, seed=1,
+    ... )
+    >>> gas.advance(2000)
+    >>> found = layer_profiles(gas, 20_000)
+    >>> flux, error = found.mean.heat_flux[1:-1], found.error.heat_flux[1:-1]
+    >>> bool((flux > 3 * error).all())  # from the warm wall at the bottom to the top
+    True
+    """
+    faults = FaultList("layer_profiles")
+    if len(gas.arrays.averages.layers) == 0:
+        faults.add("gas", "a gas with walls or a shear rate", "one without")
+    for name, value, least in (("blocks", blocks, 2), ("collisions", collisions, 2)):
+        if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
+            faults.add(name, f"a whole number >= {least}", f"{value!r}")
+    faults.raise_if_any()
+    begin, found = gas.mark(), []
+    for k in range(blocks):
+        layers = gas.run(max(int(collisions) // int(blocks), 1)).averages.layers
+        assert layers is not None
+        found.append(layers)
+        if progress is not None:
+            progress(k + 1, blocks, "blocks")
+    mean = gas.measured_since(begin).averages.layers
+    assert mean is not None
+
+    def error(name: str) -> Any:
+        values = np.array([getattr(one, name) for one in found])
+        return getattr(mean, name) if name in PLACES else np.std(values, axis=0, ddof=1) / math.sqrt(blocks)
+
+    return LayerProfiles(mean, LayerAverages(**{one.name: error(one.name) for one in fields(LayerAverages)}))

@@ -10,9 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.jit.kernel import kernel
-from carom.core.jit.slices import row_slices
-
-__all__ = ["compiled_loops", "first_overlap", "neighbour_cell"]
+from carom.core.jit.threads import row_slices
 
 Array = NDArray[np.float64]
 NONE = 0xFFFFFFFF  # end of a chain

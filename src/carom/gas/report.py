@@ -11,13 +11,10 @@ from numpy.typing import NDArray
 
 from carom.core.sums import added
 from carom.gas.gas import Gas
+from carom.gas.profiles import LayerAverages, slice_volumes
 from carom.gas.results import Mark
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
-from carom.gas.spatial_profiles import slice_volumes
-from carom.gas.time_averages import LayerAverages
-
-__all__ = ["UNITS_NOTE", "Channel", "channels", "pressure_unit", "report", "series"]
 
 Array = NDArray[np.float64]
 # A scene's numbers are in SI units, or in any consistent others; tables and pictures name the SI units.

@@ -21,8 +21,6 @@ from carom.errors import CaromError, Fault
 from carom.gas.species import Species
 from carom.scene.schema import CountOrZero, Model, Number, Size
 
-__all__ = ["CLASSES", "LognormalRadii", "SizeClasses", "SpeciesRadius", "in_classes", "size_classes", "size_moments"]
-
 Array = NDArray[np.float64]
 CLASSES = 48  # of the radii of a species, at most
 _SIGMA = Number("a standard deviation of ln r, > 0 and at most 1", least=0, most=1, above=True)

@@ -12,8 +12,6 @@ from carom.files import import_optional
 from carom.interop.run_function import RunFunction
 from carom.scene.scene import Scene
 
-__all__ = ["function"]
-
 
 def function(scene: Scene, wrt: str | Iterable[str], of: str = "final.position") -> Callable[[Any], Any]:
     """Return the final state of a scene as a function of numbers of it, which JAX differentiates, batches and compiles around.

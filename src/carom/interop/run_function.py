@@ -11,15 +11,11 @@ from numpy.typing import NDArray
 from carom.errors import CaromError, Fault, require_type, suggestion
 from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
-from carom.simulation.sensitivity.many import ManySensitivities, first_phases, run_all
-from carom.simulation.sensitivity.parameters import parameters_of
-from carom.simulation.sensitivity.seeds import Column
-from carom.simulation.setup import SceneArrays, set_up
+from carom.simulation.sensitivity.at_times import ManySensitivities, first_phases, run_all
+from carom.simulation.sensitivity.seeds import Column, parameters_of
+from carom.simulation.setup import SceneArrays, set_up, starts_of
 from carom.simulation.simulate import simulate, simulate_many
-from carom.simulation.starts import starts_of
-from carom.sweeps.starts import start_states
-
-__all__ = ["OUTCOMES", "RunFunction"]
+from carom.sweeps.shots import start_states
 
 Array = NDArray[np.float64]
 LINEAR_FIELDS = ("position", "velocity", "spin", "spin_z")

@@ -10,8 +10,6 @@ from carom.files import import_optional
 from carom.interop.run_function import RunFunction
 from carom.scene.scene import Scene
 
-__all__ = ["function"]
-
 WHERE = "interop.torch.function"
 NOT_TWICE = (
     f"{WHERE}: expected first derivatives, got a second one, which is not followed through a run;"

@@ -8,8 +8,6 @@ from carom.core.contact import friction_at_slip, slip_velocity
 from carom.core.jit.kernel import Vec, dot, kernel
 from carom.laws.law import ON_FLOOR, Card, contact_kernel, wall_law
 
-__all__ = ["CARD", "LAW"]
-
 CARD = Card(
     name="alciatore",
     summary="One contact of two balls whose friction falls with the slip: 0.118 at rest, 0.046 at 1 m/s, 0.010 at high speed.",

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, State
 from carom.core.jit.kernel import Vec, dot, kernel, prange, vector
-from carom.core.jit.slices import sliced
+from carom.core.jit.threads import sliced
 from carom.core.motion.phases import ROUNDING
 from carom.errors import (
     MAX_MAGNITUDE,
@@ -28,12 +28,6 @@ from carom.errors import (
     float_array,
     require_type,
 )
-
-__all__ = [
-    "FEW_AT_FIRST", "RESOLVED", "WallKernel", "answer_rows", "approaching", "bad_row", "fresh_unless_own", "loop_for",
-    "motion_resolved", "one_normal", "reason_array", "require_approach", "require_resolved", "state_arrays", "unit_normal",
-    "wall_law_rows",
-]  # fmt: skip
 
 Array = NDArray[np.float64]
 # Below so many rows Python is faster than to compile a loop first. A loop that is shipped is loaded as soon as Python has spent so

@@ -10,11 +10,9 @@ import functools
 from collections.abc import Callable
 from typing import Any
 
+from carom.core.jit.calls import address_of, answer_at, python_address, register_answers
 from carom.core.jit.kernel import Vec, kernel
-from carom.core.jit.pointers import address_of, answer_at, python_address, register_answers
 from carom.errors import CaromError
-
-__all__ = ["NUMBERS", "call_user", "law_entry", "register_calls", "user_address"]
 
 WallKernel = Callable[[Vec, Vec, Vec, float, float, float, float, float], tuple[Vec, Vec]]
 NUMBERS = 14  # velocity, spin, normal, a, kappa, e, mu, beta

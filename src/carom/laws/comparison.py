@@ -1,31 +1,105 @@
 """Compare the predictions of laws for one incoming ball, and say which laws are admissible and why others are not.
 
 :func:`incoming` makes a :class:`~carom.laws.law.Meeting` from a speed, an angle and a spin; :func:`compare` evaluates every
-law; :mod:`carom.laws.remarks` describes a prediction in sentences. All of it runs as plain Python, so nothing is compiled.
+law; :mod:`carom.laws.comparison` describes a prediction in sentences. All of it runs as plain Python, so nothing is compiled.
 """
 
 from __future__ import annotations
 
 import inspect
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from carom.bodies import Ball, State, Surface, kinetic_energy
+from carom.bodies import Ball, State, Surface, kinetic_energy, slip
 from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, checked_number, require_type, suggestion
-from carom.formatting import format_number, html_table, json_value
+from carom.formatting import format_length, format_number, format_time, html_table, json_value
 from carom.laws.arrays import require_approach
+from carom.laws.landing import FloorContact, Settled, TwoStep, angle_from
 from carom.laws.law import LIKE_SOLIDS, Answer, Law, Meeting, holds_everywhere
 from carom.laws.registry import law_named, one_or_several
 from carom.laws.registry import laws as all_laws
-from carom.laws.remarks import remarks_on
-from carom.laws.results import GRAVITY, FloorContact, TwoStep, angle_from
+from carom.public.defaults import GRAVITY
 
-__all__ = ["Comparison", "Verdict", "compare", "incoming"]
+
+def remarks_on(meeting: Meeting, answer: Answer, final: State | None) -> Iterator[str]:
+    """Yield sentences on what happens to one ball; ``final`` is None if it never rolls."""
+    steps = answer.steps
+    if isinstance(steps, TwoStep):
+        yield from _wall(meeting, steps)
+    if steps is not None:
+        yield from _floor(meeting, steps)
+    if final is None:
+        yield f"the ball never rolls again: {answer.why}"
+    else:
+        yield from _way(meeting, final)
+
+
+def _wall(meeting: Meeting, steps: TwoStep) -> Iterator[str]:
+    hit = steps.wall
+    mu = float(meeting.wall.friction)
+    if np.any(steps.floor_impulse != 0):
+        end = _ENDS[str(hit.regime)]
+        yield f"the wall presses the ball on the floor: both act at once, and the wall contact ends {end}"
+    elif hit.regime == "slide":
+        needed = format_number(float(hit.required_friction))
+        yield f"the ball slides on the wall: its friction {format_number(mu)} is below the {needed} required for sticking"
+    elif hit.regime == "graze":
+        yield "the ball only grazes the wall, without an impulse"
+
+
+_ENDS = {
+    "stick": "sticking", "slide": "sliding", "graze": "by separation", "jam": "jammed", "stall": "unresolved",
+}  # fmt: skip
+
+
+def _floor(meeting: Meeting, steps: Settled) -> Iterator[str]:
+    flight = steps.flight
+    if math.isfinite(flight.duration) and flight.duration > 0:
+        yield (
+            f"the ball flies for {format_time(flight.duration)}, {format_length(flight.distance)} far and up to"
+            f" {format_length(flight.height)} high"
+            + (", and bounces" if float(steps.after_floor.velocity[2]) > 0 else "")
+        )
+        if steps.floor.regime == "slide" and steps.rolls:
+            mu, needed = (
+                format_number(float(meeting.floor.friction)),
+                format_number(float(steps.floor.required_friction)),
+            )
+            yield f"it lands sliding: the floor's friction {mu} is below the {needed} required for sticking"
+    elif flight.duration == 0 and steps.rolls:
+        left = slip(meeting.ball, steps.after_floor)
+        speed = float(np.abs(steps.after_floor.velocity).sum())
+        if float(np.abs(left).max()) > 1e-9 * speed:
+            yield "the ball stays on the floor and slides until it rolls"
+
+
+def _way(meeting: Meeting, final: State) -> Iterator[str]:
+    v0, v = meeting.state.velocity, final.velocity
+    size = float(np.abs(v0).sum() + meeting.ball.radius * np.abs(meeting.state.spin).sum())
+    if not float(np.abs(v[:2]).sum()) > 1e-12 * size:
+        yield "the ball stops at the wall"
+        return
+    n = meeting.normal
+    if float(n[0] * v[0] + n[1] * v[1]) < -1e-9 * size:
+        yield "its spin turns the ball round: it rolls back to the wall and meets it again"
+    along0, along = (float(n[0] * u[1] - n[1] * u[0]) for u in (v0, v))
+    if along0 * along < 0 and abs(along) > 1e-12 * size:
+        yield "the ball returns to the side of the normal from which it came"
+    elif along0 == 0 and abs(along) > 1e-12 * size:
+        yield f"the ball leaves to the {'left' if along > 0 else 'right'} of the wall's normal"
+
+
+# ----------------------------------------------------------------------------------------------------
+# Compare the predictions of laws for one incoming ball, and say which laws are admissible and why others are not.
+#
+# :func:`incoming` makes a :class:`~carom.laws.law.Meeting` from a speed, an angle and a spin; :func:`compare` evaluates every
+# law; :mod:`carom.laws.comparison` describes a prediction in sentences. All of it runs as plain Python, so nothing is compiled.
+
 
 Thing = TypeVar("Thing")
 

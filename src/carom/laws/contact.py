@@ -15,23 +15,27 @@ from carom.core.contact import wall_contact
 from carom.core.jit.kernel import Vec, kernel, prange
 from carom.errors import require_type
 from carom.laws.arrays import answer_rows, loop_for, one_normal, require_approach, state_arrays, unit_normal
+from carom.laws.landing import PAPER_WALL, Impact, times_mass
 from carom.laws.law import (
     CONTACT_WALL,
     ON_WALL,
+    UP,
     Answer,
     Card,
+    Case,
     FitSpec,
     Law,
     Meeting,
+    Objections,
+    Predicted,
+    Rule,
+    Said,
     approaches,
     contact_kernel,
     required_friction,
     respond,
+    slips,
 )
-from carom.laws.results import PAPER_WALL, Impact, times_mass
-from carom.laws.rules import UP, Case, Objections, Predicted, Rule, Said, slips
-
-__all__ = ["CARD", "LAW", "impact", "impact_into"]
 
 Array = NDArray[np.float64]
 

@@ -22,24 +22,30 @@ from numpy.typing import ArrayLike
 from carom.bodies import Ball, State
 from carom.core.jit.kernel import Vec, kernel
 from carom.errors import CaromError
-from carom.laws.law import PAPER, ROLLING_WALL, Answer, Card, FitSpec, Law, Meeting, holds_everywhere, respond
-from carom.laws.reflect import reflect
-from carom.laws.results import PAPER_WALL
-from carom.laws.rules import (
+from carom.laws.landing import PAPER_WALL
+from carom.laws.law import (
     APPROACHES,
+    PAPER,
+    ROLLING_WALL,
     UP,
+    Answer,
+    Card,
     Case,
     Conditions,
+    FitSpec,
+    Law,
+    Meeting,
     Objections,
     Predicted,
     Rule,
     Said,
     case_of,
+    holds_everywhere,
+    reflect,
+    respond,
     slips,
     slips_at_wall,
 )
-
-__all__ = ["CARD", "LAW", "conventional", "conventional_reflection", "mirror_root"]
 
 CARD = Card(
     name="conventional",

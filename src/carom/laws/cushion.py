@@ -13,20 +13,24 @@ from carom.core.jit.kernel import Vec, dot, kernel
 from carom.core.motion.phases import ROUNDING
 from carom.laws.arrays import WallKernel
 from carom.laws.law import (
+    NOTICED,
     Answer,
     Card,
+    Case,
     FitSpec,
     Law,
     Meeting,
+    Objections,
+    Predicted,
+    Rule,
+    Said,
     approaches,
     required_friction,
     respond,
+    size_of,
     wall_law,
     wall_then_floor,
 )
-from carom.laws.rules import NOTICED, Case, Objections, Predicted, Rule, Said, size_of
-
-__all__ = ["Struck", "cushion_law", "nose_alone", "stays_on_table"]
 
 
 class Struck(NamedTuple):

@@ -9,13 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from carom.bodies import Ball, Numbers, State, Surface, rolling
-from carom.core.motion.rolling import rolls_at_last
+from carom.core.motion.phases import rolls_at_last
 from carom.errors import CaromError, broadcast_shape
+from carom.laws.landing import Names, name_codes
 from carom.laws.law import Card
 from carom.laws.pair import Collision, collide
-from carom.laws.results import Names, name_codes
-
-__all__ = ["CARD", "Scattering", "domenech"]
 
 CARD = Card(
     name="domenech",

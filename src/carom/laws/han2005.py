@@ -23,8 +23,6 @@ from carom.core.jit.kernel import Vec, kernel
 from carom.laws.cushion import cushion_law, nose_alone, stays_on_table
 from carom.laws.law import ON_FLOOR, Card, FitSpec, contact_kernel
 
-__all__ = ["CARD", "LAW", "han2005"]
-
 CARD = Card(
     name="han2005",
     summary="Han's cushion: one rigid contact with friction at the nose; the ball stays on the table.",

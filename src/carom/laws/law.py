@@ -6,28 +6,227 @@ wall defines it completely. All other modules read the descriptor; none of them 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, Numbers, State, Surface
-from carom.core.contact import wall_contact
-from carom.core.jit.kernel import Vec, kernel
-from carom.errors import CaromError, require_type
-from carom.laws.arrays import WallKernel, answer_rows, bad_row, require_approach, unit_normal, wall_law_rows
-from carom.laws.landing import landing_settings, settle
-from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact, Settled
-from carom.laws.rules import APPROACHES, IMPOSSIBLE, Condition, Conditions, Objections, holds_everywhere
+from carom.core.contact import slip_velocity, wall_contact
+from carom.core.jit.kernel import Vec, dot, kernel
+from carom.core.motion.phases import ROUNDING
+from carom.errors import MIN_MAGNITUDE, CaromError, require_type
+from carom.laws.arrays import RESOLVED, WallKernel, answer_rows, bad_row, require_approach, unit_normal, wall_law_rows
+from carom.laws.landing import PAPER_FLOOR, PAPER_WALL, FloorContact, Settled, landing_settings, settle
+from carom.public.defaults import GRAVITY
 
-__all__ = [
-    "CALLED_WALL", "CONTACT_WALL", "LIKE_SOLIDS", "MIRROR_WALL", "NO_SLIP_WALL", "ON_FLOOR", "ON_WALL", "ROLLING_WALL",
-    "SURFACES", "TWO_STEP_WALL", "Answer", "Card", "Condition", "Conditions", "FitSpec", "Law", "Meeting", "Objections",
-    "approaches", "contact_kernel", "holds_everywhere", "required_friction", "respond", "wall_law", "wall_then_floor",
-]  # fmt: skip
+Said = tuple[Any, float, float]
+UP: Vec = (0.0, 0.0, 1.0)
+NOTICED = 1e-9  # relative: what is less is rounding
+
+
+class Case(NamedTuple):
+    """A ball just before it meets a wall, as numbers; of a meeting of arrays, each is an array or a number."""
+
+    v: Vec
+    w: Vec
+    n: Vec
+    a: float
+    kappa: float
+    mass: float
+    e: float
+    mu: float
+    beta: float
+    stiffness: float
+    planar: float
+    """1 for a disc in the plane, which has no floor, else 0."""
+    floor_mu: float
+    floor_beta: float
+    height: float
+    together: float
+    """1 where wall and floor may act at once, else 0."""
+
+
+class Predicted(NamedTuple):
+    """The answer of a law: the state after the wall, the required friction of wall and floor."""
+
+    v: Vec
+    w: Vec
+    required_wall: float
+    required_floor: float
+    dropped: float
+    """The vertical velocity that a law of cushions leaves out, m/s; else 0."""
+
+
+class Condition(NamedTuple):
+    """A hypothesis of a law."""
+
+    holds: Any
+    """Mask (...)."""
+    expected: str
+    """The hypothesis as a phrase, for messages of the form "expected ...".."""
+    field: str = ""
+    """The wall parameter concerned, if a scene can be checked before any ball moves: "restitution"..."""
+
+
+class Rule(NamedTuple):
+    """A condition or an objection: its kernel, its sentence with places for the numbers a and b, the field of a wall concerned."""
+
+    kernel: Callable[..., Said]
+    text: str
+    field: str = ""
+
+
+class Conditions:
+    """The conditions of a law: what a call with a meeting returns."""
+
+    def __init__(self, *rules: Rule) -> None:
+        self.rules = rules
+
+    def __call__(self, meeting: Any) -> list[Condition]:
+        """Return the conditions of a :class:`carom.Meeting`: masks (...) and phrases."""
+        case = case_of(meeting)
+        with np.errstate(invalid="ignore", over="ignore"):
+            found = [(rule, rule.kernel(case)) for rule in self.rules]
+        return [
+            Condition(_mask(holds), rule.text.format(a=_one(a), b=_one(b)), rule.field) for rule, (holds, a, b) in found
+        ]
+
+
+class Objections:
+    """The objections to a law: a call returns sentences. ``dropped``: gives the vertical velocity that the law leaves out."""
+
+    def __init__(self, *rules: Rule, dropped: Callable[[Any], Any] | None = None) -> None:
+        self.rules, self.dropped = rules, dropped
+
+    def __call__(self, meeting: Any, answer: Any) -> list[str]:
+        """Return why an answer may not apply."""
+        if not self.rules:
+            return []
+        case, after = case_of(meeting), answer.after_wall
+        left_out = 0.0 if self.dropped is None else float(self.dropped(meeting))
+        required = float(answer.required_wall), float(answer.required_floor)
+        outcome = Predicted(_three(after.velocity), _three(after.spin), *required, left_out)
+        found = [(rule.text, rule.kernel(case, outcome)) for rule in self.rules]
+        return [text.format(a=a, b=b) for text, (holds, a, b) in found if holds]
+
+
+def case_of(m: Any) -> Case:
+    """Return a :class:`carom.Meeting` as numbers, or as arrays."""
+    numbers = (
+        m.ball.radius, m.ball.kappa, m.ball.mass, m.wall.restitution, m.wall.friction, m.wall.tangential_restitution,
+        m.stiffness_ratio, float(m.ball.planar), m.floor.friction, m.floor.tangential_restitution, m.height,
+        float(m.floor_contact == "with"),
+    )  # fmt: skip
+    plain: Any = (x if type(x) is float else float(x) if np.ndim(x) == 0 else np.asarray(x) for x in numbers)
+    return Case(_three(m.state.velocity), _three(m.state.spin), _three(m.normal), *plain)
+
+
+def _three(v: Any) -> Any:
+    """Return the components of vectors (..., 3): numbers, or arrays (...)."""
+    return tuple(v.tolist()) if v.ndim == 1 else tuple(np.moveaxis(v, -1, 0))
+
+
+def _mask(holds: Any) -> Any:
+    return np.bool_(holds) if isinstance(holds, bool) else np.asarray(holds)
+
+
+def _one(x: Any) -> float:
+    return float(x) if np.ndim(x) == 0 else float(np.asarray(x).flat[0])
+
+
+def holds_everywhere(mask: Any) -> bool:
+    """Return whether a condition holds for all balls (NumPy's all() takes 3 us for one of them)."""
+    return bool(mask if getattr(mask, "ndim", 0) == 0 else np.all(mask))
+
+
+# --- kernels that several laws use --------------------------------------------------------------------------------
+
+
+@kernel
+def size_of(v: Vec) -> float:
+    """Return the sum of the components' sizes, by which rounding is measured."""
+    return abs(v[0]) + abs(v[1]) + abs(v[2])
+
+
+@kernel
+def slips(v: Vec, w: Vec, n: Vec, a: float) -> Any:
+    """Return whether the contact point with a surface slips by more than rounding."""
+    _un, u = slip_velocity(v, w, n, a)
+    least = NOTICED * (size_of(v) + a * size_of(w))
+    return (abs(u[0]) > least) | (abs(u[1]) > least) | (abs(u[2]) > least)
+
+
+@kernel
+def slips_at_wall(c: Case) -> Any:
+    """Return whether a ball slips on the wall."""
+    return slips(c.v, c.w, c.n, c.a)
+
+
+@kernel
+def has_friction(mu: float, beta: float) -> Any:
+    """Return whether a surface exerts any friction."""
+    return (mu > 0) & (beta > -1)
+
+
+@kernel
+def energy_of(v: Vec, w: Vec, c: Case) -> float:
+    """Return the kinetic energy, J."""
+    return c.mass * dot(v, v) / 2 + c.kappa * c.mass * c.a * c.a * dot(w, w) / 2
+
+
+@kernel
+def _comes(c: Case) -> Said:
+    return dot(c.v, c.n) <= ROUNDING * size_of(c.v), 0.0, 0.0
+
+
+@kernel
+def _resolved(c: Case) -> Said:
+    most = MIN_MAGNITUDE
+    fast = (abs(c.v[0]) >= most) | (abs(c.v[1]) >= most) | (abs(c.v[2]) >= most)
+    spins = (abs(c.w[0]) >= most) | (abs(c.w[1]) >= most) | (abs(c.w[2]) >= most)
+    return fast | spins | (size_of(c.v) + size_of(c.w) == 0), 0.0, 0.0
+
+
+@kernel
+def _creates_energy(c: Case, r: Predicted) -> Said:
+    before, after = energy_of(c.v, c.w, c), energy_of(r.v, r.w, c)
+    return after > before * (1 + NOTICED), 100 * after / before if before > 0 else math.inf, 0.0
+
+
+@kernel
+def _passes_through(c: Case, r: Predicted) -> Said:
+    return dot(r.v, c.n) < -NOTICED * size_of(c.v), 0.0, 0.0
+
+
+@kernel
+def _goes_down(c: Case, r: Predicted) -> Said:
+    return c.planar == 0 and c.height == 0 and r.v[2] < -NOTICED * size_of(c.v), 0.0, 0.0
+
+
+APPROACHES = (Rule(_comes, "a ball that moves towards the wall"), Rule(_resolved, RESOLVED))
+"""Conditions of every law: the ball does not leave the wall, nor move too slowly for squares."""
+IMPOSSIBLE = (
+    Rule(_creates_energy, "it creates energy: {a:.4g} % is left after the wall"),
+    Rule(_passes_through, "it sends the ball through the wall"),
+)
+"""Objections to every law that is a kernel of the wall."""
+DRIVES_INTO_FLOOR = Rule(
+    _goes_down, "it drives the ball into the floor and ignores the simultaneous reaction of the floor"
+)
+"""The objection to a law that sends a ball on the floor downwards."""
+
+
+# ----------------------------------------------------------------------------------------------------
+# Descriptor of a law of impact: its card, its kernel, its prediction, and what scenes, billiards and fits need to know.
+#
+# A law is one file of this package that ends with ``LAW = Law(...)``, or with ``wall_law(CARD, kernel)`` if the kernel of the
+# wall defines it completely. All other modules read the descriptor; none of them refers to a law by name.
+
 
 Array = NDArray[np.float64]
 ON_WALL = ("restitution", "friction", "tangential_restitution")
@@ -402,3 +601,40 @@ def _answer_of_kernel(kernel: WallKernel, last: str, meeting: Meeting) -> Answer
 
 approaches = Conditions(*APPROACHES)
 """The conditions of every law: the ball does not leave the wall, nor move too slowly for squares."""
+
+
+# ----------------------------------------------------------------------------------------------------
+# Shared by the laws of tangential compliance: the parameters that they read, and when they may not apply.
+
+
+COMPLIANT_READS = ("restitution", "friction", "stiffness_ratio", *ON_FLOOR)
+
+
+@kernel
+def _gives_back(c: Case, r: Predicted) -> Said:
+    return c.beta != 0, 0.0, 0.0
+
+
+compliant_objections = Objections(
+    DRIVES_INTO_FLOOR,
+    Rule(_gives_back, "it models the tangential rebound by springs and ignores this wall's tangential restitution"),
+)
+
+
+# ----------------------------------------------------------------------------------------------------
+# The state after a wall under a law given by a kernel; an error with the reason where the law does not apply.
+
+
+def reflect(law: Law, ball: Ball, state: State, normal: ArrayLike, surface: Surface) -> State:
+    """Return the state (...) after the wall by a law's kernel; CaromError, one line per condition that fails."""
+    meeting = Meeting(ball, state, unit_normal(normal), surface)
+    require_approach(meeting.ball, meeting.state, meeting.normal)
+    faults = [
+        f"{law.name}: expected {expected}, got another state{bad_row(~np.asarray(holds))}"
+        for holds, expected, *_field in law.conditions(meeting)
+        if not holds_everywhere(holds)
+    ]
+    if faults:
+        raise CaromError(*faults)
+    assert law.kernel is not None  # all laws that are called here have one
+    return respond(law.kernel, meeting)

@@ -26,8 +26,6 @@ from carom.laws.cushion import Struck, cushion_law, nose_alone, stays_on_table
 from carom.laws.law import ON_FLOOR, Card, FitSpec, Meeting
 from carom.laws.two_step import answer_two_step, first_impact
 
-__all__ = ["CARD", "LAW", "mathavan2010"]
-
 CARD = Card(
     name="mathavan2010",
     summary="Mathavan's cushion: friction at nose and table at once, energetic restitution; the ball stays on the table.",

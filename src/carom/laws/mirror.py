@@ -8,23 +8,29 @@ from numpy.typing import ArrayLike
 from carom.bodies import Ball, State, Surface
 from carom.core.contact import contact, slip_velocity
 from carom.core.jit.kernel import Vec, kernel
-from carom.laws.law import MIRROR_WALL, PAPER, Answer, Card, FitSpec, Law, Meeting, approaches, respond
-from carom.laws.reflect import reflect
-from carom.laws.results import PAPER_WALL
-from carom.laws.rules import (
+from carom.laws.landing import PAPER_WALL
+from carom.laws.law import (
     DRIVES_INTO_FLOOR,
+    MIRROR_WALL,
+    PAPER,
     UP,
+    Answer,
+    Card,
     Case,
+    FitSpec,
+    Law,
+    Meeting,
     Objections,
     Predicted,
     Rule,
     Said,
+    approaches,
     has_friction,
+    reflect,
+    respond,
     slips,
     slips_at_wall,
 )
-
-__all__ = ["CARD", "LAW", "mirror", "mirror_reflection"]
 
 CARD = Card(
     name="mirror",

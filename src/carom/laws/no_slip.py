@@ -14,12 +14,22 @@ from numpy.typing import ArrayLike
 from carom.bodies import Ball, State
 from carom.core.contact import slip_velocity, wall_contact
 from carom.core.jit.kernel import Vec, cross, hot_kernel, kernel
-from carom.laws.law import NO_SLIP_WALL, ON_FLOOR, Card, FitSpec, wall_law
-from carom.laws.reflect import reflect
-from carom.laws.results import PAPER_WALL
-from carom.laws.rules import DRIVES_INTO_FLOOR, Case, Objections, Predicted, Rule, Said, slips_at_wall
-
-__all__ = ["CARD", "LAW", "no_slip", "no_slip_bounce", "no_slip_reflection"]
+from carom.laws.landing import PAPER_WALL
+from carom.laws.law import (
+    DRIVES_INTO_FLOOR,
+    NO_SLIP_WALL,
+    ON_FLOOR,
+    Card,
+    Case,
+    FitSpec,
+    Objections,
+    Predicted,
+    Rule,
+    Said,
+    reflect,
+    slips_at_wall,
+    wall_law,
+)
 
 CARD = Card(
     name="no-slip",

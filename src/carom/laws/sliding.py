@@ -3,10 +3,17 @@
 from __future__ import annotations
 
 from carom.core.jit.kernel import Vec, kernel
-from carom.laws.law import CONTACT_WALL, ON_FLOOR, PAPER, Card, FitSpec, contact_kernel, wall_law
-from carom.laws.rules import DRIVES_INTO_FLOOR, Objections
-
-__all__ = ["CARD", "LAW"]
+from carom.laws.law import (
+    CONTACT_WALL,
+    DRIVES_INTO_FLOOR,
+    ON_FLOOR,
+    PAPER,
+    Card,
+    FitSpec,
+    Objections,
+    contact_kernel,
+    wall_law,
+)
 
 CARD = Card(
     name="sliding",

@@ -27,8 +27,6 @@ from carom.errors import (
 from carom.laws.arrays import loop_for
 from carom.laws.law import Card
 
-__all__ = ["CARD", "DEFAULT_CUE", "Cue", "Strike", "strike", "tip_impulse"]
-
 Array = NDArray[np.float64]
 
 CARD = Card(

@@ -21,11 +21,18 @@ import math
 
 from carom.core.contact import LEAST, slip_velocity, struck_along
 from carom.core.jit.kernel import Vec, dot, kernel, root_of
-from carom.laws.compliance import COMPLIANT_READS, compliant_objections
-from carom.laws.law import Card, FitSpec, wall_law
-from carom.laws.rules import APPROACHES, Case, Conditions, Rule, Said
-
-__all__ = ["CARD", "LAW", "STIFFNESS", "stronge_contact", "stronge_slip_ratio"]
+from carom.laws.law import (
+    APPROACHES,
+    COMPLIANT_READS,
+    Card,
+    Case,
+    Conditions,
+    FitSpec,
+    Rule,
+    Said,
+    compliant_objections,
+    wall_law,
+)
 
 CARD = Card(
     name="stronge",

@@ -13,13 +13,10 @@ gain 47 % of energy. Here every transition between stick and slip is followed, a
 from __future__ import annotations
 
 from carom.core.jit.kernel import Vec, kernel
-from carom.laws.compliance import COMPLIANT_READS
 from carom.laws.cushion import cushion_law, nose_alone, stays_on_table
-from carom.laws.law import Card, FitSpec
+from carom.laws.law import COMPLIANT_READS, Card, FitSpec
 from carom.laws.stronge import LAW as STRONGE
 from carom.laws.stronge import stronge_contact
-
-__all__ = ["CARD", "LAW", "stronge_cushion"]
 
 CARD = Card(
     name="stronge-cushion",

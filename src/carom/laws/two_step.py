@@ -17,33 +17,44 @@ from numpy.typing import ArrayLike, NDArray
 from carom.bodies import Ball, State, Surface
 from carom.core.contact import slip_velocity, wall_contact
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, prange
-from carom.core.motion.rolling import rolls_at_last
+from carom.core.motion.phases import rolls_at_last
 from carom.errors import CaromError, require_type
 from carom.laws.arrays import answer_rows, bad_row, require_approach, unit_normal
-from carom.laws.landing import LOST, NO_LAW, landing_settings, rolling_after, settle_checked
+from carom.laws.landing import (
+    LOST,
+    NO_LAW,
+    PAPER_FLOOR,
+    PAPER_WALL,
+    FloorContact,
+    Impact,
+    TwoStep,
+    landing_settings,
+    rolling_after,
+    settle_checked,
+    times_mass,
+)
 from carom.laws.law import (
+    APPROACHES,
     ON_FLOOR,
     ON_WALL,
     PAPER,
     TWO_STEP_WALL,
     Answer,
     Card,
+    Case,
+    Conditions,
     FitSpec,
     Law,
     Meeting,
+    Objections,
+    Rule,
+    Said,
     contact_kernel,
     required_friction,
     respond,
 )
-from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact, Impact, TwoStep, times_mass
-from carom.laws.rules import APPROACHES, Case, Conditions, Objections, Rule, Said
-from carom.laws.wall_and_floor.impact import impact_and_way
-from carom.laws.wall_and_floor.solver import LEAST_FIRM, STALL, pressed_down
-
-__all__ = [
-    "CARD", "LAW", "UNDEFINED", "answer_two_step", "first_impact", "first_impact_and_way", "two_step",
-    "two_step_conditions",    "two_step_final", "two_step_plain",
-]  # fmt: skip
+from carom.laws.wall_and_floor.solver import LEAST_FIRM, STALL, impact_and_way, pressed_down
+from carom.public.defaults import GRAVITY
 
 Array = NDArray[np.float64]
 

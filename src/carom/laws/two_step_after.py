@@ -4,11 +4,19 @@ from __future__ import annotations
 
 from functools import partial
 
-from carom.laws.law import CONTACT_WALL, ON_FLOOR, ON_WALL, PAPER, Card, FitSpec, Law, approaches, contact_kernel
-from carom.laws.rules import Objections
+from carom.laws.law import (
+    CONTACT_WALL,
+    ON_FLOOR,
+    ON_WALL,
+    PAPER,
+    Card,
+    FitSpec,
+    Law,
+    Objections,
+    approaches,
+    contact_kernel,
+)
 from carom.laws.two_step import answer_two_step
-
-__all__ = ["CARD", "LAW"]
 
 CARD = Card(
     name="two-step-after",

@@ -1,6 +1,6 @@
 """The two-step law for many balls in existing arrays; pressed balls take their integration steps in lockstep.
 
-The steps are the same as in :mod:`carom.laws.wall_and_floor.both_sliding`, in vector registers.
+The steps are the same as in :mod:`carom.laws.wall_and_floor.integrators`, in vector registers.
 
 The balls of a block that slide at both contacts occupy lanes; all lanes take one step at a time, and finished balls are
 replaced by others. A ball whose slip vanishes is integrated on its own (:func:`carom.laws.wall_and_floor.solver.integrate_impact`)
@@ -19,12 +19,10 @@ from carom.core.jit.kernel import Vec, kernel, prange
 from carom.core.jit.threads import thread_count
 from carom.errors import CaromError
 from carom.laws.arrays import loop_for, one_normal, reason_array, state_arrays
-from carom.laws.landing import landing_settings, rolling_after
-from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact
+from carom.laws.landing import PAPER_FLOOR, PAPER_WALL, FloorContact, landing_settings, rolling_after
 from carom.laws.two_step import two_step_final, two_step_plain
-from carom.laws.wall_and_floor.both_sliding import DONE, GOES, REACH, sliding_step
-from carom.laws.wall_and_floor.frame import from_wall_frame, to_wall_frame
-from carom.laws.wall_and_floor.rates import Couplings, Pair, Slips
+from carom.laws.wall_and_floor.integrators import DONE, GOES, REACH, sliding_step
+from carom.laws.wall_and_floor.rates import Couplings, Pair, Slips, from_wall_frame, to_wall_frame
 from carom.laws.wall_and_floor.solver import (
     AGAIN,
     LEAST_SLIP,
@@ -34,8 +32,7 @@ from carom.laws.wall_and_floor.solver import (
     pressed_down,
     slides_at_both,
 )
-
-__all__ = ["ROOM", "two_step_final_rows", "two_step_into"]
+from carom.public.defaults import GRAVITY
 
 Array = NDArray[Any]
 

@@ -6,12 +6,20 @@ import math
 from dataclasses import replace
 
 from carom.core.jit.kernel import Vec, kernel
-from carom.laws.law import CONTACT_WALL, PAPER, Answer, Card, FitSpec, Law, Meeting, approaches, contact_kernel
-from carom.laws.results import PAPER_FLOOR, PAPER_WALL
-from carom.laws.rules import Objections
+from carom.laws.landing import PAPER_FLOOR, PAPER_WALL
+from carom.laws.law import (
+    CONTACT_WALL,
+    PAPER,
+    Answer,
+    Card,
+    FitSpec,
+    Law,
+    Meeting,
+    Objections,
+    approaches,
+    contact_kernel,
+)
 from carom.laws.two_step import answer_two_step
-
-__all__ = ["CARD", "LAW"]
 
 CARD = Card(
     name="two-step-paper",

@@ -12,16 +12,245 @@ from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from carom.errors import CaromError, FaultList
-from carom.explorer.player import player_page
+from carom.explorer.page import player_page
 from carom.files import atomic_path, import_optional, install_command, require_library, require_writable, write_text
-from carom.plot.scene_view import last_time
-from carom.plot.style import style
-from carom.plot.video import Film
+from carom.formatting import format_length
+from carom.plot.style import GREY, INK, PALE, literal, style
+from carom.plot.trajectory import colour, last_time, steps, view, walls_in, way
+from carom.simulation.records import MEETINGS, WALLS
 from carom.simulation.trajectory import Trajectory
 
-__all__ = ["FASTEST_GIF", "MOST_FRAMES", "WIDE", "animate", "ffmpeg", "write_gif", "write_mp4"]
+WORDS = {
+    "flight": "in the air", "bouncing": "bouncing", "sliding": "sliding", "rolling": "rolling",
+    "pivoting": "spinning on the spot", "rest": "at rest", "held": "held", "left": "gone", "pocketed": "in a pocket",
+}  # fmt: skip
+
+Array = NDArray[np.float64]
+# Duration of the dark part of a trail, s.
+TRAIL = 0.5
+# Spots at the ends of three axes of the ball; the third axis has paler ones, to distinguish it from the others.
+SPOTS = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], dtype=float)
+SPOT, RIM = 0.36, np.linspace(0, 2 * math.pi, 28, endpoint=False)
+DISC = np.stack([np.cos(np.linspace(0, 2 * math.pi, 56)), np.sin(np.linspace(0, 2 * math.pi, 56))], axis=1)
+# The floor in a close-up, in radii of the ball.
+GROUND = np.array([[-1.15, -1.06], [1.15, -1.06], [1.15, -1], [-1.15, -1]])
+
+
+def _spots(q: Array, side: bool) -> Array:
+    """Return outlines (6, 28, 3) of the spots on a unit ball rotated by q: across, up, towards the observer."""
+    w, u = q[0], q[1:]
+    t = 2 * np.cross(u, SPOTS)
+    d = SPOTS + w * t + np.cross(u, t)
+    if side:
+        d = np.stack((d[:, 0], d[:, 2], -d[:, 1]), axis=1)
+    helper = np.where(np.abs(d[:, 2:]) < 0.9, [[0.0, 0.0, 1.0]], [[1.0, 0.0, 0.0]])
+    e = np.cross(helper, d)
+    e /= np.linalg.norm(e, axis=1, keepdims=True)
+    f = np.cross(d, e)
+    c, s = math.sin(SPOT) * np.cos(RIM), math.sin(SPOT) * np.sin(RIM)
+    rim: Array = math.cos(SPOT) * d[:, None] + c[None, :, None] * e[:, None] + s[None, :, None] * f[:, None]
+    # the hidden part of a spot is projected on the rim of the ball
+    far = np.hypot(rim[..., 0], rim[..., 1])[..., None]
+    rim[..., :2] = np.where(rim[..., 2:] < 0, rim[..., :2] / np.where(far > 0, far, 1), rim[..., :2])
+    return rim
+
+
+class Film:
+    """Frames of a run: the background is drawn once; balls, trails and clock are drawn over it."""
+
+    def __init__(self, run: Trajectory, times: Array, span: tuple[float, float], wide: int) -> None:
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.collections import LineCollection, PolyCollection
+        from matplotlib.figure import Figure
+
+        self.run, self.times, self.span = run, times, span
+        position = run.at(times).position
+        assert position is not None
+        self.places, self.turned, self.phases = position, run.orientation(times), run.phase(times)
+        self.radii = np.array([ball.radius for ball in run.scene.balls])
+        ways = [way(run, i, span[1]) for i in range(len(self.radii))]
+        self.trails = [
+            (
+                np.concatenate([t for _, t, _ in pieces] or [np.zeros(0)]),
+                np.concatenate([x for *_, x in pieces] or [np.zeros((0, 3))]),
+            )
+            for pieces in ways
+        ]
+        shown = view(run, np.concatenate([*(x for _t, x in self.trails), np.array(run.start.position)]))
+        # pixels: the table at the left, close-ups at the right, energy below
+        self.column = 0.2 * wide
+        room = wide - self.column - 0.03 * wide
+        self.k = min(room / shown.size[0], 0.5 * wide / shown.size[1])
+        inside = max(self.k * shown.size[1], 0.3 * wide)
+        self.lane = 0.075 * wide
+        high = int(inside + self.lane + 0.065 * wide)
+        self.size = (wide, high + high % 2)
+        self.origin = np.array(
+            [
+                0.015 * wide + (room - self.k * shown.size[0]) / 2 - self.k * shown.x[0],
+                self.lane + 0.045 * wide + (inside - self.k * shown.size[1]) / 2 - self.k * shown.y[0],
+            ]
+        )
+        figure = Figure(figsize=(self.size[0] / 100, self.size[1] / 100), dpi=100)
+        self.canvas = FigureCanvasAgg(figure)
+        self.axes = figure.add_axes((0, 0, 1, 1))
+        self.axes.set(xlim=(0, self.size[0]), ylim=(0, self.size[1]))
+        self.axes.axis("off")
+        self.points = wide / 112  # the size of small letters
+        self._still(shown)
+        self.canvas.draw()
+        self.background = self.canvas.copy_from_bbox(figure.bbox)
+        self.faint = LineCollection([], lw=wide / 1100, alpha=0.4)
+        self.strong = LineCollection([], lw=wide / 600)
+        self.balls = PolyCollection([], lw=0)
+        (self.head,) = self.axes.plot([], [], color=INK, lw=wide / 800)
+        self.said = [
+            self.axes.text(x, y, "", fontsize=self.points, va="top", ha=ha) for x, y, ha in self._places_of_words()
+        ]
+        for one in (self.faint, self.strong, self.balls):
+            self.axes.add_collection(one, autolim=False)
+
+    def _place(self, x: Array) -> Array:
+        """Return the pixels of positions (..., 3) on the table."""
+        return np.asarray(self.origin + self.k * x[..., :2])
+
+    def _still(self, shown: Any) -> None:
+        wide = self.size[0]
+        for line, what in walls_in(self.run, shown):
+            x, y = self._place(line).T
+            if what == "line":
+                self.axes.plot(x, y, color="#55504a", lw=wide / 500, solid_joinstyle="miter")
+            else:
+                self.axes.fill(x, y, color={"felt": "#f1eee6", "solid": "#d9d5ca", "pocket": "#2b2926"}[what], lw=0)
+        t = steps(self.run, self.span[1])
+        t = t[t >= self.span[0]]
+        energy = np.nansum(self.run.energy(t, each=True), axis=1)
+        energy = energy - min(0.0, float(energy.min()))
+        x0, across = 0.015 * wide, 0.97 * wide
+        x = x0 + across * (t - self.span[0]) / (self.span[1] - self.span[0])
+        y = 0.012 * wide + self.lane * energy / (float(energy.max()) or 1.0)
+        self.axes.fill_between(x, 0.012 * wide, y, color=PALE, lw=0)
+        self.axes.plot(x, y, color=GREY, lw=wide / 1000)
+        log = self.run.log
+        met = np.unique(
+            log["t"][
+                np.isin(log["kind"], (*WALLS, *MEETINGS)) & (log["t"] >= self.span[0]) & (log["t"] <= self.span[1])
+            ]
+        )
+        if len(met) <= 200:
+            at = x0 + across * (met - self.span[0]) / (self.span[1] - self.span[0])
+            self.axes.vlines(at, 0.012 * wide, 0.012 * wide + self.lane, color=GREY, lw=0.5, alpha=0.6)
+        self.axes.text(
+            x0 + across, 0.016 * wide + self.lane, "energy of all balls", fontsize=self.points, ha="right", color=GREY
+        )
+
+    def _cards(self) -> list[tuple[int, float, float, float]]:
+        """Return the close-ups: ball, centre (x, y) of the view from above, radius in pixels."""
+        wide, high = self.size
+        shown = min(len(self.radii), 4)
+        tall = min((high - self.lane - 0.06 * wide) / shown, 0.135 * wide)
+        r = min(0.3 * tall, 0.19 * self.column)
+        x = wide - self.column - 0.01 * wide
+        return [(i, x + 0.25 * self.column, high - 0.03 * wide - i * tall - 0.45 * tall, r) for i in range(shown)]
+
+    def _places_of_words(self) -> list[tuple[float, float, str]]:
+        """Return the positions of the texts: the clock, then one line per close-up."""
+        wide = self.size[0]
+        cards = [(x + 0.25 * self.column, y - 1.2 * r, "center") for _i, x, y, r in self._cards()]
+        return [(0.015 * wide, 0.03 * wide + self.lane, "left"), *cards]
+
+    def frame(self, n: int) -> Array:
+        """Return the n-th frame, (high, wide, 4) bytes."""
+        t = float(self.times[n])
+        places = self.places[n]
+        there = np.flatnonzero(np.isfinite(places[:, 0]))
+        faint, strong, inks = [], [], []
+        for i in there:
+            times, points = self.trails[i]
+            past = np.searchsorted(times, t)
+            first = np.searchsorted(times, self.span[0])
+            line = np.append(points[first:past], places[i][None], axis=0)
+            faint.append(self._place(line))
+            strong.append(self._place(line[max(0, int(np.searchsorted(times[first:past], t - TRAIL)) - 1) :]))
+            inks.append(colour(self.run, int(i)))
+        self.faint.set(segments=faint, color=inks)
+        self.strong.set(segments=strong, color=inks)
+        shapes, faces = self._shapes(n, there)
+        self.balls.set(verts=shapes, facecolors=faces)
+        wide = self.size[0]
+        x = 0.015 * wide + 0.97 * wide * (t - self.span[0]) / (self.span[1] - self.span[0])
+        self.head.set_data([x, x], [0.012 * wide, 0.012 * wide + self.lane])
+        self.said[0].set_text(f"{t:.2f} s")
+        for text, (k, *_rest) in zip(self.said[1:], self._cards(), strict=True):
+            text.set_text(f"{literal(self.run.scene.ball_names[k])}: {WORDS[str(self.phases[n][k])]}{self._lift(n, k)}")
+        self.canvas.restore_region(self.background)
+        for artist in (self.faint, self.strong, self.balls, self.head, *self.said):
+            self.axes.draw_artist(artist)
+        return np.asarray(self.canvas.buffer_rgba())
+
+    def _lift(self, n: int, i: int) -> str:
+        lift = float(self.places[n, i, 2] - self.radii[i]) if self.run.scene.floor is not None else 0.0
+        return f", {format_length(lift, 2)} up" if lift > 1e-5 else ""
+
+    def _shapes(self, n: int, there: Any) -> tuple[list[Array], list[Any]]:
+        """Return polygons and their colours: shadows, then balls from the lowest up, then the close-ups."""
+        shapes: list[Array] = []
+        faces: list[Any] = []
+
+        def ball(i: int, at: Array, r: float, side: bool) -> None:
+            from matplotlib.colors import to_rgba
+
+            shapes.append(at + r * DISC)
+            faces.append(to_rgba(colour(self.run, i)))
+            for k, rim in enumerate(_spots(self.turned[n, i], side)):
+                if (rim[:, 2] > 0).any():
+                    shapes.append(at + r * rim[:, :2])
+                    faces.append((1, 1, 1, 0.95 if k < 4 else 0.55))
+            # a rim drawn over spots at the edge; and a highlight at the upper left
+            shapes.append(at + r * np.concatenate((DISC, 0.93 * DISC[::-1])))
+            faces.append(to_rgba(colour(self.run, i)))
+            for size in (0.55, 0.36):
+                shapes.append(at + r * np.array([-0.3, 0.3]) + size * r * DISC)
+                faces.append((1, 1, 1, 0.09))
+
+        places = self._place(self.places[n])
+        if self.run.scene.floor is not None:
+            for i in there:
+                r, lift = self.k * self.radii[i], self.k * max(self.places[n, i, 2] - self.radii[i], 0.0)
+                for soft in (1.12, 1.0, 0.88):
+                    shapes.append(
+                        places[i] + np.array([0.16 * r + 0.7 * lift, -0.2 * r - 0.7 * lift]) + soft * r * DISC
+                    )
+                    faces.append((0, 0, 0, 0.11))
+        for one in sorted(there.tolist(), key=lambda i: float(self.places[n, i, 2])):
+            ball(one, places[one], max(self.k * self.radii[one], 2.0), False)
+        for i, x, y, r in self._cards():
+            if i not in there:
+                continue
+            ball(i, np.array([x, y]), r, False)
+            lift = 0.0
+            if self.run.scene.floor is not None:
+                lift = min((self.places[n, i, 2] - self.radii[i]) / self.radii[i] * r, 0.5 * r)
+                shapes.append(np.array([x, y]) + 0.5 * self.column * np.array([1, 0]) + r * GROUND)
+                faces.append((0.5, 0.5, 0.5, 1))
+            ball(i, np.array([x + 0.5 * self.column, y + lift]), r, True)
+        return shapes, faces
+
+    def frames(self, tell: Callable[[int, int], None]) -> Iterator[Array]:
+        """Yield all frames in order."""
+        total = len(self.times)
+        tell(0, total)
+        for n in range(total):
+            yield self.frame(n)
+            tell(n + 1, total)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Animate a run: a film (.mp4, .gif) or the explorer's page (.html). Spots on the balls make their spin visible.
+
 
 Progress = Callable[[int, int], None]
 KINDS = (".mp4", ".gif", ".html")

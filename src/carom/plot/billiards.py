@@ -3,23 +3,25 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards import Lyapunov, Orbit
+from carom.billiards import Lyapunov, Orbit, is_regular
 from carom.billiards.boundary import Boundary
+from carom.billiards.continuation import Manifold, OrbitBranch
+from carom.billiards.periodic import PeriodicOrbit
+from carom.billiards.rolling import RollingRun
 from carom.billiards.setup import OrbitSetup
 from carom.errors import CaromError
 from carom.formatting import format_number
-from carom.plot.style import GREY, INK, new_figure, style
+from carom.plot.style import GREY, INK, literal, new_figure, style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-__all__ = ["draw_table", "flights_in_cell", "plot_lyapunov", "plot_orbit", "table_extent"]
 
 Array = NDArray[np.float64]
 WALL = "#b9b4a6"
@@ -279,4 +281,394 @@ def plot_lyapunov(found: Lyapunov) -> Figure:
         axes.set_title("Lyapunov spectrum" + (f", mean and spread of {count:,} orbits" if count > 1 else ""))
         axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False, fontsize=8)
         figure.tight_layout()
+    return figure
+
+
+# ----------------------------------------------------------------------------------------------------
+# Plot periodic orbits of billiards: each in its table, and branches of them.
+
+
+COLOURS = {"elliptic": "#0072B2", "parabolic": "#8a8a8a", "hyperbolic": "#D55E00"}
+MANIFOLDS = {"unstable": "#D55E00", "stable": "#0072B2"}
+MOST = 24  # orbits in one figure
+POINTS = 24  # of each flight, under a force
+
+
+def plot_periodic(found: Sequence[PeriodicOrbit]) -> Figure:
+    """Draw periodic orbits, each in its table, coloured by their stability: blue elliptic, orange hyperbolic, grey parabolic.
+
+    Parameters
+    ----------
+    found : PeriodicOrbits, or several PeriodicOrbit
+        The first 24 are drawn.
+
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
+    Raises
+    ------
+    CaromError
+        No orbit.
+
+    Examples
+    --------
+    >>> from carom import billiards, plot
+    >>> found = billiards.periodic_orbits(billiards.ellipse(2.0, 1.0), (2, 3), law="mirror", starts=100)
+    >>> len(plot.plot_periodic(found).axes) == len(found)
+    True
+    """
+    shown = list(found[:MOST])
+    if not shown:
+        raise CaromError("plot: periodic orbits: expected at least one, got none")
+    setup = shown[0].orbit.setup
+    forced = setup.table.bends_flights
+    paths = [one.orbit.path((), POINTS if forced else 1)[:, :2] for one in shown]
+    low, high = table_extent(setup.table.wall(), setup.shape, paths[0])
+    width, height = high - low
+    columns = min(len(shown), 4 if width < 1.9 * height else 3)
+    rows = math.ceil(len(shown) / columns)
+    side = 8.0 / max(columns, 2)
+    with style():
+        figure = new_figure(columns * side, rows * (min(side * height / width, 1.3 * side) + 0.5))
+        grid = figure.add_gridspec(rows, columns, left=0.02, right=0.98, bottom=0.02, hspace=0.3, wspace=0.06)
+        for k, (one, path) in enumerate(zip(shown, paths, strict=True)):
+            axes = figure.add_subplot(grid[k // columns, k % columns])
+            draw_table(axes, one.orbit.setup, low, high)
+            for line in flights_in_cell(one.orbit.setup.shape, path, POINTS if forced else 1)[0]:
+                axes.plot(
+                    line[:, 0], line[:, 1], color=COLOURS[one.stability], lw=1.1, zorder=3, solid_capstyle="round"
+                )
+            at = one.orbit.folded
+            axes.plot(at[:, 0], at[:, 1], "o", ms=2.6, color=INK, zorder=5)
+            axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+            axes.set_aspect("equal", adjustable="box")
+            axes.axis("off")
+            said = f"{one.period} bounces, {one.stability}\n{_number_of(one)}"
+            axes.set_title(said, fontsize=8, color=COLOURS[one.stability])
+    return figure
+
+
+def _number_of(one: PeriodicOrbit) -> str:
+    if one.rotation_number is not None:
+        return f"rotation number {one.rotation_number:.4f}"
+    return f"multiplier {one.multipliers[0].real:.4g}"
+
+
+def plot_branch(branch: OrbitBranch, name: str = "parameter") -> Figure:
+    """Draw the trace of a branch of periodic orbits against the parameter: between -2 and 2 the orbit is elliptic.
+
+    Parameters
+    ----------
+    branch : OrbitBranch
+        From :func:`carom.billiards.continue_orbit`.
+    name : str
+        Of the parameter, with its unit.
+
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
+    Examples
+    --------
+    >>> from carom import billiards, plot
+    >>> one = billiards.periodic_orbits(billiards.ellipse(1.2, 1.0), 2, law="mirror", starts=100)[0]
+    >>> branch = billiards.continue_orbit(one, lambda major: {"table": billiards.ellipse(major, 1.0)}, 1.2, 1.6)
+    >>> len(plot.plot_branch(branch, "major half axis (m)").axes)
+    1
+    """
+    with style():
+        figure = new_figure(6.0, 3.8)
+        axes = figure.add_subplot()
+        axes.axhspan(-2, 2, color=COLOURS["elliptic"], alpha=0.08, lw=0)
+        at, trace = branch.parameter, branch.trace
+        # (at the end of the band where the curve is outside it)
+        free_left = abs(trace[at.argmax()]) <= 2 < abs(trace[at.argmin()])
+        axes.text(
+            0.01 if free_left else 0.99, 2, "elliptic", transform=axes.get_yaxis_transform(),
+            ha="left" if free_left else "right", va="top", fontsize=8,
+            color=COLOURS["elliptic"],
+        )  # fmt: skip
+        axes.plot(at, trace, color=INK, lw=1.2)
+        for event in branch.events:
+            axes.plot(event.parameter, event.trace, "o", ms=4, color=COLOURS["hyperbolic"], zorder=4)
+            # (towards the middle of the picture, above the curve where it falls towards there, else below)
+            left = event.parameter > (at.min() + at.max()) / 2
+            k = int(
+                np.hypot((at - event.parameter) / np.ptp(at), (trace - event.trace) / (np.ptp(trace) or 1.0)).argmin()
+            )
+            lower, upper = max(k - 1, 0), min(k + 1, len(at) - 1)
+            above = ((trace[upper] - trace[lower]) * (at[upper] - at[lower]) > 0) == left
+            axes.annotate(
+                f"{event.kind}\n{event.parameter:.6g}", (event.parameter, event.trace),
+                xytext=(-6 if left else 6, 6 if above else -6), textcoords="offset points", ha="right" if left else "left",
+                va="bottom" if above else "top", fontsize=8, color=GREY,
+            )  # fmt: skip
+        axes.set(xlabel=name, ylabel="trace of the pair of multipliers")
+        axes.margins(x=0.02, y=0.12)
+    return figure
+
+
+def plot_manifolds(curves: Sequence[Manifold]) -> Figure:
+    """Draw manifolds as arc length against the velocity along the wall over the speed: orange unstable, blue stable.
+
+    Parameters
+    ----------
+    curves : several Manifold
+        Of one table, from `carom.billiards.manifold`.
+
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
+    Examples
+    --------
+    >>> from carom import billiards, plot
+    >>> axis = billiards.periodic_orbits(billiards.ellipse(1.25, 1.0), 2, law="mirror", starts=60)[-1]
+    >>> len(plot.plot_manifolds([billiards.manifold(axis, kind) for kind in ("unstable", "stable")]).axes)
+    1
+    """
+    if not curves:
+        raise CaromError("plot_manifolds: curves: expected at least one manifold, got none")
+    with style():
+        figure = new_figure(7.2, 4.4)
+        axes = figure.add_subplot()
+        for curve in curves:
+            colour = MANIFOLDS[curve.kind]
+            axes.plot(curve.arc, curve.phase[:, 1], ".", ms=1.6, color=colour, mew=0, rasterized=True)
+            axes.plot([], [], "-", color=colour, lw=2, label=curve.kind)
+        axes.set(xlabel="arc length (m)", ylabel="velocity along the wall", ylim=(-1.04, 1.04))
+        handles, labels = axes.get_legend_handles_labels()
+        once = dict(zip(labels, handles, strict=True))
+        axes.legend(once.values(), once.keys(), loc="upper center", bbox_to_anchor=(0.5, 1.13), ncols=2)
+    return figure
+
+
+# ----------------------------------------------------------------------------------------------------
+# Velocity phase portraits and boundary maps of single-particle billiards, orbits on curves (islands) highlighted.
+
+
+SEA = "#5f6368"
+ISLANDS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+LEAST_BOUNCES = 50  # of an orbit of which can be said whether it lies on curves
+
+
+def on_curves(found: Orbit) -> NDArray[np.bool_]:
+    """Return for each orbit (N,) whether it stays on smooth curves of the velocity phase portrait: islands, and periodic orbits.
+
+    Weighted Birkhoff averages over both halves of an orbit agree to many digits on curves, to one or two for chaotic orbits
+    (:func:`carom.billiards.is_regular`, which follows orbits on until that is clear). Orbits of fewer than 50 bounces count as
+    others, as do those that ended early. Not all of the others are chaotic: in polygons no orbit has a positive Lyapunov
+    exponent. The largest exponent decides (:func:`carom.billiards.lyapunov`).
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> from carom.plot.billiards import on_curves
+    >>> start = billiards.starts(billiards.stadium(), 1, seed=1)
+    >>> on_curves(billiards.orbit(billiards.stadium(), start, bounces=300, law="mirror")).tolist()
+    [False]
+    """
+    if found.t.shape[-1] < LEAST_BOUNCES:
+        return np.zeros(int(np.prod(found.t.shape[:-1], dtype=int)), dtype=bool)
+    return np.atleast_1d(is_regular(found)).ravel()
+
+
+def _title(found: Orbit) -> str:
+    """Return table, law, kappa, and numbers of orbits and bounces, in two lines."""
+    table = found.setup.table
+    sizes = [
+        f"{name.replace('_', ' ')} = {value if isinstance(value, str) else format_number(float(value))}"
+        for name, value in table.sizes.items()
+        if isinstance(value, int | float | str)
+    ]
+    count = int(np.size(found.count))
+    orbits = f"{count:,} orbits" if count > 1 else "1 orbit"
+    return (
+        f"{literal(', '.join([table.name, *sizes]))}; bounds the {table.bounds}\n{literal(found.setup.law)},"
+        f" $\\kappa$ = {format_number(float(found.setup.ball.kappa), 4)}; {orbits} of {found.t.shape[-1]:,} bounces"
+    )
+
+
+def _legend(axes: Any, curves: NDArray[np.bool_], below: float) -> None:
+    """Write what the inks mean, with the numbers of orbits, below the axes."""
+    from matplotlib.lines import Line2D
+
+    inks = [(SEA, "others: not found to be on curves", int((~curves).sum()))]
+    inks.append((ISLANDS[0], "islands: on smooth curves (any colour but grey)", int(curves.sum())))
+    dots = [
+        Line2D([], [], ls="", marker="o", ms=4, mew=0, color=ink, label=f"{words}  ({count:,})")
+        for ink, words, count in inks
+        if count
+    ]
+    axes.legend(handles=dots, loc="upper center", bbox_to_anchor=(0.5, below), ncols=1, frameon=False, fontsize=8,
+                handletextpad=0.2)  # fmt: skip
+
+
+def _dots(count: int) -> float:
+    """Return the size of a dot, smaller the more there are."""
+    return float(np.clip(4e4 / max(count, 1), 0.02, 6.0))
+
+
+def plot_portrait(found: Orbit) -> Figure:
+    """Draw the velocity phase portrait (after Cox & Feres): every bounce is a point of the unit disc.
+
+    Orbits that stay on smooth curves (islands) are highlighted, each in one of six colours; all others share one ink.
+
+    Horizontal: the spin, sqrt(kappa) a omega; vertical: the velocity along the wall; both divided by sqrt(2 energy/m). The
+    invariant measure is uniform in the disc, so areas are to scale.
+
+    Parameters
+    ----------
+    found : Orbit
+        One orbit or many.
+
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
+    Examples
+    --------
+    >>> from carom import billiards, plot
+    >>> found = billiards.orbit(billiards.circle(), ((0.2, 0.1), (0.8, 0.3), 0.5), bounces=20)
+    >>> len(plot.plot_portrait(found).axes)
+    1
+    """
+    phase = found.phase.reshape(-1, found.t.shape[-1], 2)
+    with style():
+        figure = new_figure(4.8, 5.4)
+        axes = figure.add_subplot()
+        u = np.linspace(0, math.tau, 721)
+        axes.plot(np.cos(u), np.sin(u), color=INK, lw=0.8)
+        curves = on_curves(found)
+        _scatter(axes, phase[..., 0], phase[..., 1], curves)
+        axes.set_title(_title(found))
+        _legend(axes, curves, -0.13)
+        axes.set_aspect("equal")
+        axes.set_xlim(-1.04, 1.04)
+        axes.set_ylim(-1.04, 1.04)
+        axes.set_xticks([-1, -0.5, 0, 0.5, 1])
+        axes.set_yticks([-1, -0.5, 0, 0.5, 1])
+        axes.set_xlabel(r"spin  $\sqrt{\kappa}\,a\,\omega\,/\,\sqrt{2E/m}$")
+        roll = r"\sqrt{1+\kappa}\," if found.setup.rolls else ""
+        axes.set_ylabel(rf"velocity along the wall  ${roll}v_t\,/\,\sqrt{{2E/m}}$")
+        figure.tight_layout()
+    return figure
+
+
+def plot_boundary(found: Orbit) -> Figure:
+    """Draw the boundary map: arc length s, and the velocity along the wall over that in the plane (the sine of the angle).
+
+    Parameters
+    ----------
+    found : Orbit
+        One orbit or many, in a table in the plane or a cylinder over one.
+
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
+    Raises
+    ------
+    CaromError
+        For an orbit in a sphere.
+
+    Examples
+    --------
+    >>> from carom import billiards, plot
+    >>> found = billiards.orbit(billiards.circle(), ((0.2, 0.1), (0.8, 0.3), 0.5), bounces=20)
+    >>> len(plot.plot_boundary(found).axes)
+    1
+    """
+    shape = found.setup.shape
+    if shape.sphere is not None:
+        raise CaromError("plot: boundary map: expected a table in the plane, or a cylinder over one, got a sphere")
+    speed = np.hypot(found.velocity[..., 0], found.velocity[..., 1])
+    s, sine = found.arc.reshape(-1, found.t.shape[-1]), (found.along / speed).reshape(-1, found.t.shape[-1])
+    lengths = shape.lengths
+    with style():
+        figure = new_figure(6.6, 4.1)
+        axes = figure.add_subplot()
+        curves = on_curves(found)
+        _scatter(axes, s, sine, curves)
+        axes.set_title(_title(found))
+        _legend(axes, curves, -0.17)
+        if np.isfinite(lengths).all():
+            axes.set_xlim(0, lengths.sum())
+            if 1 < len(lengths) <= 12:
+                for start in shape.starts[shape.starts > 0]:
+                    axes.axvline(start, color=GREY, lw=0.5, ls=(0, (1, 2)), zorder=1)
+        axes.set_ylim(-1, 1)
+        axes.set_xlabel(r"arc length  $s$ (m)")
+        axes.set_ylabel(r"$\sin\theta = v_t/|v|$")
+        figure.tight_layout()
+    return figure
+
+
+def _scatter(axes: Any, x: Array, y: Array, curves: NDArray[np.bool_]) -> None:
+    """Draw points of many orbits (N, B), islands above the sea; rasterised where there are many, to keep vector files small."""
+    many = x.size > 20_000
+    sea = ~curves
+    look = {"s": _dots(x.size), "lw": 0, "rasterized": many}
+    if sea.any():
+        axes.scatter(x[sea].ravel(), y[sea].ravel(), c=SEA, alpha=0.6, zorder=3, label="_sea", **look)
+    for k in np.flatnonzero(curves).tolist():
+        ink = ISLANDS[int(np.count_nonzero(curves[:k])) % len(ISLANDS)]
+        axes.scatter(x[k], y[k], c=ink, zorder=4, label="_island", **look)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Plot balls that roll on surfaces: a run from above and from the side.
+
+
+ROLLS, FLIES = "#0072B2", "#D55E00"
+ROLLING_POINTS = 1200
+
+
+def plot_roll(run: RollingRun) -> Figure:
+    """Draw the path of the ball's centre from above, and its height against time: blue while it rolls, orange in flight.
+
+    Parameters
+    ----------
+    run : RollingRun
+
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
+    Examples
+    --------
+    >>> import carom
+    >>> from carom import billiards, plot
+    >>> ball, bowl = carom.Ball(0.1, 1.0), billiards.surfaces.bowl(1.0)
+    >>> run = billiards.roll(bowl, (0.0, 0.0, -0.9), (1.0, 0.0, 0.0), ball=ball, duration=1.0)
+    >>> len(plot.plot_roll(run).axes)
+    2
+    """
+    states = run.at(np.linspace(0.0, run.duration, ROLLING_POINTS))
+    path, rolls = 1e3 * states.place, states.rolls
+    with style():
+        figure = new_figure(9.0, 4.2)
+        above, side = figure.subplots(1, 2, width_ratios=(1, 1.2))
+        for axes, x, y in ((above, path[:, 0], path[:, 1]), (side, states.time, path[:, 2])):
+            axes.plot(x, np.where(rolls, y, math.nan), color=ROLLS, lw=1.4, label="rolls")
+            if not rolls.all():
+                axes.plot(x, np.where(rolls, math.nan, y), color=FLIES, lw=1.4, label="in flight")
+        if run.setting.surface.name == "hole":
+            rim = 1e3 * run.setting.surface.pieces[1].ring  # type: ignore[attr-defined]
+            turn = np.linspace(0, math.tau, 200)
+            above.plot(rim * np.cos(turn), rim * np.sin(turn), color=GREY, lw=1.0)
+        for event in run.events:
+            if event.kind in ("leaves", "lands"):
+                side.plot(event.time, 1e3 * event.place[2], "o", ms=3, color=INK)
+        above.set_aspect("equal")
+        above.set(xlabel="x (mm)", ylabel="y (mm)", title="from above")
+        side.set(xlabel="time (s)", ylabel="height of the centre (mm)", title=f"ends: {run.end}")
+        side.legend(loc="best")
     return figure

@@ -14,17 +14,16 @@ from numpy.typing import NDArray
 
 from carom.core.contact import slip_velocity, wall_contact
 from carom.core.jit.kernel import Vec
-from carom.core.motion.rolling import UP
+from carom.core.motion.phases import UP
 from carom.formatting import format_length, format_number
 from carom.laws import comparison as laws_compared
 from carom.laws.landing import fall_time
 from carom.laws.law import Answer, Meeting
-from carom.plot.style import GREY, INK, PALE, arrow, law_styles, literal, new_figure, spread_apart, style
+from carom.laws.registry import law_styles
+from carom.plot.style import GREY, INK, PALE, arrow, literal, new_figure, spread_apart, style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-__all__ = ["PathAfterWall", "compare", "path_after_wall"]
 
 HALF_HEIGHT_OVER_WIDTH = 0.72  # of the view from above
 FLAG = 0.19  # height of a line of labels above or below that view, inches

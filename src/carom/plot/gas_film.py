@@ -16,15 +16,12 @@ from numpy.typing import NDArray
 from carom.errors import CaromError, FaultList
 from carom.files import require_library, require_writable, write_text
 from carom.gas.containers import Container
-from carom.gas.endings import EndedEarlyError
 from carom.gas.gas import Gas
+from carom.gas.results import EndedEarlyError
 from carom.gas.session import Session
-from carom.plot.animation import FASTEST_GIF, MOST_FRAMES, WIDE, ffmpeg, write_film
+from carom.plot.animation import DISC, FASTEST_GIF, MOST_FRAMES, WIDE, ffmpeg, write_film
 from carom.plot.gas import COLOURS, LEAST_SHOWN, draw_outline
 from carom.plot.style import INK, new_figure, style
-from carom.plot.video import DISC
-
-__all__ = ["KINDS", "animate_gas"]
 
 Array = NDArray[np.float64]
 KINDS = (".svg", ".gif", ".mp4")

@@ -13,12 +13,11 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.laws.comparison import compare, incoming
-from carom.plot.style import GREY, INK, PALE, arrow, law_styles, new_figure, require_matplotlib, save, style
+from carom.laws.registry import law_styles
+from carom.plot.style import GREY, INK, PALE, arrow, new_figure, require_matplotlib, save, style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-__all__ = ["collision", "figures", "incidence_and_reflection", "setting"]
 
 Array = NDArray[np.float64]
 X, Y, Z = np.eye(3)

@@ -12,8 +12,7 @@ import numpy as np
 
 from carom.fitting.result import with_error_bar
 from carom.formatting import called_ball
-from carom.plot.fit import SHOWN, listed, svg, table_of_laws, write_page
-from carom.plot.fit_tracks import BALLS
+from carom.plot.fit import BALLS, SHOWN, listed, svg, table_of_laws, write_page
 from carom.plot.style import GREY, INK, literal, new_figure, style
 
 if TYPE_CHECKING:
@@ -21,8 +20,6 @@ if TYPE_CHECKING:
 
     from carom.fitting import Ranked
     from carom.fitting.shots import FittedShot, ShotsFit, ShotsRanking
-
-__all__ = ["plot_shot", "plot_shots", "write_shots_report"]
 
 COLUMNS = 5  # of small multiples
 LEAST_WIDTH = 5.2  # inches, that the legend of small multiples needs

@@ -17,25 +17,9 @@ from typing import TYPE_CHECKING, Any
 from carom import files
 from carom.files import as_path, atomic_path, require_library
 from carom.formatting import escape_controls
-from carom.laws.registry import law_styles
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-__all__ = [
-    "GREY",
-    "INK",
-    "PALE",
-    "arrow",
-    "law_styles",
-    "literal",
-    "new_figure",
-    "require_matplotlib",
-    "require_writable",
-    "save",
-    "spread_apart",
-    "style",
-]
 
 # Metadata of a file, by kind: without dates or other content that differs between runs.
 METADATA: dict[str, dict[str, str | None]] = {

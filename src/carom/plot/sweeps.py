@@ -15,8 +15,6 @@ from carom.plot.style import INK, literal, new_figure, style
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["plot_sweep"]
-
 MOST_PANELS = 16
 MAP = "viridis"
 REPEAT = "repeat"  # the dimension of repeated points

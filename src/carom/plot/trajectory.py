@@ -5,16 +5,21 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.motion.phases import BOUNCING, FLIGHT, REST, ROLLING, SLIDING
-from carom.formatting import format_time
-from carom.plot.scene_view import SEEN, View, colour, last_time, steps, view, walls_in, way
+from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, ROLLING, SLIDING
+from carom.errors import CaromError
+from carom.formatting import format_number, format_time
 from carom.plot.style import GREY, INK, PALE, drawn, literal, new_figure, spread_apart
+from carom.scene.feature_builders import circle
 from carom.scene.paths import ball_index
+from carom.scene.wall import WallShape
+from carom.simulation.motion import states
 from carom.simulation.records import (
     BALL,
     FLOOR,
@@ -30,13 +35,157 @@ from carom.simulation.records import (
     event_numbers,
 )
 from carom.simulation.trajectory import Trajectory
+from carom.sweeps.aiming import UNITS
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["plot_trajectory"]
+    from carom.sweeps.aiming import Aim, Aims
 
 Array = NDArray[np.float64]
+# Okabe & Ito's colours, distinct for colour-blind people.
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+# A white ball is drawn grey, to be visible on paper.
+CALLED = {
+    "white": "#8f887c", "yellow": "#dba800", "red": "#c23616", "blue": "#0072B2", "green": "#009E73", "black": "#222222",
+    "orange": "#D55E00", "brown": "#8c5a2b", "pink": "#CC79A7",
+}  # fmt: skip
+# A hop lower than this fraction of the radius is invisible.
+SEEN = 1e-3
+# Above this number of events paths are drawn with fewer points.
+MANY = 4000
+
+
+def colour(run: Trajectory, ball: int) -> str:
+    """Return the colour of a ball: that with which its name begins ("red 3"), if there is one, else by its number."""
+    first = run.scene.ball_names[ball].lower().split(maxsplit=1)[:1]
+    return CALLED.get(first[0] if first else "", COLOURS[ball % len(COLOURS)])
+
+
+def last_time(run: Trajectory) -> float:
+    """Return the time at which a figure of a run ends, s: somewhat after the run's end if a ball then moves on for ever."""
+    speed = np.linalg.norm(run.final.velocity, axis=1)
+    goes_on = run.ended == "nothing more happens" and any(
+        s > 0 and phase in ("flight", "sliding", "rolling") for s, phase in zip(speed, run.final_phase, strict=True)
+    )
+    if not goes_on:  # one second for balls at rest from the start
+        return run.end if run.end > 0 or run.ended != "nothing more happens" else 1.0
+    return 1.15 * run.end if run.end > 0 else 20 * max(ball.radius for ball in run.scene.balls) / float(speed.max())
+
+
+def way(run: Trajectory, ball: int, until: float) -> list[tuple[int, Array, Array]]:
+    """Return the path of a ball: (phase's number, times (N,), centres (N, 3)) of each phase, sampled on its closed form."""
+    rows = run.log[run.log["ball"] == ball]
+    ends = np.minimum(np.append(rows["t"][1:], until), until)
+    keep = (ends > rows["t"]) & (rows["phase"] < HELD)
+    rows, lasts = rows[keep], (ends - rows["t"])[keep]
+    # of straight pieces only the ends are needed; a run with very many events is drawn more coarsely
+    fine = 33 if len(rows) < MANY else 5
+    bent = np.isin(rows["phase"], (FLIGHT, SLIDING, BOUNCING))
+    counts = np.where(rows["phase"] == BOUNCING, 400, np.where(bent, fine, 3))
+    which = np.repeat(np.arange(len(rows)), counts)
+    place = np.concatenate([np.linspace(0, 1, n) for n in counts]) if len(counts) else np.zeros(0)
+    after = place * lasts[which]
+    x, _v, _w, _phase = states(run.arrays.world, run.arrays.balls, rows[which], after)
+    t = rows["t"][which] + after
+    found: list[tuple[int, Array, Array]] = []
+    for phase, a, b in zip(rows["phase"], np.cumsum(counts) - counts, np.cumsum(counts), strict=True):
+        if found and found[-1][0] == phase:
+            _, t0, x0 = found[-1]
+            found[-1] = (int(phase), np.append(t0, t[a:b]), np.append(x0, x[a:b], axis=0))
+        else:
+            found.append((int(phase), t[a:b], x[a:b]))
+    return found
+
+
+def steps(run: Trajectory, until: float, grid: int = 400) -> Array:
+    """Return times from 0 to ``until`` that resolve changes at events: an even grid, each event, and the instant before it."""
+    events = run.log["t"][(run.log["kind"] != START) & (run.log["t"] <= until)]
+    return np.unique(np.concatenate((np.linspace(0, until, grid), events, np.nextafter(events[events > 0], 0))))
+
+
+@dataclass(frozen=True)
+class View:
+    """The region shown in a figure, m: left, right, bottom, top."""
+
+    x: tuple[float, float]
+    y: tuple[float, float]
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height, m."""
+        return self.x[1] - self.x[0], self.y[1] - self.y[0]
+
+
+def view(run: Trajectory, points: Array) -> View:
+    """Return the region that contains all bounded walls and all points (N, 3) of the paths, with a margin."""
+    a = max(ball.radius for ball in run.scene.balls)
+    seen = [line for wall in run.scene.walls if wall.bounded for line in wall.outline()]
+    seen += [circle(pocket.center, pocket.radius) for wall in run.scene.walls for pocket in wall.pockets]
+    low = np.min([points[:, :2].min(axis=0) - 1.4 * a, *(line.min(axis=0) for line in seen)], axis=0)
+    high = np.max([points[:, :2].max(axis=0) + 1.4 * a, *(line.max(axis=0) for line in seen)], axis=0)
+    air = 0.03 * float((high - low).max())
+    # a straight path would give a figure without height
+    thin = np.maximum(0.3 * float((high - low).max()) - (high - low), 0) / 2
+    low, high = low - air - thin, high + air + thin
+    return View((float(low[0]), float(high[0])), (float(low[1]), float(high[1])))
+
+
+def walls_in(run: Trajectory, shown: View) -> list[tuple[Array, str]]:
+    """Return the visible parts of the walls: polylines or polygons (N, 2), each a "line", "felt", "solid" or "pocket"."""
+    found: list[tuple[Array, str]] = []
+    z = float(run.start.position[0, 2]) if run.start.position is not None else 0.0
+    for wall in run.scene.walls:
+        found += [] if wall.bed is None else [(wall.bed, "felt")]
+        found += [(circle(pocket.center, pocket.radius), "pocket") for pocket in wall.pockets]
+        for line in wall.outline():
+            if not wall.bounded:
+                for piece in _clipped(line, shown):
+                    band = _behind(wall, piece, z, 0.018 * max(shown.size))
+                    found += [(band, "solid")] if band is not None else []
+                    found.append((piece, "line"))
+                continue
+            if len(line) > 3 and np.allclose(line[0], line[-1]):
+                x, y = line[:-1].mean(axis=0)
+                found.append((line, "solid" if wall.blocked((float(x), float(y), z)) else "felt"))
+            found.append((line, "line"))
+    order = ("felt", "solid", "pocket", "line")
+    return sorted(found, key=lambda one: order.index(one[1]))
+
+
+def _clipped(line: Array, shown: View) -> list[Array]:
+    """Return the visible parts of a polyline (Liang & Barsky 1984, vectorised), so that files hold no lines of 2 km."""
+    found: list[Array] = []
+    for p, q in pairwise(line):
+        first, last, d = 0.0, 1.0, q - p
+        for step, low, high in (
+            (d[0], shown.x[0] - p[0], shown.x[1] - p[0]),
+            (d[1], shown.y[0] - p[1], shown.y[1] - p[1]),
+        ):
+            if step == 0:
+                first, last = (first, last) if low <= 0 <= high else (1.0, 0.0)
+            else:
+                first, last = max(first, min(low / step, high / step)), min(last, max(low / step, high / step))
+        if first < last:
+            found.append(np.array([p + first * d, p + last * d]))
+    return found
+
+
+def _behind(wall: WallShape, line: Array, z: float, depth: float) -> Array | None:
+    """Return a band along a straight wall, on the side that is inaccessible to balls; None if both sides are accessible."""
+    d = line[1] - line[0]
+    normal = np.array([-d[1], d[0]]) / np.hypot(*d)
+    x, y = line.mean(axis=0)
+    for n in (normal, -normal):
+        if wall.blocked((float(x + depth * n[0]), float(y + depth * n[1]), z)):
+            return np.array([line[0], line[1], line[1] + depth * n, line[0] + depth * n])
+    return None
+
+
+# ----------------------------------------------------------------------------------------------------
+# Draw a run: view from above, heights of the balls, and energy over time.
+
+
 FILLS, CUSHION = {"felt": "#f4f2ec", "solid": "#d9d5ca", "pocket": "#2b2926"}, "#55504a"
 AIR, SLIDES, ROLLS = "in the air", "slides", "rolls"
 STYLES: dict[str, Any] = {ROLLS: "solid", SLIDES: (0, (4.5, 1.8)), AIR: (0, (0.6, 1.5))}
@@ -357,3 +506,112 @@ def _legend(
         handles=entries, loc="upper left", bbox_to_anchor=at, ncols=min(len(entries), 7), frameon=False, fontsize=7.5,
         handlelength=1.9, columnspacing=1.2, handletextpad=0.5, borderaxespad=0.0,
     )  # fmt: skip
+
+
+# ----------------------------------------------------------------------------------------------------
+# Shots that reach a target, side by side: paths up to the target, and where a player's errors bring the ball.
+
+
+WIDTH, COLUMNS = 4.2, 2  # inches, of a panel; panels side by side
+DRAWN = 4  # solutions, if not said otherwise
+
+
+def plot_aims(aims: Aims, file: str | os.PathLike[str] | None = None, *, solutions: int = DRAWN) -> Figure:
+    """Draw solutions of :func:`carom.aim`, a panel each: the balls' paths, and the target's error ellipse.
+
+    Parameters
+    ----------
+    aims : Aims
+    file : str or path, optional
+        File to write, .svg, .pdf or .png.
+    solutions : int
+        How many, the most robust first.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The ellipse, or for a ball to be hit and a pocket the bar across the ball's path, is twice the standard deviation that
+        the player's errors give, by the gradients; none where the miss is not linear within them (``Aim.linear``).
+
+    Raises CaromError: no solution, a file that cannot be written, or Matplotlib is missing.
+
+    Examples
+    --------
+    >>> import carom
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    >>> balls = [carom.SceneBall(radius=0.03, mass=0.2, position=(0.5, y), velocity=(0, 0), rolling=True) for y in (0, 0.6)]
+    >>> scene = carom.Scene(floor=carom.Floor(friction=0.2, rolling_resistance=0.01), walls=[wall], balls=balls)
+    >>> best = carom.aim(scene, ["balls.0.velocity"], {"hit": 1, "cushions": 1}, starts=512)
+    >>> len(carom.plot.plot_aims(best).axes) == min(len(best), 4)
+    True
+    """
+    shown = list(aims)[:solutions]
+    if not shown:
+        raise CaromError("plot_aims: aims: expected at least one solution, got none")
+    runs = [one.run for one in shown]
+    ways = [[way(run, i, one.time) for i in range(len(run.scene.balls))] for run, one in zip(runs, shown, strict=True)]
+    points = [x for run in ways for ball in run for _phase, _t, x in ball] + [np.asarray(runs[0].start.position)]
+    seen = view(runs[0], np.concatenate(points))
+    columns = min(COLUMNS, len(shown))
+    rows = math.ceil(len(shown) / columns)
+
+    def draw() -> Figure:
+        panel = WIDTH * seen.size[1] / seen.size[0] + 0.45
+        figure = new_figure(WIDTH * columns, panel * rows)
+        for k, one in enumerate(shown):
+            axes = figure.add_subplot(rows, columns, k + 1)
+            _panel(axes, aims, one, runs[k], ways[k], seen)
+        figure.subplots_adjust(
+            left=0.01, right=0.99, bottom=0.01, top=1 - 0.32 / (panel * rows), wspace=0.04, hspace=0.16
+        )
+        return figure
+
+    return drawn(draw, file)
+
+
+def _panel(axes: Any, aims: Aims, one: Aim, run: Any, ways: list[Any], seen: View) -> None:
+    from matplotlib.patches import Circle
+
+    for line, what in walls_in(run, seen):
+        if what == "line":
+            axes.plot(*line.T, color=CUSHION, lw=1.6, zorder=2)
+        else:
+            axes.fill(*line.T, color=FILLS[what], lw=0, zorder=0 if what == "felt" else 1)
+    at = run.at(one.time)
+    for i, ball in enumerate(run.scene.balls):
+        ink = colour(run, i)
+        for _phase, _t, x in ways[i]:
+            axes.plot(x[:, 0], x[:, 1], color=ink, lw=1.2, zorder=4, solid_joinstyle="round")
+        axes.add_patch(Circle(run.start.position[i, :2], ball.radius, fc=ink, ec="white", lw=0.6, zorder=5))
+        if np.linalg.norm(at.position[i] - run.start.position[i]) > ball.radius:
+            axes.add_patch(Circle(at.position[i, :2], ball.radius, fc="none", ec=ink, lw=1.0, zorder=5))
+    first = 0
+    for target in aims.targets:
+        place = slice(first, first + len(target.windows))
+        first += len(target.windows)
+        if target.kind == "point":
+            axes.add_patch(Circle(target.point, target.windows[0], fc="none", ec=INK, lw=0.8, ls=(0, (2, 2)), zorder=6))
+        if not one.linear:
+            continue
+        if target.kind == "point":
+            axes.plot(*_ellipse(target.point, one.covariance[place, place]), color=INK, lw=1.0, zorder=6)
+        else:
+            before = run.at(math.nextafter(one.time, 0.0))
+            v = before.velocity[target.ball, :2]
+            across = np.array([-v[1], v[0]]) / (np.hypot(*v) or 1.0) * 2 * float(one.spread[place.start])
+            center = before.position[target.ball, :2]
+            axes.plot(*np.array([center - across, center + across]).T, color=INK, lw=1.4, zorder=6, marker="|", ms=4)
+    numbers = ", ".join(
+        f"{name} {format_number(x, 4)} {UNITS[name.rpartition('.')[2]]}" for name, x in one.values.items()
+    )
+    axes.set_title(f"{literal(numbers.replace(' °', '°'))}: {one.chance:.0%}", fontsize=8, color=INK, pad=3)
+    axes.set(xlim=seen.x, ylim=seen.y, aspect="equal")
+    axes.axis("off")
+
+
+def _ellipse(center: tuple[float, float], covariance: Any) -> Any:
+    """Return the ellipse of two standard deviations, (2, N)."""
+    values, axes = np.linalg.eigh(covariance)
+    turn = np.linspace(0, 2 * np.pi, 73)
+    circle = np.stack([np.cos(turn), np.sin(turn)])
+    return np.asarray(center)[:, None] + 2 * axes @ (np.sqrt(np.maximum(values, 0))[:, None] * circle)

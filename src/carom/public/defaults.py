@@ -6,11 +6,6 @@ whose modules take long to load.
 
 from __future__ import annotations
 
-__all__ = [
-    "ANGLES_DEG", "BOUNCES", "CONTACT_HEIGHT", "CUSHIONS", "DESIGNED_LAWS", "FLOOR_CONTACT", "GRAVITY", "MASS", "ODDS", "RADIUS",
-    "SIGMA_V", "SPEEDS", "SPINS", "WINDOW",
-]  # fmt: skip
-
 RADIUS, MASS = 0.02625, 0.1406  # m, kg: a snooker ball
 GRAVITY = 9.80665  # m/s^2
 CONTACT_HEIGHT = 1.0  # radii above the floor: a vertical wall

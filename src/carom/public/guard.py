@@ -17,17 +17,54 @@ import typing
 import warnings
 from collections.abc import Callable
 from numbers import Integral, Real
+from types import FrameType
 from typing import Any
 
+import lazy_loader
 import numpy as np
 from numpy.typing import ArrayLike
 
 from carom.core.jit.kernel import KERNELS
-from carom.errors import CaromError, did_you_mean, float_array
-from carom.public.callers import called_from_outside, is_the_users
+from carom.errors import CaromError, did_you_mean, float_array, near_name
 from carom.public.own_laws import with_own_laws
 
-__all__ = ["guarded"]
+PACKAGE = __name__.partition(".")[0]
+BORDER = f"{PACKAGE}.public.guard"  # whose wrappers stand between a caller and each public function
+LIBRARIES = frozenset({
+    "carom", "dask", "distributed", "gsd", "h5netcdf", "h5py", "imageio_ffmpeg", "lazy_loader", "llvmlite", "matplotlib",
+    "mpl_toolkits", "numba", "numpy", "pandas", "pint", "pyarrow", "pydantic", "pydantic_core", "rich", "scipy", "sympy",
+    "typer", "xarray", "zarr",
+})  # fmt: skip
+
+
+def is_the_users(frame: FrameType) -> bool:
+    """Return whether a frame is neither carom's nor a library's: a program of the user's, or a function that it handed over."""
+    room = _name(frame).partition(".")[0]
+    return room not in LIBRARIES and (room == "__main__" or room not in sys.stdlib_module_names)
+
+
+def called_from_outside(depth: int = 2) -> bool:
+    """Return whether the function that asks was called by code outside carom: directly, through a public name, or by a library."""
+    frame: FrameType | None = sys._getframe(depth)
+    while frame is not None and not is_the_users(frame):
+        if _name(frame).partition(".")[0] == PACKAGE and _name(frame) != BORDER:
+            return False
+        frame = frame.f_back
+    return True
+
+
+def _name(frame: FrameType) -> str:
+    return str(frame.f_globals.get("__name__", ""))
+
+
+# ----------------------------------------------------------------------------------------------------
+# Wrong arguments of public functions and methods: a CaromError that names function, argument, expectation and what came.
+#
+# What is right is not looked at, so that a call costs nothing more than one of Python's. Only where a call raises something other
+# than a CaromError are its arguments compared with the annotations of its signature. An exception of the caller's own (of a
+# callback,
+# a law) goes on as it is, and so does a warning that was made an error.
+
 
 LAWS = frozenset(
     {"law", "laws", "changes", "parameters", "values"}
@@ -264,3 +301,38 @@ def _phrase(annotation: Any) -> str:  # noqa: PLR0911
     kind = origin if inspect.isclass(origin) else annotation
     name = str(getattr(kind, "__name__", kind))
     return _PHRASES.get(kind, f"{'an' if name[0] in 'AEIOU' else 'a'} {name}")
+
+
+# ----------------------------------------------------------------------------------------------------
+# Public names of a package, from its stub: each is imported, and guarded, when it is first used.
+
+
+def attach_public(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
+    """Return ``__getattr__``, ``__dir__`` and ``__all__`` of a package whose names stand in the stub beside ``file``.
+
+    Functions and classes are guarded (:func:`carom.public.guard.guarded`). That is here, and not at each function, so that carom's
+    own rooms, which import from modules, call the bare functions.
+    """
+    load, list_names, names = lazy_loader.attach_stub(package, file)
+
+    def load_guarded(name: str) -> Any:
+        try:
+            found = load(name)
+        except AttributeError as error:
+            if package == "carom" and (law := next((one for one in load("LAWS") if one.replace("-", "_") == name), "")):
+                called = f"carom.LAWS[{law!r}](ball, state, wall)"
+                raise AttributeError(f"carom has no function {name}; the law itself is called: {called}") from error
+            if package == "carom.billiards" and name in sys.modules["carom"].scene.FIGURES:
+                called = f"carom.billiards.table({name!r}, ...)"
+                raise AttributeError(f"{package} has no function {name}; the table is {called}") from error
+            if not name.startswith("_") and (
+                near := near_name(name, [one for one in names if one.islower() or not name.islower()])
+            ):
+                raise AttributeError(f"{package} has no {name}; did you mean {near}?") from error
+            raise
+        if getattr(found, "__module__", "").startswith("carom."):  # (not a module, nor a table of numbers)
+            found = guarded(found)
+            vars(sys.modules[package])[name] = found
+        return found
+
+    return load_guarded, list_names, names

@@ -10,8 +10,6 @@ import os
 import sys
 from typing import Any
 
-__all__ = ["INTERRUPTED", "LINE", "end_at_once_while_starting"]
-
 INTERRUPTED = 130  # the exit code: 128 and SIGINT
 LINE = "carom: interrupted\n"
 

@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-__all__ = ["figure_maker", "find_functions_with", "function_of"]
-
 _find: list[Callable[[str, str], Any]] = []
 
 

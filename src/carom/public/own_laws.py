@@ -2,9 +2,9 @@
 
 A law can be asked for by a text, and ``file.py:name`` runs that file. Texts come in many ways: files of a dozen kinds, stores,
 links. So none of these ways is trusted, and none has to remember to refuse. A text carries its permission with it: it is an
-:class:`OwnLaw`, or :func:`carom.laws.user.find_law` refuses it. An OwnLaw is made in three places only:
+:class:`OwnLaw`, or :func:`carom.laws.registry.find_law` refuses it. An OwnLaw is made in three places only:
 
-- where code outside carom calls carom with the text (:mod:`carom.public.callers`): who writes a program may name files in it;
+- where code outside carom calls carom with the text (:mod:`carom.public.guard`): who writes a program may name files in it;
 - in ``cli``, of what is typed on the command line;
 - where a file is opened with ``allow_own_laws``.
 """
@@ -15,8 +15,6 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-
-__all__ = ["OwnLaw", "holds_own_laws", "with_own_laws"]
 
 
 class OwnLaw(str):

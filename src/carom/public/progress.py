@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-__all__ = ["Progress", "loop_callback"]
-
 Progress = Callable[[float, float, str], None]
 """Called now and then with the amount done, the total (NaN where it is not known), and the current step in words."""
 

@@ -1,5 +1,5 @@
+from .ball import BallContact as BallContact
 from .ball import SceneBall as SceneBall
-from .ball_contact import BallContact as BallContact
 from .figures import FIGURES as FIGURES
 from .figures import ArcPiece as ArcPiece
 from .figures import EllipsePiece as EllipsePiece
@@ -9,7 +9,6 @@ from .figures import PlaneFigure as PlaneFigure
 from .figures import SegmentPiece as SegmentPiece
 from .figures import figure as figure
 from .floor import Floor as Floor
-from .pockets import Pockets as Pockets
 from .rack import Rack as Rack
 from .scene import Run as Run
 from .scene import Scene as Scene
@@ -24,6 +23,7 @@ from .shapes import Stadium as Stadium
 from .shapes import Strip as Strip
 from .shapes import Table as Table
 from .shapes import Wedge as Wedge
+from .shapes.table import Pockets as Pockets
 from .toml import load_scene as load_scene
 from .toml import new_scene as new_scene
 from .toml import save_scene as save_scene

@@ -7,8 +7,6 @@ import pkgutil
 from collections.abc import Iterable
 from types import ModuleType
 
-__all__ = ["modules_of"]
-
 
 def modules_of(package: str, folders: Iterable[str]) -> list[ModuleType]:
     """Return all modules in the files of a package, in the order of their names; they are imported."""

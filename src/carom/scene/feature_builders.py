@@ -14,17 +14,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.geometry.curve_features import arc_address
+from carom.core.geometry.curve_arcs import arc_address
 from carom.core.geometry.features import FACE, LINE, OVER, POINT, RIM
 from carom.core.jit.kernel import cross, dot, kept_kernel, kernel
-from carom.core.roots.polynomial import two_prod, two_sum
+from carom.core.roots.first_root import two_prod, two_sum
 from carom.scene.schema import Vector
-
-__all__ = [
-    "COLUMNS", "Feature", "Flat", "across", "built", "circle", "frame", "length_2d", "minus", "point_along", "put", "put_corner",
-    "put_cushion", "put_disc", "put_edges", "put_ends", "put_line", "put_number", "put_plane", "put_post", "put_rim",
-    "put_rims", "put_round", "put_round_cushion", "put_standing", "put_upright", "side_of", "unit",
-]  # fmt: skip
 
 Array = NDArray[np.float64]
 Flat = tuple[float, float]

@@ -12,8 +12,6 @@ from carom.scene.ruled import FaultText, Ruled, put_fault
 from carom.scene.schema import Drag, Friction, NotNegative, Slope, SpinDamping, SpinDrag, Spring
 from carom.scene.wall import ContactParameters, contact
 
-__all__ = ["Floor", "gravity_on_slope"]
-
 
 def gravity_on_slope(g: float, slope: Sequence[float]) -> tuple[float, float, float]:
     """Return gravity of size g along the axes of a floor that falls by ``slope`` per metre of its own along x and y."""

@@ -15,8 +15,6 @@ from carom.scene.ball import SceneBall
 from carom.scene.scene import Scene
 from carom.scene.schema import Model
 
-__all__ = ["PathMatch", "ball_index", "overlapping_paths", "path_match", "replaced"]
-
 AnyModel = TypeVar("AnyModel", bound=Model)
 Keys = tuple[str | int, ...]
 COMPONENTS = ("x", "y", "z")

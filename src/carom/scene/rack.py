@@ -13,8 +13,6 @@ from carom.formatting import format_length
 from carom.scene.ball import SceneBall
 from carom.scene.schema import Count, CountOrZero, Gap, Model, Vector, raise_faults
 
-__all__ = ["Rack"]
-
 
 class Rack(Model):
     """The balls of a rack, and the gaps between them.

@@ -7,20 +7,8 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import BeforeValidator, Field
 
-from carom.core.motion.restitution import CONSTANT, EXPONENTIAL, POLYNOMIAL, POWER, VISCOELASTIC, restitution
+from carom.core.motion.phases import CONSTANT, EXPONENTIAL, POLYNOMIAL, POWER, VISCOELASTIC, restitution
 from carom.scene.schema import Coefficient, Components, Model, Number, PositiveNumber, Share, Vector
-
-__all__ = [
-    "Bounce",
-    "Constant",
-    "Exponential",
-    "FasterThanNothing",
-    "Han2005",
-    "Polynomial",
-    "Power",
-    "Restitution",
-    "Viscoelastic",
-]
 
 FasterThanNothing = Annotated[float, BeforeValidator(Number("a speed in m/s, > 0", "m/s", least=0, above=True))]
 
@@ -34,7 +22,7 @@ class Restitution(Model):
     @property
     @abstractmethod
     def p(self) -> Vector:
-        """Return the three numbers of the form, as :func:`carom.core.motion.restitution.restitution` takes them."""
+        """Return the three numbers of the form, as :func:`carom.core.motion.phases.restitution` takes them."""
 
     def at(self, speed: float) -> float:
         """e at a normal speed (m/s)."""

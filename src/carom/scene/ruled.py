@@ -19,11 +19,6 @@ from carom.errors import Fault, shown
 from carom.formatting import format_length
 from carom.scene.schema import Components, Model, raise_faults
 
-__all__ = [
-    "FAULT_COLUMNS", "MOST_FAULTS", "FaultText", "Ruled", "about", "fault_rows", "filled", "format_vector", "no_faults",
-    "number_fields", "put_fault",
-]  # fmt: skip
-
 MOST_FAULTS, FAULT_COLUMNS = 64, 4
 Report = Callable[[Any, Any], int]
 

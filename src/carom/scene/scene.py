@@ -12,25 +12,18 @@ from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import (
-    BeforeValidator,
-    Field,
-    field_validator,
-    model_validator,
-)
+from pydantic import BeforeValidator, Field, field_validator, model_validator
 from pydantic_core.core_schema import ValidationInfo
 
 from carom.bodies import State, Surface
-from carom.core.geometry.curve_features import arc_address
+from carom.core.geometry.curve_arcs import arc_address
 from carom.core.geometry.features import CURVE, FALLS, FEATURES, GOES_ON, LEAVES
 from carom.errors import Fault, FaultList, shown
-from carom.formatting import format_time
+from carom.formatting import format_time, json_value
 from carom.laws.law import CALLED_WALL, Law, Meeting
-from carom.laws.registry import laws
-from carom.laws.user import find_law
-from carom.scene.among_balls import default_is_too_soft, fastest, near_pairs
-from carom.scene.ball import SceneBall
-from carom.scene.ball_contact import YOUNG, BallContact
+from carom.laws.pair import YOUNG
+from carom.laws.registry import find_law, laws
+from carom.scene.ball import BallContact, SceneBall, default_is_too_soft, fastest, near_pairs
 from carom.scene.floor import Floor, gravity_on_slope
 from carom.scene.rack import Rack
 from carom.scene.restitution import Constant
@@ -51,8 +44,6 @@ from carom.scene.scene_rules import (
 from carom.scene.schema import Acceleration, Components, Count, Model, Number, Time, raise_faults, refused
 from carom.scene.shapes import AnyWall
 from carom.scene.wall import LawChoice, WallShape, law_name
-
-__all__ = ["GRAVITY", "Run", "Scene", "needed_faults", "scene_faults"]
 
 
 class Run(Model):
@@ -418,3 +409,46 @@ def _condition_faults(
     if law.last == "stiffness_ratio" and surface.tangential_restitution != 0:
         found.append(filled(LAW_FAULTS["springs"], {"at": at, "law": law.name, "beta": surface.tangential_restitution}))
     return found
+
+
+# ----------------------------------------------------------------------------------------------------
+# A validated scene as plain data for JSON: SI numbers, every default filled in.
+
+
+def scene_dict(scene: Scene) -> dict[str, Any]:
+    """Return a scene as lists, dicts and SI numbers, with the names of a scene file; infinity is the string "inf".
+
+    Nothing is left to be inferred from other fields but the spin of a ball that rolls, which follows from its velocity (27) with
+    ``spin_z``: every ``inertia`` is a number, every position has three (a rack has become positions), and a ball that does not roll
+    has a ``spin``. The sides of a table are there only where they differ. What is not there is None: a floor, a name, a limit of
+    the run, a wall's own law or a surface's number that its law does not read.
+
+    Examples
+    --------
+    >>> import carom
+    >>> ball = carom.SceneBall(radius="30 mm", mass=0.2, position=(1, 0), velocity=(-2, 1), rolling=True)
+    >>> scene = carom.Scene(floor=carom.Floor(friction=float("inf")), balls=[ball])
+    >>> found = scene_dict(scene)
+    >>> found["floor"]["friction"], found["balls"][0]["position"], found["balls"][0]["inertia"]
+    ('inf', [1.0, 0.0, 0.03], 0.4)
+    """
+    found = plain_model(scene)
+    del found["rack"]
+    for entry, wall in zip(found["walls"], scene.walls, strict=True):
+        if "sides" in entry and not wall.own_surfaces:
+            del entry["sides"]
+    for entry, ball in zip(found["balls"], scene.balls, strict=True):
+        entry["inertia"] = float(ball.ball.kappa)
+        if entry.pop("strike") is not None:
+            entry["velocity"], entry["spin"] = ball.state.velocity.tolist(), ball.state.spin.tolist()
+            continue
+        if ball.rolling:
+            entry["spin_z"] = ball.spin_z or 0.0
+        else:
+            entry["spin"] = list(ball.spin or (0.0, 0.0, 0.0))
+    return found  # type: ignore[no-any-return]
+
+
+def plain_model(model: Model) -> Any:
+    """Return a model as lists, dicts and numbers; infinity is the string "inf"."""
+    return json_value(model.model_dump(mode="json"), infinite=True)

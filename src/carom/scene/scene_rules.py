@@ -12,11 +12,6 @@ from carom.core.geometry.features import feature_normal, gap_to_feature
 from carom.core.jit.kernel import Vec, kernel
 from carom.scene.ruled import FaultText
 
-__all__ = [
-    "BALLS_TOUCH", "COLUMNS", "HARDEST", "LAW_FAULTS", "NEEDED", "SCENE_FAULTS", "TOUCH", "BallRow", "floor_faults",
-    "gravity_faults", "least_young", "name_fault", "pair_fault", "stiffness_faults", "wall_faults",
-]  # fmt: skip
-
 TOUCH = 1e-9  # of the radius: what overlaps by less touches
 BALLS_TOUCH = 1e-7  # so do balls: a rack in a file is rounded to some digits
 DEEPEST = 0.5  # of the radius: softer balls would press deeper, where Hertz's force is no answer

@@ -28,42 +28,7 @@ from carom.errors import (
     suggestion,
     with_size_limit,
 )
-from carom.public.callers import called_from_outside
-
-__all__ = [
-    "Acceleration",
-    "Angle",
-    "Coefficient",
-    "Components",
-    "Direction",
-    "Extent",
-    "Flag",
-    "Friction",
-    "Length",
-    "Mass",
-    "Model",
-    "Modulus",
-    "NotNegative",
-    "Number",
-    "Place",
-    "Point",
-    "PoissonRatio",
-    "PositiveNumber",
-    "Share",
-    "Size",
-    "Sizes",
-    "Speed",
-    "Spin",
-    "Spring",
-    "Time",
-    "Vector",
-    "faults_of",
-    "from_file",
-    "raise_faults",
-    "refused",
-    "runs_own_laws",
-    "with_faults_of_part",
-]
+from carom.public.guard import called_from_outside
 
 EXPECTED = {
     "tuple_type": "a list",

@@ -12,21 +12,10 @@ from carom.files import as_path, atomic_path, require_writable
 from carom.formatting import json_value
 from carom.laws.law import Law
 from carom.scene.openings import table_scene
-from carom.scene.presets import presets, wall_fields
+from carom.scene.presets import parse_toml, presets, read_toml, wall_fields
 from carom.scene.restitution import Constant
 from carom.scene.scene import Scene
 from carom.scene.schema import Model, from_file
-from carom.scene.toml_files import parse_toml, read_toml
-
-__all__ = [
-    "load_scene",
-    "new_scene",
-    "plain_table",
-    "save_scene",
-    "scene_text",
-    "stored_model",
-    "toml_text",
-]
 
 
 def load_scene(path: str | Path, *, allow_own_laws: bool = False) -> Scene:

@@ -16,11 +16,10 @@ from pydantic import PlainSerializer, PlainValidator, model_validator
 from pydantic_core.core_schema import ValidationInfo
 
 from carom.core.jit.kernel import kernel
-from carom.core.motion.restitution import CONSTANT
+from carom.core.motion.phases import CONSTANT
 from carom.errors import CaromError, shown, suggestion
 from carom.laws.law import CONTACT_WALL, LIKE_SOLIDS, Law
-from carom.laws.registry import law_for_pairs, laws, laws_of_pairs
-from carom.laws.user import FORBIDDEN, find_law
+from carom.laws.registry import FORBIDDEN, find_law, law_for_pairs, laws, laws_of_pairs
 from carom.public.own_laws import OwnLaw
 from carom.scene.feature_builders import Feature, Flat, built
 from carom.scene.restitution import Bounce, Constant, Restitution
@@ -36,21 +35,6 @@ from carom.scene.schema import (
     refused,
     runs_own_laws,
 )
-
-__all__ = [
-    "CUSHION",
-    "VANISHES",
-    "ContactParameters",
-    "LawChoice",
-    "PairLawChoice",
-    "Pocket",
-    "ShapeKernels",
-    "WallShape",
-    "always",
-    "contact",
-    "law_name",
-    "permitted_law",
-]
 
 # Contact times, s: estimates. No measurement of a cushion's was found.
 HARD, CUSHION = 3e-4, 3e-3

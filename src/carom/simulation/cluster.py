@@ -3,12 +3,12 @@
 A contact of two balls takes time, 0.2 to 0.4 ms for balls of pool. Where a third ball comes to touch one of the two before that
 time is over, one pair at a time is not right, in whatever order. So at a meeting of i and k with the speed of approach u the
 contact's duration tau is compared with the gaps to all other balls: where a gap is at most tau times the larger speed at which it
-closes, before the contact or after it, all balls nearby are taken together. Their contacts (carom.laws.hertz, with Coulomb's
+closes, before the contact or after it, all balls nearby are taken together. Their contacts (carom.laws.pair, with Coulomb's
 friction) are integrated in the event's own time until all have opened (carom.simulation.cluster_steps). Velocities and spins
 are kept and the places are put back, so that the event takes no time, as any other; where balls that have passed each other would
 meet once more there, they are put where the last contact has opened. So it is where one of the two comes to touch a wall, and at a
 meeting of a ball and a wall where another ball, or another wall, touches the ball before the wall's contact time is over
-(carom.simulation.cluster_walls).
+(carom.simulation.cluster_steps).
 
 Neglected are the floor's forces meanwhile (they come after, as for a pair), the time itself and the places that change with it
 (some 0.1 mm; the loop's balls are rigid wherever they meet), and the spring of the tangent: whatever the law of the pair, friction
@@ -22,15 +22,19 @@ from typing import Any
 
 from carom.core.geometry.features import OVER, gap_to_feature, is_out_of_reach
 from carom.core.jit.kernel import Vec, dot, kernel, vector
-from carom.core.motion.phases import HELD
-from carom.core.motion.restitution import CONSTANT
-from carom.laws.hertz import LEAST_RESTITUTION, lasts_longer, stiffness
-from carom.simulation.cluster_steps import LAST_BIT, LEAST_DEPTH, NO_BALL, add, apart, follow
-from carom.simulation.cluster_walls import (
+from carom.core.motion.phases import CONSTANT, HELD
+from carom.laws.pair import LEAST_RESTITUTION, lasts_longer, stiffness
+from carom.simulation.cluster_steps import (
+    LAST_BIT,
+    LEAST_DEPTH,
+    NO_BALL,
     SLACK,
     acts_in_time,
+    add,
+    apart,
     closing_rate,
     find_walls,
+    follow,
     has_hit,
     is_lasting,
     loses_nothing_at_walls,
@@ -40,8 +44,6 @@ from carom.simulation.cluster_walls import (
     walls_in_time,
 )
 from carom.simulation.motion import move_by, state_after, write_vector
-
-__all__ = ["collide_cluster", "overlaps_at_wall", "overlaps_in_time", "place_all"]
 
 NEAR = 0.15  # of the mean radius: a ball with such a gap to a member is a member too
 CLOSES = 1e-9  # of the speed of approach: slower balls do not approach a third one

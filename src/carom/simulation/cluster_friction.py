@@ -14,8 +14,6 @@ from typing import Any
 
 from carom.core.jit.kernel import Vec, dot, kernel
 
-__all__ = ["SLOTS", "across", "friction_before", "friction_of_step", "rubbed", "write_friction"]
-
 SLOTS = 12  # of a ball, for those near it that have a lower number: so many of its size can touch it
 
 

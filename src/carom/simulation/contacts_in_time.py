@@ -9,12 +9,9 @@ from numpy.typing import NDArray
 
 from carom.core.motion.phases import HELD, LEFT, POCKETED
 from carom.formatting import counted, format_length
-from carom.laws.hertz import contact_modulus, contact_time, stiffness
+from carom.laws.pair import contact_modulus, contact_time, stiffness
 from carom.scene.scene import Scene
-from carom.simulation.records import BALL
-from carom.simulation.run_record import RunRecord
-
-__all__ = ["OverlapInTime", "overlap_note", "overlaps"]
+from carom.simulation.records import BALL, RunRecord
 
 Array = NDArray[np.float64]
 ROUNDING = 1e-9  # of the speed of approach: slower balls do not approach

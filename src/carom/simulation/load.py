@@ -14,11 +14,9 @@ from carom.errors import CaromError
 from carom.files import as_path, import_optional, open_regular, require_unpacked_size
 from carom.scene.scene import Scene
 from carom.scene.schema import from_file
+from carom.simulation.files import AXES, FORMAT, FORMATS, NAMED, SCALARS, VECTORS, digest_of, log_columns, version
 from carom.simulation.records import LOG
-from carom.simulation.save import AXES, FORMAT, FORMATS, NAMED, SCALARS, VECTORS, digest_of, log_columns, version
 from carom.simulation.trajectory import Trajectory
-
-__all__ = ["load_trajectory"]
 
 Array = NDArray[Any]
 

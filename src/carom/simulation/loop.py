@@ -7,20 +7,199 @@ first, then the one with the lower number, so that the same input gives the same
 
 from __future__ import annotations
 
+import contextlib
+import functools
 import math
-from typing import Any
+import time
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
-from carom.core.jit.kernel import dot, kernel, vector
-from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, PIVOTING
-from carom.simulation.contacts.contact import DONE
-from carom.simulation.contacts.kinds import met_at, resolve_event
-from carom.simulation.event_rows import ALL, motion_of, note_event, note_starts, rows_of_an_event
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.core.contact import NO_REGIME
+from carom.core.geometry.circles import rim_entry, rim_hit
+from carom.core.geometry.curve_arcs import arc_entry, arc_hit
+from carom.core.geometry.features import CURVE, FEATURES, RIM
+from carom.core.jit.compile import array_of, is_cached, njit, signature
+from carom.core.jit.kernel import Vec, as_objects, dot, kernel, vector, write_back
+from carom.core.jit.threads import Pace
+from carom.core.jit.workers import compile_in_background
+from carom.core.motion.phases import BOUNCING, CONSTANT, FLIGHT, HELD, PIVOTING
+from carom.errors import CaromError
+from carom.laws.callbacks import register_calls
+from carom.scene.scene import Scene
+from carom.simulation.cluster_steps import MOST_WALLS, has_hit, wall_impulse, wall_of
+from carom.simulation.contact_kinds import (
+    ALL_REFUSALS,
+    DONE,
+    NO_IMPULSE,
+    PART,
+    Outcome,
+    met_at,
+    register_joint_impact,
+    resolve_event,
+    without_impulse,
+)
 from carom.simulation.motion import begin_phase, move_by, on_floor_with, write_vector
 from carom.simulation.predict import predict
-from carom.simulation.records import BALL, HELD_EVENT, NOTHING, WALL
+from carom.simulation.records import (
+    BALL,
+    BALLS,
+    HELD_EVENT,
+    IN_CLUSTER,
+    LOG,
+    MEETINGS,
+    NOTHING,
+    PHASE,
+    POCKETED_EVENT,
+    START,
+    WALL,
+    WALL_IN_CLUSTER,
+    WORLD,
+)
 from carom.simulation.resting_contact import stays_clear
+from carom.simulation.setup import SceneArrays, set_up
 
-__all__ = ["FULL", "LIMIT", "QUIET", "finish", "run"]
+# Which events are logged: bit ``kind``; for the end of a phase, bit PHASES_FROM + the phase that begins.
+ALL, PHASES_FROM = -1, 16
+# Rows that one event can write, clusters aside: both balls, and that both are held.
+ROWS = 4
+
+# Velocity, spin and phase.
+Motion = tuple[Vec, Vec, int]
+
+
+@kernel
+def rows_of_an_event(balls: int, features: int, keep: int, room: int) -> int:
+    """Return how many rows one event can write to a log of so many: where contacts overlap, one for each ball and for its walls."""
+    rows = balls if (keep >> IN_CLUSTER) & 1 != 0 else 0
+    rows += balls * min(features, MOST_WALLS) if (keep >> WALL) & 1 != 0 else 0
+    return min(max(ROWS, rows), room)
+
+
+@kernel
+def motion_of(ball: Any) -> Motion:
+    """Return how a ball moves before an event."""
+    return vector(ball.v), vector(ball.w), ball.phase
+
+
+@kernel
+def _note(log: Any, ball: Any, kind: int, i: int, met: int, other: int, before: Motion, outcome: Outcome) -> None:
+    """Write a row of the log: ball i as it is now, its motion before, and what it was given."""
+    log.t, log.kind, log.ball, log.met, log.other = ball.clock, kind, i, met, other
+    write_vector(log.x, vector(ball.x))
+    write_vector(log.v_before, before[0])
+    write_vector(log.w_before, before[1])
+    write_vector(log.v, vector(ball.v))
+    write_vector(log.w, vector(ball.w))
+    log.phase_before, log.phase = before[2], ball.phase
+    write_vector(log.impulse, outcome[0])
+    write_vector(log.floor_impulse, outcome[1])
+    log.required, log.regime = outcome[2], outcome[3]
+
+
+@kernel
+def note_starts(log: Any, balls: Any) -> None:
+    """Write the rows of the initial states."""
+    for i in range(balls.shape[0]):
+        _note(log[i], balls[i], START, i, NOTHING, -1, motion_of(balls[i]), without_impulse())
+
+
+@kernel
+def _note_held(log: Any, rows: int, ball: Any, i: int, met: int, other: int, before: int) -> int:
+    """Write that a ball is held, if it is; return how many rows there are then."""
+    if ball.phase != HELD:
+        return rows
+    _note(log[rows], ball, HELD_EVENT, i, met, other, (vector(ball.v), vector(ball.w), before), without_impulse())
+    return rows + 1
+
+
+@kernel
+def _note_touch(
+    log: Any, rows: int, balls: Any, i: int, kind: int, other: int, j: Vec, first: bool, keep: int
+) -> int:  # fmt: skip
+    """Write that ball i has touched a ball or a wall in a cluster, with its impulse; return how many rows there are then.
+
+    A ball's first row has its velocities before and after the whole event.
+    """
+    if (keep >> (WALL if kind == WALL_IN_CLUSTER else kind)) & 1 == 0 or rows == log.shape[0]:
+        return rows
+    ball, met = balls[i], BALL if kind in MEETINGS else WALL
+    before = motion_of(ball)
+    if first:
+        before = (vector(ball.dv), vector(ball.dw), ball.was)
+    _note(log[rows], ball, kind, i, met, other, before, (j, NO_IMPULSE, 0.0, NO_REGIME, DONE, 0))
+    return rows + 1
+
+
+@kernel
+def _note_cluster(log: Any, rows: int, features: Any, balls: Any, many: int, k: int, keep: int) -> int:
+    """Write the rows of a cluster that began with a meeting of balls, or at feature k >= 0; return how many rows there are then."""
+    for p in range(many):
+        i = balls[p].touched
+        ball = balls[i]
+        m, v, u = ball.mass, ball.v, ball.dv
+        j = (m * (v[0] - u[0]), m * (v[1] - u[1]), m * (v[2] - u[2]))
+        for s in range(ball.walls):
+            if has_hit(ball, s):
+                push = wall_impulse(ball, s)
+                j = (j[0] - push[0], j[1] - push[1], j[2] - push[2])
+        if k >= 0 and p == 0:
+            rows = _note_touch(log, rows, balls, i, WALL, features[k].wall, wall_impulse(ball, 0), True, keep)
+        if ball.met >= 0:
+            kind = BALL if k < 0 and p < 2 else IN_CLUSTER
+            rows = _note_touch(log, rows, balls, i, kind, ball.met, j, k < 0 or p > 0, keep)
+    for p in range(many):
+        i = balls[p].touched
+        ball = balls[i]
+        for s in range(1 if k >= 0 and p == 0 else 0, ball.walls):
+            if has_hit(ball, s):
+                wall = features[wall_of(ball, s)].wall
+                rows = _note_touch(log, rows, balls, i, WALL_IN_CLUSTER, wall, wall_impulse(ball, s), False, keep)
+    return rows
+
+
+@kernel
+def note_event(
+    log: Any, rows: int, features: Any, balls: Any, i: int, k: int, kind: int, before: Motion, before_k: Motion,
+    outcome: Outcome, keep: int,
+) -> int:  # fmt: skip
+    """Write the rows of an event of ball i, and of k if it is another, that are to be kept; return how many rows there are then."""
+    ball, other = balls[i], balls[k]
+    if outcome[5] > 0:
+        return _note_cluster(log, rows, features, balls, outcome[5], ball.next_who if kind == WALL else -1, keep)
+    # (what is held is held by what it was to meet)
+    met, who = met_at(ball.next_kind), ball.next_who
+    if met == WALL:
+        who = features[who].wall
+    elif met == POCKETED_EVENT:
+        who = features[who].at
+    if (keep >> (PHASES_FROM + ball.phase if kind == PHASE else kind)) & 1 != 0:
+        _note(log[rows], ball, kind, i, met, who, before, outcome)
+        rows += 1
+        if kind == BALL:
+            j, jf, required, regime, refusal, many = outcome
+            given = ((-j[0], -j[1], -j[2]), jf, required, regime, refusal, many)
+            _note(log[rows], other, kind, k, met, i, before_k, given)
+            rows += 1
+    if (keep >> HELD_EVENT) & 1 != 0:
+        if kind != HELD_EVENT:
+            rows = _note_held(log, rows, ball, i, met, who, before[2])
+        if k != i:
+            rows = _note_held(log, rows, other, k, met, i, before_k[2])
+    return rows
+
+
+# ----------------------------------------------------------------------------------------------------
+# The event loop: take the earliest event, resolve it, predict what comes next. There is no time step.
+#
+# Each ball has its own clock, the time of its last event, and one predicted event. Where that has become invalid (the other ball
+# of
+# the pair met something first) it is predicted anew. Of events at one instant, the ball that has had the fewest at its place
+# comes
+# first, then the one with the lower number, so that the same input gives the same bits on every run.
+
 
 # How a call of ``run`` ends, apart from the refusals of contacts: DONE (no more events before the end), the log is full (call
 # again), the number of events is reached, or no event will ever follow and nothing moves.
@@ -200,3 +379,259 @@ def finish(world: Any, balls: Any, t: float) -> None:
     for i in range(balls.shape[0]):
         if balls[i].phase < HELD and t > balls[i].clock:
             move_by(world, balls[i], t - balls[i].clock, t)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Compile the event loop.
+
+
+class Engine(NamedTuple):
+    """The compiled loop."""
+
+    run: Callable[..., Any]
+    finish: Callable[..., Any]
+
+
+# What the loop and its end return, and what they take.
+ENGINE_END = (None, array_of(WORLD), array_of(BALLS), float)
+ENGINE_RUN = (
+    (int, int, int, int, float, float),
+    *(array_of(kind) for kind in (WORLD, FEATURES, BALLS, LOG)), float, float, int, array_of(int), int,
+)  # fmt: skip
+
+
+@functools.cache
+def compiled_engine() -> Engine:
+    """Return the compiled event loop; from the second time on it is loaded from the cache."""
+    needs = (register_calls, register_joint_impact)
+    with contextlib.nullcontext() if compiled_before() else compile_in_background(PART):
+        # (nothing is made in the loop: no counting of who holds an array)
+        return Engine(
+            njit(_one_run, signature(*ENGINE_RUN), needs, _nrt=False),
+            njit(_one_end, signature(*ENGINE_END), needs, _nrt=False),
+        )
+
+
+def plain_engine() -> Engine:
+    """Return the entries of the event loop as functions that are not compiled."""
+    return Engine(_one_run, _one_end)
+
+
+def is_loaded() -> bool:
+    """Return whether this process has the compiled loop at hand."""
+    return compiled_engine.cache_info().currsize > 0
+
+
+def loops_of(scene: Scene) -> tuple[Callable[..., Any], ...]:
+    """Return the functions that are compiled for a scene: their names tell how much there is to compile."""
+    return (run, finish, *(loop for loop, _entry in _called(scene)))
+
+
+# What the loop calls by its address at features of a kind: the kernel that takes longest to compile, and the entry.
+_CALLED: dict[int, tuple[Callable[..., Any], Callable[..., Any]]] = {
+    RIM: (rim_hit, rim_entry),
+    CURVE: (arc_hit, arc_entry),
+}
+
+
+def _called(scene: Scene) -> list[tuple[Callable[..., Any], Callable[..., Any]]]:
+    kinds = {feature.kind for wall in scene.walls for feature in wall.features()}
+    return [called for kind, called in _CALLED.items() if kind in kinds]
+
+
+def compiled_before(scene: Scene | None = None) -> bool:
+    """Return whether the compiled loop is at hand (what is compiled last is), with what it calls at the features of a scene."""
+    called = [] if scene is None else _called(scene)
+    return is_cached(_one_end) and all(is_cached(entry) for _loop, entry in called)
+
+
+# Entries, and nothing else: what is called from Python is compiled with other flags, and so would be all that it calls, which
+# its kernels call too.
+# (One world, in an array: a single record takes 1.5 us to hand over, an array 0.1.)
+def _one_run(
+    worlds: Any, features: Any, balls: Any, log: Any, slow: float, until: float, most: int, users: Any, keep: int
+) -> Any:
+    return run(worlds[0], features, balls, log, slow, until, most, users, keep)
+
+
+def _one_end(worlds: Any, balls: Any, t: float) -> None:
+    finish(worlds[0], balls, t)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Run the event loop as plain Python: for short runs while the compiled loop would have to be compiled, or loaded, first.
+#
+# A kernel gives the same bits as Python and compiled, so a run may begin here and go on in the compiled loop
+# (:mod:`carom.simulation.loop`). Python is some 500 times as slow: a shot of a few balls takes tens of milliseconds;
+# compiling
+# takes ten seconds or more, loading half a second.
+
+
+# What Python may take in a process, s, until the loop is compiled, or loaded where it lies compiled in the cache.
+BEFORE_COMPILING, BEFORE_LOADING = 2.0, 0.3
+# In a larger scene one event takes Python too long.
+MOST_BALLS, MOST_FEATURES = 24, 200
+# A floor that returns more than this of the speed makes a ball bounce so often that Python takes seconds for one event.
+MOST_RESTITUTION = 0.99
+
+_spent = 0.0
+
+
+def worth_interpreting(scene: Scene) -> bool:
+    """Return whether the next events of a scene should be run as Python: few balls, and no compiled loop at hand."""
+    if is_loaded() or len(scene.balls) > MOST_BALLS:
+        return False
+    if scene.floor is not None:
+        form, numbers, *_ = scene.floor.contact
+        # (nor where the floor is tilted: one touch of a curved path takes thousands of integrals)
+        if form != CONSTANT or MOST_RESTITUTION < numbers[0] < 1 or any(scene.floor.slope):
+            return False
+    return _spent < (BEFORE_LOADING if compiled_before(scene) else BEFORE_COMPILING)
+
+
+def run_interpreted(
+    worlds: Any, features: Any, balls: Any, log: Any, slow: float, until: float, most: int, users: Any, keep: int
+) -> Any:
+    """Run :func:`carom.simulation.loop.run` as Python, with the arguments and the answer of the compiled one.
+
+    None where Python refuses what compiled code has a number for, such as a division by zero; ``balls`` are as they were.
+    """
+    global _spent  # noqa: PLW0603
+    begin = time.perf_counter()
+    world, ours, rows = as_objects(worlds)[0], as_objects(balls), as_objects(log)
+    try:
+        with np.errstate(all="ignore"):  # (laws with tables bring numbers of NumPy's in)
+            answer = run(world, as_objects(features), ours, rows, slow, until, most, users, keep)
+    except (ArithmeticError, ValueError):
+        return None
+    finally:
+        _spent += time.perf_counter() - begin
+    write_back(ours, balls)
+    write_back(rows, log, answer[2])
+    return answer
+
+
+# ----------------------------------------------------------------------------------------------------
+# The event loop of one scene, as Python or compiled with the same bits, which goes on where it stopped.
+
+
+# Rows of the log that the loop fills before it is called again: enough for a shot, then more each time.
+FIRST_ROWS, MOST_ROWS = 128, 65_536
+
+
+class SceneLoop:
+    """A scene's balls, which the loop moves from event to event."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self._interpreted = worth_interpreting(scene)
+        self.arrays = set_up(scene, compiled=not self._interpreted)
+        """The scene as the loop reads it."""
+        if self._interpreted and len(self.arrays.features) > MOST_FEATURES:
+            self._interpreted, self.arrays = False, set_up(scene)
+        self.balls = self.arrays.balls_to_move()
+        """(B,) of BALLS, each at its last event."""
+        self.slow = -1.0
+        """Speed below which a ball in contact is not approaching; less than 0 before the first event."""
+        self.last = 0.0
+        """Time of the last event, s."""
+        self._loop: Callable[..., Any] = run_interpreted if self._interpreted else compiled_engine().run
+
+    def follow(
+        self, until: float, most: int, progress: Callable[[int, float], None] | None = None
+    ) -> tuple[int, int, NDArray[np.void]]:
+        """Run events until a time, or so many at most; return how that ended (DONE, QUIET, LIMIT), their number, the log's rows.
+
+        ``progress`` is called with the events so far and the time, s. CaromError for an event for which a law has no answer.
+        """
+        log, parts = _rows(FIRST_ROWS + len(self.balls)), []
+        events, status = 0, FULL
+        pace = Pace(len(log))
+        while status == FULL:
+            pace.begin()
+            world, features, users = self.arrays.world, self.arrays.features, self.arrays.users
+            answer = self._loop(world, features, self.balls, log, self.slow, until, most - events, users, ALL)
+            if answer is not None:
+                status, more, written, at_fault, self.slow, self.last = answer
+                parts.append(log[:written])
+                events += more
+            if status == FULL:
+                if self._interpreted and (answer is None or not worth_interpreting(self.scene)):
+                    self._interpreted, self._loop = False, compiled_engine().run
+                    self.arrays = set_up(self.scene)
+                rows = 4 * len(log)
+                if answer is not None:
+                    pace.done(written)
+                    rows = max(pace.amount, FIRST_ROWS + len(self.balls))
+                log = _rows(len(log) if self._interpreted else min(rows, MOST_ROWS + len(self.balls)))
+                if progress is not None and answer is not None:
+                    progress(events, self.last)
+        if status not in (DONE, QUIET, LIMIT):
+            raise _refusal(status, self.scene, self.balls[at_fault], at_fault)
+        return status, events, _joined(parts)
+
+
+def _refusal(code: int, scene: Scene, ball: Any, i: int) -> CaromError:
+    return CaromError(
+        f"simulate: {scene.ball_names[i]}: expected an event that its law has an answer for, got one at"
+        f" t = {float(ball['clock']):.6g} s, x = ({', '.join(f'{x:.4g}' for x in ball['x'])}): {ALL_REFUSALS[code]}"
+    )
+
+
+def _rows(count: int) -> NDArray[np.void]:
+    """An empty log (records from bytes: NumPy takes three times as long for an array of records by itself)."""
+    return np.frombuffer(np.empty(count * LOG.itemsize, np.uint8), LOG)
+
+
+def _joined(parts: list[NDArray[np.void]]) -> NDArray[np.void]:
+    """Parts of a log as one (records as bytes: NumPy copies the fields of records one by one, which takes a while)."""
+    if len(parts) == 1:
+        return parts[0]
+    return np.concatenate([part.view(np.uint8) for part in parts]).view(LOG)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Run a scene once: the log of its events, and when and why it ends (:func:`carom.simulate` makes a Trajectory of it).
+
+
+# Where a scene names no end: a ball between elastic walls would never stop.
+MOST_EVENTS = 100_000
+
+
+def run_limits(scene: Scene) -> tuple[float, int]:
+    """Return until when, and for how many events at most, a scene is run."""
+    run = scene.run
+    most = run.max_events if run.max_events is not None else MOST_EVENTS if run.duration is None else 2**62
+    return math.inf if run.duration is None else run.duration, most
+
+
+class RunLog(NamedTuple):
+    """One run of a scene, as the event loop leaves it."""
+
+    scene: Scene
+    log: NDArray[np.void]
+    """Rows of the balls' starts and of the events (carom.simulation.records.LOG)."""
+    end: float
+    """s: time up to which the balls were followed."""
+    ended: str
+    """Why it ended: "nothing more happens", "duration", "max_events"."""
+    arrays: SceneArrays
+    """The scene as the loop read it."""
+
+
+def run_scene(scene: Scene, progress: Callable[[int, float], None] | None = None) -> RunLog:
+    """Run a scene event by event, as Python or compiled, with the same bits.
+
+    ``progress`` is called with the events so far and the simulated time, s. Raises CaromError for an event for which a law has no
+    answer.
+    """
+    until, most = run_limits(scene)
+    loop = SceneLoop(scene)
+    status, _events, log = loop.follow(until, most, progress)
+    if status == LIMIT:
+        end, ended = loop.last, "max_events"
+    elif status == DONE and until < math.inf:
+        end, ended = until, "duration"
+    else:
+        end, ended = loop.last, "nothing more happens"
+    return RunLog(scene, log, end, ended, loop.arrays)

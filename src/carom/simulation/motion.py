@@ -2,27 +2,37 @@
 
 from __future__ import annotations
 
+import contextlib
+import functools
 import math
+from collections.abc import Callable
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from carom.core.contact import slip_velocity
-from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, vector
-from carom.core.motion.bounces import bounces
-from carom.core.motion.decay import decay_integrals
+from carom.core.jit.compile import is_cached, njit
+from carom.core.jit.kernel import Vec, as_objects, dot, hot_kernel, kernel, vector, write_back
+from carom.core.jit.threads import sliced
 from carom.core.motion.phases import (
     BOUNCING,
     FLIGHT,
+    HELD,
     REST,
     ROLLING,
     SLIDING,
+    UP,
     accelerations,
     acts,
     advance,
     advance_decaying,
+    bounces,
+    decay_integrals,
     decays,
     grounded,
 )
-from carom.core.motion.rolling import UP
+from carom.core.motion.rotation import orientation_after, orientation_after_bounces, orientation_after_decay
 from carom.core.motion.tilt import (
     Lean,
     advance_on_slope,
@@ -32,25 +42,6 @@ from carom.core.motion.tilt import (
     phase_on_slope,
     slope_acceleration,
 )
-
-__all__ = [
-    "acceleration_in",
-    "accelerations_of",
-    "begin_phase",
-    "error_ahead",
-    "has_no_parabola",
-    "is_on_floor",
-    "is_turned_downhill",
-    "lean",
-    "motion_in",
-    "move_by",
-    "on_floor_with",
-    "phase_on_floor",
-    "slows_down",
-    "state_after",
-    "state_at",
-    "write_vector",
-]
 
 STILL = 1e-12  # of the radius: a ball that moved by less is where it was
 
@@ -230,3 +221,91 @@ def error_ahead(ball: Any, s: float, ahead: float) -> float:
         return 0 * ahead
     _x, v, w = state_at(ball, s)
     return course_error(ball.phase, v, w, ball.radius, lean(ball), ahead)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Compute states between events from the closed forms of carom.core.motion, for many times at once.
+
+
+Array = NDArray[np.float64]
+# Below so many rows Python is quicker than loading the compiled loop; and than compiling it.
+FEW, FEW_BEFORE_COMPILING = 200, 20_000
+
+
+def state_rows(worlds: Any, balls: Any, after: Any) -> None:
+    """Advance every ball, each by its own time."""
+    for i in range(balls.shape[0]):
+        begin_phase(worlds[0], balls[i])
+        move_by(worlds[0], balls[i], after[i], after[i])
+
+
+def _turn_rows(worlds: Any, balls: Any, after: Any, q: Any) -> None:
+    """Rotate every orientation (N, 4) by the rotation of its ball in its time."""
+    world = worlds[0]
+    for i in range(balls.shape[0]):
+        ball = balls[i]
+        v, w = vector(ball.v), vector(ball.w)
+        old = (q[i, 0], q[i, 1], q[i, 2], q[i, 3])
+        if ball.phase == BOUNCING:
+            new = orientation_after_bounces(
+                old, v, w, ball.radius, ball.kappa, world.g, world.floor_form, vector(world.floor_p),
+                world.floor_mu, world.floor_beta, after[i],
+            )  # fmt: skip
+        else:
+            begin_phase(world, ball)
+            turn = vector(ball.turn)
+            if ball.decays == 0:
+                new = orientation_after(old, w, turn, after[i])
+            else:
+                slope = (ball.phase, v, ball.radius, ball.kappa, lean(ball))
+                new = orientation_after_decay(old, w, turn, ball.fade, ball.spin_fade, ball.spin_gain, slope, after[i])
+        q[i, 0], q[i, 1], q[i, 2], q[i, 3] = new
+
+
+@functools.cache
+def _compiled(loop: Callable[..., None]) -> Callable[..., None]:
+    return njit(loop)
+
+
+def _run(loop: Callable[..., None], world: Any, balls: Any, after: Array, *q: Array) -> None:
+    count = balls.shape[0]
+    if count < FEW or (count < FEW_BEFORE_COMPILING and not is_cached(loop)):
+        objects, turned_q = as_objects(balls), [np.array(one) for one in q]
+        # (what Python refuses, such as a division by zero, compiled code has a number for)
+        with contextlib.suppress(ArithmeticError, ValueError), np.errstate(all="ignore"):
+            loop(as_objects(world), objects, after.tolist(), *turned_q)
+            write_back(objects, balls)
+            for one, new in zip(q, turned_q, strict=True):
+                one[:] = new
+            return
+    sliced(_compiled(loop), count)(world, balls, after, *q)
+
+
+def _rows(balls: Any, which: Any, log: Any) -> Any:
+    """Return the balls in the states of a log's rows."""
+    rows = balls[which].copy()
+    for field in ("x", "v", "w", "phase"):
+        rows[field] = log[field]
+    rows["clock"] = 0
+    return rows
+
+
+def states(world: Any, balls: Any, log: Any, after: Array) -> tuple[Array, Array, Array, Any]:
+    """Return position, velocity, spin (N, 3) and phase (N,), each a time ``after`` (N,) its row of the log.
+
+    NaN where the ball is no longer followed.
+    """
+    rows = _rows(balls, log["ball"], log)
+    gone = (rows["phase"] >= HELD) & (after > 0)
+    _run(state_rows, world, rows, np.where(gone, 0.0, after))
+    for field in ("x", "v", "w"):
+        rows[field][gone] = np.nan
+    return rows["x"], rows["v"], rows["w"], rows["phase"]
+
+
+def orientations(world: Any, balls: Any, log: Any, after: Array, q: Array) -> Array:
+    """Return unit quaternions (N, 4) a time ``after`` (N,) each row of the log, at which the orientation was q (N, 4)."""
+    rows = _rows(balls, log["ball"], log)
+    q = np.array(q)
+    _run(_turn_rows, world, rows, np.where(rows["phase"] >= HELD, 0.0, after), q)
+    return q

@@ -13,16 +13,19 @@ from carom.core.geometry.features import (
     FALLS,
     OVER,
     SEAM,
+    contact_gap,
+    contact_gap_rate,
+    feature_gap,
+    feature_gap_rate,
     feature_hit,
     gap_derivatives,
     gap_to_feature,
     is_out_of_reach,
+    least_gap,
     never_closes,
 )
-from carom.core.geometry.gaps import contact_gap, contact_gap_rate, feature_gap, feature_gap_rate, least_gap
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, vector
-from carom.core.motion.decay import decay_integrals, time_of_path
-from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST
+from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, decay_integrals, time_of_path
 from carom.core.motion.tilt import course_error
 from carom.core.roots.first_root import hit2, hit4
 from carom.simulation.motion import (
@@ -36,8 +39,6 @@ from carom.simulation.motion import (
     state_at,
 )
 from carom.simulation.records import BALL, FLOOR, LEFT_EVENT, NOTHING, PHASE, POCKETED_EVENT, SETTLED, WALL
-
-__all__ = ["pair_hit", "predict"]
 
 # Two balls so near, as a share of their distance, touch; the shortest and the longest step of the search for that, s, and how many.
 TOUCH, SHORTEST, LONGEST, MOST_STEPS = 4e-16, 1e-7, 1e6, 10_000

@@ -6,19 +6,16 @@ code reads and writes these records in place. They are all that the event loop, 
 
 from __future__ import annotations
 
-from typing import Any
+import math
+from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from carom.core.contact import NO_REGIME
+from carom.bodies import Numbers, State
 from carom.core.motion.phases import PHASES
-
-__all__ = [
-    "BALL", "BALLS", "CLUSTERS", "EVENT_KINDS", "FLOOR", "HELD_EVENT", "IN_CLUSTER", "KINDS", "LEFT_EVENT", "LOG", "MEETINGS",
-    "NOTHING", "NO_REGIME", "PHASE", "POCKETED_EVENT", "SEEN", "SETTLED", "START", "WALL",
-    "WALLS", "WALL_IN_CLUSTER", "WORLD", "are_in_clusters", "event_numbers", "first_kinds", "kind_names",
-]  # fmt: skip
+from carom.formatting import format_number
+from carom.scene.scene import Scene
 
 # What can come next for a ball, and what a log says of it. A meeting of balls has two rows of the kind BALL; where contacts overlap
 # in time (carom.simulation.cluster) a row of the kind IN_CLUSTER for every other ball that was touched follows, then a row of the
@@ -41,7 +38,7 @@ EVENT_KINDS = tuple(
 
 _NUMBER, _WHOLE, _VECTOR = "f8", "i8", ("f8", (3,))
 
-# A surface: a form of restitution and its three numbers (carom.core.motion.restitution), friction, tangential restitution.
+# A surface: a form of restitution and its three numbers (carom.core.motion.phases), friction, tangential restitution.
 _SURFACE = [("form", _WHOLE), ("p", *_VECTOR), ("mu", _NUMBER), ("beta", _NUMBER)]
 
 WORLD = np.dtype(
@@ -112,7 +109,7 @@ BALLS = np.dtype(
         *((f"d{name}", *_VECTOR) for name in "xvw"),  # their changes; then velocity and spin before
         ("push", *_VECTOR),  # force, and its torque per radius
         ("twist", *_VECTOR),
-        # the walls near it (carom.simulation.cluster_walls): how many, their features' numbers, bits for those that it has touched
+        # the walls near it (carom.simulation.cluster_steps): how many, their features' numbers, bits for those that it has touched
         ("walls", _WHOLE),
         ("wall", _WHOLE),
         ("hits", _WHOLE),
@@ -181,3 +178,84 @@ def event_numbers(log: NDArray[np.void]) -> NDArray[np.int64]:
     kind = log["kind"]
     second = (kind == BALL) & (np.cumsum(kind == BALL) % 2 == 0)
     return np.asarray(np.cumsum(~second & ~np.isin(kind, CLUSTERS)) - 1)
+
+
+# ----------------------------------------------------------------------------------------------------
+# The content of a run that its readers are handed: for tables, files, figures and words.
+
+
+class EventSource(Protocol):
+    """Source of a table of events: :class:`carom.Trajectory` and :class:`carom.ManyRuns` are such sources."""
+
+    @property
+    def scene(self) -> Scene:
+        """Return the scene."""
+        ...
+
+    def kinetic_energy(self, ball: Any, velocity: NDArray[np.float64], spin: NDArray[np.float64]) -> Numbers:
+        """Return kinetic energies (N,), J, of balls given by number (N,) at velocities and spins (N, 3)."""
+        ...
+
+
+class RunRecord(EventSource, Protocol):
+    """Content of a run for tables and files; :class:`carom.Trajectory` offers it."""
+
+    log: NDArray[np.void]
+    end: float
+    ended: str
+
+    @property
+    def final(self) -> State:
+        """Return the final states (B, 3)."""
+        ...
+
+    def at(self, t: ArrayLike) -> State:
+        """Return states (..., B, 3) at times (...)."""
+        ...
+
+    def phase(self, t: ArrayLike) -> NDArray[np.str_]:
+        """Return the names of phases (..., B)."""
+        ...
+
+    def orientation(self, t: ArrayLike) -> NDArray[np.float64]:
+        """Return unit quaternions (..., B, 4)."""
+        ...
+
+    def energy(self, t: ArrayLike, *, each: bool = False) -> Numbers:
+        """Return energies (...), or (..., B) of each ball, J."""
+        ...
+
+
+# ----------------------------------------------------------------------------------------------------
+# Words that the sentences of a run share: times, speeds, directions, enumerations.
+
+
+def at(row: Any) -> str:
+    """Return when a row of the log was written."""
+    return f"At {when(row['t'])}"
+
+
+def when(t: Any) -> str:
+    """Format a time; a late one with all digits before the point."""
+    return f"{format_number(float(t))} s" if t < 1000 else f"{float(t):,.1f} s"
+
+
+def speed(v: Any) -> float:
+    """Return the length of a vector."""
+    return math.sqrt(float((v * v).sum()))
+
+
+def direction(v: Any) -> str:
+    """Return the direction of a velocity: its angle from the x axis, seen from above, and how steep it is."""
+    flat = math.hypot(float(v[0]), float(v[1]))
+    if flat == 0:
+        return ", straight up" if v[2] > 0 else ", straight down"
+    degrees = round(math.degrees(math.atan2(float(v[1]), float(v[0])))) % 360  # (0 to 359, as in aim and of cues)
+    words = f", {degrees}° from the x axis" if degrees else ", along the x axis"
+    steep = math.degrees(math.atan2(float(v[2]), flat))
+    return words + (f", {abs(steep):.0f}° {'upwards' if steep > 0 else 'downwards'}" if abs(steep) >= 0.5 else "")
+
+
+def listed(parts: list[str]) -> str:
+    """Return an enumeration with its last two parts joined by "and"."""
+    return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} and {parts[-1]}"

@@ -1,7 +1,7 @@
 """Contacts that persist: infinitely many bounces on the floor, and balls that a force keeps in contact with a wall or a ball.
 
 On the floor the bounces of a ball get ever lower (Zeno). Once they are too low to see and nothing else can come near, the rest
-of the geometric series is summed (:mod:`carom.core.motion.bounces`).
+of the geometric series is summed (:mod:`carom.core.motion.phases`).
 
 In contact with a wall or another ball, a ball that rests there with its weight is held: an event that ends its run. Otherwise the
 force ends sooner or later (the friction of topspin does, the normal force of a curved wall does). There is no closed form for the
@@ -18,15 +18,9 @@ from typing import Any
 
 from carom.core.geometry.features import FALLS, OVER, gap_derivatives, gap_to_feature, pocket_distance
 from carom.core.jit.kernel import Vec, cross, dot, kernel, vector
-from carom.core.motion.bounces import bounces, series_lasts
-from carom.core.motion.phases import BOUNCING, FLIGHT, HELD
+from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, bounces, series_lasts
 from carom.core.motion.tilt import is_tilted
 from carom.simulation.motion import accelerations_of, on_floor_with, write_vector
-
-__all__ = [
-    "continue_ball_contact", "continue_wall_contact", "is_driven_into_wall", "is_pressed_on_ball", "keep_on_floor",
-    "stays_clear", "sum_bounces",
-]  # fmt: skip
 
 # Bounces lower than this share of the radius are no longer events of their own where they can be summed ...
 MAX_SUMMED_HEIGHT = 1e-6

@@ -4,29 +4,38 @@ from __future__ import annotations
 
 import functools
 import html
-from collections.abc import Sequence
+import itertools
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Numbers, State
 from carom.core.motion.phases import PHASES
-from carom.errors import CaromError, float_array
+from carom.errors import CaromError, Fault, did_you_mean, float_array
 from carom.files import as_path
+from carom.formatting import html_table
+from carom.laws.landing import REGIME_NAMES as NAMES
 from carom.public.other_rooms import figure_maker
 from carom.scene.paths import ball_index
 from carom.scene.scene import Scene
-from carom.simulation.break_statistics import BreakStatistics, break_statistics
-from carom.simulation.events import Events
-from carom.simulation.frames import FRAME_RATE, save_frames
-from carom.simulation.narrate import describe_run
-from carom.simulation.records import START
-from carom.simulation.save import save
+from carom.simulation.contact_kinds import partner_names
+from carom.simulation.files import (
+    FRAME_RATE,
+    events_table,
+    kinetic_energy,
+    save,
+    save_frames,
+    states_dataset,
+    states_table,
+)
+from carom.simulation.motion import orientations, states
+from carom.simulation.narrate import BreakStatistics, break_statistics, describe_run
+from carom.simulation.records import BALL, EVENT_KINDS, FLOOR, START, WALL, RunRecord, first_kinds, kind_names
 from carom.simulation.setup import SceneArrays, set_up
-from carom.simulation.states import orientations, states
-from carom.simulation.tables import kinetic_energy, states_dataset, states_table
 
 if TYPE_CHECKING:
     import pandas
@@ -35,9 +44,186 @@ if TYPE_CHECKING:
 
     from carom.simulation.sensitivity.sensitivity import Sensitivity
 
-__all__ = ["Trajectory"]
-
 Array = NDArray[np.float64]
+HTML_ROWS = 20  # of events in a notebook
+
+
+@dataclass(frozen=True, eq=False)
+class Event:
+    """One event of one ball. An impact of two balls is two events, one for each; of several at once, as in a rack, one for each.
+
+    Examples
+    --------
+    >>> import carom
+    >>> run = carom.simulate("carom", duration=1)
+    >>> hit = run.events.of("wall")[0]
+    >>> hit.name, hit.regime, round(hit.t, 3), round(hit.energy_lost, 3)
+    ('cushions', 'stick', 0.692, 0.264)
+    """
+
+    t: float
+    """s."""
+    kind: str
+    """ "wall", "floor", "ball"; "rolling", "pivoting", "rest": the phase that begins; "settled": the end of infinitely many
+    bounces; "left": it cleared a wall; "held": a force presses it on a wall or a ball, and it is followed no further;
+    "pocketed": it fell into a pocket, and is followed no further."""
+    ball: int
+    other: int
+    """Number of the wall, of the other ball (the first of several), or of the pocket (in ``scene.pocket_names``); -1 for none."""
+    name: str
+    """Name of the wall, of the other ball, or of the pocket; empty for none."""
+    phase: str
+    """The phase that begins: flight, sliding, rolling, pivoting, rest, bouncing, held, left, pocketed."""
+    before: State
+    after: State
+    """Velocity, spin, position."""
+    impulse: Array
+    """(3,), N s, on the ball."""
+    floor_impulse: Array
+    """(3,), N s: of the floor, while a wall pressed the ball on it."""
+    required_friction: float
+    """The least coefficient of friction with which the contact would have stuck."""
+    regime: str
+    """Regime of the contact: "stick", "slide", ...; empty if there was none."""
+    energy_lost: float
+    """J, of this ball (negative for a ball that is struck)."""
+
+    @property
+    def position(self) -> Array:
+        """Of the centre at the event (3,), m."""
+        assert self.after.position is not None
+        return self.after.position
+
+    @property
+    def velocity(self) -> Array:
+        """After the event (3,), m/s."""
+        return self.after.velocity
+
+    @property
+    def spin(self) -> Array:
+        """After the event (3,), rad/s."""
+        return self.after.spin
+
+
+class Events(Sequence[Event]):
+    """The events of a run, in order of time.
+
+    Examples
+    --------
+    >>> import carom
+    >>> run = carom.simulate("carom", duration=1)
+    >>> run.events
+    <40 events: 2 ball, 31 floor, 2 rolling, 2 settled, 3 wall>
+    >>> run.events.of("wall", ball="white").t.round(3)
+    array([0.798, 0.991])
+    """
+
+    def __init__(self, run: RunRecord, rows: NDArray[np.void]) -> None:
+        self._run = run
+        self.rows = rows
+
+    def __len__(self) -> int:
+        """Return the number of events."""
+        return len(self.rows)
+
+    @overload
+    def __getitem__(self, index: int) -> Event: ...
+    @overload
+    def __getitem__(self, index: slice) -> Events: ...
+    def __getitem__(self, index: int | slice) -> Event | Events:
+        """Return one event, or a slice of them."""
+        if isinstance(index, slice):
+            return Events(self._run, self.rows[index])
+        return _event(self._run, self.rows[index])
+
+    def __iter__(self) -> Iterator[Event]:
+        """Iterate over the events."""
+        return (self[i] for i in range(len(self)))
+
+    def of(self, *kinds: str, ball: int | str | None = None) -> Events:
+        """Return the events of some kinds (:attr:`Event.kind`; default: all), and of one ball, by number or name (default: of all).
+
+        Raises CaromError for a kind that no event has, with the nearest one, and for an unknown ball.
+        """
+        if strange := [kind for kind in kinds if kind not in EVENT_KINDS]:
+            raise CaromError(
+                *(
+                    Fault(
+                        "Events.of",
+                        "",
+                        f"a kind of {', '.join(EVENT_KINDS)}",
+                        repr(one),
+                        did_you_mean(one, EVENT_KINDS),
+                    )
+                    for one in strange
+                )
+            )
+        names = kind_names(self.rows)
+        keep = np.isin(names, kinds) if kinds else np.ones(len(self), dtype=bool)
+        if ball is not None:
+            keep &= self.rows["ball"] == ball_index(self._run.scene, ball)
+        return Events(self._run, self.rows[keep])
+
+    @property
+    def t(self) -> Array:
+        """Return their times (N,), s."""
+        return np.array(self.rows["t"])
+
+    @property
+    def kinds(self) -> list[str]:
+        """Return their kinds."""
+        return list(kind_names(self.rows))
+
+    def table(self) -> pandas.DataFrame:
+        """Return a pandas DataFrame, one row per event. CaromError without pandas."""
+        return events_table(self._run, self.rows)
+
+    def __repr__(self) -> str:
+        """Return how many there are of each kind."""
+        names, counts = np.unique(kind_names(self.rows), return_counts=True)
+        listed = ", ".join(f"{count} {name}" for name, count in zip(names, counts, strict=True))
+        return f"<{len(self)} events: {listed}>" if listed else "<no events>"
+
+    def _repr_html_(self) -> str:
+        """Return a table for notebooks: the first events."""
+        names = self._run.scene.ball_names
+        rows = []
+        for one in itertools.islice(self, HTML_ROWS):
+            place = np.concatenate([np.asarray(one.after.position), one.after.velocity])
+            rows.append((f"{one.t:.6g}", names[one.ball], one.kind, one.name, *(f"{x:.4g}" for x in place)))
+        rest = f"<p>and {len(self) - HTML_ROWS:,} more</p>" if len(self) > HTML_ROWS else ""
+        return html_table(("t, s", "ball", "event", "with", "x, m", "y", "z", "v_x, m/s", "v_y", "v_z"), rows) + rest
+
+
+def _event(run: RunRecord, row: Any) -> Event:
+    i, met, other = int(row["ball"]), int(row["met"]), int(row["other"])
+    x = np.array(row["x"])
+    before = State.of(np.array(row["v_before"]), np.array(row["w_before"]), x)
+    after = State.of(np.array(row["v"]), np.array(row["w"]), x)
+    names = partner_names(run.scene, met)
+    return Event(
+        t=float(row["t"]),
+        kind=str(kind_names(row)),
+        ball=i,
+        other=other,
+        name=names[other] if names else "",
+        phase=PHASES[row["phase"]],
+        before=before,
+        after=after,
+        impulse=np.array(row["impulse"]),
+        floor_impulse=np.array(row["floor_impulse"]),
+        required_friction=float(row["required"]),
+        regime="" if row["regime"] < 0 else str(NAMES[row["regime"]]),
+        energy_lost=float(
+            run.kinetic_energy(i, before.velocity, before.spin) - run.kinetic_energy(i, after.velocity, after.spin)
+        ),
+    )
+
+
+# ----------------------------------------------------------------------------------------------------
+# The result of a run: its events, and the exact state of every ball at any time.
+
+
 TABLE_TIMES = 201  # of a run's table, where no times are given
 
 
@@ -331,3 +517,42 @@ def _product(p: Array, q: Array) -> Array:
     from carom.core.motion.rotation import compose
 
     return np.array(compose(tuple(p.tolist()), tuple(q.tolist())))
+
+
+# ----------------------------------------------------------------------------------------------------
+# The energy budget of a run: what was lost at walls, at the floor, between balls, and in between.
+
+
+class Budget(NamedTuple):
+    """Energies of a run, J: at the start, lost where, at the end."""
+
+    start: float
+    walls: float
+    floor: float
+    """In landings."""
+    balls: float
+    """Where balls meet, and at walls that they touch meanwhile."""
+    way: float
+    """Between events: by sliding and rolling on the floor, and in bounces that are summed (phase bouncing)."""
+    end: float
+
+
+def budget(run: Trajectory) -> Budget:
+    """Return the energy at the start, what was lost where, and what is left (kinetic and potential, as ``run.energy``).
+
+    A ball that left, or is held, counts with the energy that it had last.
+    """
+    log = run.log
+    before, after = (run.kinetic_energy(log["ball"], log[f"v{when}"], log[f"w{when}"]) for when in ("_before", ""))
+    lost = np.asarray(before - after)
+    start, end, kinds = run.start, run.final, first_kinds(log)
+    walls, floor, balls = (float(lost[kinds == kind].sum()) for kind in (WALL, FLOOR, BALL))
+    e0, e1 = _energy(run, start), _energy(run, end)
+    return Budget(e0, walls, floor, balls, e0 - e1 - walls - floor - balls, e1)
+
+
+def _energy(run: Trajectory, state: Any) -> float:
+    balls = run.scene.balls
+    base = np.array([[0.0, 0.0, ball.radius if run.scene.floor is not None else 0.0] for ball in balls])
+    lift = -((state.position - base) * np.array(run.scene.pull)).sum(axis=1) * np.array([ball.mass for ball in balls])
+    return float(np.sum(run.kinetic_energy(slice(None), state.velocity, state.spin) + lift))

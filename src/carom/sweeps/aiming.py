@@ -4,32 +4,348 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from numbers import Integral
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, FaultList, require_type
+from carom.core.geometry.angles import direction
+from carom.core.motion.phases import BOUNCING, FLIGHT, ROLLING, SLIDING
+from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, float_or_nan, require_type, shortened_list
 from carom.files import import_optional
 from carom.formatting import format_number, html_table
 from carom.public.progress import Progress, loop_callback
+from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
-from carom.simulation.contacts.kinds import partner_names
-from carom.simulation.sensitivity.compiled import finished_meanwhile
-from carom.simulation.simulate import simulate
-from carom.sweeps.aim_problem import AimProblem, CoarseSweep, Signature, signature
-from carom.sweeps.targets import EVENTS, TargetEvent, find, targets_of
-from carom.sweeps.unknowns import Unknown, unknowns_of, values_at
+from carom.simulation.contact_kinds import partner_names
+from carom.simulation.records import START
+from carom.simulation.sensitivity.follow import finished_meanwhile
+from carom.simulation.setup import set_up
+from carom.simulation.simulate import simulate, simulate_many
+from carom.sweeps.shots import start_states
+from carom.sweeps.targets import EVENTS, Outcomes, TargetEvent, find, is_reached, residuals, sizes, slopes, targets_of
 
 if TYPE_CHECKING:
     from carom.simulation.trajectory import Trajectory
 
-__all__ = ["Aim", "Aims", "aim", "is_linear"]
-
 Array = NDArray[np.float64]
+# Range in which a start is looked for, and a player's error (one standard deviation; of speeds, a share of them).
+SPEED, ANGLE = (0.5, 6.0), (0.0, 360.0)
+RANGES = {"speed": SPEED, "angle": ANGLE, "azimuth": ANGLE, "elevation": (0.0, 30.0), "side": (-0.5, 0.5), "top": (-0.5, 0.5),
+          "spin_z": (-100.0, 100.0)}  # fmt: skip
+ERRORS = {"speed": 0.03, "angle": 0.2, "azimuth": 0.2, "elevation": 0.5, "side": 0.02, "top": 0.02, "spin_z": 2.0}
+UNITS = {
+    "speed": "m/s",
+    "angle": "°",
+    "azimuth": "°",
+    "elevation": "°",
+    "side": "radii",
+    "top": "radii",
+    "spin_z": "rad/s",
+}
+# What each kind of path has for unknowns.
+PARTS = {
+    "velocity": ("speed", "angle"),
+    "strike": ("speed", "azimuth"),
+    "offset": ("side", "top"),
+    **{name: (name,) for name in ("azimuth", "elevation", "spin_z")},
+}
+# Within what a range may lie.
+LIMITS = {"speed": (0.0, MAX_MAGNITUDE), "elevation": (0.0, 90.0), "side": (-1.0, 1.0), "top": (-1.0, 1.0)}
+WHERE = "aim: free"
+EXPECTED = (
+    "one ball's velocity, spin_z, strike, or strike.offset, .azimuth, .elevation, .speed, such as 'balls.0.velocity'"
+)
+
+
+class Unknown(NamedTuple):
+    """One number of the start."""
+
+    name: str
+    path: str
+    """Path of the number in the scene, or of the vector that contains it."""
+    low: float
+    high: float
+    error: float
+    """The player's: one standard deviation; of a speed, as a share of it."""
+
+    @property
+    def circular(self) -> bool:
+        """Whether it is an angle that goes round."""
+        return self.name in ("angle", "azimuth") and self.high - self.low >= 360
+
+    @property
+    def unit(self) -> str:
+        """Its unit."""
+        return UNITS[self.name]
+
+    def sigma(self, x: Any) -> Any:
+        """Return the player's error at a value."""
+        return self.error * x if self.name == "speed" else self.error + 0 * x
+
+
+def unknowns_of(
+    scene: Scene, free: Sequence[str] | Mapping[str, tuple[float, float]], errors: Mapping[str, float]
+) -> list[Unknown]:
+    """Return the unknowns that paths stand for. CaromError for paths that are no part of a ball's start, all at once."""
+    ranges = dict(free) if isinstance(free, Mapping) else {}
+    found: list[Unknown] = []
+    faults = FaultList("aim")
+    _check_errors(faults, errors)
+    if isinstance(free, bytes) or not isinstance(free, Iterable):
+        faults.add("free", EXPECTED, f"{free!r:.60}")
+        free = ()
+    freed: dict[tuple[Any, str], str] = {}  # which path frees a number of a ball
+    for path in [free] if isinstance(free, str) else free:
+        if (match := faults.attempt(path_match, scene, path, WHERE)) is None:
+            continue
+        (keys, *others) = match.places
+        last = keys[-1]
+        whole = len(keys) == (4 if keys[2:3] == ("strike",) and last != "strike" else 3)
+        speed = keys[2:] == ("strike", "speed")
+        parts = ("speed",) if speed else PARTS.get(str(last), ()) if keys[0] == "balls" and whole and not others else ()
+        if last == "strike" and getattr(scene.balls[int(keys[1])], "strike", None) is None:
+            parts = ()
+        if not parts:
+            faults.add("free", EXPECTED, f"{path!r:.60}")
+        if not scene.floor and "velocity" in keys:
+            faults.add(f"free: {path}", "a scene with a floor", "one without", "free the ball's strike there")
+        for part in parts:
+            if (keys[1], part) in freed:
+                faults.add("free", "each number once", f"{part} by {freed[keys[1], part]} and {path}")
+                break
+            freed[keys[1], part] = path
+            given = ranges.get(path, RANGES[part]) if part not in ("angle", "azimuth") or len(parts) == 1 else ANGLE
+            own = path if last != "strike" else f"{path}.{part}"
+            least, most = LIMITS.get(part, (-math.inf, math.inf))
+            low, high = _range(given)
+            if not (low < high and least <= low and high <= most and (part != "speed" or low > 0)):
+                span = "" if part not in LIMITS else " > 0" if part == "speed" else f" from {least:g} to {most:g}"
+                faults.add(f"free: {path}", f"a range (low, high) of {part}{span}", f"{given!r:.60}")
+                continue
+            found.append(Unknown(part, own, low, high, errors.get(part, ERRORS[part]) if not faults else 0.0))
+    if not found and not faults:
+        faults.add("free", "paths such as ['balls.0.velocity']", "none")
+    faults.raise_if_any()
+    return found
+
+
+def _check_errors(faults: FaultList, errors: Any) -> None:
+    """Add the faults of the player's errors."""
+    known = shortened_list(list(ERRORS))
+    if not isinstance(errors, Mapping):
+        faults.add("errors", f"a mapping of {known} to numbers", f"{errors!r:.60}")
+        return
+    for name, value in errors.items():
+        if name not in ERRORS:
+            faults.add("errors", f"names of {known}", f"{name!r:.60}")
+        elif isinstance(value, bool) or not 0 <= float_or_nan(value) <= MAX_MAGNITUDE:
+            faults.add(f"errors: {name}", "a number >= 0", f"{value!r:.60}")
+
+
+def _range(given: Any) -> tuple[float, float]:
+    """Return low and high of a range; NaN where it is not one."""
+    pair = tuple(given) if isinstance(given, Iterable) and not isinstance(given, str) else ()
+    low, high = (
+        (math.nan if isinstance(x, bool) else float_or_nan(x) for x in pair) if len(pair) == 2 else (math.nan,) * 2
+    )
+    return (low, high) if max(abs(low), abs(high)) <= MAX_MAGNITUDE else (math.nan, math.nan)
+
+
+def _polar(unknowns: Sequence[Unknown]) -> list[tuple[int, int]]:
+    """Return where speed and angle of velocities stand."""
+    return [
+        (k, k + 1)
+        for k, one in enumerate(unknowns)
+        if one.name == "speed" and k + 1 < len(unknowns) and unknowns[k + 1].name == "angle"
+    ]
+
+
+def columns_at(unknowns: Sequence[Unknown], x: Array) -> dict[str, Array]:
+    """Return the columns (N,) or (N, k) of the paths, for unknowns (N, U)."""
+    found: dict[str, Array] = {}
+    for s, a in _polar(unknowns):
+        turned = np.array([direction(float(angle)) for angle in x[:, a]])
+        found[unknowns[s].path] = np.stack([x[:, s] * turned[:, 0], x[:, s] * turned[:, 1], 0 * x[:, s]], axis=1)
+    for k, one in enumerate(unknowns):
+        if one.path in found:
+            continue
+        if one.name == "side":
+            found[one.path] = x[:, k : k + 2]
+        else:
+            found[one.path] = x[:, k]
+    return found
+
+
+def values_at(unknowns: Sequence[Unknown], x: Array) -> dict[str, Any]:
+    """Return the scene's numbers by path, for one point (U,)."""
+    return {
+        path: tuple(column[0].tolist()) if column.ndim > 1 else float(column[0])
+        for path, column in columns_at(unknowns, x[None, :]).items()
+    }
+
+
+def slopes_at(unknowns: Sequence[Unknown], x: Array, columns: Sequence[str]) -> Array:
+    """Return the derivatives (p, U) of the parameters of a sensitivity, by their names, with respect to the unknowns."""
+    place = {name: i for i, name in enumerate(columns)}
+    found = np.zeros((len(columns), len(unknowns)))
+    for s, a in _polar(unknowns):
+        c, d = direction(float(x[a]))
+        path = unknowns[s].path
+        found[place[f"{path}.x"], [s, a]] = c, -x[s] * d * math.pi / 180
+        found[place[f"{path}.y"], [s, a]] = d, x[s] * c * math.pi / 180
+    for k, one in enumerate(unknowns):
+        name = {"side": f"{one.path}.x", "top": f"{one.path}.y"}.get(one.name, one.path)
+        if name in place:
+            found[place[name], k] = 1.0
+    return found
+
+
+# ----------------------------------------------------------------------------------------------------
+# A scene, the numbers of its start that may be chosen, and targets: by what starts miss them, many at once and one by one.
+
+
+Signature = tuple[tuple[int, ...], ...]
+MOVING = (FLIGHT, SLIDING, ROLLING, BOUNCING)
+KINDS = ("wall", "ball", "pocketed")
+FOLLOWED = 20  # of walls, balls and pockets, that a run is followed for in the coarse sweep
+MOST_FOLLOWED = 8**3 * FOLLOWED  # where it is judged whether shots succeed
+ROWS_AT_ONCE = 1 << 18  # of logs, some 300 bytes each
+
+
+class CoarseSweep(NamedTuple):
+    """Results of N starts."""
+
+    x: Array
+    """(N, U)."""
+    miss: Array
+    """(N,): by what they miss the target that they miss by most, as a share of what is allowed; inf without its event."""
+    reached: NDArray[np.bool_]
+    """(N,): whether they reach all targets."""
+    rows: NDArray[np.int64]
+    """(N, T): of the targets' events."""
+    codes: NDArray[np.int32]
+    """(N, FOLLOWED, 3): what happens; zeros after the last event."""
+    moves: NDArray[np.bool_]
+    """(N,): whether a ball that is to end at a place still moves when the run ends."""
+
+
+class AimProblem:
+    """A scene, its unknowns, and its targets."""
+
+    def __init__(self, scene: Scene, unknowns: list[Unknown], targets: list[TargetEvent]) -> None:
+        self.scene, self.unknowns, self.targets = scene, unknowns, targets
+        self.low = np.array([one.low for one in unknowns])
+        self.high = np.array([one.high for one in unknowns])
+        self.paths = list(values_at(unknowns, self.low))
+
+    def sigma(self, x: Array) -> Array:
+        """Return the player's errors (U,) at a start."""
+        return np.array([one.sigma(value) for one, value in zip(self.unknowns, x, strict=True)])
+
+    def scale(self, x: Array) -> Array:
+        """Return (U,) what is a small step at a start: the player's errors, and where there is none the usual one."""
+        usual = np.array(
+            [one._replace(error=ERRORS[one.name]).sigma(v) for one, v in zip(self.unknowns, x, strict=True)]
+        )
+        return np.where(self.sigma(x) > 0, self.sigma(x), usual)
+
+    def wrapped(self, x: Array) -> Array:
+        """Return starts with angles that go round within their range."""
+        circular = np.array([one.circular for one in self.unknowns])
+        return np.where(circular, self.low + np.mod(x - self.low, 360.0), x)
+
+    # --- many runs ---------------------------------------------------------------------------------------------------
+
+    def outcomes(self, x: Array, events: int) -> tuple[Outcomes, NDArray[np.bool_]]:
+        """Return the runs of starts (N, U), with the first ``events`` of walls, balls and pockets, and which of them can be run."""
+        arrays = set_up(self.scene).for_runs(len(x))
+        columns = {path_match(self.scene, path): column for path, column in columns_at(self.unknowns, x).items()}
+        doubtful = start_states(self.scene, columns, arrays)
+        many = simulate_many(self.scene, arrays.balls["v"], arrays.balls["w"], events=events, kinds=KINDS)
+        return Outcomes(many.events, np.asarray(many.final.position), many.code), ~doubtful & (many.why == "")
+
+    def run_many(
+        self, x: Array, events: int = FOLLOWED
+    ) -> tuple[Array, NDArray[np.bool_], NDArray[np.int64], Outcomes]:
+        """Return by what (N, T) starts (N, U) miss the targets, which (N,) reach all, their events' rows (N, T), and outcomes."""
+        done, runs = self.outcomes(x, events)
+        rows = np.stack([find(target, done.log) for target in self.targets], axis=1)
+        missed = [residuals(target, done, row) for target, row in zip(self.targets, rows.T, strict=True)]
+        size = np.stack([sizes(target, one) for target, one in zip(self.targets, missed, strict=True)], axis=1)
+        reached = np.all([is_reached(target, one) for target, one in zip(self.targets, missed, strict=True)], axis=0)
+        return np.where(runs[:, None], size, np.inf), reached & runs, rows, done
+
+    def sweep(self, x: Array) -> CoarseSweep:
+        """Return the results of starts (N, U)."""
+        parts = []
+        places = [target.ball for target in self.targets if target.kind == "point"]
+        for part in np.array_split(x, math.ceil(len(x) * FOLLOWED / ROWS_AT_ONCE)):
+            size, reached, rows, done = self.run_many(part)
+            moves = np.asarray(np.isin(done.phase[:, places], MOVING).any(axis=1))
+            parts.append(CoarseSweep(part, size.max(axis=1), reached, rows, codes_of(done.log), moves))
+        return CoarseSweep(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
+
+    def judge(self, x: Array) -> tuple[Array, NDArray[np.bool_]]:
+        """Return by what (N, T) starts (N, U) miss the targets, and which (N,) reach all of them, however late."""
+        size, reached = np.full((len(x), len(self.targets)), np.inf), np.zeros(len(x), bool)
+        by_event = [target.kind != "point" for target in self.targets]
+        events, open_ = FOLLOWED, np.arange(len(x))
+        while len(open_) and events <= MOST_FOLLOWED:
+            later = []
+            for part in np.array_split(open_, math.ceil(len(open_) * events / ROWS_AT_ONCE)):
+                size[part], reached[part], rows, done = self.run_many(x[part], events)
+                goes_on = done.log["kind"][:, -1] != START
+                later.append(part[goes_on & (rows[:, by_event] < 0).any(axis=1)])
+            open_, events = np.concatenate(later), 8 * events
+        return size, reached
+
+    # --- one run -----------------------------------------------------------------------------------------------------
+
+    def follow(self, x: Array) -> tuple[Any, Signature, list[int]]:
+        """Run a start; return the run, the sequence of its events up to the last target, and the rows of the targets."""
+        run = simulate(replaced(self.scene, values_at(self.unknowns, x)))
+        log = Outcomes.of_run(run).log
+        found = [int(find(target, log)[0]) for target in self.targets]
+        return run, signature(codes_of(log)[0], self.targets, found), found
+
+    def miss(self, run: Any, found: list[int], derivatives: Any, x: Array) -> tuple[Array, Array]:
+        """Return a run's misses of the targets, as shares of what is allowed (R,), and its derivatives (R, U)."""
+        parts = [slopes(target, run, row, derivatives) for target, row in zip(self.targets, found, strict=True)]
+        return np.concatenate(self.missed(run, found)), np.concatenate(parts) @ slopes_at(
+            self.unknowns, x, derivatives.columns
+        )
+
+    def missed(self, run: Any, found: list[int]) -> list[Array]:
+        """Return a run's miss of each target, (R,) as shares of what is allowed."""
+        done = Outcomes.of_run(run)
+        return [residuals(target, done, np.array([row]))[0] for target, row in zip(self.targets, found, strict=True)]
+
+    def reaches(self, run: Any, found: list[int]) -> bool:
+        """Return whether a run reaches all targets."""
+        pairs = zip(self.targets, self.missed(run, found), strict=True)
+        return all(is_reached(target, missed[None, :])[0] for target, missed in pairs)
+
+
+def codes_of(log: NDArray[np.void]) -> NDArray[np.int32]:
+    """Return the events in logs (N, M): kind, ball, and which wall, ball or pocket it meets, (N, M, 3)."""
+    return np.stack([log["kind"], log["ball"], log["other"]], axis=-1).astype(np.int32)
+
+
+def signature(codes: NDArray[np.int32], targets: Sequence[TargetEvent], found: Sequence[int]) -> Signature:
+    """Return the events (M, 3) that the targets depend on: all of them for a place, the ones up to the target's event else."""
+    to_the_end = any(target.kind == "point" for target in targets)
+    count = int((codes[:, 0] != START).sum()) if to_the_end else max(found, default=-1) + 1
+    return tuple((kind, ball, other) for kind, ball, other in codes[:count].tolist())
+
+
+# ----------------------------------------------------------------------------------------------------
+# Starts that reach a target: a coarse sweep for sequences of events that do, least squares with exact gradients within each.
+
+
 SEQUENCES, STARTS_EACH = 10, 2  # that are refined: sequences of events, and starts of each
 MOST_STARTS = 1 << 20
 DRAWS = 200  # of the player's errors, for the share of shots that succeed

@@ -15,11 +15,6 @@ from carom.files import import_optional
 from carom.formatting import json_value
 from carom.public.own_laws import OwnLaw
 
-__all__ = [
-    "Axis", "Design", "Draw", "Polar", "Values", "along", "as_axis", "axis_from_data", "axis_to_data", "from_plain",
-    "latin_hypercube", "normal", "polar", "sobol", "uniform",
-]  # fmt: skip
-
 MAX_VALUES = 100_000_000  # of one dimension, which lie in memory
 
 

@@ -11,8 +11,6 @@ from typing import Any
 from carom.errors import CaromError
 from carom.files import import_optional
 
-__all__ = ["run_on_cluster"]
-
 CONNECT_SECONDS = 10
 IN_FLIGHT = (
     4  # tasks of each thread of the cluster that the scheduler knows of: its graph stays small for any number of blocks

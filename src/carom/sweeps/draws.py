@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 from carom.core.geometry.angles import direction
 from carom.core.random import normals, uniform
 
-__all__ = ["normal_draws", "polar_rows", "uniform_draws"]
-
 Array = NDArray[np.float64]
 # Marsaglia's polar method takes 1.27 tries on average; with 64 counts for each point the chance that they do not suffice is 1e-43.
 TRIES = 64

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from carom.errors import CaromError, Fault, FaultList
+from carom.errors import CaromError, Fault, FaultList, did_you_mean, shown
 from carom.scene.paths import PathMatch, overlapping_paths, path_match, replaced
 from carom.scene.schema import Model
 from carom.sweeps.axes import Axis, Design, Draw, Polar, Values
 from carom.sweeps.draws import polar_rows
-
-__all__ = ["check_paths", "ends_of", "plain_value", "unit_of"]
 
 UNITS = {
     "velocity": "m/s", "speed": "m/s", "spin": "rad/s", "spin_x": "rad/s", "spin_y": "rad/s", "spin_z": "rad/s", "position": "m",
@@ -103,3 +103,52 @@ def _some_of(axis: Axis) -> list[Any]:
 def plain_value(value: Any) -> Any:
     """Return one value as Python's own."""
     return value.tolist() if isinstance(value, np.generic | np.ndarray) else value  # (a text in a column is Python's)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Outcomes of a point of a sweep: names, shapes, types, units; and why a point has no outcome.
+
+
+AXES = ("x", "y", "z")
+FAILED = "failed"
+# Codes of the variable ``failed``.
+FAILURES = ("no", "law_needs_a_rolling_ball", "law_undefined_for_pressed_ball", "ball_locked", "refused")
+NOT_DONE = -1  # of a point that was not computed yet
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One variable of a sweep's result.
+
+    ``dims`` are its dimensions in addition to the space's, with the labels of their places.
+    """
+
+    name: str
+    dtype: str = "f8"
+    dims: dict[str, tuple[Any, ...]] = field(default_factory=dict)
+    units: str = "1"
+    meanings: tuple[str, ...] = ()
+    """Meanings of its whole numbers, from 0 on; -1 stands for a point without an outcome."""
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Sizes of its own dimensions."""
+        return tuple(len(labels) for labels in self.dims.values())
+
+    @property
+    def fill(self) -> float:
+        """Value of a point that has no outcome."""
+        return float("nan") if self.dtype.startswith("f") else -1
+
+
+def blank(outcome: Outcome, count: int) -> NDArray[Any]:
+    """Return an array of ``count`` points without an outcome."""
+    return np.full((count, *outcome.shape), outcome.fill, dtype=outcome.dtype)
+
+
+def require_outcomes(names: tuple[str, ...], known: list[str]) -> None:
+    """Raise CaromError, with the nearest name, for names that are not known."""
+    for name in names:
+        if name not in known:
+            hint = did_you_mean(str(name), known)
+            raise CaromError(Fault("sweep", "keep", f"names among {', '.join(known)}", shown(name, 60), hint))

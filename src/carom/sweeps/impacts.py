@@ -13,18 +13,16 @@ from pydantic import BeforeValidator
 from carom.bodies import Ball, State, Surface, kinetic_energy
 from carom.core.geometry.angles import direction
 from carom.errors import CaromError
+from carom.laws.landing import angle_from
 from carom.laws.law import LIKE_SOLIDS, Law, Meeting
-from carom.laws.results import GRAVITY, angle_from
-from carom.laws.user import find_law
+from carom.laws.registry import find_law
+from carom.public.defaults import GRAVITY
 from carom.scene.ball import Inertia
 from carom.scene.schema import Friction, Mass, Model, NotNegative, Number, Share, Size, Spin, Spring
 from carom.scene.toml import stored_model
 from carom.scene.wall import LawChoice
 from carom.sweeps.axes import Axis
-from carom.sweeps.fields import check_paths, plain_value, unit_of
-from carom.sweeps.outcomes import AXES, FAILURES, Outcome, blank, require_outcomes
-
-__all__ = ["ImpactCase", "Impacts"]
+from carom.sweeps.fields import AXES, FAILURES, Outcome, blank, check_paths, plain_value, require_outcomes, unit_of
 
 Array = NDArray[Any]
 Columns = dict[str, Array]

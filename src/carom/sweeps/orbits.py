@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import functools
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import BeforeValidator, PlainValidator
 from pydantic_core.core_schema import ValidationInfo
 
@@ -17,15 +20,89 @@ from carom.billiards.table_records import ENDS
 from carom.billiards.tables import Table, table
 from carom.bodies import Ball, Disc, Surface
 from carom.core.random import threefry
-from carom.errors import shown, suggestion
+from carom.errors import CaromError, shown, suggestion
+from carom.gas.report import report
+from carom.gas.scene import GasScene
+from carom.gas.session import Session
 from carom.laws.registry import laws
 from carom.scene.figures import AnyFigure
+from carom.scene.paths import replaced
 from carom.scene.schema import Count, Friction, Model, Number, Share, Spring, refused
+from carom.scene.toml import stored_model
 from carom.scene.wall import permitted_law
-from carom.sweeps.outcomes import Outcome, require_outcomes
-from carom.sweeps.points import PointByPoint
+from carom.sweeps.axes import Axis
+from carom.sweeps.fields import FAILURES, Outcome, blank, check_paths, plain_value, require_outcomes, unit_of
 
-__all__ = ["OrbitCase", "Orbits"]
+Array = NDArray[Any]
+REFUSED = FAILURES.index("refused")
+
+
+class PointByPoint(ABC):
+    """A sweep's subject that computes one point at a time; a kind of it says what a point is."""
+
+    kind = ""
+
+    def __init__(self, model: Any) -> None:
+        self.model: Model = model
+
+    def describe(self) -> str:
+        """Return a few words."""
+        return f"a{'n' if self.kind[0] in 'aeiou' else ''} {self.kind}"
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the model as plain data."""
+        return {self.kind: stored_model("sweep", self.model)}
+
+    def units(self, path: str) -> str:
+        """Return the unit of a parameter."""
+        return unit_of(path)
+
+    def check(self, parameters: Mapping[str, Axis]) -> None:
+        """Raise CaromError for paths that lead nowhere or overlap, and for values that the model refuses."""
+        check_paths(self.model, parameters)
+
+    @abstractmethod
+    def outcomes(self, names: tuple[str, ...]) -> list[Outcome]:
+        """Return the outcomes of some names. CaromError with the nearest name."""
+
+    @abstractmethod
+    def compute(self, model: Any, seed: int, index: int) -> Mapping[str, Any]:
+        """Return the outcomes of the point with this index."""
+
+    def evaluate(
+        self, columns: dict[str, Array], outcomes: list[Outcome], first: int, seed: int, tick: Any = None
+    ) -> tuple[dict[str, Array], Array]:
+        """Return the outcomes of N points by name, and (N,) the codes of those without one."""
+        count = len(next(iter(columns.values())))
+        found = {outcome.name: blank(outcome, count) for outcome in outcomes}
+        failed = np.zeros(count, np.int8)
+        for k in range(count):
+            try:
+                values = self.compute(self._at(columns, k), seed, first + k)
+            except CaromError:
+                failed[k] = REFUSED
+                continue
+            for outcome in outcomes:
+                found[outcome.name][k] = values[outcome.name]
+            if tick is not None:
+                tick()
+        return found, failed
+
+    def _at(self, columns: dict[str, Array], k: int) -> Any:
+        return replaced(self.model, {path: plain_value(column[k]) for path, column in columns.items()})
+
+    def why(self, columns: dict[str, Array]) -> str:
+        """Return why the one point of ``columns`` has no outcome; empty if it has one."""
+        try:
+            self.compute(self._at(columns, 0), 0, 0)
+        except CaromError as error:
+            return str(error)
+        return ""
+
+
+# ----------------------------------------------------------------------------------------------------
+# Sweeps over single-particle billiards: exponents and phase portraits over families of tables.
+
 
 _SIZE = Number("a length in m, > 0", "m", least=0, above=True)
 Extent = Annotated[float, BeforeValidator(_SIZE)]
@@ -136,3 +213,45 @@ class Orbits(PointByPoint):
             found["ended"] = np.bincount(np.ravel(run.ending)).argmax()
             found["time"] = np.mean(run.last[..., 0])
         return found
+
+
+# ----------------------------------------------------------------------------------------------------
+# Sweeps over gases: one run a point, with random numbers of its own.
+
+
+TOTALS = (
+    "pair_collisions", "wall_collisions", "simulated_time", "mean_free_time", "pressure", "energy_from_thermostat",
+    "energy_drift", "temperature_translational", "temperature_rotational", "temperature_ratio", "max_overlap", "events", "time",
+    "packing_fraction", "energy_start", "energy_end", "energy_imbalance", "diffusion",
+)  # fmt: skip
+OF_SPECIES = (
+    "temperature_translational",
+    "temperature_rotational",
+    "temperature_ratio",
+    "a2_translational",
+    "a2_rotational",
+)
+
+
+class Gases(PointByPoint):
+    """A sweep's subject: the gas of a scene, what ``carom gas`` reports of it."""
+
+    kind = "gas"
+    model: GasScene
+
+    def outcomes(self, names: tuple[str, ...]) -> list[Outcome]:
+        """Return the outcomes of some names. CaromError with the nearest name."""
+        known = [*TOTALS, *(f"species.{one.name}.{part}" for one in self.model.species for part in OF_SPECIES)]
+        require_outcomes(names, known)
+        return [Outcome(name) for name in names]
+
+    def compute(self, model: GasScene, seed: int, index: int) -> dict[str, Any]:
+        """Return the report of a run whose seed follows from the sweep's, the scene's, and the point's index."""
+        number = threefry(seed, model.run.seed & WORD, index & WORD, index >> 32)[0]
+        session = Session(replaced(model, {"run.seed": number}))
+        session.run()
+        found = report(session)
+        own = {
+            f"species.{name}.{part}": value for name, parts in found["species"].items() for part, value in parts.items()
+        }
+        return {**{name: found[name] for name in TOTALS if name in found}, **own}

@@ -14,27 +14,126 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.jit.slices import Pace
+from carom.core.jit.threads import Pace
 from carom.core.motion.phases import PHASES
-from carom.errors import CaromError, Fault, did_you_mean, shown
+from carom.errors import MAX_MAGNITUDE, MIN_MAGNITUDE, CaromError, Fault, did_you_mean, shown
+from carom.laws.strike import Cue, strike
+from carom.scene.ball import SceneBall
 from carom.scene.paths import PathMatch, path_match, replaced
 from carom.scene.scene import Scene
 from carom.scene.toml import stored_model
-from carom.simulation.contacts.wall import REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
-from carom.simulation.event_rows import PHASES_FROM
-from carom.simulation.loop import LIMIT
+from carom.simulation.contact_kinds import REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
+from carom.simulation.loop import LIMIT, PHASES_FROM, run_limits, run_scene
 from carom.simulation.records import BALL, KINDS, LOG, POCKETED_EVENT
-from carom.simulation.run_log import run_limits, run_scene
-from carom.simulation.run_many import PARTS, compiled_many, empty_counts, empty_logs
-from carom.simulation.setup import SceneArrays, set_up
+from carom.simulation.setup import SceneArrays, overlapping, set_up
+from carom.simulation.simulate import PARTS, compiled_many, empty_counts, empty_logs
 from carom.sweeps.axes import Axis
-from carom.sweeps.fields import check_paths, plain_value, unit_of
-from carom.sweeps.outcomes import AXES, FAILURES, Outcome, blank
-from carom.sweeps.starts import START_FIELDS, start_states
-
-__all__ = ["SceneRuns"]
+from carom.sweeps.fields import AXES, FAILURES, Outcome, blank, check_paths, plain_value, unit_of
 
 Array = NDArray[Any]
+# Fields of a ball that its initial state is made from.
+START_FIELDS = ("position", "velocity", "spin", "spin_z", "strike")
+
+
+def start_states(scene: Scene, columns: dict[PathMatch, Array], arrays: SceneArrays) -> NDArray[np.bool_]:
+    """Write the initial states of N points into ``arrays.balls`` (N, B); return (N,) which of them a scene may refuse."""
+    balls = arrays.balls
+    count = len(balls)
+    doubtful = np.zeros(count, bool)
+    by_ball: dict[int, dict[tuple[str | int, ...], Array]] = {}
+    for match, column in columns.items():
+        doubtful |= _out_of_range(column)
+        for _balls, i, *rest in match.places:
+            by_ball.setdefault(int(i), {})[tuple(rest)] = column
+    moved = False
+    for i, given in by_ball.items():
+        ball = scene.balls[i]
+        moved |= any(keys[0] == "position" for keys in given)
+        _place(ball, given, balls[:, i], doubtful)
+        with np.errstate(over="ignore", invalid="ignore"):  # (of numbers out of range, which are doubtful already)
+            _set_motion(ball, given, balls[:, i], doubtful)
+    if moved:
+        doubtful |= overlapping(SceneArrays(arrays.world[:1], arrays.features[0], balls[0], arrays.users), balls)
+        places, which = np.unique(balls["x"].reshape(-1, 3), axis=0, return_inverse=True)
+        blocked = np.array([any(wall.blocked(tuple(x)) for wall in scene.walls) for x in places.tolist()])
+        doubtful |= blocked[which.reshape(balls.shape)].any(axis=1)
+    return doubtful
+
+
+def _out_of_range(column: Array) -> NDArray[np.bool_]:
+    size = np.abs(column)
+    good = (size == 0) | ((size >= MIN_MAGNITUDE) & (size <= MAX_MAGNITUDE))
+    bad: NDArray[np.bool_] = ~good.reshape(len(column), -1).all(axis=1)
+    return bad
+
+
+def _vector(
+    given: dict[tuple[str | int, ...], Array], name: tuple[str, ...], base: tuple[float, ...], count: int
+) -> Array:
+    """Return a vector (N, 3) of the points: as the ball has it, or its columns, whole or by component."""
+    found = np.tile(np.array(base, dtype=float), (count, 1))
+    for keys, column in given.items():
+        if keys == name:
+            found[:, : column.shape[1]] = column
+        elif keys[:-1] == name and isinstance(keys[-1], int):
+            found[:, keys[-1]] = column
+    return found
+
+
+def _place(ball: SceneBall, given: dict[tuple[str | int, ...], Array], rows: Array, doubtful: Array) -> None:
+    if not any(keys[0] == "position" for keys in given):
+        return
+    x, y, *z = ball.position
+    # (a scene has given z to a ball with two numbers; two numbers of a column leave it there)
+    rows["x"] = _vector(given, ("position",), (x, y, *z), len(rows))
+    doubtful |= rows["x"][:, 2] != ball.center[2]  # (off the floor, where not every ball can be)
+
+
+def _set_motion(ball: SceneBall, given: dict[tuple[str | int, ...], Array], rows: Array, doubtful: Array) -> None:
+    count = len(rows)
+    names = {str(keys[0]) for keys in given}
+    if "strike" in names:
+        assert ball.strike is not None
+        shot = ball.strike
+
+        def number(name: str, base: float) -> Array:
+            return given.get(("strike", name), np.full(count, base))
+
+        offset = _vector(given, ("strike", "offset"), shot.offset, count)
+        speed, azimuth = number("speed", shot.speed), number("azimuth", shot.azimuth)
+        elevation = number("elevation", shot.elevation)
+        bad = ~(speed > 0) | ~((elevation >= 0) & (elevation <= 90)) | ~(np.hypot(offset[:, 0], offset[:, 1]) < 1)
+        doubtful |= bad
+        good = ~bad
+        if good.any():
+            state = strike(
+                ball.ball, Cue(**dict(shot.cue)), speed[good], azimuth[good], elevation[good], offset[good]
+            ).state
+            v, w = rows["v"], rows["w"]
+            v[good], w[good] = state.velocity, state.spin
+        return
+    if not names & {"velocity", "spin", "spin_z"}:
+        return
+    v = _vector(given, ("velocity",), ball.velocity, count)
+    if ball.rolling:  # (27)
+        spin_z = given.get(("spin_z",), np.full(count, ball.spin_z or 0.0))
+        w = np.stack([-v[:, 1] / ball.radius, v[:, 0] / ball.radius, spin_z], axis=1)
+        doubtful |= v[:, 2] != 0
+    else:
+        w = _vector(given, ("spin",), ball.spin or (0.0, 0.0, 0.0), count)
+        doubtful |= "spin_z" in names
+    rows["v"], rows["w"] = v, w
+
+
+# ----------------------------------------------------------------------------------------------------
+# Sweeps over a scene: the runs of many scenes that differ in some numbers, each bit for bit what ``carom.simulate`` gives.
+#
+# A number of a scene ends in the records that the event loop reads. Where, is found by making the scene with a few of its values:
+# if
+# the records hold the number itself (friction, restitution, gravity), they are filled for all points at once; if anything else
+# changes with it (a wall's place, a law), the scene is made anew for every value.
+
+
 Columns = dict[str, Array]
 REFUSED = FAILURES.index("refused")
 FAILURE_OF = {REFUSED_ROLLING: 1, REFUSED_UNDEFINED: 2, REFUSED_STALL: 3}

@@ -17,8 +17,6 @@ from carom.sweeps.axes import Axis, Design, Draw, Polar, Values, as_axis, axis_t
 from carom.sweeps.draws import normal_draws, polar_rows, uniform_draws
 from carom.sweeps.subjects import SweepSubject, subject_of
 
-__all__ = ["Coordinate", "Space"]
-
 Columns = dict[str, NDArray[Any]]
 REPEAT = "repeat"
 VECTOR_DIMS = {2: "component", 3: "axis"}  # of the components of vectors

@@ -11,9 +11,7 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.scene.scene import Scene
 from carom.sweeps.axes import Axis
-from carom.sweeps.outcomes import Outcome
-
-__all__ = ["SweepSubject", "subject_from_data", "subject_of"]
+from carom.sweeps.fields import Outcome
 
 Columns = dict[str, NDArray[Any]]
 
@@ -50,9 +48,8 @@ class SweepSubject(Protocol):
 def subject_of(given: Any) -> SweepSubject:
     """Return the subject for what a user sweeps."""
     from carom.gas.scene import GasScene
-    from carom.sweeps.gases import Gases
     from carom.sweeps.impacts import ImpactCase, Impacts
-    from carom.sweeps.orbits import OrbitCase, Orbits
+    from carom.sweeps.orbits import Gases, OrbitCase, Orbits
     from carom.sweeps.shots import SceneRuns
 
     kinds: tuple[tuple[type, type[Any]], ...] = (

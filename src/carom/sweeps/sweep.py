@@ -20,16 +20,45 @@ from carom.files import require_memory
 from carom.formatting import format_bytes, format_time
 from carom.public.own_laws import with_own_laws
 from carom.sweeps.cluster import run_on_cluster
-from carom.sweeps.dataset import dataset_of, first_failures, open_dataset
-from carom.sweeps.outcomes import FAILED, FAILURES, NOT_DONE, Outcome
-from carom.sweeps.plan import SweepPlan
+from carom.sweeps.fields import FAILED, FAILURES, NOT_DONE, Outcome
 from carom.sweeps.space import Space
-from carom.sweeps.store import BLOCKS, Blocks, Store, blocks_of, checksum, identity, require_few
+from carom.sweeps.store import (
+    BLOCKS,
+    Blocks,
+    Store,
+    blocks_of,
+    checksum,
+    dataset_of,
+    first_failures,
+    identity,
+    open_dataset,
+    require_few,
+)
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["Sweep", "stored_sweep", "sweep", "sweep_over"]
+
+class SweepPlan:
+    """Plan of a sweep: :meth:`Sweep.explain`."""
+
+    def __init__(self, text: str, **numbers: Any) -> None:
+        self.text = text
+        self.points: int = numbers["points"]
+        self.blocks: int = numbers["blocks"]
+        self.blocks_done: int = numbers["blocks_done"]
+        self.bytes: int = numbers["bytes"]
+        self.seconds: float = numbers["seconds"]
+        """Time for the blocks that are not done, on this machine's cores."""
+
+    def __repr__(self) -> str:
+        """Return the table as text."""
+        return self.text
+
+
+# ----------------------------------------------------------------------------------------------------
+# Sweeps: a space, the outcomes of every point, and a store; computed block by block, and resumed after an interruption.
+
 
 Array = NDArray[Any]
 Progress = Callable[[int, int], None]

@@ -27,10 +27,6 @@ from carom.scene.scene import Scene
 from carom.scene.schema import Model, Number, Place, Size, refused
 from carom.simulation.records import BALL, IN_CLUSTER, MEETINGS, POCKETED_EVENT, WALLS
 
-__all__ = [
-    "EVENTS", "Outcomes", "Target", "TargetEvent", "find", "is_reached", "residuals", "sizes", "slopes", "targets_of",
-]  # fmt: skip
-
 Array = NDArray[np.float64]
 WHERE = "aim: reach"
 EXAMPLE = "a target such as {'ball': 0, 'hit': 1}"

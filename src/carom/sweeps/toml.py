@@ -12,14 +12,12 @@ from carom.files import as_path
 from carom.gas.build import load_gas
 from carom.gas.scene import GasScene
 from carom.public.own_laws import with_own_laws
+from carom.scene.presets import read_toml
 from carom.scene.toml import load_scene
-from carom.scene.toml_files import read_toml
 from carom.sweeps.axes import Axis, axis_from_data
 from carom.sweeps.space import Space
 from carom.sweeps.subjects import subject_from_data
 from carom.sweeps.sweep import BLOCK_POINTS, Sweep, sweep_over
-
-__all__ = ["load_sweep", "new_sweep"]
 
 SUBJECTS = ("scene", "gas", "impact", "orbit")
 FIELDS = ("keep", "repeats", "seed", "block", "parameters", *SUBJECTS)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -11,22 +11,9 @@ from numpy.typing import NDArray
 
 from carom.errors import FaultList
 from carom.tracks.contact_models import slide_would_show
-from carom.tracks.events import WallLine
-from carom.tracks.free_motion import VelocityJump
+from carom.tracks.events import VelocityJump, WallLine
 from carom.tracks.least_squares import ContactFit, Prior
 from carom.tracks.track import Track
-
-__all__ = [
-    "BALL_RADIUS",
-    "MAX_RADIUS_M",
-    "HopVerdict",
-    "Settings",
-    "TrackContact",
-    "TrackedSpin",
-    "View",
-    "motion_before_resolved",
-    "tracked_spin",
-]
 
 View = Literal["above", "side"]
 HopVerdict = Literal["none", "seen", "possible"]
@@ -232,3 +219,121 @@ def tracked_spin(track: Track, rows: NDArray[np.intp], contact: float) -> Tracke
             values.append(slope)
             errors.append(float(np.sqrt(gap @ gap / max(len(t) - 2, 1) / (t @ t))))
     return TrackedSpin(*values, *errors)
+
+
+# ----------------------------------------------------------------------------------------------------
+# The blind time: for how long before and after a contact the frames do not show free motion.
+#
+# A wall that gives way affects the frames of the contact itself, a tracker that smooths some frames after it. There the residuals
+# across the wall are large. Their start and end are a change point: bins next to the contact in which half of the residuals
+# exceed a
+# threshold, beyond them as many as far away. If there is one, it is the mean of those of greatest likelihood in contacts drawn
+# with replacement, because residuals of one contact are not independent, each draw weighted by the prior that long blind times
+# are
+# rare. Few contacts often have a second maximum far out, which so moves their mean little.
+
+
+Array = NDArray[np.float64]
+BINS = 40  # of half a frame
+FAR_FRAMES, MIN_FAR = 5.0, 50  # residuals beyond so many frames show the usual scatter; so many are needed
+USUAL_QUANTILE, EXCEEDS = 0.8, 1.8  # a residual is large if it exceeds this quantile of the usual ones so many times
+# (of a few contacts, large residuals may come from a floor unlike the literature's)
+MIN_CONTACTS = 10
+LARGE_SHARE = 0.5  # of the residuals within the blind time
+MIN_SHARE = 0.02  # of large residuals far away, at least
+DECISIVE = 6.0  # log likelihood ratio from which a blind time is taken to exist
+DRAWS = 200
+USUAL_BINS = 8.0  # four frames: mean of the exponential prior of the blind time
+
+
+class BlindTime(NamedTuple):
+    """Time before and after a contact, s, with standard deviations."""
+
+    before: float = 0.0
+    after: float = 0.0
+    before_error: float = 0.0
+    after_error: float = 0.0
+
+
+def estimate_blind_time(contacts: Sequence[TrackContact], interval: float) -> BlindTime:
+    """Estimate the blind time from the residuals of fits to all frames; ``interval``: between frames, s."""
+    parts = [(one.fit.time - one.fit["t"], np.abs(one.fit.residuals[:, 0])) for one in contacts if one.fit is not None]
+    if len(parts) < MIN_CONTACTS:
+        return BlindTime()
+    far = np.concatenate([size[np.abs(t) > FAR_FRAMES * interval] for t, size in parts])
+    if len(far) < MIN_FAR:
+        return BlindTime()
+    limit = EXCEEDS * float(np.quantile(far, USUAL_QUANTILE))
+    usual = min(max(float((far > limit).mean()), MIN_SHARE), LARGE_SHARE / 2)
+    gains = np.log(LARGE_SHARE / usual), np.log((1 - LARGE_SHARE) / (1 - usual))
+    weights = np.random.default_rng(0).multinomial(len(parts), np.full(len(parts), 1 / len(parts)), DRAWS)
+    found, errors = [], []
+    for sign in (-1, 1):
+        # (contacts, BINS) by how much the likelihood of each bin's residuals is greater within the blind time
+        gain = np.zeros((len(parts), BINS))
+        for row, (t, size) in zip(gain, parts, strict=True):
+            k = np.floor(2 * sign * t / interval).astype(int)
+            here = (sign * t >= 0) & (k < BINS)
+            np.add.at(row, k[here], np.where(size[here] > limit, *gains))
+        exists = _change_point(gain.sum(axis=0)) > 0
+        drawn = np.array([_change_point(row, -np.inf if exists else DECISIVE) for row in weights @ gain])
+        prior = np.exp(-drawn / USUAL_BINS)
+        middle = float(np.average(drawn, weights=prior)) if exists else 0.0
+        found.append(middle / 2 * interval)
+        errors.append(float(np.average((drawn - middle) ** 2, weights=prior)) ** 0.5 / 2 * interval)
+    return BlindTime(*found, *errors)
+
+
+def _change_point(gain: Array, decisive: float = DECISIVE) -> int:
+    """Return how many bins belong to the blind time; 0 unless the log likelihood gains more than ``decisive``."""
+    total = np.concatenate([[0.0], np.cumsum(gain)])
+    best = int(np.argmax(total))
+    return best if total[best] > decisive else 0
+
+
+# ----------------------------------------------------------------------------------------------------
+# Contacts that are none: where a ball turns in a smooth curve, as on a curved rail or at the end of a string.
+
+
+SMOOTH_TURN = (
+    "the ball turns over several frames there, as on a curved rail or at the end of a string; at a wall it turns between two"
+    " frames: not used"
+)
+
+
+def without_smooth_turns(contacts: Sequence[TrackContact], scatter: float) -> list[TrackContact]:
+    """Return the contacts without those at which the ball turns smoothly, which are none.
+
+    A turn that is neither certainly smooth nor certainly sharp is none either if the frames scatter about the fit by more than
+    ``scatter``, m; where the turns at a wall are smooth on the whole, only sharp ones that scatter less remain.
+    """
+    smooth = {name for name in {one.wall.name for one in contacts} if _smooth_on_the_whole(contacts, name)}
+    found = []
+    for one in contacts:
+        jump = one.jump
+        good = jump is None or jump.sharp, one.scatter < scatter
+        none = jump is not None and (jump.smooth or not (all(good) if one.wall.name in smooth else any(good)))
+        found.append(replace(one, fit=None, why=SMOOTH_TURN) if none and one.fit is not None else one)
+    return found
+
+
+def _smooth_on_the_whole(contacts: Sequence[TrackContact], wall: str) -> bool:
+    """Return whether most turns at a wall are smooth, or all of them together."""
+    jumps = [one.jump for one in contacts if one.wall.name == wall and one.jump is not None]
+    weights = np.array([one.error**-2 for one in jumps])
+    if not weights.sum() > 0:
+        return False
+    share = float(weights @ np.array([one.share if one.error < np.inf else 0.0 for one in jumps]) / weights.sum())
+    together = VelocityJump(share, float(weights.sum() ** -0.5))
+    return together.smooth or sum(one.smooth for one in jumps) > sum(one.sharp for one in jumps)
+
+
+def certainly_sharp(contacts: Sequence[TrackContact]) -> bool:
+    """Return whether the velocity certainly jumps in most of the measured contacts."""
+    jumps = [one.jump for one in contacts if one.fit is not None and one.jump is not None]
+    return 2 * sum(one.sharp for one in jumps) > len(jumps)
+
+
+def turns_smoothly(contacts: Sequence[TrackContact]) -> bool:
+    """Return whether some contacts were left out because the ball turns smoothly there."""
+    return any(one.why == SMOOTH_TURN for one in contacts)

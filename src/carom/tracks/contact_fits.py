@@ -9,33 +9,37 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.formatting import counted
-from carom.tracks.blind import BlindTime, estimate_blind_time
-from carom.tracks.contact import Settings, TrackContact, View, motion_before_resolved, tracked_spin
+from carom.tracks.camera import oblique_note, without_oblique
+from carom.tracks.contact import (
+    BlindTime,
+    Settings,
+    TrackContact,
+    View,
+    estimate_blind_time,
+    motion_before_resolved,
+    tracked_spin,
+    without_smooth_turns,
+)
 from carom.tracks.contact_models import fit_table, friction_excess
-from carom.tracks.correlation import (
+from carom.tracks.events import BEYOND_WALL_M, TrackEvent, WallLine, flight_ends, velocity_jump
+from carom.tracks.flights import STILL_AIR, Air, fit_flight
+from carom.tracks.floor import DECISIVE, WithError, hop_notes, pool_floor, pool_gravity, with_hops
+from carom.tracks.least_squares import (
+    AT_CONTACT,
     WHITE,
+    ContactFit,
     Correlation,
     FittedFrames,
     FrameGroups,
+    Prior,
     averaged_frames,
     averaging_error,
     estimate_correlation,
     weigh_correlations,
     whitening,
 )
-from carom.tracks.events import BEYOND_WALL_M, TrackEvent, WallLine
-from carom.tracks.flight_fits import fit_flight
-from carom.tracks.flights import STILL_AIR, Air
-from carom.tracks.floor import WithError, pool_floor, pool_gravity
-from carom.tracks.free_motion import flight_ends, velocity_jump
-from carom.tracks.hops import DECISIVE, hop_notes, with_hops
-from carom.tracks.least_squares import AT_CONTACT, ContactFit, Prior
 from carom.tracks.no_friction import on_either_floor
-from carom.tracks.oblique import oblique_note, without_oblique
-from carom.tracks.smooth_turns import without_smooth_turns
 from carom.tracks.track import Track
-
-__all__ = ["ContactFitter"]
 
 Array = NDArray[np.float64]
 MIN_FRAMES_BEFORE, MIN_FRAMES_AFTER = 4, 5

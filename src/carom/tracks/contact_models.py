@@ -1,57 +1,341 @@
 """Models of a contact on a table: the ball slides or rolls before it, and slides, then rolls after it.
 
-There is Coulomb friction while the ball slides and constant resistance while it rolls (:mod:`carom.tracks.table_motion`). Each
+There is Coulomb friction while the ball slides and constant resistance while it rolls (:mod:`carom.tracks.contact_models`). Each
 model is fitted to the frames on both sides of the contact, in the frame of the wall (:mod:`carom.tracks.least_squares`).
 
 A ball that rolls into a wall and touches it at its centre is lifted by the wall's friction, and hops before it slides. Seen from
 above, a hop of duration T is hardly distinguishable from a start that is faster by mu g T / 2: frames show long hops, not short
-ones. So each contact is fitted without a hop and with one, and all contacts with a wall decide (:mod:`carom.tracks.hops`).
+ones. So each contact is fitted without a hop and with one, and all contacts with a wall decide (:mod:`carom.tracks.floor`).
 """
 
 from __future__ import annotations
 
+import functools
+import math
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.laws.results import GRAVITY
-from carom.tracks.correlation import FittedFrames, nearest_frames
+from carom.core.jit.kernel import kernel
+from carom.public.defaults import GRAVITY
 from carom.tracks.least_squares import (
     OUTPUTS,
     START_IN,
     START_OUT,
     ContactFit,
+    FittedFrames,
     Prior,
     contact_fit,
+    nearest_frames,
     solve,
     starting_values,
     unresolved_time,
 )
-from carom.tracks.table_contact import (
-    ANGLE,
-    C_G,
-    COUNT,
-    DISTANCE,
-    HOP,
-    MU_G,
-    PLACE,
-    ROLL,
-    SLIP,
-    TIME,
-    U_OUT,
-    V_OUT,
-    at_contact,
-    contact_path,
-    contact_slopes,
-    first_slip,
-)
-
-__all__ = ["fit_table", "friction_excess", "slide_would_show"]
 
 Array = NDArray[np.float64]
+TINY = 1e-12
+
+
+class TableMotion(NamedTuple):
+    """Motion of a ball at n times since its start."""
+
+    displacement: Array
+    """(n, 2) from the start, m."""
+    velocity: Array
+    """(n, 2) m/s."""
+    slip: Array
+    """(n, 2) m/s."""
+
+
+def slide_then_roll(v: Array, u: Array, t: Array, mu_g: float, c_g: float, k: float) -> TableMotion:
+    """Compute the motion of a ball at times t (n,), s >= 0, after it had the velocity v (2,) and the slip u (2,), m/s.
+
+    ``mu_g`` and ``c_g`` are the decelerations while it slides and rolls, m/s^2; k = kappa / (1 + kappa), 2/7 for a solid ball.
+    """
+    found = TableMotion(np.empty((len(t), 2)), np.empty((len(t), 2)), np.empty((len(t), 2)))
+    _compiled()(*_two(v), *_two(u), float(mu_g), float(c_g), float(k), np.ascontiguousarray(t), *found)
+    return found
+
+
+def hop_slide_roll(v: Array, u: Array, hop: float, t: Array, mu_g: float, c_g: float, k: float) -> Array:
+    """Compute the displacement (n, 2) of a ball that hops for the time ``hop``, s, and then slides and rolls."""
+    way = np.empty((len(t), 2))
+    _compiled_hop()(*_two(v), *_two(u), float(hop), float(mu_g), float(c_g), float(k), np.ascontiguousarray(t), way)
+    return way
+
+
+def landed(v: Array, u: Array, hop: float, mu_g: float, k: float) -> tuple[Array, Array]:
+    """Return velocity and slip (2,) of a ball that has landed from a hop of the time ``hop``, s."""
+    lost = u * _lost_at_landing(*_two(u), hop, mu_g, k)
+    return v - lost, u - lost / k
+
+
+def _two(vector: Array) -> tuple[float, float]:
+    return float(vector[0]), float(vector[1])
+
+
+# --- kernels ------------------------------------------------------------------------------------------------------------
+
+
+@kernel
+def _phases(
+    t: float, vx: float, vy: float, ux: float, uy: float, mu_g: float, c_g: float, k: float
+) -> tuple[float, float, float, float, float, float, float, float, float]:
+    """Return slip, its direction and duration; speed and direction of rolling; how long the ball has slid and rolled at t."""
+    slip = math.sqrt(ux * ux + uy * uy) + TINY
+    slides = k * slip / mu_g
+    rx, ry = vx - k * ux, vy - k * uy
+    speed = math.sqrt(rx * rx + ry * ry) + TINY
+    rolls = min(max(t - slides, 0.0), speed / max(c_g, TINY))
+    return slip, ux / slip, uy / slip, slides, speed, rx / speed, ry / speed, min(t, slides), rolls
+
+
+@kernel
+def moved_after(
+    t: float, vx: float, vy: float, ux: float, uy: float, mu_g: float, c_g: float, k: float
+) -> tuple[float, float, float, float, float, float]:
+    """Return displacement, velocity and slip, of x and y each, at the time t after the velocity v and the slip u."""
+    slip, ex, ey, _slides, speed, px, py, f, h = _phases(t, vx, vy, ux, uy, mu_g, c_g, k)
+    far, size = speed * h - c_g / 2 * h * h, max(slip - mu_g / k * t, 0.0)
+    left_x, left_y = size * ex, size * ey
+    # the slip times k is the velocity that the ball still loses
+    return (
+        vx * f - ex * (mu_g / 2 * f * f) + px * far,
+        vy * f - ey * (mu_g / 2 * f * f) + py * far,
+        px * (speed - c_g * h) + k * left_x,
+        py * (speed - c_g * h) + k * left_y,
+        left_x,
+        left_y,
+    )
+
+
+@kernel
+def moved_slopes(
+    t: float, vx: float, vy: float, ux: float, uy: float, mu_g: float, c_g: float, k: float, row: Any
+) -> None:
+    """Fill the derivatives of the displacement at the time t by v, u, mu_g and c_g: the first six columns of ``row`` (2, 6)."""
+    slip, ex, ey, slides, speed, px, py, f, h = _phases(t, vx, vy, ux, uy, mu_g, c_g, k)
+    # contributions of rolling, through its initial velocity r, and of the end of the slide, through its time
+    bent, turned = c_g / (2 * speed) * h * h, mu_g / (2 * slip) * f * f
+    xx, xy, yy = h - (1 - px * px) * bent, px * py * bent, h - (1 - py * py) * bent
+    endx, endy = px * c_g * h, py * c_g * h
+    row[0, 0], row[0, 1], row[1, 0], row[1, 1] = f + xx, xy, xy, f + yy
+    row[0, 2] = -(1 - ex * ex) * turned - k * xx + endx * (k / mu_g) * ex
+    row[0, 3] = ex * ey * turned - k * xy + endx * (k / mu_g) * ey
+    row[1, 2] = ex * ey * turned - k * xy + endy * (k / mu_g) * ex
+    row[1, 3] = -(1 - ey * ey) * turned - k * yy + endy * (k / mu_g) * ey
+    row[0, 4], row[1, 4] = -ex * (f * f / 2) - endx * (slides / mu_g), -ey * (f * f / 2) - endy * (slides / mu_g)
+    row[0, 5], row[1, 5] = -px * (h * h / 2), -py * (h * h / 2)
+
+
+@kernel
+def _lost_at_landing(ux: float, uy: float, hop: float, mu_g: float, k: float) -> float:
+    """Return the velocity that the floor's friction takes from a ball of slip u as it lands, as a share of u."""
+    size = math.sqrt(ux * ux + uy * uy) + TINY
+    return min(mu_g * hop / 2, k * size) / size
+
+
+@kernel
+def hopped_after(
+    t: float, vx: float, vy: float, ux: float, uy: float, hop: float, mu_g: float, c_g: float, k: float
+) -> tuple[float, float, float, float]:
+    """Return displacement and velocity at the time t of a ball that hops for the time ``hop`` before it slides and rolls."""
+    flown, lost = min(t, hop), _lost_at_landing(ux, uy, hop, mu_g, k)
+    after = moved_after(t - flown, vx - lost * ux, vy - lost * uy, ux - lost * ux / k, uy - lost * uy / k, mu_g, c_g, k)
+    x, y = flown * vx + after[0], flown * vy + after[1]
+    return (x, y, after[2], after[3]) if t >= hop else (x, y, vx, vy)
+
+
+@kernel
+def hopped_slopes(
+    t: float, vx: float, vy: float, ux: float, uy: float, hop: float, mu_g: float, c_g: float, k: float, row: Any
+) -> None:
+    """Fill the derivatives of the displacement of a ball that hops first: ``row`` (2, 7), by v, u, mu_g, c_g and hop."""
+    flown, lost = min(t, hop), _lost_at_landing(ux, uy, hop, mu_g, k)
+    sx, sy = ux - lost * ux / k, uy - lost * uy / k
+    moved_slopes(t - flown, vx - lost * ux, vy - lost * uy, sx, sy, mu_g, c_g, k, row)
+    size = math.sqrt(ux * ux + uy * uy) + TINY
+    ex, ey = ux / size, uy / size
+    sticks = mu_g * hop / 2 >= k * size
+    # the velocity lost at landing is k u where the slip stops, else mu_g hop / 2 along u: its derivatives by u
+    bent = mu_g * hop / 2 / size
+    xx, xy, yy = (k, 0.0, k) if sticks else (bent * (1 - ex * ex), -bent * ex * ey, bent * (1 - ey * ey))
+    after = hopped_after(t, vx, vy, ux, uy, hop, mu_g, c_g, k)
+    gap = vx - after[2], vy - after[3]  # by a longer hop, the ball keeps its velocity for longer
+    for c in range(2):
+        lost_x, lost_y = -row[c, 0] - row[c, 2] / k, -row[c, 1] - row[c, 3] / k
+        rate = 0.0 if sticks else (lost_x * ex + lost_y * ey) / 2
+        row[c, 2] += lost_x * xx + lost_y * xy
+        row[c, 3] += lost_x * xy + lost_y * yy
+        row[c, 4] += rate * hop
+        row[c, 6] = gap[c] + rate * mu_g
+        row[c, c] += flown
+
+
+def _fill(
+    vx: float, vy: float, ux: float, uy: float, mu_g: float, c_g: float, k: float, t: Any, way: Any, velocity: Any, left: Any,
+) -> None:  # fmt: skip
+    """Fill displacements, velocities and slips (n, 2)."""
+    for i in range(t.shape[0]):
+        found = moved_after(t[i], vx, vy, ux, uy, mu_g, c_g, k)
+        way[i, 0], way[i, 1], velocity[i, 0], velocity[i, 1], left[i, 0], left[i, 1] = found
+
+
+def _fill_hop(
+    vx: float, vy: float, ux: float, uy: float, hop: float, mu_g: float, c_g: float, k: float, t: Any, way: Any
+) -> None:
+    """Fill displacements (n, 2) of a ball that hops first."""
+    for i in range(t.shape[0]):
+        way[i, 0], way[i, 1], _vx, _vy = hopped_after(t[i], vx, vy, ux, uy, hop, mu_g, c_g, k)
+
+
+@functools.cache
+def _compiled() -> Callable[..., None]:
+    from carom.core.jit.compile import njit
+
+    return njit(_fill)
+
+
+@functools.cache
+def _compiled_hop() -> Callable[..., None]:
+    from carom.core.jit.compile import njit
+
+    return njit(_fill_hop)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Path of a ball on a table before and after a contact, by the parameters of a fit, with its derivatives.
+#
+# Before the contact the ball slides or rolls from the first frame on, after it the ball may hop, then slides and rolls
+# (:mod:`carom.tracks.contact_models`). Both paths meet at the place of the contact.
+
+
+# The parameters of a contact on a table. Before the contact the ball has, at the first frame, a slip u0 of magnitude SLIP in the
+# direction ANGLE, and the velocity ROLL + k u0: ROLL is its velocity once it rolls, which late frames determine even if they
+# determine nothing of u0.
+TIME, PLACE, DISTANCE, ROLL, SLIP, ANGLE = 0, slice(1, 3), 1, slice(3, 5), 5, 6
+V_OUT, U_OUT, MU_G, C_G, HOP = slice(7, 9), slice(9, 11), 11, 12, 13
+COUNT = 14
+
+
+def first_slip(theta: Array) -> Array:
+    """Return the slip u0 (2,) at the first frame, m/s."""
+    return np.array(_first_slip(float(theta[SLIP]), float(theta[ANGLE])))
+
+
+def at_contact(theta: Array, since: float, k: float) -> tuple[Array, Array]:
+    """Return the velocity and the slip (2,) with which the ball meets the wall, m/s; ``since``: the time of the first frame, s."""
+    span = max(float(theta[TIME]) - since, 0.0)
+    roll_x, roll_y, size, angle = theta[ROLL.start : ANGLE + 1].tolist()
+    found = _before(span, roll_x, roll_y, size, angle, float(theta[MU_G]), float(theta[C_G]), k)
+    return np.array(found[2:4]), np.array(found[4:])
+
+
+def contact_path(theta: Array, since: float, t: Array, k: float) -> Array:
+    """Return the positions (n, 2) at times t (n,), m."""
+    places = np.empty((len(t), 2))
+    _compiled_contact()(theta, since, k, t, places, NO_SLOPES, NO_WORK)
+    return places
+
+
+def contact_slopes(theta: Array, since: float, t: Array, k: float) -> Array:
+    """Return the derivatives (n, 2, COUNT) of the positions with respect to theta."""
+    slope = np.zeros((len(t), 2, COUNT))
+    _compiled_contact()(theta, since, k, t, np.empty((len(t), 2)), slope, np.empty((2, 2, 7)))
+    return slope
+
+
+NO_SLOPES, NO_WORK = np.empty((0, 2, COUNT)), np.empty((0, 2, 7))  # (for positions alone)
+
+
+# --- kernels ------------------------------------------------------------------------------------------------------------
+
+
+@kernel
+def _first_slip(size: float, angle: float) -> tuple[float, float]:
+    return size * math.cos(angle), size * math.sin(angle)
+
+
+@kernel
+def _before(
+    s: float, roll_x: float, roll_y: float, size: float, angle: float, mu_g: float, c_g: float, k: float
+) -> tuple[float, float, float, float, float, float]:
+    """Return displacement, velocity and slip a time s after the first frame."""
+    ux, uy = _first_slip(size, angle)
+    return moved_after(s, roll_x + k * ux, roll_y + k * uy, ux, uy, mu_g, c_g, k)
+
+
+@kernel
+def _slopes_before(
+    s: float, roll_x: float, roll_y: float, size: float, angle: float, mu_g: float, c_g: float, k: float, rows: Any
+) -> None:
+    """Fill the derivatives of that displacement by the velocity and the slip at the first frame, mu_g and c_g (2, 6)."""
+    ux, uy = _first_slip(size, angle)
+    moved_slopes(s, roll_x + k * ux, roll_y + k * uy, ux, uy, mu_g, c_g, k, rows)
+
+
+def _fill_contact(theta: Any, since: float, k: float, t: Any, places: Any, slope: Any, work: Any) -> None:
+    """Fill positions (n, 2), and derivatives (n, 2, COUNT), or (0, 2, COUNT) for none; ``work`` (2, 2, 7) is written to."""
+    time, x, y, roll_x, roll_y, size, angle = theta[0], theta[1], theta[2], theta[3], theta[4], theta[5], theta[6]
+    vx, vy, ux, uy, mu_g, c_g, hop = theta[7], theta[8], theta[9], theta[10], theta[11], theta[12], theta[13]
+    with_slopes = slope.shape[0] > 0
+    span = max(time - since, 0.0)
+    end = _before(span, roll_x, roll_y, size, angle, mu_g, c_g, k)
+    cos, sin = _first_slip(1.0, angle)
+    if with_slopes:
+        _slopes_before(span, roll_x, roll_y, size, angle, mu_g, c_g, k, work[0])
+    for i in range(t.shape[0]):
+        if t[i] < time:
+            s = min(max(t[i] - since, 0.0), span)
+            now = _before(s, roll_x, roll_y, size, angle, mu_g, c_g, k)
+            places[i, 0], places[i, 1] = x + now[0] - end[0], y + now[1] - end[1]
+            if with_slopes:
+                _slopes_before(s, roll_x, roll_y, size, angle, mu_g, c_g, k, work[1])
+                for c in range(2):
+                    by, row = work[1, c], slope[i, c]
+                    for j in range(6):
+                        by[j] -= work[0, c, j]
+                    # the slip at the first frame is part of the velocity there
+                    by_x, by_y = by[2] + k * by[0], by[3] + k * by[1]
+                    row[TIME], row[DISTANCE + c], row[3], row[4] = -end[2 + c], 1.0, by[0], by[1]
+                    row[SLIP], row[ANGLE] = by_x * cos + by_y * sin, size * (by_y * cos - by_x * sin)
+                    row[MU_G], row[C_G] = by[4], by[5]
+        else:
+            s = t[i] - time
+            after = hopped_after(s, vx, vy, ux, uy, hop, mu_g, c_g, k)
+            places[i, 0], places[i, 1] = x + after[0], y + after[1]
+            if with_slopes:
+                hopped_slopes(s, vx, vy, ux, uy, hop, mu_g, c_g, k, work[1])
+                for c in range(2):
+                    row = slope[i, c]
+                    row[TIME], row[DISTANCE + c] = -after[2 + c], 1.0
+                    for j in range(7):
+                        row[7 + j] = work[1, c, j]
+
+
+@functools.cache
+def _compiled_contact() -> Callable[..., None]:
+    from carom.core.jit.compile import njit
+
+    return njit(_fill_contact)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Models of a contact on a table: the ball slides or rolls before it, and slides, then rolls after it.
+#
+# There is Coulomb friction while the ball slides and constant resistance while it rolls (:mod:`carom.tracks.contact_models`). Each
+# model is fitted to the frames on both sides of the contact, in the frame of the wall (:mod:`carom.tracks.least_squares`).
+#
+# A ball that rolls into a wall and touches it at its centre is lifted by the wall's friction, and hops before it slides. Seen
+# from
+# above, a hop of duration T is hardly distinguishable from a start that is faster by mu g T / 2: frames show long hops, not short
+# ones. So each contact is fitted without a hop and with one, and all contacts with a wall decide (:mod:`carom.tracks.floor`).
+
+
 Free = NDArray[np.bool_]
 
 # A slide before the contact is accepted if it lowers chi2 by more than chance does in 1 % of fits: two parameters more, or one

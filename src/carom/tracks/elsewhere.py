@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from carom.errors import shortened_list
 from carom.formatting import counted
+from carom.tracks.camera import is_oblique
 from carom.tracks.contact import TrackContact
 from carom.tracks.events import BEYOND_WALL_M, TrackEvent, WallLine, frames_per_side, turning_points
-from carom.tracks.oblique import is_oblique
 from carom.tracks.plausibility import impossible
 from carom.tracks.track import Track
 

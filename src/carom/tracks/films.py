@@ -2,24 +2,43 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.rebounds import Rebounds, make_rebounds
-from carom.errors import CaromError, shortened_list
-from carom.tracks.contact import TrackContact
-from carom.tracks.flight_fits import with_other_drag
-from carom.tracks.flights import drag_in_words, joint_air
-from carom.tracks.floor import WithError
-from carom.tracks.hops import DECISIVE, hop_excess
-from carom.tracks.measurement import Measured
-
-__all__ = ["air_together", "combined_rebounds", "decided_together", "film_names", "hops_together"]
+from carom.bodies import inertia_number
+from carom.data.rebound_files import read_rebounds
+from carom.data.rebounds import Kind, Rebounds, make_rebounds
+from carom.data.where import Where, rows_where
+from carom.errors import CaromError, FaultList, collected, noting, shortened_list
+from carom.files import open_regular, text_encoding
+from carom.formatting import counted
+from carom.public.defaults import GRAVITY, WINDOW
+from carom.public.progress import Progress
+from carom.tracks.contact import Settings, TrackContact
+from carom.tracks.events import wall_of_text
+from carom.tracks.flights import drag_in_words, joint_air, with_other_drag
+from carom.tracks.floor import DECISIVE, WithError, hop_excess
+from carom.tracks.formats.tables import HEADER_EXAMPLE, Calibration
+from carom.tracks.measurement import Measured, measure
+from carom.tracks.pairs import PairContact, measure_pairs, pair_rebounds
+from carom.tracks.read import (
+    TrackFile,
+    film_of,
+    format_of,
+    got_instead,
+    is_table_of_rebounds,
+    read_tracks,
+    require_text,
+    track_text,
+)
+from carom.tracks.rebounds import Stage, to_rebounds
+from carom.tracks.track import Track
 
 
 def film_names(paths: Sequence[Path]) -> list[str]:
@@ -131,3 +150,430 @@ def air_together(films: Sequence[Measured]) -> tuple[list[Measured], list[str]]:
         f"{drag_in_words(air)}, from the flights of all films together, as of one ball; its error is shared by all velocities"
         " (`drag` gives k, 0 for none)"
     ]
+
+
+# ----------------------------------------------------------------------------------------------------
+# Films to one measurement and one table: track files are read, measured with what they share, and their rebounds joined.
+
+
+START_BYTES = 4096  # in which the header of a table shows
+REBOUND_COLUMNS = (
+    "v_n_in, v_t_in, v_n_out, v_t_out (m/s, toward the wall, along it, away from it, along it), and spin_in, spin_out if they were"
+    " measured (rad/s)"
+)
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredFilms:
+    """Films that were measured together; made by :func:`measure_films`."""
+
+    files: tuple[TrackFile, ...]
+    measured: tuple[Measured, ...]
+    """The contacts of each."""
+    joint_notes: tuple[str, ...] = ()
+    """On what was measured from all films together."""
+
+    def __repr__(self) -> str:
+        """Return one line: the number of films, and of contacts."""
+        contacts = sum(len(one.contacts) for one in self.measured)
+        return f"<{type(self).__name__}: {counted(len(self.files), 'film')}, {counted(contacts, 'contact')}>"
+
+    @property
+    def names(self) -> list[str]:
+        """A name for each film; empty for a single one."""
+        return film_names([film.path for film in self.files]) if len(self.files) > 1 else [""]
+
+    @property
+    def notes(self) -> list[str]:
+        """Notes of reading and of measuring, beginning with the film's name where there are several."""
+        return [*self.reading_notes, *self._by_film([one.notes for one in self.measured]), *self.joint_notes]
+
+    @property
+    def reading_notes(self) -> list[str]:
+        """Notes of reading alone."""
+        return self._by_film([film.notes for film in self.files])
+
+    def _by_film(self, notes: Sequence[Sequence[str]]) -> list[str]:
+        return [
+            f"{name}: {note}" if name else note for name, own in zip(self.names, notes, strict=True) for note in own
+        ]
+
+    @functools.cached_property
+    def pairs(self) -> tuple[tuple[PairContact, ...], ...]:
+        """The contacts of balls with each other in each film, as :func:`carom.tracks.measure_pairs` returns them."""
+        return tuple(measure_pairs(one) for one in self.measured)
+
+    def tables(self, stage: Stage = "best", *, sliding: bool = False, balls: bool = False) -> dict[str, Rebounds]:
+        """Return the rebounds of each film that has some, by its name. Raises CaromError, with a line per film, if none has."""
+        faults = FaultList()
+        tables: dict[str, Rebounds] = {}
+        pairs = self.pairs if balls else ((),) * len(self.measured)
+        for name, one, met in zip(self.names, self.measured, pairs, strict=True):
+            with collected(faults):
+                tables[name] = (
+                    pair_rebounds(met, one.radius or 0.0) if balls else to_rebounds(one, stage, sliding=sliding)
+                )
+        if not tables:
+            faults.raise_if_any()
+        return tables
+
+    def rebounds(self, stage: Stage = "best", *, sliding: bool = False, balls: bool = False) -> Rebounds:
+        """Return the rebounds of all films as one table, as :func:`carom.tracks.to_rebounds` does; of several, with a column film.
+
+        With ``balls`` those of balls off each other, as :func:`carom.tracks.pair_rebounds` does. Raises CaromError, with a line per
+        film, if none has a contact that can be measured.
+        """
+        tables = self.tables(stage, sliding=sliding, balls=balls)
+        return combined_rebounds(tables) if len(self.files) > 1 else next(iter(tables.values()))
+
+
+def read_films(
+    paths: Sequence[Path | TrackFile],
+    calibration: Calibration | None = None,
+    format: str | None = None,  # noqa: A002
+) -> tuple[TrackFile, ...]:
+    """Return the tracks in each file, and those that were read before. Raises CaromError with the faults of all of them."""
+    faults = FaultList()
+    found: list[TrackFile] = []
+    for path in paths:
+        with collected(faults):
+            found.append(path if isinstance(path, TrackFile) else read_tracks(path, format, calibration))
+    faults.raise_if_any()
+    return tuple(found)
+
+
+def measure_films(
+    paths: Sequence[Path | TrackFile],
+    calibration: Calibration | None = None,
+    settings: Settings | None = None,
+    *,
+    format: str | None = None,  # noqa: A002
+    wall: Sequence[str] = (),
+    progress: Progress | None = None,
+) -> MeasuredFilms:
+    """Read films of one table or of one kind of throw, and measure the contacts in each.
+
+    Parameters
+    ----------
+    paths : sequence of paths, or of TrackFile
+        One or more track files, read before or not.
+    calibration : Calibration, optional
+        Scale and frame rate of all of them, if the files lack these.
+    settings : Settings, optional
+        Prior knowledge, of all films.
+    format : str, optional
+        A key of FORMATS; by default the format is recognised from the content.
+    wall : sequence of str
+        Lines at which the balls' centres are reflected, ``"x=0.03"``, ``"y=1.4"`` or ``"x1,y1,x2,y2"`` (m). Default: found.
+    progress : callable(done, total, text), optional
+
+    Returns
+    -------
+    MeasuredFilms
+        Whether balls hop, and whether the floor has friction, all films together decide where they do.
+
+    Raises
+    ------
+    CaromError
+        With the faults of all files; for settings as :func:`carom.tracks.measure`, with the notes of reading.
+    """
+    found, settings = read_films(paths, calibration, format), settings or Settings()
+    walls = [tuple(wall_of_text(text, film.tracks) for text in wall) or settings.walls for film in found]
+    known = [replace(settings, walls=lines) for lines in walls]
+
+    def once(number: int, **verdict: Any) -> Measured:
+        def told(done: int, total: int) -> None:
+            if progress is not None:
+                progress(number + done / max(total, 1), len(found), "contacts")
+
+        known[number] = replace(known[number], **verdict)
+        return measure(found[number].tracks, known[number], told)
+
+    with noting(MeasuredFilms(found, ()).reading_notes):
+        films, notes = air_together(decided_together([once(i) for i in range(len(found))], once))
+    return MeasuredFilms(found, tuple(films), tuple(notes))
+
+
+def measure_tracks(
+    files: str | Path | Any,
+    *,
+    format: str | None = None,  # noqa: A002
+    scale: float | None = None,
+    rate: float | None = None,
+    down: bool | None = None,
+    view: str | None = None,
+    radius: float | None = None,
+    inertia: str | float = "solid",
+    wall: Sequence[str] = (),
+    hard: bool = False,
+    floor_friction: float | None = None,
+    rolling_resistance: float | None = None,
+    gravity: float = GRAVITY,
+    drag: float | None = None,
+    noise: float | None = None,
+    window: float = WINDOW,
+    blind: float | None = None,
+    progress: Progress | None = None,
+) -> MeasuredFilms:
+    """Measure the contacts in films: ``carom tracks show``, with the names and defaults of its options.
+
+    Parameters
+    ----------
+    files : path, columns or Track, or a sequence of these
+        Films of one table, or of one kind of throw: track files; tables in memory (a dict of arrays, a DataFrame, a structured
+        array) with the columns of such a file, ``t``, ``x``, ``y``, and ``ball`` where there are several; or :class:`Track`. A
+        list of Track is one film.
+    format : str, optional
+        A key of FORMATS; default: recognised from the content.
+    scale, rate, down : optional
+        Metres per unit of the files, frames per second, and whether the second axis points down.
+    view : "above" or "side", optional
+        Default: by the motion.
+    radius, inertia
+        Of the ball, m; "solid", "hollow" or I/(m a^2).
+    wall, hard
+        Lines at which the balls' centres are reflected, ``"x=0.03"``, ``"y=1.4"`` or ``"x1,y1,x2,y2"`` (m), default: found; and
+        whether the walls are rigid.
+    floor_friction, rolling_resistance, gravity, drag, noise, window, blind
+        As in :class:`carom.tracks.Settings`.
+    progress : callable(done, total, text), optional
+
+    Returns
+    -------
+    MeasuredFilms
+        ``found.rebounds()`` is their table, which :func:`carom.fit` and :func:`carom.predict` take.
+
+    Raises
+    ------
+    CaromError
+        With the faults of all arguments, or of all files.
+
+    Examples
+    --------
+    >>> import carom, numpy as np
+    >>> t = np.arange(0.0, 0.6, 0.01)
+    >>> x = np.where(t < 0.3, 0.6 - 2 * t, 1.5 * (t - 0.3))
+    >>> found = carom.measure_tracks({"t [s]": t, "x [m]": x, "y [m]": 0.1 + t}, view="above", radius=0.03, noise=1e-4)
+    >>> found
+    <MeasuredFilms: 1 film, 1 contact>
+    """
+    faults = FaultList()
+    kappa = faults.attempt(inertia_number, inertia)
+    if view not in (None, "above", "side"):
+        faults.add("`view`", "one of above, side", repr(view))
+    faults.raise_if_any()
+    settings = Settings(
+        radius=radius, kappa=kappa, view=view, noise=noise, floor_friction=floor_friction,  # type: ignore[arg-type]
+        rolling_resistance=rolling_resistance, gravity=gravity, window=window, blind=blind, hard=hard, drag=drag,
+    )  # fmt: skip
+    several = isinstance(files, list | tuple) and not all(isinstance(one, Track) for one in files)
+    calibration = Calibration(scale, rate, down)
+    each: Any = files if several else [files]
+    films = [film_of(one, number + 1, calibration) for number, one in enumerate(each)]
+    return measure_films(films, calibration, settings, format=format, wall=wall, progress=progress)
+
+
+def rebounds_of_films(
+    paths: Sequence[Path],
+    calibration: Calibration | None = None,
+    settings: Settings | None = None,
+    *,
+    format: str | None = None,  # noqa: A002
+    wall: Sequence[str] = (),
+    stage: Stage = "best",
+    sliding: bool = False,
+    balls: bool = False,
+    progress: Progress | None = None,
+) -> Rebounds:
+    """Read films, measure their contacts, and return one table of rebounds, with the notes of all these steps.
+
+    Parameters
+    ----------
+    paths, calibration, settings, format, wall, progress
+        As for :func:`measure_films`.
+    stage, sliding
+        As for :func:`carom.tracks.to_rebounds`.
+    balls : bool
+        Whether balls off each other are measured, in place of balls off walls.
+
+    Returns
+    -------
+    Rebounds
+        Of several films, the column ``film`` has their names.
+
+    Raises
+    ------
+    CaromError
+        As :func:`measure_films`, and if no film has a contact that can be measured.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> import numpy as np
+    >>> from carom.tracks import Settings
+    >>> t = np.arange(40) / 200
+    >>> y = np.where(t < 0.1, 2 * (0.1 - t), 1.6 * (t - 0.1)) - 9.81 / 2 * (t - 0.1) ** 2
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = pathlib.Path(folder) / "throw.csv"
+    ...     np.savetxt(path, np.stack([t, 0.5 * t, y], axis=-1), delimiter=",", header="t [s],x [m],y [m]", comments="")
+    ...     table = rebounds_of_films([path], settings=Settings(view="side", noise=1e-4))
+    >>> len(table), table["v_n_in"].round(2)
+    (1, array([2.]))
+    """
+    films = measure_films(paths, calibration, settings, format=format, wall=wall, progress=progress)
+    notes = films.notes
+    with noting(notes):
+        tables = films.tables(stage, sliding=sliding, balls=balls)
+        rebounds = combined_rebounds(tables) if len(paths) > 1 else next(iter(tables.values()))
+    notes.append(f"{counted(len(rebounds), 'rebound')} measured (carom tracks shows them)")
+    if len(paths) > len(tables):
+        notes.append(f"{len(paths) - len(tables)} of {len(paths)} films have no contact that can be measured")
+    source = str(paths[0]) if len(paths) == 1 else rebounds.source
+    return replace(rebounds, source=source, notes=(*notes, *rebounds.notes))
+
+
+def tracks_of_films(
+    paths: Sequence[Path],
+    calibration: Calibration | None = None,
+    settings: Settings | None = None,
+    *,
+    where: Where = (),
+    progress: Progress | None = None,
+) -> Measured:
+    """Read films of one table and measure them as one, for fits of whole tracks: of several films, each is a shot.
+
+    Parameters
+    ----------
+    paths, calibration, settings, progress
+        As for :func:`measure_films`.
+    where : str, sequence of str or mapping
+        The tracks that enter, ``"shot=NAME"`` or ``"ball=NAME"``.
+
+    Returns
+    -------
+    Measured
+        With the notes of reading.
+
+    Raises
+    ------
+    CaromError
+        As :func:`measure_films`, and where no track has the given names.
+    """
+    films = MeasuredFilms(read_films(paths, calibration), ())
+    with noting(films.reading_notes):
+        kept, notes = chosen_tracks(films, where)
+        measured = measure(
+            kept, settings, lambda done, total: progress(done, max(total, 1), "contacts") if progress else None
+        )
+    return replace(measured, notes=(*notes, *measured.notes))
+
+
+def chosen_tracks(films: MeasuredFilms, where: Where) -> tuple[list[Track], list[str]]:
+    """Return the tracks that enter, where each film is a shot or has several, and the notes of reading that concern them."""
+    tracks, said = [], []
+    for name, film in zip(films.names, films.files, strict=True):
+        for track in film.tracks:
+            tracks.append(replace(track, group=f"{name} {track.group}".strip()))
+            said.append(": ".join(filter(None, (name, f"{track.group} {track.name}".strip()))) + ": ")
+    names = {"shot": [one.group for one in tracks], "ball": [one.name for one in tracks]}
+    chosen = rows_where(names, where, len(tracks), "the name of a shot or ball").tolist()
+    left_out = tuple(start for start, keep in zip(said, chosen, strict=True) if not keep)
+    notes = [note for note in films.reading_notes if not note.startswith(left_out)]
+    return [track for track, keep in zip(tracks, chosen, strict=True) if keep], notes
+
+
+def rebounds_of_files(
+    paths: Sequence[Path],
+    calibration: Calibration | None = None,
+    settings: Settings | None = None,
+    *,
+    kind: Kind | None = None,
+    stage: Stage | None = None,
+    balls: bool = False,
+    progress: Progress | None = None,
+) -> Rebounds:
+    """Return the rebounds of a table, or of one or more films, which are measured.
+
+    Parameters
+    ----------
+    paths : sequence of paths
+        One table of rebounds (CSV, Parquet), or track files.
+    calibration, settings, progress
+        Of films, as for :func:`measure_films`.
+    kind : "planar" or "table", optional
+        Of a table, as for :func:`carom.data.read_rebounds`.
+    stage : "after_wall" or "rolling", optional
+        Of all rows of a table without that column; of films, the stage of the rebounds.
+    balls : bool
+        Of films, as for :func:`rebounds_of_films`.
+
+    Returns
+    -------
+    Rebounds
+
+    Raises
+    ------
+    CaromError
+        With all problems of the files.
+    """
+    if are_films(paths):
+        return rebounds_of_films(paths, calibration, settings, stage=stage or "best", balls=balls, progress=progress)
+    ball = None if settings is None or settings.radius is None else (settings.radius, settings.kappa)
+    return read_rebounds(paths[0], kind=kind, stage=stage, ball=ball)
+
+
+def are_films(paths: Sequence[Path]) -> bool:
+    """Return whether files are films, not a table of rebounds. Raises CaromError where tables are among several files."""
+    faults = FaultList()
+    for path in paths if len(paths) > 1 else ():
+        with collected(faults):
+            if not path.exists():
+                raise CaromError(f"{path}: expected a file, got none of that name")
+            if not is_track(path):
+                raise CaromError(
+                    f"{path}: expected a track, as several files are given, got a table of rebounds; join tables to one"
+                )
+    faults.raise_if_any()
+    return len(paths) > 1 or is_track(paths[0])
+
+
+def is_track(path: Path) -> bool:
+    """Return whether a file is taken for a track: it has no column of a rebound. Raises CaromError for a file that is not text."""
+    if path.suffix.lower() in (".parquet", ".pq") or path.is_dir() or not path.exists():
+        return False
+    with open_regular(path) as opened:
+        raw = opened.read(START_BYTES)
+    wanted = f"{path}: expected a table of rebounds or a track, as text"
+    if not raw.strip():
+        raise CaromError(f"{wanted}, got an empty file")
+    require_text(path, "a table of rebounds or a track")
+    codec = text_encoding(raw).codec
+    if b"\0" in raw and codec == "utf-8":
+        raise CaromError(f"{wanted}, got bytes that are not text; export it as CSV from the program that made it")
+    text = raw.decode(codec, errors="replace")
+    if is_table_of_rebounds(text):
+        return False
+    whole = track_text(path)
+    if format_of(whole) is None:
+        raise CaromError(
+            f"{wanted}, {got_instead(whole)}; a table of rebounds has the columns {REBOUND_COLUMNS}; a track is like"
+            f" {HEADER_EXAMPLE!r} (carom tracks show)"
+        )
+    return True
+
+
+# ----------------------------------------------------------------------------------------------------
+# The tracks in films of one table, without a measurement of their contacts: for fits of whole shots.
+
+
+def films_of(
+    files: Any, *, scale: float | None = None, rate: float | None = None, where: Where = ()
+) -> tuple[list[Track], list[str]]:
+    """Return the tracks in films of one table, as :func:`measure_tracks` takes them, and notes of reading: each film is a shot."""
+    calibration = Calibration(scale, rate)
+    several = isinstance(files, list | tuple) and not all(isinstance(one, Track) for one in files)
+    each: Any = files if several else [files]
+    found = read_films([film_of(one, number + 1, calibration) for number, one in enumerate(each)], calibration)
+    films = MeasuredFilms(found, ())
+    with noting(films.reading_notes):
+        return chosen_tracks(films, where)

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.files import require_library
-from carom.tracks.blind import BlindTime
-from carom.tracks.contact import Settings, TrackContact, View
+from carom.tracks.camera import unlisted_turns, without_turned
+from carom.tracks.clock import on_camera_clock
+from carom.tracks.contact import BlindTime, Settings, TrackContact, View, certainly_sharp, turns_smoothly
 from carom.tracks.contact_fits import ContactFitter, Progress
-from carom.tracks.correlation import WHITE, Correlation
 from carom.tracks.elsewhere import (
     Turn,
     elsewhere_notes,
@@ -25,16 +25,18 @@ from carom.tracks.elsewhere import (
     with_turns,
 )
 from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
-from carom.tracks.flights import STILL_AIR, Air, air_and_notes
-from carom.tracks.floor import WithError
-from carom.tracks.frame_clock import on_camera_clock
-from carom.tracks.free_fall import (
+from carom.tracks.flights import (
+    STILL_AIR,
+    Air,
+    air_and_notes,
     axis_points_down,
     constant_acceleration,
     falls_freely,
     moves_on_a_table,
     what_would_give,
 )
+from carom.tracks.floor import WithError
+from carom.tracks.least_squares import WHITE, Correlation
 from carom.tracks.plausibility import (
     GRAVITY_TOLERANCE,
     MIN_JUDGED,
@@ -44,11 +46,7 @@ from carom.tracks.plausibility import (
     why_implausible,
 )
 from carom.tracks.preprocess import guess_view, initial_noise, rounding_step, without_outliers
-from carom.tracks.smooth_turns import certainly_sharp, turns_smoothly
 from carom.tracks.track import Track
-from carom.tracks.turned_camera import unlisted_turns, without_turned
-
-__all__ = ["Measured", "Settings", "TrackContact", "measure"]
 
 Array = NDArray[np.float64]
 OF_VIEW: dict[View, str] = {"above": "from above", "side": "from the side"}

@@ -13,10 +13,8 @@ from dataclasses import replace
 import numpy as np
 
 from carom.tracks.contact import TrackContact
-from carom.tracks.hops import DECISIVE, averaged
+from carom.tracks.floor import DECISIVE, averaged
 from carom.tracks.plausibility import restitutions_in_words
-
-__all__ = ["on_either_floor"]
 
 
 def on_either_floor(

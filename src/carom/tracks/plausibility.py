@@ -7,16 +7,10 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from carom.errors import shortened_list
-from carom.tracks.contact import TrackContact, View
+from carom.tracks.contact import SMOOTH_TURN, TrackContact, View
 from carom.tracks.flights import Air
 from carom.tracks.floor import WithError
 from carom.tracks.least_squares import OUTPUTS, ContactFit
-from carom.tracks.smooth_turns import SMOOTH_TURN
-
-__all__ = [
-    "GRAVITY_TOLERANCE", "MIN_JUDGED", "impossible", "restitution_note", "restitutions_in_words", "shared_error_notes",
-    "why_implausible",
-]  # fmt: skip
 
 BEYOND = 3.0  # error bars by which a restitution has to exceed 1
 MAX_SHARE_IMPOSSIBLE, MAX_SHARE_SCATTERED = 0.2, 0.5

@@ -18,11 +18,11 @@ from carom.data.columns import as_columns, is_columns
 from carom.data.rebound_files import heads_rebounds
 from carom.errors import CaromError, Fault, FaultList, shortened_list, suggestion
 from carom.files import as_path, open_regular, read_text
-from carom.laws.results import GRAVITY
-from carom.tracks.exchanged import with_one_name, with_own_names
+from carom.public.defaults import GRAVITY
+from carom.tracks.clock import MIN_INTERVAL_S, at_rate, without_rounding
+from carom.tracks.flights import in_a_plane, likely_unit
 from carom.tracks.formats import (
     carom_table,
-    columns,
     deeplabcut,
     idtracker,
     kinovea,
@@ -34,29 +34,16 @@ from carom.tracks.formats import (
     trackmate,
     trackpy,
 )
+from carom.tracks.formats import tables as columns
 from carom.tracks.formats.missing import without_marked_places
 from carom.tracks.formats.pooltool_fields import open_file
 from carom.tracks.formats.projects import START, foreign_file
-from carom.tracks.formats.text_table import Calibration, first_rows
-from carom.tracks.frame_clock import MIN_INTERVAL_S, at_rate, without_rounding
-from carom.tracks.free_fall import in_a_plane, likely_unit
+from carom.tracks.formats.tables import Calibration, first_rows
+from carom.tracks.preprocess import with_one_name, with_own_names
 from carom.tracks.track import Track, position_noise
 
 MESSAGE_PACK = ".msgpack"
 OF_REBOUNDS = ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in")  # columns
-
-__all__ = [
-    "FORMATS",
-    "Format",
-    "TrackFile",
-    "film_of",
-    "format_of",
-    "got_instead",
-    "is_table_of_rebounds",
-    "read_tracks",
-    "require_text",
-    "track_text",
-]
 
 MIN_POSITIONS = 9  # fewer cannot hold a contact
 # Beyond these a number is damaged, or its unit wrong.

@@ -9,15 +9,13 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.energy import energy_remarks
-from carom.data.rebounds import Kind, Rebounds, make_rebounds
+from carom.data.rebounds import Kind, Rebounds, energy_remarks, make_rebounds
 from carom.data.table_cells import parse_numbers
 from carom.errors import CaromError
+from carom.tracks.contact import TrackContact
 from carom.tracks.floor import shared_fraction
 from carom.tracks.least_squares import OUTPUTS
-from carom.tracks.measurement import Measured, TrackContact
-
-__all__ = ["Stage", "to_rebounds", "usable_stages"]
+from carom.tracks.measurement import Measured
 
 Stage = Literal["best", "after_wall", "rolling", "both"]
 # Properties of the floor: name, name in a fit, prefix of columns

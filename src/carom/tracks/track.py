@@ -7,8 +7,6 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Track", "position_noise"]
-
 Array = NDArray[np.float64]
 
 

@@ -14,9 +14,7 @@ from __future__ import annotations
 import math
 
 from carom.core.jit.kernel import kernel
-from carom.core.roots.polynomial import two_prod
-
-__all__ = ["angle_of_tangent", "direction"]
+from carom.core.roots.first_root import two_prod
 
 # pi/180, in two parts
 DEGREE, DEGREE_REST = 0.017453292519943295, 2.9486522708701687e-19

@@ -17,11 +17,9 @@ import functools
 import math
 from typing import Any
 
+from carom.core.jit.calls import address_of, answer_at, python_address
 from carom.core.jit.kernel import Vec, cross, dot, kernel
-from carom.core.jit.pointers import address_of, answer_at, python_address
 from carom.core.roots.first_root import hit4, hit8, next_hit8
-
-__all__ = ["NUMBERS", "call_rim", "rim_address", "rim_entry", "rim_gap", "rim_gap_derivatives", "rim_hit", "rim_normal"]
 
 # As for the other features (carom.core.geometry.features): over its ends; in touch or not; a touch that is none.
 SEAM, BEHIND, GRAZE = 1e-9, 1e-3, 1e-12

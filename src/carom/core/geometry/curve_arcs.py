@@ -8,22 +8,40 @@ the greatest of them where it bends away.
 A ball larger than a radius of curvature does not touch the arc there: that part of the arc is left out, so that the tangent which
 continues the rest is beyond the ball's reach.
 
-A table has one row of numbers about the arc (COUNT ... SHARP_END), then its panels (:mod:`carom.core.geometry.panels`), then its
+A table has one row of numbers about the arc (COUNT ... SHARP_END), then its panels (:mod:`carom.core.geometry.curve`), then its
 last node. The ball is on the left.
 """
 
 from __future__ import annotations
 
+import functools
 import math
+from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
-from carom.core.geometry.curve import CX, HALF, OX, TX, X, curve_graph
-from carom.core.jit.kernel import hot_kernel, kernel
+import numpy as np
+from numpy.typing import NDArray
 
-__all__ = [
-    "COUNT", "SEAM", "SENSE", "SHARPEST", "SHARP_END", "SIZE", "Ends", "arc_contact", "arc_depth", "arc_gap", "node_of",
-    "touchable_part",
-]  # fmt: skip
+from carom.core.geometry.curve import (
+    COEFFICIENTS,
+    CX,
+    HALF,
+    OX,
+    ROW,
+    TX,
+    At,
+    X,
+    curvature,
+    curve_graph,
+    cut_into_panels,
+    offset_point,
+    panel_crossing,
+    panel_where_slope_is,
+)
+from carom.core.jit.calls import Answer, address_of, answer_at, python_address, register_tables, table_at
+from carom.core.jit.kernel import Vec, hot_kernel, kernel, vector, without_slopes
+from carom.core.roots.first_root import hit2, least_of_chord, newton_or_half
 
 NEVER = math.inf
 # Columns of the first row: number of panels; 1 where the arc bends round the ball, -1 where it bends away; the size of the curve,
@@ -182,3 +200,633 @@ def arc_gap(table: Any, base: int, d: float, x: float, y: float) -> tuple[float,
         return NEVER, NEVER, 1.0, 0.0
     depth, nx, ny, _kappa, beyond = arc_depth(table, ends, x, y)
     return depth - d, beyond, nx, ny
+
+
+# ----------------------------------------------------------------------------------------------------
+# When a ball of any radius touches an arc of a smooth curve, on a straight line or a parabola.
+#
+# **Straight lines**, as in :mod:`carom.core.geometry.curve`: the centre's way leaves the curve P = E + a n, parallel to the arc
+# at
+# the ball's radius a, where c = v x (P - x) rises through zero along the arc, which it does once at most. Nodes and a panel find
+# it.
+#
+# **Parabolas.** Continued by its tangents the arc bounds a convex set, and the distance D from it, positive on the ball's side,
+# follows from the tangents alone. With the distance h_t from the tangent at the parameter t
+#
+# D = min h_t  (the curve bends round the ball: D is concave),     D = max h_t  (it bends away: D is convex).
+#
+# On the path each h_t is a polynomial of degree 2 in the time, which bounds the gap G = D - a on one side, and at the foot t of
+# the
+# normal it has the gap's value and its rate. So Newton's method with these polynomials in place of tangents never passes the
+# first
+# contact with an arc that bends away. Of one that bends round, G'' is at most the size of the acceleration: where the chord less
+# that bound stays positive, nothing is met; where G falls throughout, it has one root; every other stretch is halved (as in
+# :mod:`carom.core.geometry.outlines`).
+
+
+BEHIND = 1e-3  # of the ball's radius: a ball that is deeper in the wall is behind it, or before another part of it
+NOISE = 4e-16  # of the size: so much of a gap is rounding
+SMALL = 1e-16  # of the size: so short a way is none
+OVERLAP = 1e-9  # of w: so much beyond its ends still belongs to a panel
+POINT = 1e-6  # of the size: tolerances of a smaller ball, or of a point, are those of a ball of this radius
+ROUNDS = 8  # so often may a parabola enter and leave an arc's convex set
+MOST_STEPS = 200
+FEW = 4  # nodes whose tangents are asked first
+
+
+@kernel
+def _nodes_time(
+    table: Any,
+    ends: Ends,
+    d: float,
+    dd: float,
+    x: float,
+    y: float,
+    vx: float,
+    vy: float,
+    gx: float,
+    gy: float,
+    way: float,
+) -> float:
+    """Return of the tangents at some nodes, and at the ends, how soon one is passed.
+
+    ``way`` 1: the earliest fall of a gap, from which on D = min h_t is not above it. -1: of those in front of which the ball is,
+    the latest fall, before which D = max h_t is above it; infinity where one of them is never passed. 2: the earliest rise.
+    """
+    j0, w0, j1, w1, _base = ends
+    best = 0.0 if way < 0.0 else NEVER
+    stride = 1 + (j1 - j0) // FEW
+    for m in range(FEW + 2):
+        k = min(j0 + m * stride, j1 + 1)
+        if k == j0:
+            px, py, tx, ty = node_of(table, j0, w0)
+        elif k == j1 + 1:
+            px, py, tx, ty = node_of(table, j1, w1)
+        else:
+            px, py, tx, ty = table[k, X], table[k, Y], table[k, TX], table[k, TY]
+        c0 = (y - py) * tx - (x - px) * ty - d
+        c1, c2 = vy * tx - vx * ty - dd, 0.5 * (gy * tx - gx * ty)
+        if way == 2.0:
+            best = min(best, hit2(-c0, -c1, -c2, NEVER, 0.0))
+        elif way > 0.0:
+            s = NEVER
+            if c2 != 0.0:
+                s = hit2(c0, c1, c2, NEVER, 0.0)
+            elif c1 < 0.0:
+                s = -c0 / c1
+            best = min(best, s)
+        elif c0 > 0.0:
+            s = hit2(c0, c1, c2, NEVER, 0.0)
+            if s == NEVER:
+                return NEVER
+            best = max(best, s)
+        if k > j1:
+            break
+    return best
+
+
+@kernel
+def _gap(
+    table: Any,
+    ends: Ends,
+    d: float,
+    dd: float,
+    x: float,
+    y: float,
+    vx: float,
+    vy: float,
+    gx: float,
+    gy: float,
+    s: float,
+) -> tuple[float, float, float, float, float]:
+    """Return the gap at a time s, its rate, half the tangent's second derivative, the whole one, how far beyond an end."""
+    h = 0.5 * s
+    depth, nx, ny, kappa, beyond = arc_depth(table, ends, x + (vx + gx * h) * s, y + (vy + gy * h) * s)
+    ux, uy = vx + gx * s, vy + gy * s
+    across, pull = ux * ny - uy * nx, nx * gx + ny * gy
+    bend = pull - across * across * (kappa / max(1.0 - kappa * depth, 1e-9))
+    return depth - (d + dd * s), nx * ux + ny * uy - dd, 0.5 * pull, bend, beyond
+
+
+@kernel
+def _side(table: Any, k: int, a: float, x: float, y: float, u: float, v: float) -> float:
+    """Return c at a node."""
+    c: float = u * (table[k, Y] + a * table[k, TX] - y) - v * (table[k, X] - a * table[k, TY] - x)
+    return c
+
+
+@kernel
+def _rising_part(
+    table: Any, ends: Ends, a: float, x: float, y: float, u: float, v: float, sign: float, first: float, last: float
+) -> tuple[int, int, int]:
+    """Return the panels between which c rises through zero, from (``sign`` -1) or to (1) that in which v x T changes its sign.
+
+    Last, 0, or 1 or -1 where it does so after or before its extreme value within that panel. first, last: c at the ends.
+    """
+    j0, _w0, j1, _w1, _base = ends
+    turn, count = j0, j1 - j0 + 1
+    while count > 1:
+        half = count // 2
+        k = turn + half
+        turn = turn + (half if sign * (u * table[k, TY] - v * table[k, TX]) > 0.0 else 0)
+        count = count - half
+    if sign < 0.0:
+        if turn < j1 and _side(table, turn + 1, a, x, y, u, v) < 0.0:
+            return turn + 1, j1, 0
+        before = first if turn == j0 else _side(table, turn, a, x, y, u, v)
+        return turn, turn, 0 if before < 0.0 else 1
+    if turn > j0 and _side(table, turn, a, x, y, u, v) >= 0.0:
+        return j0, turn - 1, 0
+    after = last if turn == j1 else _side(table, turn + 1, a, x, y, u, v)
+    return turn, turn, 0 if after >= 0.0 else -1
+
+
+@kernel
+def _line_time(  # noqa: PLR0911  (one return per outcome)
+    table: Any, ends: Ends, a: float, near: float, x: float, y: float, u: float, v: float
+) -> float:
+    """Return the time at which a straight way leaves the parallel curve of an arc, possibly negative; or infinity.
+
+    A graze whose depth is below ``near`` (m) counts where the curve bends towards the line from both sides.
+    """
+    j0, w0, j1, w1, _base = ends
+    ax, ay, au, av = node_of(table, j0, w0)
+    bx, by, bu, bv = node_of(table, j1, w1)
+    begins, ends_so = u * av - v * au > 0.0, u * bv - v * bu > 0.0
+    if not begins and not ends_so:
+        return NEVER
+    first = u * (ay + a * au - y) - v * (ax - a * av - x)
+    last = u * (by + a * bu - y) - v * (bx - a * bv - x)
+    # c rises between two places; where it does not rise throughout, from or to the panel in which v x T changes its sign
+    low, high, part, sign = j0, j1, 0, 0.0
+    if begins and ends_so:
+        if not first < 0.0 <= last:
+            return NEVER
+    elif ends_so:
+        if last < 0.0:
+            return NEVER
+        sign = -1.0
+    else:
+        if first >= 0.0:
+            return NEVER
+        sign = 1.0
+    if sign != 0.0:
+        low, high, part = _rising_part(table, ends, a, x, y, u, v, sign, first, last)
+    count = high - low + 1
+    while count > 1:
+        half = count // 2
+        low = low + (half if _side(table, low + half, a, x, y, u, v) < 0.0 else 0)
+        count = count - half
+    j = low
+    # in the chord's frame
+    ex, ey = table[j, CX], table[j, CY]
+    dx, dy = x - table[j, OX], y - table[j, OY]
+    x1, y1, u1, v1 = ex * dx + ey * dy, ex * dy - ey * dx, ex * u + ey * v, ex * v - ey * u
+    squared = u * u + v * v
+    left, right = w0 if j == j0 else -1.0, w1 if j == j1 else 1.0
+    if part != 0:
+        m = panel_where_slope_is(table, j, u1, v1)
+        m = min(max(m, left), right)
+        px, py, _slope, _rate = offset_point(table, j, a, m)
+        c = u1 * (py - y1) - v1 * (px - x1)
+        if part < 0:
+            if c < 0.0:
+                return NEVER
+            right = m
+            w = 0.5 * (left + right)
+        else:
+            if c >= 0.0:
+                if c > near * math.sqrt(squared):
+                    return NEVER
+                along: float = u1 * (px - x1) + v1 * (py - y1)
+                return along / squared
+            left = m
+            w = right
+    else:
+        c0 = first if j == j0 else _side(table, j, a, x, y, u, v)
+        c1 = last if j == j1 else _side(table, j + 1, a, x, y, u, v)
+        w = left + (right - left) * (-c0 / (c1 - c0)) if c0 < 0.0 < c1 else 0.5 * (left + right)
+    # (a root at a node may lie beyond it by rounding)
+    time: float = panel_crossing(table, j, a, x1, y1, u1, v1, left - OVERLAP, right + OVERLAP, w) / squared
+    return time
+
+
+@kernel
+def _line_hit(
+    table: Any, ends: Ends, d: float, x: float, y: float, vx: float, vy: float, until: float, slow: float
+) -> float:
+    """:func:`arc_hit` on a straight line."""
+    speed, near = math.sqrt(vx * vx + vy * vy), NOISE * table[ends[4], SIZE]
+    large = max(d, POINT * table[ends[4], SIZE])
+    s = _line_time(table, ends, d, near, x, y, vx, vy)
+    if s == NEVER or s * speed > SEAM * large:
+        return s if s <= until else NEVER
+    if s * speed < -2.0 * BEHIND * large:
+        return NEVER
+    # in touch, or just behind the wall
+    g, u, _half, bend, beyond = _gap(table, ends, d, 0.0, x, y, vx, vy, 0.0, 0.0, 0.0)
+    if not -BEHIND * large <= g <= max(near, SEAM * large) or beyond > SEAM * large:
+        return s if 0.0 <= s <= until else NEVER
+    if u < -slow or (u <= 0.0 and bend < 0.0):
+        return max(s, 0.0)
+    if not bend < 0.0:
+        return NEVER
+    return s if s > 0.0 else 2.0 * u / -bend
+
+
+@kernel
+def _fall_in(
+    table: Any, ends: Ends, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float,
+    low: float, high: float, g: float, u: float,
+) -> float:  # fmt: skip
+    """Return the one root between low, where the gap is not negative, and high, where it is g and falls with u."""
+    s = high
+    for _ in range(MOST_STEPS):
+        new = newton_or_half(s, g, u, low, high)
+        if abs(new - s) <= 4e-16 * high or not low < new < high:
+            return new
+        s = new
+        g, u, _half, _whole, _beyond = _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)
+        if g > 0.0:
+            low = s
+        else:
+            high = s
+    return s
+
+
+@kernel
+def _first_fall(
+    table: Any, ends: Ends, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float,
+    s0: float, g0: float, u0: float, end: float, pull: float, tiny: float,
+) -> float:  # fmt: skip
+    """Return when the gap, g0 > 0 at s0 with the rate u0, falls to zero before the end, or infinity; G'' is at most ``pull``."""
+    right = end
+    while s0 < end:
+        g1, u1, _half, _whole, _beyond = _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, right)
+        length = right - s0
+        short = length <= max(tiny, 4e-16 * right)
+        if g1 > 0.0:
+            if short or least_of_chord(g0, g1, length, pull) >= 0.0:
+                s0, g0, u0 = right, g1, u1
+                right = min(right + 2.0 * max(length, tiny, 4e-16 * right), end)
+                continue
+        elif u0 + pull * length < 0.0 or pull == 0.0:
+            return _fall_in(table, ends, d, dd, x, y, vx, vy, gx, gy, s0, right, g1, u1)
+        elif short:
+            return right
+        right = s0 + length / 2.0
+    return NEVER
+
+
+@kernel
+def _approach(
+    table: Any, ends: Ends, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float,
+    s: float, until: float, tiny: float, near: float, sign: float,
+) -> float:  # fmt: skip
+    """Return when the gap, times ``sign`` positive at s, falls to zero, or infinity; tangents at the feet bound it on the way."""
+    for _ in range(MOST_STEPS):
+        g, u, half, _whole, _beyond = _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)
+        g, u, half = sign * g, sign * u, sign * half
+        if g <= 0.0:
+            return s
+        step = hit2(g, u, half, NEVER, 0.0)
+        if s + step > until:
+            return NEVER
+        s = s + step
+        if step <= max(tiny, 2e-16 * s):
+            return s
+    # (a graze, where the steps halve: it is met where less is left than rounding)
+    return s if g <= near else NEVER
+
+
+@kernel
+def _leave(
+    table: Any, ends: Ends, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float,
+    s: float, until: float, tiny: float, near: float, sign: float,
+) -> tuple[float, bool]:  # fmt: skip
+    """Return when the gap of a ball that touches, times ``sign``, is more than rounding, and True; or False when it falls before.
+
+    The rate is known better than the gap, which at first is nothing but rounding.
+    """
+    begin, step = s, tiny
+    while s < until:
+        s = min(begin + step, until)
+        g, u, _half, _whole, _beyond = _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)
+        if sign * g > near:
+            return s, True
+        if sign * u < 0.0:
+            return s, False
+        step = step + step
+    return NEVER, True
+
+
+@kernel
+def arc_hit(
+    table: Any,
+    base: int,
+    d: float,
+    dd: float,
+    x: float,
+    y: float,
+    vx: float,
+    vy: float,
+    gx: float,
+    gy: float,
+    until: float,
+    slow: float,
+) -> float:
+    """Return the time within ``until`` at which a ball's centre comes nearer to an arc than d + dd s, or infinity.
+
+    As in :mod:`carom.core.roots.first_root`, a ball in touch hits now if it approaches faster than ``slow``, and not while it
+    recedes.
+    """
+    ends = touchable_part(table, base, d)
+    if ends[2] < ends[0]:
+        return NEVER
+    pull, speed = math.sqrt(gx * gx + gy * gy), math.sqrt(vx * vx + vy * vy)
+    if speed == 0.0 and pull == 0.0 and dd == 0.0:
+        return NEVER
+    if pull == 0.0 and dd == 0.0:
+        return _line_hit(table, ends, d, x, y, vx, vy, until, slow)
+    near, large = NOISE * table[ends[4], SIZE], max(d, POINT * table[ends[4], SIZE])
+    g, u, _half, bend, beyond = _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, 0.0)
+    touches = -BEHIND * large <= g <= near and beyond <= SEAM * large
+    if touches and (u < -slow or (u <= 0.0 and bend < 0.0)):
+        return 0.0
+    return _parabola_hit(table, ends, d, dd, x, y, vx, vy, gx, gy, until, touches, g)
+
+
+@kernel
+def _parabola_hit(
+    table: Any, ends: Ends, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float, until: float,
+    touches: bool, g: float,
+) -> float:  # fmt: skip
+    """:func:`arc_hit` on a parabola, of a ball that does not hit now."""
+    sense, size = table[ends[4], SENSE], table[ends[4], SIZE]
+    pull, speed = math.sqrt(gx * gx + gy * gy), math.sqrt(vx * vx + vy * vy)
+    near, seam = NOISE * size, SEAM * max(d, POINT * size)
+    # after the last of these times its centre is outside all of the curve, or it has grown to be larger
+    far = math.sqrt(x * x + y * y) + table[ends[4], SIZE] + d
+    if pull > 0.0:
+        last = min(until, (2.0 * speed + math.sqrt(4.0 * speed * speed + 2.0 * pull * far)) / pull)
+    else:
+        last = min(until, 4.0 * far / max(speed, abs(dd)))
+    tiny = SMALL * size / (speed + pull * last + abs(dd))
+    s, out = 0.0, g > near
+    for _ in range(ROUNDS):
+        if not out:
+            if not touches:
+                # it is behind the arc, or over a tangent that continues it: first to where it is so by more than rounding
+                behind = True
+                if _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)[0] >= -near:
+                    s, behind = _leave(table, ends, d, dd, x, y, vx, vy, gx, gy, s, last, tiny, near, -1.0)
+                if behind and s < last and sense > 0.0:
+                    s = _approach(table, ends, d, dd, x, y, vx, vy, gx, gy, s, last, tiny, near, -1.0)
+                elif behind and s < last:
+                    h = 0.5 * s
+                    x1, y1, ux, uy = x + (vx + gx * h) * s, y + (vy + gy * h) * s, vx + gx * s, vy + gy * s
+                    s = s + _nodes_time(table, ends, d + dd * s, dd, x1, y1, ux, uy, gx, gy, 2.0)
+                if not s < last:
+                    return NEVER
+            s, out = _leave(table, ends, d, dd, x, y, vx, vy, gx, gy, s, last, tiny, near, 1.0)
+            if not out and s <= last:
+                if _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)[4] <= seam:
+                    return s
+                touches = False
+                continue
+        if not s < last:
+            return NEVER
+        if sense > 0.0:
+            g, u, _half, _whole, _beyond = _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)
+            h = 0.5 * s
+            x1, y1, ux, uy = x + (vx + gx * h) * s, y + (vy + gy * h) * s, vx + gx * s, vy + gy * s
+            end = s + _nodes_time(table, ends, d + dd * s, dd, x1, y1, ux, uy, gx, gy, 1.0)
+            s = _first_fall(
+                table, ends, d, dd, x, y, vx, vy, gx, gy, s, g, u, min(end * (1.0 + 1e-9) + tiny, last), pull, tiny
+            )
+        else:
+            s = _approach(table, ends, d, dd, x, y, vx, vy, gx, gy, s, last, tiny, near, 1.0)
+        if not s <= last:
+            return NEVER
+        if _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)[4] <= seam:
+            return s
+        out, touches = False, False
+    return NEVER
+
+
+# ----------------------------------------------------------------------------------------------------
+# An arc of a smooth curve as a feature of a vertical wall: its hits, gap, normal and bend, in the curve's own frame.
+#
+# Few scenes have curves, so that the engine calls :mod:`carom.core.geometry.curve_arcs` through an address, as it does for rims.
+# The
+# feature has the place p and the direction u of the curve's x axis, and in ``lo1`` the address of the arc's table. From places
+# with
+# derivatives the distance and the normal follow to first order, which is exact for derivatives: n' = -kappa t along the curve.
+
+
+NUMBERS = 11
+HIT, GAP, CONTACT = 0.0, 1.0, 2.0
+LARGE = 1 << 20  # rows: more than a table has
+
+
+@kernel
+def call_arc(
+    address: int, what: float, table: float, d: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float,
+    until: float, slow: float,
+) -> Answer:  # fmt: skip
+    """Call the kernels of an arc through their address: a hit, a gap, or a contact."""
+    return answer_at(address, (what, table, d, x, y, vx, vy, gx, gy, until, slow))
+
+
+def arc_entry(
+    what: float, table: float, d: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float, until: float,
+    slow: float, out: Any,
+) -> None:  # fmt: skip
+    """Write what is asked of an arc: as it is called by its address, :data:`NUMBERS` numbers, and a place to write to."""
+    rows = table_at(int(table), LARGE, ROW)
+    if what == HIT:
+        out[0] = arc_hit(rows, 0, d, 0.0, x, y, vx, vy, gx, gy, until, slow)
+    elif what == GAP:
+        out[0], out[1], out[2], out[3] = arc_gap(rows, 0, d, x, y)
+    else:
+        out[0], out[1], out[2], out[3] = arc_contact(rows, 0, x, y)
+
+
+@functools.cache
+def arc_address(compiled: bool = True) -> int:
+    """Return the address of :func:`arc_entry`, compiled once or loaded; or one that only Python knows."""
+    return (
+        address_of(arc_entry, NUMBERS, keep=True, needs=(register_tables,)) if compiled else python_address(arc_entry)
+    )
+
+
+@kernel
+def _in_frame(u: Vec, x: float, y: float) -> tuple[float, float]:
+    """Return the components along the direction u and to its left."""
+    return u[0] * x + u[1] * y, u[0] * y - u[1] * x
+
+
+@kernel
+def curve_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: float) -> float:
+    """Return the time in [0, until] at which a ball of radius a touches an arc, or infinity."""
+    u = vector(f.u)
+    (px, py), (vx, vy), (gx, gy) = (
+        _in_frame(u, x[0] - f.p[0], x[1] - f.p[1]),
+        _in_frame(u, v[0], v[1]),
+        _in_frame(u, acc[0], acc[1]),
+    )
+    return call_arc(f.at, HIT, f.lo1, a, px, py, vx, vy, gx, gy, until, slow)[0]
+
+
+@kernel
+def curve_gap(f: Any, a: float, x: Vec) -> float:
+    """Return the gap between an arc and a ball, infinite where its nearest point is beyond an end."""
+    px, py = _in_frame(vector(f.u), x[0] - f.p[0], x[1] - f.p[1])
+    b, qx, qy = without_slopes(a), without_slopes(px), without_slopes(py)
+    r = call_arc(f.at, GAP, without_slopes(f.lo1), b, qx, qy, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    gap = r[0] if r[1] <= SEAM * b else math.inf
+    return gap + (r[2] * (px - qx) + r[3] * (py - qy) - (a - b))  # type: ignore[no-any-return]
+
+
+@kernel
+def _contact(f: Any, x: Vec) -> tuple[float, float, float, float, float, float]:
+    """Return the normal of an arc at a ball, its curvature and the distance of the centre; the centre's change from its value."""
+    px, py = _in_frame(vector(f.u), x[0] - f.p[0], x[1] - f.p[1])
+    qx, qy = without_slopes(px), without_slopes(py)
+    r = call_arc(f.at, CONTACT, without_slopes(f.lo1), 0.0, qx, qy, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    return r[0], r[1], r[2], r[3], px - qx, py - qy
+
+
+@kernel
+def curve_depth(f: Any, x: Vec) -> float:
+    """Return the distance between a ball's centre and an arc."""
+    nx, ny, _kappa, depth, dx, dy = _contact(f, x)
+    return depth + (nx * dx + ny * dy)
+
+
+@kernel
+def curve_normal(f: Any, x: Vec) -> Vec:
+    """Return the unit normal of an arc towards a ball."""
+    nx, ny, kappa, depth, dx, dy = _contact(f, x)
+    turn = (ny * dx - nx * dy) * (kappa / max(1.0 - kappa * depth, 1e-9))
+    mx, my, u = nx - turn * ny, ny + turn * nx, vector(f.u)
+    return (u[0] * mx - u[1] * my, u[1] * mx + u[0] * my, 0 * x[2])
+
+
+@kernel
+def curve_bend(f: Any, x: Vec, v: Vec) -> float:
+    """Return the second derivative of the gap of a ball that moves with v, by the curvature alone."""
+    nx, ny, kappa, depth, _dx, _dy = _contact(f, x)
+    vx, vy = _in_frame(vector(f.u), v[0], v[1])
+    along = vx * ny - vy * nx
+    return -along * along * (kappa / max(1.0 - kappa * depth, 1e-9))
+
+
+@kernel
+def curve_is_far(f: Any, a: float, x: Vec, way: float) -> bool:
+    """Return whether a ball that comes no further than ``way`` stays outside the circle in which the arc lies."""
+    px, py = _in_frame(vector(f.u), x[0] - f.p[0], x[1] - f.p[1])
+    px, py = px - f.d[0], py - f.d[1]
+    return bool(math.sqrt(px * px + py * py) - f.R - a > way)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Tables of the arcs of a smooth curve, on which :mod:`carom.core.geometry.curve_arcs` works, and their addresses.
+
+
+Array = NDArray[np.float64]
+SAMPLES = 4096  # parameters at which the curvature is looked at
+REVERSAL = 1e-6  # of the largest curvature: a change of its slope that is no rounding
+JOINT = 1e-11  # of the size: ends that are nearer are one place
+WIDEST = math.pi / 2 + 1e-6  # rad: an arc that turns by more is divided
+
+
+def _vertices(at: At, t0: float, t1: float) -> Array:
+    """Return the parameters at which the curvature has a greatest or least value."""
+    t = np.linspace(t0, t1, SAMPLES + 1)
+    k = curvature(at, t)
+    least = REVERSAL * float(np.abs(k).max())
+    found, best, way = [], 0, 0
+    for i in range(1, len(k)):
+        rise = k[i] - k[best]
+        if way == 0:
+            way = int(np.sign(rise)) if abs(rise) > least else 0
+            best = i if way else best
+        elif rise * way > 0:
+            best = i
+        elif abs(rise) > least:
+            found.append((best, way))
+            best, way = i, -way
+    vertices = []
+    for i, way in found:
+        low, high = t[max(i - 1, 0)], t[min(i + 1, SAMPLES)]
+        for _ in range(4):
+            fine = np.linspace(low, high, 33)
+            here = int(np.argmax(way * curvature(at, fine)))
+            low, high = fine[max(here - 1, 0)], fine[min(here + 1, 32)]
+        vertices.append((low + high) / 2)
+    return np.array(vertices)
+
+
+def arc_tables(at: At, t0: float, t1: float, cuts: Array | None = None) -> list[Array]:
+    """Return the table (P + 2, ROW) of each arc of a curve from a parameter to a larger one, in order; the ball is on the left.
+
+    ``cuts``: parameters at which the third derivative may jump. Raises ValueError, with the parameter, where it is not smooth.
+    """
+    x = at(np.linspace(t0, t1, 257))[0]
+    if not np.isfinite(x).all():
+        raise ValueError(t0)
+    size = max(float(np.linalg.norm(np.ptp(x, axis=0)) / 2), float(np.abs(x).max()))
+    vertices = _vertices(at, t0, t1)
+    panels = cut_into_panels(at, t0, t1, size, np.concatenate([vertices, [] if cuts is None else cuts]))
+    begins = [0]
+    turned = 0.0
+    for k in range(1, len(panels.rows)):
+        turned += float(panels.turn[k - 1])
+        at_vertex = len(vertices) > 0 and bool((np.abs(vertices - panels.t[k, 0]) <= 1e-9 * (t1 - t0)).any())
+        if at_vertex or panels.sign[k] != panels.sign[k - 1] or abs(turned + float(panels.turn[k])) > WIDEST:
+            begins.append(k)
+            turned = 0.0
+    parts = [slice(*one) for one in zip(begins, [*begins[1:], len(panels.rows)], strict=True)]
+    tables = [_table(at, panels.rows[k], panels.t[k], int(panels.sign[k.start]), size) for k in parts]
+    join_ends([*tables, tables[0]])
+    return tables
+
+
+def join_ends(tables: Sequence[Array]) -> None:
+    """Give an arc that ends where the next one begins, but for rounding, the very same node."""
+    for one, two in pairwise(tables):
+        near = np.abs(one[-1, X : X + 2] - two[1, X : X + 2]).max() <= JOINT * one[0, SIZE]
+        if near and np.abs(one[-1, TX : TX + 2] - two[1, TX : TX + 2]).max() <= JOINT:
+            one[-1] = 0.0
+            one[-1, [X, X + 1, TX, TX + 1]] = two[1, [X, X + 1, TX, TX + 1]]
+
+
+def arc_length(table: Array) -> float:
+    """Return the length of an arc, m."""
+    w, weights = np.polynomial.legendre.leggauss(16)
+    powers = np.arange(1, ROW - COEFFICIENTS)
+    half, c = table[1:-1, HALF], table[1:-1, COEFFICIENTS + 1 :]
+    slope = (c * powers) @ w ** (powers[:, None] - 1) / half[:, None]
+    return float((np.sqrt(1 + slope * slope) @ weights * half).sum())
+
+
+def arc_circle(table: Array) -> tuple[float, float, float]:
+    """Return a circle in which an arc lies: its centre and its radius."""
+    nodes, half = table[1:, X : X + 2], table[1:-1, HALF]
+    x, y = (nodes.min(axis=0) + nodes.max(axis=0)) / 2
+    # (between two nodes it is within the length of the chord from them)
+    return float(x), float(y), float(np.hypot(*(nodes - (x, y)).T).max() + 2 * half.max())
+
+
+def _table(at: At, rows: Array, t: Array, sign: int, size: float) -> Array:
+    count = len(rows)
+    table = np.zeros((count + 2, ROW))
+    table[1:-1] = rows
+    nodes = np.append(t[:, 0], t[-1, 1])
+    x, d, _dd = at(nodes)
+    table[1:, X : X + 2], table[1:, TX : TX + 2] = x, d / np.linalg.norm(d, axis=-1, keepdims=True)
+    bend = np.abs(curvature(at, nodes[[0, -1]]))
+    table[0, COUNT], table[0, SENSE], table[0, SIZE] = count, -1.0 if sign < 0 else 1.0, size
+    table[0, SHARPEST], table[0, SHARP_END] = 0.0 if sign == 0 else bend.max(), float(bend[1] > bend[0])
+    return table

@@ -25,20 +25,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from carom.core.jit.cache import cache_folder, source_hash
+from carom.core.jit.cache import LOCATOR, cache_folder, compile_in_one_process
 from carom.core.jit.kernel import DERIVED, HOT, KERNELS, PLAIN
-from carom.core.jit.marshal import kinds_text
-from carom.core.jit.native import LoopSource, has_machine_code, is_shipped, shipped_loop
+from carom.core.jit.native import LoopSource, has_machine_code, is_shipped, kinds_text, shipped_loop
 from carom.core.jit.progress import listen
-from carom.core.jit.shared_cache import LOCATOR, compile_in_one_process
 from carom.core.jit.threads import thread_count
 from carom.errors import CaromError
-
-__all__ = [
-    "ArrayOf", "Signature", "array_of", "cache_folder", "call_compiled", "cfunc", "compiler_is_off", "compiling_failed",
-    "is_cached", "is_finished", "named_tuple_type", "njit", "numba_signature", "numba_type", "plain_numbers", "signature",
-    "source_hash",
-]  # fmt: skip
 
 _registered: set[Callable[..., Any]] = set()
 
@@ -161,7 +153,7 @@ def numba_type(described: Any) -> Any:
 
 
 def _kind(described: Any) -> Any:
-    """Return the kind that a description stands for among those of :mod:`carom.core.jit.marshal`."""
+    """Return the kind that a description stands for among those of :mod:`carom.core.jit.native`."""
     if isinstance(described, ArrayOf):
         return {"array": np.dtype(described.item), "axes": described.axes, "readonly": False}
     if isinstance(described, np.dtype):

@@ -16,8 +16,6 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["kernel_hash", "module_hash", "name_with_values"]
-
 # What does not change the results: annotations and decorators (every kernel is made the same way), and what only some versions
 # of Python have.
 LEFT_OUT = {"annotation", "returns", "decorator_list", "type_comment", "type_params", "kind", "ctx"}

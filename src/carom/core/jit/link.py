@@ -15,8 +15,6 @@ import functools
 from pathlib import Path
 from typing import Any
 
-__all__ = ["linked_only"]
-
 # Numba's passes that kernels have nothing for: expressions of arrays, comprehensions, functions within functions.
 LEFT_OUT = {"nopython_rewrites", "inline_closure_likes"}
 

@@ -15,8 +15,6 @@ from typing import Any, NamedTuple
 
 from carom.core.jit.compile import KERNEL_OPTIONS
 
-__all__ = ["CFunction", "LoweringError", "linked_dispatcher", "llvm_text", "whole_module", "with_entry"]
-
 
 class LoweringError(Exception):
     """Code cannot be made: a sentence says why, and what to do."""

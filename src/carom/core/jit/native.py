@@ -16,34 +16,362 @@ import functools
 import hashlib
 import json
 import math
+import operator
 import os
 import platform
+import struct
 import sys
 import threading
 import time
-from collections.abc import Callable, Sequence
+import zlib
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from carom.core.jit.cache import PLAIN_ROOMS, cache_base
+import numpy as np
+
+from carom.core.jit.cache import PLAIN_ROOMS, cache_base, locked, use_generation
 from carom.core.jit.kernel import DERIVED
 from carom.core.jit.kernel_hash import kernel_hash, module_hash, name_with_values
-from carom.core.jit.machine_code import Bitcode, UnusableError, function_address, is_kept
-from carom.core.jit.marshal import (
-    ArgumentWriter,
-    MismatchError,
-    ValueReader,
-    argument_writers,
-    dtype_of,
-    kinds_text,
-    value_reader,
-)
 from carom.core.jit.threads import call_in_parts, thread_count
 
-__all__ = [
-    "FOLDER", "INDEX", "LoopSource", "NativeCode", "NativeLoop", "arguments_text", "current_codes", "describe_loops",
-    "has_machine_code", "hash_of_code", "hash_of_files", "is_shipped", "native_is_off", "shipped_loop", "why_not_shipped",
-]  # fmt: skip
+# Where NumPy keeps an array's address and shape: after what all objects of Python begin with (16 bytes, or 32 without a lock).
+HEAD = object.__basicsize__
+CODES = {"float64": "d", "int64": "q", "bool": "?"}
+C_KINDS = {"float64": ctypes.c_double, "int64": ctypes.c_int64, "bool": ctypes.c_int64}
+
+
+class MismatchError(Exception):
+    """An argument is not of the kind that a loop was built for."""
+
+
+class ArgumentWriter(NamedTuple):
+    """How one argument is handed over."""
+
+    kinds: list[Any]
+    """Of C."""
+    write: Callable[[Any, list[Any]], None]
+    """Add the description of a value to a list; MismatchError where it is of another kind."""
+
+
+def argument_writers(kinds: Sequence[Any], dtypes: Sequence[Any], fixed: bool) -> list[ArgumentWriter]:
+    """Return a writer for each argument.
+
+    A kind is a name of CODES, "none", a list of kinds (a tuple), ``{"array": dtype, "axes": n, "readonly": bool}`` or
+    ``{"record": dtype}`` with indices of ``dtypes``. ``fixed``: the loop takes nothing else, and a whole number stands for a
+    float.
+    """
+    return [_writer(kind, dtypes, fixed) for kind in kinds]
+
+
+def _writer(kind: Any, dtypes: Sequence[Any], fixed: bool) -> ArgumentWriter:
+    if isinstance(kind, list):
+        return _tuple_writer([_writer(one, dtypes, fixed) for one in kind])
+    if isinstance(kind, dict):
+        if "record" in kind:
+            return _record_writer(dtypes[kind["record"]])
+        return _array_writer(dtypes[kind["array"]], kind["axes"], kind["readonly"])
+    if kind == "none":
+        return ArgumentWriter([], _write_none)
+    numbers: dict[str, tuple[Any, Any]] = {
+        "float64": ((float, int, np.floating, np.integer) if fixed else float, float),
+        "int64": ((int, np.integer), operator.index),
+        "bool": ((bool, np.bool_, int) if fixed else (bool, np.bool_), bool),
+    }
+    taken, convert = numbers[kind]
+    whole = kind == "int64"
+
+    def write(value: Any, given: list[Any]) -> None:
+        if not isinstance(value, taken) or (whole and isinstance(value, bool)):
+            raise MismatchError
+        given.append(convert(value))
+
+    return ArgumentWriter([C_KINDS[kind]], write)
+
+
+def _write_none(value: Any, given: list[Any]) -> None:
+    if value is not None:
+        raise MismatchError
+
+
+def _tuple_writer(items: list[ArgumentWriter]) -> ArgumentWriter:
+    def write(value: Any, given: list[Any]) -> None:
+        if not isinstance(value, tuple) or len(value) != len(items):
+            raise MismatchError
+        for item, one in zip(items, value, strict=True):
+            item.write(one, given)
+
+    return ArgumentWriter([kind for item in items for kind in item.kinds], write)
+
+
+def _array_writer(dtype: Any, axes: int, readonly: bool) -> ArgumentWriter:
+    seen = dtype  # the same type is mostly the same object; comparing two takes a microsecond
+
+    def write(value: Any, given: list[Any]) -> None:
+        nonlocal seen
+        if not isinstance(value, np.ndarray) or value.ndim != axes:
+            raise MismatchError
+        if value.dtype is not seen:
+            if value.dtype != dtype:
+                raise MismatchError
+            seen = value.dtype
+        flags = value.flags
+        if not (flags.c_contiguous and flags.aligned if readonly else flags.carray):
+            raise MismatchError
+        given.append(id(value) + HEAD)
+
+    return ArgumentWriter([ctypes.c_void_p], write)
+
+
+def _record_writer(dtype: Any) -> ArgumentWriter:
+    def write(value: Any, given: list[Any]) -> None:
+        if not isinstance(value, np.void) or value.dtype != dtype:
+            raise MismatchError
+        given.append(value.__array_interface__["data"][0])
+
+    return ArgumentWriter([ctypes.c_void_p], write)
+
+
+class ValueReader:
+    """Result of a loop, in a buffer of ``size`` bytes."""
+
+    def __init__(self, kind: Any) -> None:
+        self._kind = kind
+        self._struct = struct.Struct("@" + "".join(_codes(kind)))
+        self._flat = isinstance(kind, list) and not any(isinstance(one, list) for one in kind)
+        self.size = self._struct.size + 8  # (a tuple in a tuple may end later)
+
+    def read(self, buffer: Any) -> Any:
+        """Return the value."""
+        if self._flat:
+            return self._struct.unpack_from(buffer)
+        return _value(self._kind, iter(self._struct.unpack_from(buffer)))
+
+
+def value_reader(kind: Any) -> ValueReader | None:
+    """Return the reader of a value of a kind (:func:`argument_writers`), None for no value."""
+    return None if kind == "none" else ValueReader(kind)
+
+
+def _codes(kind: Any) -> list[str]:
+    return [code for one in kind for code in _codes(one)] if isinstance(kind, list) else [CODES[kind]]
+
+
+def _value(kind: Any, numbers: Iterator[Any]) -> Any:
+    return tuple(_value(one, numbers) for one in kind) if isinstance(kind, list) else next(numbers)
+
+
+def kinds_text(takes: Sequence[Any], returns: Any) -> str:
+    """Return the text of what a loop takes and returns: kinds with dtypes in place of their indices."""
+
+    def whole(kind: Any) -> Any:
+        if isinstance(kind, list):
+            return [whole(one) for one in kind]
+        if isinstance(kind, dict):
+            return {key: dtype_text(x) if key in ("array", "record") else x for key, x in kind.items()}
+        return kind
+
+    return json.dumps([whole(list(takes)), whole(returns)])
+
+
+def dtype_text(dtype: Any) -> Any:
+    """Return a dtype as JSON has it: of records with the places of their fields."""
+    if dtype.names is None:
+        return dtype.str
+    fields = [dtype.fields[name] for name in dtype.names]
+    return {
+        "names": list(dtype.names),
+        "formats": [
+            kind.str if kind.subdtype is None else [kind.subdtype[0].str, list(kind.shape)] for kind, *_ in fields
+        ],
+        "offsets": [offset for _kind, offset, *_ in fields],
+        "itemsize": dtype.itemsize,
+    }
+
+
+def dtype_of(text: Any) -> Any:
+    """Return the dtype of a :func:`dtype_text`."""
+    if isinstance(text, str):
+        return np.dtype(text)
+    layout: Any = {
+        **text,
+        "formats": [one if isinstance(one, str) else (one[0], tuple(one[1])) for one in text["formats"]],
+    }
+    return np.dtype(layout)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Machine code of the package's loops for the processor at hand: made of bitcode by llvmlite, kept in the cache, linked in.
+
+
+# What machine code may call although its bitcode does not.
+ALWAYS_CALLED = {"memcpy", "memmove", "memset"}
+
+
+class UnusableError(Exception):
+    """Bitcode is not for this machine."""
+
+
+class Bitcode(NamedTuple):
+    """Bitcode of a loop."""
+
+    name: str
+    read: Callable[[], bytes]
+    vectorise: bool
+    """Whether it is optimised once more, for this processor's vectors."""
+    calls: Sequence[str]
+    """Functions of other libraries that it needs."""
+    llvm: Sequence[int]
+    """The version of LLVM that wrote it: an older one may not read it."""
+    names: Path | None
+    """The file whose content names its machine code in the cache; None: none is kept."""
+
+
+_engines = threading.Lock()
+
+
+def library_version() -> str:
+    """Return the versions of llvmlite and of its LLVM."""
+    import llvmlite
+    import llvmlite.binding as llvm
+
+    return f"{llvmlite.__version__} {'.'.join(map(str, llvm.llvm_version_info))}"
+
+
+@functools.cache
+def _machine() -> tuple[Any, str]:
+    """Return LLVM's target machine for this processor, and a text that names it."""
+    import llvmlite.binding as llvm
+
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    target, features = llvm.Target.from_default_triple(), ""
+    with contextlib.suppress(RuntimeError):
+        features = llvm.get_host_cpu_features().flatten()
+    processor = llvm.get_host_cpu_name()
+    # (as Numba has it)
+    made = target.create_target_machine(
+        cpu=processor, features=features, opt=3, codemodel="jitdefault", jit=True,
+        reloc="static" if target.name.startswith("x86") else "default",
+    )  # fmt: skip
+    return made, f"{target.triple} {processor} {features} {library_version()}"
+
+
+@functools.cache
+def _engine() -> Any:
+    """Return LLVM's engine, which holds all machine code of this process."""
+    import llvmlite.binding as llvm
+
+    # (of a machine of its own, which the engine then owns)
+    _machine()
+    return llvm.create_mcjit_compiler(
+        llvm.parse_assembly(""), llvm.Target.from_default_triple().create_target_machine(jit=True)
+    )
+
+
+@functools.cache
+def _objects(index: Path) -> Path:
+    """Return the folder of machine code made for this processor of the bitcode that an index names."""
+    name = hashlib.sha256(index.read_bytes() + _machine()[1].encode()).hexdigest()[:16]
+    folder = cache_base() / name
+    use_generation(folder)
+    return folder
+
+
+_loaded: set[str] = set()
+
+
+def function_address(code: Bitcode, symbol: str) -> int:
+    """Return the address of a function of the bitcode; UnusableError where it is not for this machine."""
+    import llvmlite.binding as llvm
+
+    with _engines:
+        if code.name not in _loaded:
+            made = llvm.ObjectFileRef.from_data(_object(code))
+            _engine().add_object_file(made)
+            _engine().finalize_object()
+            _loaded.add(code.name)
+        return int(_engine().get_function_address(symbol))
+
+
+def _object(code: Bitcode) -> bytes:
+    """Return a loop's machine code: from the cache, or made now, by one process while others wait."""
+    _require_library(code)
+    if code.names is None:
+        return finished_code(code)
+    folder, name = _objects(code.names), code.name
+    path = folder / f"{name}.o"
+    found = _checked(path)
+    if found is not None:
+        return found
+    with locked(folder / "locks" / name):
+        found = _checked(path)
+        if found is None:
+            found = finished_code(code)
+            with contextlib.suppress(OSError):
+                part = path.with_name(f"{name}.{os.getpid()}")
+                part.write_bytes(zlib.crc32(found).to_bytes(4, "little") + found)
+                part.replace(path)
+    return found
+
+
+def is_kept(name: str, names: Path) -> bool:
+    """Return whether the cache has a loop's machine code."""
+    return (_objects(names) / f"{name}.o").exists()
+
+
+def _checked(path: Path) -> bytes | None:
+    """Return the machine code in a file; None where it is not there, or not whole."""
+    try:
+        data = path.read_bytes()
+    except OSError:
+        return None
+    return data[4:] if len(data) > 4 and zlib.crc32(data[4:]) == int.from_bytes(data[:4], "little") else None
+
+
+def _require_library(code: Bitcode) -> None:
+    """Raise UnusableError where LLVM, or the system's libm, lacks what the code needs: LLVM would end the process."""
+    import llvmlite.binding as llvm
+
+    if tuple(code.llvm) > tuple(llvm.llvm_version_info):
+        raise UnusableError
+    _engine()  # (which has the process's own symbols looked up)
+    for called in {*code.calls, *ALWAYS_CALLED}:
+        if not llvm.address_of_symbol(called):
+            raise UnusableError
+
+
+def finished_code(code: Bitcode) -> bytes:
+    """Return machine code made of bitcode for this processor; loops over rows are brought to its vectors first."""
+    import llvmlite.binding as llvm
+
+    machine = _machine()[0]
+    try:
+        module = llvm.parse_bitcode(code.read())
+    except (RuntimeError, OSError):
+        raise UnusableError from None
+    module.triple, module.data_layout = machine.triple, str(machine.target_data)
+    if code.vectorise:
+        options = llvm.create_pipeline_tuning_options(speed_level=3)
+        options.loop_vectorization = True
+        builder = llvm.create_pass_builder(machine, options)
+        builder.getModulePassManager().run(module, builder)
+    return bytes(machine.emit_object(module))
+
+
+# ----------------------------------------------------------------------------------------------------
+# Loops that lie ready in the package: nothing is compiled by Numba, which is not even imported, on a user's machine.
+#
+# `make native` has Numba type and lower every loop that carom.cli.warm names, and keeps each as LLVM's bitcode, optimised, for
+# any
+# processor (:mod:`carom.core.jit.native_build`). Here llvmlite alone finishes it for this processor, when it is first called, in
+# a
+# fraction of a second; the machine code is kept in the user's cache, from where it is loaded in a millisecond.
+#
+# A loop is taken from the package only while its kernels are those of which it was built: by the hash of their files, or else by
+# the
+# hash of what they do. Otherwise, and for arguments or machines that it is not for, Numba compiles it.
+
 
 FOLDER = Path(__file__).with_name("native")
 INDEX = FOLDER / "index.json"
@@ -67,7 +395,7 @@ class LoopSource(NamedTuple):
     compile_here: Callable[[], Any]
     """Return Numba's compiled version of it."""
     takes: str | None = None
-    """Text of what its signature says (:func:`carom.core.jit.marshal.kinds_text`), if it has one."""
+    """Text of what its signature says (:func:`carom.core.jit.native.kinds_text`), if it has one."""
     plain: tuple[int, int] | None = None
     """Numbers, and places of numbers, that a function takes which is called by its address alone."""
 
@@ -329,7 +657,7 @@ def arguments_text(described: dict[str, Any], dtypes: Sequence[Any]) -> str:
 
 
 @functools.cache
-def _codes(function: Callable[..., Any]) -> list[NativeCode]:
+def _native_codes(function: Callable[..., Any]) -> list[NativeCode]:
     """Return the package's code of a loop; none where there is none, or where its kernels have changed."""
     if why_not_shipped():
         return []
@@ -346,7 +674,7 @@ def current_codes(source: LoopSource) -> list[NativeCode]:
 
     (What is called by its address alone is never asked whether its arguments are of these kinds.)
     """
-    codes, takes = _codes(source.function), source.takes
+    codes, takes = _native_codes(source.function), source.takes
     return [one for one in codes if takes is None or arguments_text(one.described, _dtypes()) == takes]
 
 
@@ -370,12 +698,12 @@ def _bitcode(name: str) -> bytes:
 
 def has_machine_code(function: Callable[..., Any]) -> bool:
     """Return whether the cache has the machine code of a loop of which the package has code."""
-    return all(is_kept(code.described["name"], INDEX) for code in _codes(function))
+    return all(is_kept(code.described["name"], INDEX) for code in _native_codes(function))
 
 
 def is_shipped(function: Callable[..., Any]) -> bool:
     """Return whether the package has code of a loop."""
-    return bool(_codes(function))
+    return bool(_native_codes(function))
 
 
 def shipped_loop(source: LoopSource) -> NativeLoop | None:

@@ -21,11 +21,7 @@ from carom.core.jit import native
 from carom.core.jit.compile import numba_signature, register_kernels
 from carom.core.jit.kernel_hash import name_with_values
 from carom.core.jit.lowering import CFunction, LoweringError, linked_dispatcher, llvm_text, whole_module, with_entry
-from carom.core.jit.machine_code import library_version
-from carom.core.jit.marshal import dtype_text
-from carom.core.jit.native import FOLDER, INDEX, LoopSource, NativeCode, NativeLoop
-
-__all__ = ["LoweringError", "NativeBuild", "part_range"]
+from carom.core.jit.native import FOLDER, INDEX, LoopSource, NativeCode, NativeLoop, dtype_text, library_version
 
 # Loops over numbers become vectors of four for any processor: LLVM has them computed in halves, or one by one, where there are none
 # so wide. Their code is plain: no gathers, no masks. Without vectors gases take 1.3 times as long, many orbits 1.5 to 8 times.
@@ -78,7 +74,7 @@ class NativeBuild:
 
     def add(self, key: str, source: LoopSource, dispatcher: Any, kinds: Sequence[Any], returns: Any) -> NativeCode:
         """Keep a loop that was lowered for arguments of these types of Numba's."""
-        codes, known = self.made.setdefault(key, []), native._codes(source.function)
+        codes, known = self.made.setdefault(key, []), native._native_codes(source.function)
         taken = {one.described["name"] for one in (*codes, *known)}
         names = (_file_name(key) + (f"-{k}" if k else "") for k in itertools.count())
         name = next(one for one in names if one not in taken)
@@ -105,7 +101,7 @@ class NativeBuild:
             codes.append(code)
 
     def _described(self, kind: Any) -> Any:
-        """Return the description of one of Numba's types (:func:`carom.core.jit.marshal.argument_writers`)."""
+        """Return the description of one of Numba's types (:func:`carom.core.jit.native.argument_writers`)."""
         from numba import types
         from numba.np.numpy_support import as_dtype
 

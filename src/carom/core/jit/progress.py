@@ -8,8 +8,6 @@ from contextlib import contextmanager
 from types import CodeType, FunctionType
 from typing import Any, NamedTuple
 
-__all__ = ["CompileProgress", "announce", "called_kernels", "compile_progress", "listen", "name_of", "watch_compiling"]
-
 Report = Callable[[str, bool], None]
 _reports: list[Report] = []
 
@@ -65,7 +63,7 @@ def watch_compiling(report: Report) -> Iterator[None]:
 
 
 def announce(name: str, finished: bool) -> None:
-    """Report to all watchers; also what another process compiles (:mod:`carom.core.jit.background`)."""
+    """Report to all watchers; also what another process compiles (:mod:`carom.core.jit.workers`)."""
     for report in tuple(_reports):
         report(name, finished)
 

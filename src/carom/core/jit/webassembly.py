@@ -19,16 +19,6 @@ from typing import Any, NamedTuple
 from carom.core.jit.compile import numba_signature, register_kernels
 from carom.core.jit.lowering import CFunction, LoweringError, linked_dispatcher, llvm_text, whole_module, with_entry
 
-__all__ = [
-    "Export",
-    "WebAssemblyError",
-    "build_module",
-    "libm_licence",
-    "plain_signature",
-    "require_tools",
-    "tool_versions",
-]
-
 INSTALL = "python -m pip install -e '.[wasm]'"  # in a clone, where make wasm runs
 TRIPLE = "wasm32-unknown-unknown"
 LAYOUT = "e-m:e-p:32:32-p10:8:8-p20:8:8-i64:64-i128:128-n32:64-S128-ni:1:10:20"

@@ -14,16 +14,218 @@ from __future__ import annotations
 
 import math
 
-from carom.core.contact import slip_velocity
-from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, steepest
-from carom.core.motion.decay import decay_integrals, time_of_integral
-from carom.core.motion.rolling import UP, rolls_at_last
+from carom.core.contact import one_contact, slip_velocity
+from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, root_of, steepest, without_slopes
 
-__all__ = [
-    "BOUNCING", "FLIGHT", "HELD", "LEFT", "ON_FLOOR", "PHASES", "PIVOTING", "POCKETED", "REST", "ROLLING", "SLIDING",
-    "accelerations", "acts", "advance", "advance_decaying", "decays", "grounded", "next_phase", "rolling_friction",
-    "sliding_friction",
-]  # fmt: skip
+UP: Vec = (0.0, 0.0, 1.0)  # normal of the floor
+
+
+@hot_kernel
+def rolls_at_last(v: Vec, w: Vec, a: float, kappa: float) -> tuple[Vec, Vec]:
+    """Return velocity and spin of the rolling that a ball in the state (v, w) comes to, if it comes to roll.
+
+    Friction at the floor's contact point conserves the angular momentum about that point and omega_z.
+    """
+    # (37), (38), solved for velocity and spin: (39), with I = kappa m a^2
+    c, d = 1 / (1 + kappa), 1 / a
+    x = (v[0] + kappa * a * w[1]) * c
+    y = (v[1] - kappa * a * w[0]) * c
+    return (x, y, x - x), (-y * d, x * d, w[2])
+
+
+# ----------------------------------------------------------------------------------------------------
+# Restitution as a function of the normal speed: constant, or one of a few published forms.
+#
+# A form is a code and three numbers. Every form is held in [0, 1] and is monotone in the speed as far as it is meant to go.
+
+
+CONSTANT, POLYNOMIAL, POWER, VISCOELASTIC, EXPONENTIAL = range(5)
+FORMS = ("constant", "polynomial", "power", "viscoelastic", "exponential")
+
+
+@hot_kernel
+def restitution(form: int, p: Vec, speed: float) -> float:
+    """Return e at a normal speed of approach (m/s, >= 0)."""
+    return p[0] if form == CONSTANT else _of_speed(form, p, speed)
+
+
+@kernel
+def _of_speed(form: int, p: Vec, speed: float) -> float:
+    zero = 0 * speed
+    if form == POLYNOMIAL:
+        # Han, J. Mech. Sci. Technol. 19, 976 (2005), eq. 26, a carom cushion: 0.39 + 0.257 v - 0.044 v^2. Beyond its vertex,
+        # where nothing was measured, it stays what it is there
+        v = speed
+        if p[2] != 0 and p[1] * p[2] < 0:
+            v = min(speed, -p[1] / (2 * p[2]))
+        e = p[0] + p[1] * v + p[2] * v * v
+    elif form == POWER:
+        # Johnson, Contact Mechanics (1985), 11.5: plastic impact, e = p0 (v / p1)^-p2, p2 = 1/4; p0 below the speed p1
+        e = p[0] * math.exp(-p[2] * math.log(speed / p[1])) if speed > p[1] else p[0] + zero
+    elif form == VISCOELASTIC:
+        # Ramirez, Poschel, Brilliantov & Schwager, Phys. Rev. E 60, 4465 (1999): 1 - C v^1/5 + 3/5 C^2 v^2/5 - ...; as the
+        # Pade form that stays positive: 1 / (1 + C v^1/5 + 2/5 C^2 v^2/5)
+        c = p[0] * math.exp(math.log(speed) / 5) if speed > 0 else zero
+        e = 1 / (1 + c + 2 * c * c / 5)
+    else:
+        # EXPONENTIAL, a convenience for fits: from p0 at rest to p1 at great speed, over the speed p2
+        e = p[1] + (p[0] - p[1]) * math.exp(-speed / p[2])
+    return min(max(e, zero), 1 + zero)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Sum infinitely many bounces in a finite time (Zeno), to the last bit.
+#
+# A ball on a floor of restitution e < 1 bounces ever lower: its bounces last 2 v_z/g, 2 e v_z/g, ... and end after
+# 2 v_z/(g (1 - e)). Each landing rubs, so velocity and spin change with every one, from slip to stick and, with tangential
+# restitution, perhaps back. The series is followed hop by hop, without events, until what is left is below the rounding of
+# the sums, and that is added as a geometric series: nothing is cut off, and e may depend on the speed (its limit closes the
+# series).
+
+
+# Hops below this share of the first are closed by the geometric series: their sums are below rounding.
+LAST_HOP = 1e-18
+# Where e is so near 1 that the hops do not shrink to that: the geometric series of what is left.
+MOST_HOPS = 10_000_000
+
+
+@kernel
+def series_lasts(vz: float, g: float, form: int, p: Vec) -> float:
+    """Return an upper bound of the time for which a ball that leaves the floor with v_z bounces; infinite if it has no end."""
+    # every form is monotone: the largest e on the way is at one of the ends
+    e = restitution(form, p, vz)
+    most = max(e, restitution(form, p, 0 * vz))
+    if most < 1:
+        return 2 * vz / (g * (1 - most))
+    # e tends to 1 as the ball comes to rest, and yet the hops end where 1 - e falls no faster than v^1/5: the sum of the
+    # speeds is at most the integral of dv / (1 - e), and one hop more
+    return 2 * (vz + 5 * vz / (4 * (1 - e))) / g if form == VISCOELASTIC and e < 1 else math.inf
+
+
+@kernel
+def bounces(
+    x: Vec, v: Vec, w: Vec, a: float, kappa: float, g: float, form: int, p: Vec, mu: float, beta: float, until: float
+) -> tuple[Vec, Vec, Vec, float]:
+    """Follow a ball that leaves the floor (its lowest point there, v_z > 0) for a time ``until``, or to its last bounce.
+
+    Returns position, velocity, spin and the time that passed: ``until``, or the time at which it stays on the floor.
+    """
+    t = 0 * g
+    first = v[2]
+    for _ in range(MOST_HOPS):
+        hop = 2 * v[2] / g
+        if t + hop > until:
+            s = until - t
+            return (
+                (x[0] + v[0] * s, x[1] + v[1] * s, x[2] + v[2] * s - g * s * s / 2),
+                (v[0], v[1], v[2] - g * s),
+                w,
+                until,
+            )
+        if v[2] <= LAST_HOP * first:
+            break
+        t += hop
+        x = (x[0] + v[0] * hop, x[1] + v[1] * hop, x[2])
+        e = restitution(form, p, v[2])
+        v, w, _j, _required, _regime = one_contact((v[0], v[1], -v[2]), w, UP, a, kappa, e, mu, beta)
+    if v[2] > 0:
+        e = restitution(form, p, v[2])
+        rest = 2 * v[2] / (g * (1 - e))
+        t += rest
+        x = (x[0] + v[0] * rest, x[1] + v[1] * rest, x[2])
+    return x, (v[0], v[1], 0 * g), w, t
+
+
+# ----------------------------------------------------------------------------------------------------
+# Motion whose acceleration decays exponentially: its integrals, and the times at which they reach a value, to rounding.
+#
+# A resistance that grows with the speed, v' = -(A + B v), makes the acceleration decay as exp(-B s); a torque that grows with the
+# spin does the same to the angular acceleration. All is + - * / alone, so that Python, compiled code and the page have the same
+# bits.
+
+
+LARGEST_SERIES = 0.5  # of k s: beyond, the integrals of a half are doubled
+TERMS = 14  # of the series: the next one is below 1e-18
+FADED = 700.0  # of k s: nothing is left
+MOST_STEPS = 200
+
+
+@kernel
+def decay_integrals(k: float, s: float) -> tuple[float, float, float]:
+    """Return exp(-k s), its integral from 0 to s, and the integral of that; 1, s and s^2/2 where k = 0."""
+    z = k * s
+    if not z <= FADED:
+        return 0 * k, 1 / k, (s - 1 / k) / k
+    halvings = 0
+    while z > LARGEST_SERIES:
+        z, s, halvings = z / 2, s / 2, halvings + 1
+    # (exp(-z) - 1 + z) / z^2 = 1/2 (1 - z/3 (1 - z/4 (1 - ...)))
+    p = 1 - z / (TERMS + 3)
+    for i in range(TERMS):
+        p = 1 - z * p / (TERMS + 2 - i)
+    p = p / 2
+    once = 1 - z * p
+    rest, once, twice = 1 - z * once, s * once, s * s * p
+    for _ in range(halvings):
+        # over 2 s, from s on all is exp(-k s) of what it was: the terms are positive, and nothing cancels
+        twice = twice + once * s + rest * twice
+        once = once + rest * once
+        rest, s = rest * rest, 2 * s
+    return rest, once, twice
+
+
+@kernel
+def time_of_integral(k: float, y: float) -> float:
+    """Return the time at which the integral of exp(-k s) is y >= 0, where a speed that falls so is gone; or infinity."""
+    rate, value = without_slopes(k), without_slopes(y)
+    if not rate * value < 1:
+        return math.inf + 0 * y
+    # the integral is concave: Newton's steps from the left stay there
+    s = value
+    for _ in range(MOST_STEPS):
+        rest, once, _twice = decay_integrals(rate, s)
+        step = (value - once) / rest
+        if not step > 1e-16 * s:
+            break
+        s = s + step
+    rest, once, _twice = decay_integrals(k, s + 0 * y)
+    found: float = root_of(s, once - y, rest)
+    return found
+
+
+@kernel
+def time_of_path(k: float, c: float, path: float, until: float) -> float:
+    """Return the time in [0, until] at which a ball has come as far as it would in the time ``path`` with its first speed.
+
+    Its speed is 1 - c (integral of exp(-k s)) of the first one: c is its first deceleration over that. At most ``until``.
+    """
+    s = path
+    for _ in range(MOST_STEPS):
+        _rest, once, twice = decay_integrals(k, s)
+        speed = 1 - c * once
+        if not speed > 0:
+            return until
+        step = (path - (s - c * twice)) / speed
+        if not step > 1e-16 * s:
+            break
+        s = s + step
+        if not s < until:
+            return until
+    return min(s, until)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Motion of a ball between two events: every phase has an acceleration that is constant or decays exponentially: a closed form.
+#
+# In flight the force is constant. On the floor, with gravity along its normal: a sliding ball's slip keeps its direction and
+# shrinks at the rate mu g (1 + 1/kappa), so the friction is constant until the slip ends; a rolling ball is slowed at the
+# rate (c + d v) g, c the rolling resistance and d its rise with the speed, along its path; spin about the vertical fades at the
+# rate spin_friction g / (kappa a) + spin_damping |omega_z|, and while the ball rolls spin_drag v more.
+#
+# Sources: G. G. Coriolis, Théorie mathématique des effets du jeu de billard (1835), for sliding and the parabola; W. C.
+# Marlow, The Physics of Pocket Billiards (1995), for rolling resistance and pivoting; T. Pöschel, T. Schwager & N. V.
+# Brilliantov, Eur. Phys. J. B 10, 169 (1999), for a rolling resistance of a viscous surface that is proportional to the speed.
+
 
 # The phases; what people see is PHASES[code]. A bouncing ball hops infinitely often in a finite time (motion.bounces); one
 # that is held presses on a wall or a ball, one that left has left the table, one that is pocketed lies in a pocket: none of them

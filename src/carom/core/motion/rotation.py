@@ -11,16 +11,8 @@ import math
 
 from carom.core.contact import one_contact
 from carom.core.jit.kernel import Vec, cross, dot, kernel
-from carom.core.motion.bounces import LAST_HOP
-from carom.core.motion.decay import time_of_integral, time_of_path
-from carom.core.motion.phases import advance_decaying
-from carom.core.motion.restitution import restitution
-from carom.core.motion.rolling import UP
+from carom.core.motion.phases import LAST_HOP, UP, advance_decaying, restitution, time_of_integral, time_of_path
 from carom.core.motion.tilt import Lean, advance_on_slope
-
-__all__ = [
-    "Quaternion", "compose", "orientation_after", "orientation_after_bounces", "orientation_after_decay", "rotation",
-]  # fmt: skip
 
 Quaternion = tuple[float, float, float, float]
 # Phase, velocity, radius, kappa, lean (carom.core.motion.tilt)

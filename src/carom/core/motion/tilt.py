@@ -17,20 +17,7 @@ import math
 
 from carom.core.contact import slip_velocity
 from carom.core.jit.kernel import Vec, hot_kernel, kernel, root_of, steepest, without_slopes
-from carom.core.motion.decay import decay_integrals, time_of_integral
-from carom.core.motion.phases import REST, ROLLING, SLIDING, acts
-from carom.core.motion.rolling import UP
-
-__all__ = [
-    "LEVEL",
-    "Lean",
-    "advance_on_slope",
-    "course_error",
-    "is_tilted",
-    "lean_of",
-    "phase_on_slope",
-    "slope_acceleration",
-]
+from carom.core.motion.phases import REST, ROLLING, SLIDING, UP, acts, decay_integrals, time_of_integral
 
 # F (x, y), m, and q; q is 0 for a ball whose acceleration is constant
 Lean = tuple[float, float, float, float]

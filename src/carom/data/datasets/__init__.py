@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.datasets.sources import SOURCES
+from carom.data.datasets.carom_tracks import SOURCES
 from carom.data.table_cells import EMPTY, parse_numbers
 from carom.errors import CaromError, Fault, did_you_mean, require_type
 from carom.files import as_path, atomic_path, read_text

@@ -9,11 +9,12 @@ from typing import Any
 
 import sympy as sp
 
-from carom.derive.paper import section2, section2_impact, section3, section3_floor, section4
+from carom.derive.paper import section2, section3
+from carom.derive.paper import section2 as section2_impact
+from carom.derive.paper import section3 as section3_floor
+from carom.derive.paper import section3 as section4
 from carom.derive.paper.ledger import Entry, EquationVerdict, judge, shown
 from carom.errors import CaromError
-
-__all__ = ["STAGES", "as_record", "as_tex", "derive_paper", "find_entries"]
 
 # Stages of the derivation: name, function, equation numbers, section of the unnumbered statements
 STAGES: tuple[tuple[str, Callable[[], list[Entry]], range, int], ...] = (

@@ -8,9 +8,29 @@ from typing import Any
 import sympy as sp
 
 from carom.derive.linear import Expr, is_zero, solve_linear, tidy
-from carom.derive.paper import model as k
-from carom.derive.paper.ledger import Branch, Entry, Step
-from carom.derive.paper.model import I, a, dx, dy, dz, e, eq, m, mu
+from carom.derive.paper import ledger as k
+from carom.derive.paper.ledger import (
+    ATTITUDE,
+    Branch,
+    Entry,
+    I,
+    Step,
+    a,
+    dphi,
+    dpsi,
+    dtheta,
+    dx,
+    dy,
+    dz,
+    e,
+    eq,
+    m,
+    mu,
+    psi,
+    theta,
+    u0,
+    v0,
+)
 
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
 COMING = {k.x0: -k.u0}  # the ball comes to the wall: x' < 0
@@ -310,4 +330,346 @@ def flight() -> list[Entry]:
             steps=(Step("z - a = z1' t - g t^2 / 2 vanishes at t =", landing), Step("when z' is", down)),
             note="Without air, and onto a floor of the same height, before the ball meets another wall.",
         )
+    ]
+
+
+# ----------------------------------------------------------------------------------------------------
+# Section 3 of the paper, the second impact: equations (34) to (39).
+
+
+def floor() -> list[Entry]:
+    """(34) to (39): the second impact."""
+    energy = tidy(k.angle_energy())
+    roll = k.rolling()
+    p = sp.symbols("p_theta p_varphi p_psi")
+    chain = [
+        tidy(sp.diff(energy, w) + sum((sp.diff(energy, q) * sp.diff(roll[q], w) for q in (dx, dy)), sp.S.Zero))
+        for w in (dtheta, dphi, dpsi)
+    ]
+    printed35 = [
+        eq(p[0], I * dtheta + m * a * sp.sin(psi) * dx - m * a * sp.cos(psi) * dy),
+        eq(
+            p[1],
+            I * (dphi + sp.cos(theta) * dpsi)
+            - m * a * sp.sin(theta) * sp.cos(psi) * dx
+            - m * a * sp.sin(theta) * sp.sin(psi) * dy,
+        ),
+        eq(p[2], I * (dpsi + sp.cos(theta) * dphi)),
+    ]
+    # the floor's impulse does no work along a rolling displacement: S^T A^T Lambda
+    rows = [sp.Matrix([[sp.diff(w, v) for v in (dx, dy, dz, dtheta, dphi, dpsi)]]) for w in k.floor_rows().values()]
+    shape = sp.Matrix([[sp.diff(roll[q], w) for w in (dtheta, dphi, dpsi)] for q in (dx, dy, dz)]).col_join(sp.eye(3))
+    pushes = sp.Matrix(sp.symbols("Lambda_1:4"))
+    work = (shape.T * sp.Matrix.vstack(*rows).T * pushes).applyfunc(tidy)
+    p1, p2 = (sp.symbols(f"p_theta{n} p_varphi{n} p_psi{n}") for n in (1, 2))
+    facts = k.second_facts()
+    momenta = [
+        eq(I * k.wx2 - m * a * k.y2, I * k.wx1 - m * a * k.y1),
+        eq(I * k.wy2 + m * a * k.x2, I * k.wy1 + m * a * k.x1),
+        eq(I * k.wz2, I * k.wz2),
+    ]
+    at = {v: w.subs(ATTITUDE) for v, w in zip((k.wx, k.wy, k.wz), k.spin(), strict=True)}
+    up = sp.solve([eq(v, w) for v, w in at.items()], [dtheta, dphi, dpsi], dict=True)[0]
+    spun = [q.subs(ATTITUDE).subs(up) for q in chain]
+    derived37 = [
+        eq(
+            w.subs(dict(zip((dx, dy, k.wx, k.wy, k.wz), (k.x2, k.y2, k.wx2, k.wy2, k.wz2), strict=True))),
+            w.subs(dict(zip((dx, dy, k.wx, k.wy, k.wz), (k.x1, k.y1, k.wx1, k.wy1, k.wz1), strict=True))),
+        )
+        for w in (spun[0], -spun[1], spun[2])
+    ]
+    lower = I + m * a**2
+    answer = [
+        eq(k.x2, a * (I * k.wy1 + m * a * k.x1) / lower),
+        eq(k.y2, a * (m * a * k.y1 - I * k.wx1) / lower),
+        eq(k.z2, sp.S.Zero),
+        eq(k.wx2, (I * k.wx1 - m * a * k.y1) / lower),
+        eq(k.wy2, (I * k.wy1 + m * a * k.x1) / lower),
+        eq(k.wz2, k.wz1),
+    ]
+    rolling2 = [eq(k.x2, a * k.wy2), eq(k.y2, -a * k.wx2), eq(k.z2, sp.S.Zero)]
+    motion, jump = k.second_impact()
+    other = motion.solve(method="virtual")
+    agree = all(is_zero(other.after[u] - jump.after[u]) for u in jump.after)
+    depends = any(v.has(k.z1) for v in facts.values())
+    lines = tuple(Step("", q) for q in derived37)
+    third = "The third line has omega_z2 on both sides, whether by the press or by the scan; (39) shows what is meant"
+    landing = "enters" if depends else "does not enter"
+    return [
+        Entry(
+            "34",
+            "kinetic energy in the air",
+            (
+                eq(
+                    k.T,
+                    m * (dx**2 + dy**2 + dz**2) / 2
+                    + I * (dtheta**2 + dphi**2 + dpsi**2 + 2 * dphi * dpsi * sp.cos(theta)) / 2,
+                ),
+            ),
+            (eq(k.T, energy),),
+            one({k.T: energy}),
+            steps=(Step("m v^2 / 2 + I omega^2 / 2 with (1).", energy),),
+        ),
+        *parts(
+            "35",
+            "momenta along rolling displacements",
+            printed35,
+            [eq(q, v) for q, v in zip(p, chain, strict=True)],
+            dict(zip(p, chain, strict=True)),
+            steps=(Step("Chain rule with (2).", sp.Matrix(chain)),),
+        ),
+        Entry(
+            "36",
+            "they do not jump",
+            tuple(eq(q, r) for q, r in zip(p1, p2, strict=True)),
+            tuple(eq(q, r) for q, r in zip(p1, p2, strict=True)),
+            one(dict(zip(p2, [q + w for q, w in zip(p1, work, strict=True)], strict=True))),
+            steps=(Step("The work of the floor's impulse along rolling displacements.", work),),
+        ),
+        *parts(
+            "37",
+            "the same in spins",
+            momenta,
+            derived37,
+            facts,
+            steps=(Step("(35) at varphi = psi = 0, theta = pi/2, (36):", None), *lines),
+            note=third,
+            line_notes={2: third},
+        ),
+        *parts(
+            "38",
+            "rolling after the second impact",
+            rolling2,
+            rolling2,
+            facts,
+            steps=(Step("(2) in spins.", None),),
+            note="The scan reads y^2 for the subscripts y2; taken as the scan's slip.",
+        ),
+        *parts(
+            "39",
+            "state after the second impact",
+            answer,
+            [eq(q.lhs, facts[q.lhs]) for q in answer],
+            facts,
+            steps=(
+                Step("M (u2 - u1) = A^T Lambda with (38).", None),
+                *(Step("", eq(q.lhs, facts[q.lhs])) for q in answer),
+                Step(f"By virtual displacements the same: {agree}.", None),
+            ),
+            note=f"z1' {landing} it: angular momentum about the floor contact gives it, whether the ball sticks, "
+            "slides or "
+            "bounces there, as long as nothing else acts and every impulse passes through that contact.",
+        ),
+    ]
+
+
+# ----------------------------------------------------------------------------------------------------
+# Sections 4, 5 and 1 of the paper: equations (40) and (41), the angles, and the sentences around them.
+
+
+R = sp.Rational
+
+
+def example() -> list[Entry]:
+    """(40), (41) and the printed initial condition."""
+    facts = k.example_facts()
+    cases = (Branch(k.INSIDE, facts), Branch(k.OUTSIDE, k.example_facts(slides=True)))
+    lower = I + m * a**2
+    printed40 = [
+        (eq(k.x1, u0),),
+        (eq(k.y1, m * a**2 / lower * v0), eq(k.y1, R(5, 7) * v0)),
+        (eq(k.z1, I * u0 / lower), eq(k.z1, R(2, 7) * u0)),
+        (eq(k.wx1, -v0 / a),),
+        (eq(k.wy1, -u0 * I / (a * lower)), eq(k.wy1, -R(2, 7) * u0 / a)),
+        (eq(k.wz1, m * a * v0 / lower), eq(k.wz1, R(5, 7) * v0 / a)),
+    ]
+    printed41 = [
+        eq(k.x2, R(31, 49) * u0),
+        eq(k.y2, R(39, 49) * v0),
+        eq(k.z2, sp.S.Zero),
+        eq(k.wx2, -R(39, 49) * v0 / a),
+        eq(k.wy2, R(25, 49) * u0 / a),
+        eq(k.wz2, R(5, 7) * v0 / a),
+    ]
+    derived40 = [eq(q[0].lhs, facts[q[0].lhs]) for q in printed40]
+    derived41 = [eq(q.lhs, facts[q.lhs]) for q in printed41]
+    put = Step("(31) with x0' = -u_0, y0' = v_0, omega_z0 = 0, e = 1, I = 2 m a^2 / 5.", None)
+    step41 = (put, *(Step("", q) for q in derived40), Step("Then (39).", None), *(Step("", q) for q in derived41))
+    rolling = tidy((k.x2 - a * k.wy2).subs({k.x2: printed41[0].rhs, k.wy2: printed41[4].rhs}))
+    slip = f"With the printed omega_y2 the ball would not roll: x2' - a omega_y2 would be {rolling}, against (38)"
+    flat40 = tuple(q for line in printed40 for q in line)
+    spin = facts[k.wz1]
+    tables = {k.wz0: sp.S.Zero}
+    return [
+        Entry(
+            "s4-1",
+            "'no vertical spin, which means omega_z1 = 0'",
+            (eq(k.wz1, sp.S.Zero),),
+            (eq(k.wz0, tables[k.wz0]),),
+            one({k.wz1: spin}),
+            steps=(Step("After the first impact omega_z1 is", spin),),
+            note="The spin before the impact is omega_z0; (40) itself prints omega_z1 = 5 v_0 / (7 a).",
+        ),
+        Entry(
+            "40",
+            "state after the first impact",
+            flat40,
+            tuple(derived40),
+            cases,
+            steps=(put, *(Step("", q) for q in derived40)),
+        ),
+        *(
+            Entry(
+                f"40{letter}",
+                f"state after the first impact: line {i + 1}",
+                lines,
+                (derived40[i],),
+                cases,
+                steps=(put, Step("", derived40[i])),
+            )
+            for i, (letter, lines) in enumerate(zip("abcdef", printed40, strict=True))
+        ),
+        *parts(
+            "41",
+            "state after the second impact",
+            printed41,
+            derived41,
+            facts,
+            branches=cases,
+            steps=step41,
+            note=slip,
+            line_notes={4: slip},
+        ),
+    ]
+
+
+def angles() -> list[Entry]:
+    """The angles of section 4, by both models."""
+    facts, slid = k.example_facts(), k.example_facts(slides=True)
+    given = {k.x0: -u0, k.y0: v0, k.wz0: sp.S.Zero, e: sp.S.One, I: k.SOLID}
+    conventional = {q: tidy(v.subs(given)) for q, v in k.reversed_root().items()}
+    tan_i, tan_r, deg = sp.symbols("tan_tau_i tan_tau_r tau_r_deg", real=True)
+    incoming = tidy(given[k.y0] / -given[k.x0])
+    outgoing, on_cone = (tidy(state[k.y2] / state[k.x2]) for state in (facts, slid))
+    two, old = (sp.deg(sp.atan(t.subs(v0, u0))) for t in (outgoing, tidy(conventional[k.y1] / conventional[k.x1])))
+
+    smooth = sp.deg(sp.atan(on_cone.subs({v0: u0, k.mu: 0})))
+
+    def rounded(name: str, value: Expr, printed: Expr, *others: Branch) -> Entry:
+        """A figure printed to one decimal, in the paper's case and in others that its words admit."""
+        return Entry(
+            name,
+            f"the angle of reflection is about {printed} degrees",
+            (sp.Le(sp.Abs(deg - printed), R(1, 20)),),
+            (eq(deg, sp.N(value, 6)),),
+            (Branch(k.INSIDE if others else "", {deg: sp.N(value, 20)}), *others),
+            steps=(Step("In degrees, for u_0 = v_0.", eq(value, sp.N(value, 8))),),
+            note=f"{sp.N(value, 8)} degrees.",
+        )
+
+    return [
+        Entry(
+            "s4-2",
+            "the angles from the normal",
+            (eq(tan_i, v0 / u0), eq(tan_r, R(39, 31) * v0 / u0)),
+            (eq(tan_i, incoming), eq(tan_r, outgoing)),
+            (
+                Branch(k.INSIDE, {tan_i: incoming, tan_r: outgoing}),
+                Branch(k.OUTSIDE, {tan_i: incoming, tan_r: on_cone}),
+            ),
+            steps=(Step("y2' / x2' by (41).", outgoing), Step("On the cone it is", on_cone)),
+        ),
+        rounded(
+            "s4-3",
+            two,
+            R(515, 10),
+            Branch(f"{SMOOTH} ({sp.N(smooth, 3)} degrees)", {deg: sp.N(smooth, 20)}),
+        ),
+        Entry(
+            "s4-4",
+            "the conventional answer",
+            (eq(k.x1, u0), eq(k.y1, R(5, 9) * v0), eq(k.wz1, R(14, 9) * v0 / a)),
+            tuple(eq(q, conventional[q]) for q in (k.x1, k.y1, k.wz1)),
+            one(conventional),
+            steps=(Step("(22) with x0' = -u_0, y0' = v_0, omega_z0 = 0, I = 2 m a^2 / 5.", None),),
+        ),
+        rounded("s4-5", old, R(291, 10)),
+    ]
+
+
+def conclusions() -> list[Entry]:
+    """Section 5: the angles of incidence and reflection."""
+    kappa = sp.Symbol("kappa", positive=True)
+    spin = sp.Symbol("omega_z0", real=True)
+    given = {k.x0: -u0, k.y0: v0, e: sp.S.One, I: kappa * m * a**2}
+    first = {q: w.subs(given) for q, w in k.first_facts().items()}
+    last = {q: tidy(w.subs(first).subs(given)) for q, w in k.second_facts().items()}
+    tan_i, tan_r = sp.symbols("tan_tau_i tan_tau_r", real=True)
+    plain = tidy((last[k.y2] / last[k.x2]).subs(spin, 0))
+    excess = tidy(plain - v0 / u0)
+    sphere = {kappa: R(2, 5)}
+    equal_spin = tidy(sp.solve(sp.Eq(last[k.y2] / last[k.x2], v0 / u0).subs(sphere), spin)[0])
+    less = {spin: 2 * equal_spin, **sphere}
+    names = k.conventional_roots()
+    mirror = next(f for n, f, _ in names if "mirror" in n)
+    incoming = {tan_i: v0 / u0}
+    return [
+        Entry(
+            "s5-1",
+            "'the final reflection angle is greater than the incidence angle'",
+            (sp.Gt(tan_r, tan_i),),
+            (eq(tan_r - tan_i, excess),),
+            (
+                Branch("for a solid ball without side spin, e = 1", {tan_r: plain.subs(sphere), **incoming}),
+                Branch(
+                    f"for enough side spin against it (here omega_z0 = {less[spin]})",
+                    {tan_r: tidy((last[k.y2] / last[k.x2]).subs(less)), **incoming},
+                ),
+            ),
+            steps=(
+                Step("tan tau_r - tan tau_i for any kappa, no side spin.", excess),
+                Step("The angles are equal for omega_z0 =", equal_spin),
+            ),
+        ),
+        Entry(
+            "s5-2",
+            "'angle of incidence equals angle of reflection' only without friction",
+            (sp.Ne(tan_r, tan_i),),
+            (eq(spin, equal_spin),),
+            (
+                Branch("for a sticking wall without side spin", {tan_r: plain.subs(sphere), **incoming}),
+                Branch(
+                    f"for a sticking wall and omega_z0 = {equal_spin}",
+                    {tan_r: tidy((last[k.y2] / last[k.x2]).subs({spin: equal_spin, **sphere})), **incoming},
+                ),
+                Branch(
+                    "on the conventional law's mirror root",
+                    {tan_r: tidy((mirror[k.y1] / mirror[k.x1]).subs(given)), **incoming},
+                ),
+            ),
+            steps=(Step("The angles are equal for omega_z0 =", equal_spin),),
+        ),
+    ]
+
+
+def introduction() -> list[Entry]:
+    """Statements of section 1 on friction and energy."""
+    t_change = sp.Symbol("Delta_T", real=True)
+    case = {k.x0: -u0, k.y0: v0, e: sp.S.One}
+    change = tidy(k.first_impact()[1].energy_change.subs(case))
+    no_slip = tidy(k.first_impact(tangential=sp.S.One)[1].energy_change.subs(case))
+    return [
+        Entry(
+            "s1-1",
+            "energy cannot be conserved while friction acts",
+            (sp.Lt(t_change, 0),),
+            (eq(t_change, change),),
+            (
+                Branch("for friction that stops the slip (31)", {t_change: change.subs(k.wz0, 0)}),
+                Branch(
+                    "for the no-slip law of Broomhead and Gutkin, which keeps energy with friction", {t_change: no_slip}
+                ),
+            ),
+            steps=(Step("Energy change at a sticking wall, e = 1.", change), Step("With beta = 1.", no_slip)),
+        ),
     ]

@@ -7,4 +7,4 @@ from .result import EventMatch as EventMatch
 from .result import FittedShot as FittedShot
 from .result import ShotsFit as ShotsFit
 from .result import ShotsRanking as ShotsRanking
-from .stroke import stroke_of as stroke_of
+from .result import stroke_of as stroke_of

@@ -13,8 +13,6 @@ from carom.scene.scene import Scene
 from carom.simulation.simulate import simulate
 from carom.tracks.track import Track
 
-__all__ = ["drawn_films"]
-
 RADIUS, MASS, GRAVITY = 0.03075, 0.21, 9.80665
 SPIN_LOSS = 5.0  # rad/s^2
 

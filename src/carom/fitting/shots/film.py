@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import Fault, FaultList
-from carom.fitting.cushions import reach_of
+from carom.fitting.table_numbers import reach_of
 from carom.formatting import counted
 from carom.scene.shapes import Table
+from carom.tracks.clock import on_camera_clock
 from carom.tracks.events import (
     TOUCH_DISTANCE_M,
     TrackEvent,
@@ -24,11 +25,8 @@ from carom.tracks.events import (
     position_at,
     turning_points,
 )
-from carom.tracks.frame_clock import on_camera_clock
 from carom.tracks.preprocess import initial_noise, rounding_step, without_outliers
 from carom.tracks.track import Track
-
-__all__ = ["FilmedEvent", "FilmedShot", "Films", "filmed_shots", "require_on_table"]
 
 Array = NDArray[np.float64]
 LEAST_WAY = 0.003  # m from its first place, from which on a ball counts as moving

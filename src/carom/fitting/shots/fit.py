@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -14,39 +15,49 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError, FaultList, did_you_mean
 from carom.files import require_library
-from carom.fitting.by_shots import compared_by_shots
 from carom.fitting.evidence import DECIDED, verdict_words, weigh
-from carom.fitting.identifiability import Identified
+from carom.fitting.identify import Identified
 from carom.fitting.laws import FittedLaw, track_laws_named
-from carom.fitting.shots.errors import Optimum, identified
 from carom.fitting.shots.film import Films, filmed_shots, require_on_table
 from carom.fitting.shots.joint import (
     FEWEST,
     PRIOR_WIDTH,
     WIDTH,
     JointFit,
+    Optimum,
     deviance_of,
     fit_scatter,
     fit_shared,
     frames_of_events,
+    identified,
     mean_squares,
     one_table,
 )
 from carom.fitting.shots.result import FittedShot, OneTable, ShotsFit, ShotsRanking
-from carom.fitting.shots.search import FAILED, SearchSettings, ShotStart, refined, rms, search_start
-from carom.fitting.shots.start import FIRST_PLACE, SPIN, VELOCITY, distances, start_size
+from carom.fitting.shots.search import (
+    FAILED,
+    FIRST_PLACE,
+    SPIN,
+    VELOCITY,
+    SearchSettings,
+    ShotStart,
+    distances,
+    refined,
+    rms,
+    search_start,
+    start_size,
+)
 from carom.fitting.shots.table import FREE, TableModel, begun, of_table, scene_of_films, table_of, with_balls
 from carom.fitting.shots.together import searched_together
-from carom.fitting.table_numbers import TableNumbers
+from carom.fitting.table_numbers import TableNumbers, compared_by_shots
 from carom.formatting import counted
 from carom.laws.registry import one_or_several
 from carom.public.progress import Progress
 from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
 from carom.scene.schema import Model
-from carom.tracks.film_tracks import films_of
-
-__all__ = ["fit_of_some", "fit_shots"]
+from carom.scene.toml import load_scene
+from carom.tracks.films import films_of
 
 Array = NDArray[np.float64]
 DURATION = 60.0  # s: no shot takes longer
@@ -414,4 +425,50 @@ def _ranked(fits: list[ShotsFit], notes: list[str]) -> ShotsRanking:
     return ShotsRanking(
         **compared.fields, verdict=f"{words[0].upper()}{words[1:]}.", odds=math.nan, notes=tuple(dict.fromkeys(notes)),
         decisive=evidence.rival is not None and compared.support >= DECIDED,
+    )  # fmt: skip
+
+
+# ----------------------------------------------------------------------------------------------------
+# Whole shots as :func:`carom.fit` is asked for them: its arguments, and those that have no effect.
+
+
+TAKEN = (
+    "files",
+    "radius",
+    "laws",
+    "fit",
+    "fix",
+    "bound",
+    "rate",
+    "scale",
+    "where",
+    "seed",
+    "shot",
+    "table",
+    "progress",
+)
+
+
+def check_asked(asked: SimpleNamespace, defaults: Mapping[str, Any]) -> None:
+    """Raise CaromError, one line per problem, for arguments of :func:`carom.fit` without effect on whole shots."""
+    faults = FaultList()
+    for name, default in defaults.items():
+        if name not in TAKEN and getattr(asked, name) != default:
+            faults.add("", "", advice=f"`{name}` has no effect with `shot`, which fits whole shots; omit it")
+    if asked.radius is None and asked.table is None:
+        faults.add("`radius`", "the balls' radius in m", "none", "a carom ball has `radius` 0.03075")
+    faults.raise_if_any()
+
+
+def fit_asked(asked: SimpleNamespace, defaults: Mapping[str, Any]) -> ShotsRanking:
+    """Fit whole shots with the arguments of :func:`carom.fit`."""
+    check_asked(asked, defaults)
+    table = asked.table
+    if isinstance(table, str | Path):
+        table = load_scene(table)
+    if table is not None and not isinstance(table, Scene):
+        raise CaromError(f"`table`: expected a scene, or its file, got {type(table).__name__}")
+    return fit_shots(
+        asked.files, table, asked.radius, laws=asked.laws or None, free=(*FREE, *asked.fit), fix=asked.fix, bound=asked.bound,
+        rate=asked.rate, scale=asked.scale, where=asked.where, seed=asked.seed or 0, progress=asked.progress,
     )  # fmt: skip

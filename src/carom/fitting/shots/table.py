@@ -13,26 +13,14 @@ from numpy.typing import NDArray
 
 from carom.core.motion.phases import REST
 from carom.errors import CaromError
-from carom.fitting.cushions import cushions_between, reach_of
 from carom.fitting.shots.film import Films
-from carom.fitting.table_numbers import MOVED, SharedNumber, TableNumbers
+from carom.fitting.table_numbers import MOVED, SharedNumber, TableNumbers, cushions_between, reach_of
 from carom.scene.floor import Floor
 from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Run, Scene
 from carom.scene.shapes import Table
-from carom.simulation.sensitivity.parameters import Parameters, parameters_of
+from carom.simulation.sensitivity.seeds import Parameters, parameters_of
 from carom.simulation.setup import SceneArrays, set_up
-
-__all__ = [
-    "FREE",
-    "TERMS",
-    "TableModel",
-    "begun",
-    "of_table",
-    "scene_of_films",
-    "table_of",
-    "with_balls",
-]
 
 Array = NDArray[np.float64]
 SIDES = {"left": "right", "right": "left", "bottom": "top", "top": "bottom"}  # and the one across

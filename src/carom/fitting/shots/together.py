@@ -13,8 +13,6 @@ from carom.fitting.shots.result import ShotsFit
 from carom.fitting.shots.search import ShotStart
 from carom.fitting.shots.table import TableModel
 
-__all__ = ["searched_together"]
-
 Array = NDArray[np.float64]
 ROUNDS = 2  # in which laws are searched from each other's optimum; in the first also with tables of the shots' own
 BOTH = (False, True)  # ways to descend: from the optimum that is given, and with tables of the shots' own before

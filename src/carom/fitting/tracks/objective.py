@@ -1,29 +1,41 @@
 """Least-squares objective of whole tracks: parameters that all segments share, and a separate start for each segment.
 
 A start affects only its own segment, so for given shared parameters the starts are fitted separately, all segments in one call of
-the engine with its exact derivatives, and the shared parameters minimise the remainder (:mod:`carom.fitting.starts`).
+the engine with its exact derivatives, and the shared parameters minimise the remainder (:mod:`carom.fitting.table_numbers`).
 """
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.starts import Projection, StatesBy, balls_by, balls_of, descend_shared, nearest_starts, states_by
-from carom.fitting.table_numbers import TableNumbers
-from carom.fitting.tracks.model import TrackModel
-from carom.fitting.tracks.segments import TrackSegment
+from carom.fitting.evidence import UNLIKELY, akaike
+from carom.fitting.identify import NOT_IDENTIFIABLE, identify, parameter_ranges
+from carom.fitting.laws import FittedLaw
+from carom.fitting.result import Estimate, common_dict, without_estimate
+from carom.fitting.table_numbers import (
+    Projection,
+    StatesBy,
+    TableNumbers,
+    balls_by,
+    balls_of,
+    covariance_by_shot,
+    descend_shared,
+    nearest_starts,
+    states_by,
+)
+from carom.fitting.tracks.model import TrackModel, TrackSegment
+from carom.formatting import json_value
+from carom.scene.scene import Scene
 from carom.simulation.sensitivity.at_times import states_at
 from carom.simulation.setup import SceneArrays
-
-__all__ = [
-    "SIDESPIN", "SLIP", "START", "VELOCITY", "BestStarts", "Numbers", "SegmentArrays", "Starts", "balls_by_start", "descend",
-    "effective_numbers", "gaps",
-    "projected", "scan", "settle", "shared_slope", "spin_loss",
-]  # fmt: skip
+from carom.simulation.simulate import simulate
+from carom.simulation.trajectory import Trajectory
 
 Array = NDArray[np.float64]
 Numbers = dict[str, float]
@@ -271,3 +283,234 @@ def descend(
     )  # fmt: skip
     best = segments.numbers(values)
     return best, settle(model.table(best), frames, starts, segments.q)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Result of one law fitted to whole tracks.
+
+
+MAX_SCATTER = (
+    1.3  # largest ratio of scatter to estimated noise, in the median segment, for a law that follows the frames
+)
+
+
+@dataclass(frozen=True, eq=False)
+class TrackFit:
+    """A law fitted to whole tracks; made by :func:`carom.fitting.tracks.fit_tracks`, with an example there."""
+
+    model: TrackModel
+    frames: SegmentArrays
+    starts: Starts
+    q: Array
+    """(N, 7): the starts (carom.fitting.tracks.objective.START), but with the sidespin at the first contact."""
+    numbers: dict[str, float]
+    """The shared parameters that were fitted."""
+    estimates: dict[str, Estimate]
+    covariance: Array
+    """(P, P) of those parameters; NaN where they are not identifiable."""
+    gap: Array
+    """(N, T, 2) m: simulated less tracked, NaN where there is no frame."""
+    chi2: float
+    """chi^2 of all frames, and of the prior of the starts."""
+    k: float
+    """Effective number of fitted parameters; of a start's parameter with a prior, the share determined by the frames."""
+    dof: float
+    noise: float
+    """Standard deviation of one coordinate, m: as given, or as estimated by :mod:`carom.tracks` away from contacts."""
+    known: bool
+    """Whether the noise was given."""
+    degenerate: tuple[str, ...] = ()
+    """Sentences on parameters that are not identifiable from these tracks."""
+    untold: tuple[str, ...] = ()
+    """The parameters concerned."""
+    design_effect: float = 1.0
+    """Variance of the parameters over that for independent frames, by the scatter of shots; 1 where the law follows the frames."""
+
+    @property
+    def law(self) -> FittedLaw:
+        """The law."""
+        return self.model.law
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the fitted parameters."""
+        return tuple(self.model.free)
+
+    @property
+    def count(self) -> int:
+        """Measured numbers."""
+        return int(2 * self.frames.count.sum())
+
+    @property
+    def scatter(self) -> Array:
+        """(N,) m, of one coordinate: root mean square residual of each segment."""
+        return np.asarray(np.sqrt(np.nanmean(self.gap**2, axis=(1, 2))))
+
+    @property
+    def deviance(self) -> float:
+        """-2 log likelihood, up to a constant that is the same for all laws."""
+        return self.chi2 if self.known else self.chi2 + 4 * float((self.frames.count * np.log(self.frames.sigma)).sum())
+
+    @property
+    def aicc(self) -> float:
+        """chi^2 + 2 k with known noise; else Akaike's criterion for few data (Hurvich & Tsai 1989), with the scatters counted."""
+        if self.known:
+            return self.deviance + 2 * self.k
+        return akaike(self.deviance, self.k + len(self.q), self.count)
+
+    @property
+    def follows(self) -> bool:
+        """Whether the law follows the frames to within their noise."""
+        if self.known:
+            from scipy.stats import chi2 as distribution
+
+            return bool(distribution.sf(self.chi2, max(self.dof, 1)) > UNLIKELY)
+        return bool(np.median(self.scatter) < MAX_SCATTER * self.noise)
+
+    def rms(self, which: Sequence[int] | NDArray[np.int64] | None = None) -> float:
+        """Return the root mean square distance between tracked and simulated positions, m; of some segments."""
+        gap = self.gap if which is None else self.gap[np.asarray(which)]
+        return float(np.sqrt(np.nansum(gap * gap) / max(int(np.isfinite(gap[:, :, 0]).sum()), 1)))
+
+    @property
+    def median_rms(self) -> float:
+        """Median over the segments of the root mean square distance, m."""
+        return float(np.median([self.rms([n]) for n in range(len(self.q))]))
+
+    def start(self, n: int) -> Array:
+        """Return the start (7,) of a segment (carom.fitting.tracks.objective.START)."""
+        start: Array = self.q[n].copy()
+        loss = spin_loss(self.model.table(self.numbers).arrays) * self.frames.segments[n].contacts[0]
+        start[SIDESPIN] += np.sign(start[SIDESPIN]) * loss
+        return start
+
+    def simulate(self, n: int) -> Trajectory:
+        """Return the simulated run of a segment."""
+        x, y, vx, vy, ux, uy, spin_z = self.start(n).tolist()
+        a = self.model.setting.radius
+        scene = self._table
+        run = scene.run.model_copy(update={"duration": float(self.frames.time[n, self.frames.count[n] - 1])})
+        moved = {"position": (x, y, a), "velocity": (vx, vy, 0.0), "spin": ((uy - vy) / a, (vx - ux) / a, spin_z)}
+        return simulate(scene.model_copy(update={"run": run, "balls": (scene.balls[0].model_copy(update=moved),)}))
+
+    @functools.cached_property
+    def _table(self) -> Scene:
+        """The scene of all segments, without its end."""
+        return self.model.scene(self.numbers)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the fit for JSON."""
+        return common_dict(self) | {
+            "numbers_adjusted": self.k,
+            "rms": self.rms(),
+            "median_rms": self.median_rms,
+            "held": json_value(self.model.held),
+        }
+
+
+# ----------------------------------------------------------------------------------------------------
+# Covariance of the shared parameters of whole tracks, and what the tracks do not identify.
+
+
+MISFIT_AS_NOISE = "the law does not follow the frames; error bar as if their distances were correlated noise"
+LEAST_SHOTS = 5  # for error bars from the scatter of shots
+FOLLOWING_STEPS = 5  # of the starts after a parameter has been changed
+
+
+def misfit_as_noise(gap: Array, count: NDArray[np.int64], dof: float) -> float:
+    """Return by how much variances grow if the gaps (N, 2 T), in standard deviations, are noise that fades from frame to frame.
+
+    With the correlation r of neighbours a mean has (1 + r) / (1 - r) times the variance that independent frames would give it, at
+    most that of one free number a segment; ``count`` (N,): frames of each.
+    """
+    steps = gap.reshape(len(gap), -1, 2)
+    r = max(float((steps[:, 1:] * steps[:, :-1]).sum()) / max(float((gap * gap).sum()), 1e-300), 0.0)
+    length = min((1 + r) / max(1 - r, 1e-9), float(count.mean()))
+    return float(max((gap * gap).sum() / max(dof, 1.0) * length, 1.0))
+
+
+class _Subject:
+    """A fit of whole tracks, for :func:`carom.fitting.identify.identify`.
+
+    If the law follows the frames, the covariance is computed from derivatives and the noise, with all starts free. If not,
+    residuals are correlated from frame to frame; only shots are independent, and the covariance is computed from the scores of
+    shots, each corrected for how much of the information is its own (CR2 of Bell & McCaffrey, Survey Methodology 28, 169 (2002));
+    of fewer than five shots their segments are taken as independent, and of fewer than five segments the covariance is enlarged as
+    by noise of this size and correlation.
+    The design effect is the median over the parameters of this variance over the variance of independent frames.
+    """
+
+    def __init__(self, fit: TrackFit, settled: BestStarts) -> None:
+        self.fit, self.label, self.names, self.trade_offs = fit, fit.law.name, fit.names, False
+        self.parameters = tuple(fit.model.free.values())
+        self.values = np.array([fit.numbers[name] for name in self.names])
+        self.ranges = parameter_ranges(self.parameters, self.values)
+        rest = projected(settled, fit.starts, shared_slope(fit.model, fit.frames, settled.q, fit.numbers))
+        by_segment = np.einsum("ntp,ntq->npq", rest, rest)
+        self.information = by_segment.sum(axis=0)
+        each = np.einsum("ntp,nt->np", rest, settled.residual(fit.starts))
+        # (of few shots the balls: each has walls of its own)
+        groups = fit.frames.groups
+        groups = groups if len(groups) >= LEAST_SHOTS else [np.array([n]) for n in range(len(each))]
+        self.scores = np.array([each[rows].sum(axis=0) for rows in groups])
+        self.by_shot = np.array([by_segment[rows].sum(axis=0) for rows in groups])
+        self.by_shots, self.design_effect = False, 1.0
+        self.misfit = misfit_as_noise(settled.gap, fit.frames.count, fit.dof)
+
+    def covariance(self, inside: NDArray[np.int64]) -> Array:
+        """Return the covariance of some parameters."""
+        independent = np.linalg.inv(self.information[np.ix_(inside, inside)])
+        self.by_shots = not self.fit.follows and len(self.scores) >= LEAST_SHOTS
+        if not self.by_shots:
+            if not self.fit.follows:
+                self.design_effect = self.misfit
+            return np.asarray(self.design_effect * independent)
+        both = np.ix_(inside, inside)
+        by_shot = np.array([one[both] for one in self.by_shot])
+        found = covariance_by_shot(self.information[both], self.scores[:, inside], by_shot)
+        self.design_effect = float(max(np.median(np.diag(found) / np.diag(independent)), 1.0))
+        return found
+
+    def rise(self, i: int, value: float) -> float:
+        """Return the deviance above its minimum with one shared parameter changed and the starts fitted again."""
+        fit = self.fit
+        table = fit.model.table({**fit.numbers, self.names[i]: value})
+        return float(settle(table, fit.frames, fit.starts, fit.q, FOLLOWING_STEPS).cost.sum()) - fit.chi2
+
+    def refit_rises(self, i: int, values: Array, start: Array | None = None) -> tuple[Array, Array]:
+        """Return the profile above its minimum, and the shared parameters there."""
+        return held_rises(self.fit, self.names[i], values, start)
+
+
+def held_rises(fit: TrackFit, name: str, values: Array, start: Array | None = None) -> tuple[Array, Array]:
+    """Return the rise of chi^2 (m,) with a parameter held at values (m,) and all else fitted, from the minimum or from parameters
+    ``start`` (m, P), and the parameters (m, P) there."""
+    rises, found = [], []
+    for j, value in enumerate(values.tolist()):
+        begin = fit.numbers if start is None else fit.numbers | dict(zip(fit.names, start[j].tolist(), strict=True))
+        numbers, settled = descend(fit.model.holding(name, value), fit.frames, fit.starts, fit.q, begin, lambda: None)
+        rises.append(float(settled.cost.sum()) - fit.chi2)
+        found.append([(numbers | {name: value})[other] for other in fit.names])
+    return np.array(rises), np.array(found)
+
+
+def with_errors(fit: TrackFit, settled: BestStarts) -> TrackFit:
+    """Return the fit with covariance, estimates, and sentences on parameters that are not identifiable."""
+    if not fit.names:
+        return fit
+    subject = _Subject(fit, settled)
+    found = identify(subject)
+    note: dict[str, Any] = {} if fit.follows or subject.by_shots else {"note": MISFIT_AS_NOISE}
+    estimates = {name: one if one.stderr is None else replace(one, **note) for name, one in found.estimates.items()}
+    return replace(fit, **{**vars(found), "estimates": estimates}, design_effect=subject.design_effect)
+
+
+def ambiguous(fit: TrackFit, name: str, other: float) -> TrackFit:
+    """Return the fit without an estimate of a parameter for which two values fit equally well."""
+    here = fit.numbers[name]
+    said = (
+        f"{fit.law.name}: {name}: {min(here, other):.4g} and {max(here, other):.4g} fit equally well: a contact is at the edge"
+        " between sliding and sticking; film another shot"
+    )
+    found: TrackFit = without_estimate(fit, name, Estimate(None, None, NOT_IDENTIFIABLE), said)
+    return found

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -12,25 +13,72 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.files import require_library
-from carom.fitting.by_shots import RankedByShots, compared_by_shots
 from carom.fitting.evidence import DECIDED, LEANS, Evidence, odds_in_words, verdict_words, weigh
 from carom.fitting.ranking import step_callback
-from carom.fitting.setting import Setting, require_settings
-from carom.fitting.tracks.errors import MISFIT_AS_NOISE
-from carom.fitting.tracks.fit import starting_numbers
-from carom.fitting.tracks.model import track_models
-from carom.fitting.tracks.result import TrackFit
-from carom.fitting.tracks.search import fit_track_law
-from carom.fitting.tracks.segments import find_segments
-from carom.fitting.tracks.stages import distances_through_contacts, failing_part
-from carom.formatting import json_value
+from carom.fitting.rows import Setting, require_settings
+from carom.fitting.table_numbers import RankedByShots, compared_by_shots
+from carom.fitting.tracks.fit import fit_track_law, starting_numbers, with_best_sidespins
+from carom.fitting.tracks.model import find_segments, track_models
+from carom.fitting.tracks.objective import MISFIT_AS_NOISE, TrackFit, settle
+from carom.formatting import format_length, json_value
 from carom.laws.registry import one_or_several
 from carom.public.progress import Progress
 from carom.tracks.measurement import Measured
 
-__all__ = ["TrackRanking", "fit_tracks"]
-
 Array = NDArray[np.float64]
+LEAST_SEGMENTS = 3  # for a median
+CLOTH = 3.0  # times the noise: larger distances before any contact are the cloth's
+GROWTH = 1.5  # from one number of contacts to the next, for which the contacts are to blame
+
+
+def distances_through_contacts(fit: TrackFit) -> Array:
+    """Return the median over segments of the RMS distance (m) up to the first contact, through one contact, two, ...
+
+    Each start is fitted anew to the frames of its stage alone, with the shared parameters of the fit, so that no stage pays for a
+    later one. Stages with fewer than LEAST_SEGMENTS segments are left out.
+    """
+    table, found = fit.model.table(fit.numbers), []
+    for contacts in range(1 + max(len(one.contacts) for one in fit.frames.segments)):
+        which = np.array([n for n, one in enumerate(fit.frames.segments) if len(one.contacts) >= contacts])
+        if len(which) < LEAST_SEGMENTS:
+            break
+        frames, starts, q = fit.frames.until(contacts).pick(which), fit.starts.pick(which), fit.q[which]
+        if contacts:
+            q = with_best_sidespins(fit.model, frames, starts, q, fit.numbers)
+        gap = settle(table, frames, starts, q).gap * frames.sigma[:, None]
+        found.append(float(np.median(np.sqrt((gap * gap).sum(axis=1) / frames.count))))
+    return np.array(found)
+
+
+def failing_part(distances: Sequence[float] | Array, noise: float) -> str:
+    """Return a sentence on where a law leaves the frames; empty if there are too few segments to tell.
+
+    Examples
+    --------
+    >>> from carom.fitting.tracks.ranking import failing_part
+    >>> print(failing_part([0.0007, 0.002, 0.005], 0.0004))
+    distance from the frames up to the first contact: 700 µm, through 1 contact: 2 mm, through 2: 5 mm (noise of a frame: 566 µm); \
+worst described: the contacts
+    """
+    if not len(distances):
+        return ""
+    of_frame = float(np.sqrt(2.0)) * noise
+    stages = [f"up to the first contact: {format_length(distances[0])}"]
+    stages += [
+        f"through {n}{' contact' if n == 1 else ''}: {format_length(distance)}"
+        for n, distance in enumerate(distances[1:], 1)
+    ]
+    worst = []
+    if distances[0] > CLOTH * of_frame:
+        worst.append("the motion on the cloth before any contact (a slope, an obstacle that was not tracked)")
+    if any(after > GROWTH * before for before, after in pairwise(distances)):
+        worst.append("the contacts")
+    said = f"distance from the frames {', '.join(stages)} (noise of a frame: {format_length(of_frame)})"
+    return f"{said}; worst described: {', '.join(worst)}" if worst else said
+
+
+# ----------------------------------------------------------------------------------------------------
+# Fit laws to whole tracks and rank them: which law the tracks favour, and with what odds.
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -11,7 +11,7 @@ its flux F_ab = sum m v_a v_b has F_ab' = g_a P_b + g_b P_a, the potential energ
 D_k t_k^3 for layers, where n changes) suffice. The sums begin anew in every cycle of the calendar, at whose end Q(T) is
 summed over all balls: so rounding does not accumulate.
 
-In a gas that is sheared (:mod:`carom.gas.edmd.shear`) the flux is of velocities relative to the flow. Along a flight these are
+In a gas that is sheared (:mod:`carom.gas.edmd.collisions`) the flux is of velocities relative to the flow. Along a flight these are
 linear in time, so the flux is integrated flight by flight (:func:`note_flight`), and not from its jumps.
 
 Layers are the layers of cells along one axis: a ball leaves one in an event, when it crosses the border of its cell. So the
@@ -25,18 +25,6 @@ from typing import Any
 
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel
 from carom.gas.edmd.calendar import I64, U64
-
-__all__ = [
-    "close_cycle",
-    "layer_of",
-    "note_carried_heat",
-    "note_change",
-    "note_crossing",
-    "note_flight",
-    "note_pair",
-    "note_passed_heat",
-    "note_turning",
-]
 
 
 @hot_kernel

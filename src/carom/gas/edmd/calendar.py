@@ -17,18 +17,17 @@ holds where the entries of each page end (0: it has none), then the first free b
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
+from carom.core.geometry.curve import HALF, X
+from carom.core.geometry.curve_arcs import COUNT
+from carom.core.geometry.outlines import inner_axes
 from carom.core.jit.kernel import hot_kernel, kernel
-from carom.core.roots.polynomial import two_sum
-from carom.gas.edmd.gas_records import NO_BALL
-
-__all__ = [
-    "BLOCK_LENGTH", "I64", "PAGE", "RING", "U64", "calendar_sizes", "is_pending", "load_page", "nearly_full", "page_of", "rebuild",
-    "schedule", "start_cycle", "unschedule",
-]  # fmt: skip
+from carom.core.roots.first_root import two_sum
+from carom.gas.edmd.gas_records import CURVE, ELLIPSE, INDEX_BITS, INSIDE, NO_BALL, PLANE
 
 # An unsigned index needs no test whether it counts from the end; sums are done with signed integers (a signed and an unsigned
 # one together become a float).
@@ -193,3 +192,319 @@ def start_cycle(system: Any, balls: Any, faces: Any) -> None:
     ratio = system.bins / max(system.events, 1)
     system.bin_width *= min(max(ratio, 0.5), 2.0)
     system.events = 0
+
+
+# ----------------------------------------------------------------------------------------------------
+# Cell list: which balls are near one, and which walls. A cell is at least one diameter wide, so neighbours are in adjacent cells.
+#
+# A cell has two slots for indices of balls, the first with a code in its upper bits: how many balls there are, 3 for more than
+# two.
+# Those form a chain that begins at the second ball, one link per ball; there are few of them. Both slots are copied whether they
+# are filled or not, and the code alone decides what of it stays: no branch for a processor to mispredict. Beyond a wall lies
+# a layer of cells that stays empty. Neighbours across a periodic border are entered with the code of the nearest image, so a box
+# need be only three cells wide.
+#
+# Which walls a ball can touch while its centre is in a cell is found once for each gas, with NumPy (:func:`walls_of_cells`).
+
+
+SLOTS = 2  # of a cell
+INDEX_MASK = (1 << INDEX_BITS) - 1
+# Cells lie in memory along Morton's curve, so that those near each other in space are near there too. By dimension: the axis
+# along which the curve steps with each bit of a cell's index, within a tile of 8 x 8 x 8 cells, 4 kB, of discs 16 x 16; tiles
+# follow row by row. A cache line is a block of 2 x 2 x 2 cells, of discs 4 x 2, and the cells around one are on eight lines, or
+# four.
+MORTON_AXES = {3: (0, 1, 2) * 3, 2: (0, 0, 1, 1, 0, 1, 0, 1)}
+OVERFULL = 3  # the code of a cell with more balls than slots
+ROUNDING = 1e-9  # of a cell: a ball may be this far outside the cell that it is in
+
+
+class Block(NamedTuple):
+    """A cell, and a range of the three cells (before, at, after) along each axis around it: 0 <= x0 < x1 <= 3."""
+
+    x: int
+    y: int
+    z: int
+    x0: int
+    x1: int
+    y0: int
+    y1: int
+    z0: int
+    z1: int
+
+
+# --- set-up --------------------------------------------------------------------------------------------------------
+
+
+def morton_offsets(system: Any) -> tuple[list[NDArray[np.int64]], int]:
+    """Return, by axis, what each cell index adds to the offset of a cell's slots; and the number of slots in all."""
+    # (beyond a wall lies a layer of empty cells)
+    counts = [int(n) + (0 if periodic else 1) for n, periodic in zip(system["cells"], system["periodic"], strict=True)]
+    offsets = [np.zeros(count, np.int64) for count in counts]
+    bits, slots = [0, 0, 0], SLOTS
+    for axis in MORTON_AXES[int(system["dimensions"])]:
+        if 1 << bits[axis] < counts[axis]:
+            offsets[axis] += (np.arange(counts[axis]) >> bits[axis] & 1) * slots
+            bits[axis] += 1
+            slots *= 2
+    for axis, count in enumerate(counts):
+        offsets[axis] += (np.arange(count) >> bits[axis]) * slots
+        slots *= (count - 1 >> bits[axis]) + 1
+    return offsets, slots
+
+
+def neighbour_tables(system: Any) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Return ``offsets`` and ``shifts`` of the Cells of a system: (axis, cell, 3) each."""
+    most, along = int(system["cells"].max()), morton_offsets(system)[0]
+    offsets = np.zeros((3, most, 3), np.int64)
+    shifts = np.zeros((3, most, 3))
+    for axis in range(3):
+        n, side = int(system["cells"][axis]), float(system["side"][axis])
+        for index in range(n):
+            for k in range(3):
+                neighbour = index + k - 1
+                if system["periodic"][axis]:
+                    # the ball is shifted instead of its neighbours
+                    shifts[axis, index, k] = side if neighbour < 0 else (-side if neighbour >= n else 0.0)
+                    neighbour %= n
+                elif neighbour < 0:
+                    neighbour = n  # the empty layer
+                offsets[axis, index, k] = along[axis][neighbour]
+    return offsets, shifts
+
+
+# --- balls ---------------------------------------------------------------------------------------------------------
+
+
+@hot_kernel
+def cell_index(grid: Any, axis: int, x: float) -> Any:
+    """Return the index of the cell that holds x along an axis."""
+    return max(I64(0), min(I64(x / grid.cell_size[U64(axis)]), grid.cells[U64(axis)] - 1))
+
+
+@hot_kernel
+def _first_slot(offsets: Any, plan: Any) -> int:
+    """Return the first slot of a ball's cell."""
+    x, y, z = U64(plan.cx), U64(plan.cy), U64(plan.cz)
+    return I64(  # type: ignore[no-any-return]
+        offsets[U64(0), x, U64(1)] + offsets[U64(1), y, U64(1)] + offsets[U64(2), z, U64(1)]
+    )
+
+
+@kernel
+def insert_ball(cells: Any, plan: Any, i: int) -> None:
+    """Enter ball i in its cell."""
+    slots, links = cells.slots, cells.links
+    first = _first_slot(cells.offsets, plan)
+    front, second = I64(slots[U64(first)]), I64(slots[U64(first + 1)])
+    code = front >> INDEX_BITS
+    if code == 0:
+        front = I64(i)
+    if code <= 1:
+        slots[U64(first + 1)] = i
+    else:
+        links[U64(i)] = NO_BALL if code == 2 else links[U64(second)]
+        links[U64(second)] = i
+    slots[U64(first)] = (front & INDEX_MASK) | (min(code + 1, OVERFULL) << INDEX_BITS)
+
+
+@kernel
+def remove_ball(cells: Any, plan: Any, i: int) -> None:
+    """Remove ball i from its cell; the first one of the chain takes its place, or the second of two."""
+    slots, links = cells.slots, cells.links
+    first = _first_slot(cells.offsets, plan)
+    front, second = I64(slots[U64(first)]), I64(slots[U64(first + 1)])
+    code, one = front >> INDEX_BITS, front & INDEX_MASK
+    if code < OVERFULL:
+        # (an empty slot names a ball that is near, or the first of all: it may be prefetched in vain)
+        one = 0 if code == 1 else (second if one == i else one)
+        slots[U64(first)], slots[U64(first + 1)] = one | ((code - 1) << INDEX_BITS), one
+        return
+    third = I64(links[U64(second)])
+    rest = I64(links[U64(third)])
+    code = 2 if rest == NO_BALL else OVERFULL
+    # the third ball is unlinked, and replaces i unless it is i
+    links[U64(second)] = rest
+    if one == i:
+        one = third
+    elif second == i:
+        links[U64(third)] = rest
+        slots[U64(first + 1)] = third
+    elif third != i:
+        before = second
+        while I64(links[U64(before)]) != i:
+            before = I64(links[U64(before)])
+        links[U64(third)] = links[U64(i)]
+        links[U64(before)] = third
+    slots[U64(first)] = one | (code << INDEX_BITS)
+
+
+@kernel
+def _copy_chain(links: Any, found: Any, second: int, n: int, image: Any) -> int:
+    """Append the chained balls of a cell to those found; there are seldom any."""
+    k = links[U64(second)]
+    while k != NO_BALL:
+        found[U64(n)] = k | image
+        n += 1
+        k = links[U64(k)]
+    return n
+
+
+@hot_kernel
+def copy_cell(slots: Any, links: Any, found: Any, first: int, n: int, code: int) -> int:
+    """Append the balls of a cell to the n found so far; return how many there are now."""
+    image = np.uint32(code << INDEX_BITS)
+    # (both are read before the first is written, so that they are one load and one store)
+    front, second = slots[U64(first)], slots[U64(first + 1)]
+    found[U64(n)], found[U64(n + 1)] = (front & np.uint32(INDEX_MASK)) | image, second | image
+    count = I64(front >> np.uint32(INDEX_BITS))
+    if count == OVERFULL:
+        return _copy_chain(links, found, second, n + 2, image)
+    return n + count  # type: ignore[no-any-return]
+
+
+@hot_kernel
+def block_around(flat: bool, plan: Any) -> Block:
+    """Return the block of cells around a ball's cell."""
+    return Block(I64(plan.cx), I64(plan.cy), I64(plan.cz), 0, 3, 0, 3, 1 if flat else 0, 2 if flat else 3)
+
+
+@hot_kernel
+def gather_neighbours(cells: Any, found: Any, block: Block) -> int:
+    """Write the indices of the balls in a block of cells, with the codes of their images, to ``found``; return how many."""
+    slots, links, offsets = cells.slots, cells.links, cells.offsets
+    n, x = 0, U64(block.x)
+    left, middle, right = offsets[U64(0), x, U64(0)], offsets[U64(0), x, U64(1)], offsets[U64(0), x, U64(2)]
+    ahead = right if block.x0 == 2 else left
+    for c in range(block.z0, block.z1):
+        third = offsets[U64(2), U64(block.z), U64(c)]
+        for b in range(block.y0, block.y1):
+            first = third + offsets[U64(1), U64(block.y), U64(b)]
+            code = (b << 2) | (c << 4)
+            if block.x1 - block.x0 == 3:
+                n = copy_cell(slots, links, found, first + left, n, code)
+                n = copy_cell(slots, links, found, first + middle, n, code | 1)
+                n = copy_cell(slots, links, found, first + right, n, code | 2)
+            else:
+                n = copy_cell(slots, links, found, first + ahead, n, code | block.x0)
+    return n
+
+
+@hot_kernel
+def set_images(shifts: Any, images: Any, block: Block, x: float, y: float, z: float) -> None:
+    """Write the position (x, y, z) as seen from the three cells along each axis to ``images``, (12,)."""
+    for k in range(3):
+        images[U64(k)] = x + shifts[U64(0), U64(block.x), U64(k)]
+        images[U64(4 + k)] = y + shifts[U64(1), U64(block.y), U64(k)]
+        images[U64(8 + k)] = z + shifts[U64(2), U64(block.z), U64(k)]
+
+
+# --- walls ---------------------------------------------------------------------------------------------------------
+
+
+def _cell_spans(system: Any, axis: int) -> tuple[Any, Any]:
+    """Return where the cells along an axis begin and end."""
+    n, size = int(system["cells"][axis]), float(system["cell_size"][axis])
+    index = np.arange(n)
+    low, high = (index - ROUNDING) * size, (index + 1 + ROUNDING) * size
+    return low, high
+
+
+def _reached_cells(system: Any, face: Any, distance: float, curves: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return which cells (z, y, x) a face reaches into, given its largest d (INSIDE: least d) of all species."""
+    if face["form"] == CURVE:
+        return _cells_along(system, face, distance, curves)
+    scale = _inner_scale(face, distance) if face["form"] == ELLIPSE else None
+    least: Any = 0.0
+    most: Any = 0.0
+    along_low: Any = 0.0
+    along_high: Any = 0.0
+    for axis, name in enumerate("xyz"):
+        low, high = _cell_spans(system, axis)
+        n, m, a = float(face["n" + name]), float(face["m" + name]), float(face["a" + name])
+        if scale is not None:
+            n = scale[axis]
+        near, far = n * (low - m), n * (high - m)
+        if face["form"] == PLANE:
+            part = np.minimum(near, far)
+        elif face["form"] in {INSIDE, ELLIPSE}:
+            part = -np.maximum(near * near, far * far)
+        else:
+            part = np.where((near < 0) != (far < 0), 0.0, np.minimum(near * near, far * far))
+        shape = [1, 1, 1]
+        shape[2 - axis] = -1
+        least = least + part.reshape(shape)
+        most = most + np.maximum(near, far).reshape(shape)
+        along_low = along_low + np.minimum(a * low, a * high).reshape(shape)
+        along_high = along_high + np.maximum(a * low, a * high).reshape(shape)
+    if face["form"] == PLANE:
+        reached = least <= distance + face["amplitude"] + face["reach"]
+    elif face["form"] == INSIDE:
+        reached = least + distance * distance <= 0
+    elif face["form"] == ELLIPSE:
+        reached = least + 1 <= 0
+    else:
+        reached = least <= distance * distance
+    if face["bounded"]:
+        reached = reached & (along_low <= face["high"]) & (along_high >= face["low"])
+        if face["form"] == PLANE:
+            reached = reached & (most >= -face["depth"])
+    return np.asarray(reached)
+
+
+def _cells_along(system: Any, face: Any, distance: float, curves: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return which cells (z, y, x) are as near as the distance to an arc, by the boxes of its panels."""
+    base = int(face["depth"])
+    rows = curves[base + 1 : base + 2 + int(curves[base, COUNT])]
+    wide = distance + rows[:-1, HALF] / 2  # (a panel turns by less than 0.4 rad, and stays that near to its chord)
+    found: Any = False
+    for axis, name in enumerate("xy"):
+        low, high = _cell_spans(system, axis)
+        ends = np.stack([rows[:-1, X + axis], rows[1:, X + axis]]) + float(face["m" + name])
+        over = (low <= (ends.max(axis=0) + wide)[:, None]) & (high >= (ends.min(axis=0) - wide)[:, None])
+        found = over[:, None, :] if axis == 0 else found & over[:, :, None]
+    return np.broadcast_to(found.any(axis=0), tuple(int(n) for n in system["cells"][::-1])).copy()
+
+
+def _inner_scale(face: Any, distance: float) -> tuple[float, float, float]:
+    """Return one over the half axes of an ellipse within the curve of the centres at this distance from an ELLIPSE."""
+    inner = inner_axes(float(face["nx"]), float(face["ny"]), distance)
+    return 1 / inner[0], 1 / inner[1], 0.0
+
+
+def _interior(walled: NDArray[np.bool_]) -> list[int]:
+    """Return first and last indices, along x, y and z, of a block of cells without walls: the outer layers with most go first."""
+    low, high = [0, 0, 0], list(walled.shape)
+    while all(low[k] < high[k] for k in range(3)):
+        block = walled[tuple(slice(low[k], high[k]) for k in range(3))]
+        if not block.any():
+            return [v for k in (2, 1, 0) for v in (low[k], high[k] - 1)]
+        _, k, last = max((float(np.take(block, end, axis=k).mean()), k, end) for k in range(3) for end in (0, -1))
+        low[k], high[k] = (low[k], high[k] - 1) if last else (low[k] + 1, high[k])
+    return [1, 0] * 3
+
+
+def walls_of_cells(
+    system: Any, faces: Any, contacts: Any, curves: NDArray[np.float64]
+) -> tuple[list[int], NDArray[np.int32], NDArray[np.int32]]:
+    """Return the interior of the grid, and ``cell_sets`` and ``sets`` of the WallRecords of a system."""
+    shape = tuple(int(n) for n in system["cells"][::-1])
+    if len(faces) == 0:
+        return [v for n in shape[::-1] for v in (0, n - 1)], np.zeros(1, np.int32), np.zeros(1, np.int32)
+    species = int(system["species"])
+    # each cell's set by its number among the different ones so far
+    number = np.zeros(shape, np.int64)
+    members: list[tuple[int, ...]] = [()]
+    for w, face in enumerate(faces):
+        distances = contacts["distance"][w * species : (w + 1) * species]
+        distance = float(distances.min() if face["form"] == INSIDE else distances.max())
+        reached = _reached_cells(system, face, distance, curves)
+        known, number = np.unique(2 * number + reached, return_inverse=True)
+        number = number.reshape(shape)
+        members = [(*members[k // 2], w) if k % 2 else members[k // 2] for k in known.tolist()]
+    sets: list[int] = []
+    starts: list[int] = []
+    for those in members:
+        starts.append(len(sets))
+        sets += [len(those), *those]
+    walled = np.array([len(those) > 0 for those in members])[number]
+    return _interior(walled), np.array(starts, np.int32)[number].ravel(), np.array(sets, np.int32)

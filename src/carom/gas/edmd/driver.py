@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.geometry.curve import ROW
-from carom.core.jit.slices import Pace, block_slices
+from carom.core.jit.threads import Pace, block_slices
 from carom.gas.edmd import loop
-from carom.gas.edmd.calendar import calendar_sizes
-from carom.gas.edmd.cell_lists import SLOTS, morton_offsets, neighbour_tables, walls_of_cells
+from carom.gas.edmd.calendar import SLOTS, calendar_sizes, morton_offsets, neighbour_tables, walls_of_cells
+from carom.gas.edmd.collisions import MOST_IMAGES
 from carom.gas.edmd.gas_records import (
     BODY,
     CONTACT_FORM,
@@ -45,14 +45,6 @@ from carom.gas.edmd.gas_records import (
     Scratch,
     WallRecords,
 )
-from carom.gas.edmd.shear import MOST_IMAGES
-
-__all__ = [
-    "STATE", "GasArrays", "SystemRecords", "advance", "arrays_at_start", "averages_until", "compiled_loops", "heat_until",
-    "loop_is_cached",
-    "put_in_place", "restore", "saved_blocks", "synchronized", "synchronized_blocks", "time_of_last_event",
-    "total_bytes", "turned_until",
-]  # fmt: skip
 
 BINS_PER_BALL = 4  # of the calendar
 FIRST_LOOKS = 1 << 20  # at other balls, in the first call of the compiled loop; a step may look at all of them
@@ -136,8 +128,8 @@ def compiled_loops() -> _CompiledLoop:
 
 @functools.cache
 def _compiled(name: str) -> Callable[..., Any]:
+    from carom.core.jit.calls import register_prefetch
     from carom.core.jit.compile import njit
-    from carom.core.jit.prefetch import register_prefetch
 
     # Without reference counts of arrays (_nrt): nothing is allocated in the loop, and counting took half of its time.
     # Without Python's lock (nogil): the gases of an ensemble run at once.

@@ -15,48 +15,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = [
-    "BODY",
-    "COLLAPSED",
-    "CONTACT_FORM",
-    "CURVE",
-    "DONE",
-    "ELLIPSE",
-    "FACE",
-    "FLOW",
-    "FLUX",
-    "HEAT",
-    "INDEX_BITS",
-    "INSIDE",
-    "LAYER",
-    "LIMIT",
-    "MAX_BALLS",
-    "MOTION",
-    "NO_BALL",
-    "OUTSIDE",
-    "PAIR",
-    "PLAN",
-    "PLANE",
-    "RANDOM_NORMAL",
-    "RANDOM_UNIFORM",
-    "SHEAR",
-    "SPECIES",
-    "SYSTEM",
-    "UNDERFLOW",
-    "WALL_CONTACT",
-    "WHOLE",
-    "Averages",
-    "Balls",
-    "Calendar",
-    "Cells",
-    "Features",
-    "Grid",
-    "Materials",
-    "Neighbours",
-    "Scratch",
-    "WallRecords",
-]  # fmt: skip
-
 # Why a call of the loop ended: the end time was reached (or no event is left); the number of collisions was reached; time no
 # longer advances (inelastic collapse); speeds are too small for double precision.
 DONE, LIMIT, COLLAPSED, UNDERFLOW = range(4)
@@ -318,7 +276,7 @@ class Calendar(NamedTuple):
 
 
 class Cells(NamedTuple):
-    """The cell list (:mod:`carom.gas.edmd.cell_lists`)."""
+    """The cell list (:mod:`carom.gas.edmd.calendar`)."""
 
     slots: NDArray[np.uint32]
     links: NDArray[np.uint32]

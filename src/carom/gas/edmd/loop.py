@@ -11,40 +11,46 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from carom.core.jit.calls import prefetch
 from carom.core.jit.kernel import hot_kernel, kernel
 from carom.gas.edmd.averages import close_cycle, note_carried_heat, note_crossing, note_flight, note_turning
 from carom.gas.edmd.calendar import (
+    BLOCK_LENGTH,
     I64,
+    INDEX_MASK,
     PAGE,
     RING,
+    SLOTS,
     U64,
+    Block,
+    block_around,
+    cell_index,
+    gather_neighbours,
+    insert_ball,
+    is_pending,
     load_page,
     nearly_full,
     page_of,
     rebuild,
+    remove_ball,
     schedule,
+    set_images,
     start_cycle,
     unschedule,
 )
-from carom.gas.edmd.cell_lists import Block, cell_index, gather_neighbours, insert_ball, remove_ball, set_images
 from carom.gas.edmd.collisions import (
     PATIENCE,
     QUICK,
     collide_balls,
+    cross_sheared_border,
+    earliest_across,
     earliest_collision,
     free_flight,
     next_cell_crossing,
+    slide_images,
+    within_border,
 )
-from carom.gas.edmd.gas_records import COLLAPSED, DONE, LIMIT, NO_BALL
-from carom.gas.edmd.housekeeping import (
-    SORT_INTERVAL,
-    check_progress,
-    remove_momentum_drift,
-    set_threshold,
-    sort_by_cell,
-)
-from carom.gas.edmd.prefetch import page_ends_ahead, prefetch_ahead
-from carom.gas.edmd.shear import cross_sheared_border, earliest_across, slide_images, within_border
+from carom.gas.edmd.gas_records import COLLAPSED, DONE, INDEX_BITS, LIMIT, NO_BALL, UNDERFLOW
 from carom.gas.edmd.walls import (
     FIRST_WALL,
     PREDICT_AGAIN,
@@ -55,7 +61,285 @@ from carom.gas.edmd.walls import (
     thermostat_kick,
 )
 
-__all__ = ["fill_cells", "restore_lists", "run", "synchronize"]
+# An approach slower than this share of the speeds is the rounding of two balls that move along each other or, after an impact
+# without rebound, together; it is no collision.
+APPROACH_ROUNDING = 1e-14
+MAX_DRIFT = 1e-12  # share of the energy that a drift may have before it is removed
+# Of a mean square speed: below, squares of what is small beside it leave the range of double precision.
+LEAST_SQUARE_SPEED = 1e-280
+SORT_INTERVAL = 8  # cycles: some 30 collisions per ball, in which it moves about its own diameter
+
+
+@hot_kernel
+def set_threshold(system: Any, species: Any, energy: float) -> None:
+    """Set the threshold of approach from twice the translational energy."""
+    lightest, widest = math.inf, 0.0
+    for k in range(species.shape[0]):
+        lightest, widest = min(lightest, species[k].mass), max(widest, species[k].radius)
+    system.threshold = APPROACH_ROUNDING * widest * math.sqrt(energy / (lightest * system.balls))
+
+
+@kernel
+def remove_momentum_drift(system: Any, grid: Any, motions: Any, species: Any) -> bool:
+    """Subtract the velocity of the centre of mass along the free axes; return whether it was worth it (then plan all anew).
+
+    Momentum along these axes is conserved: what is found at the start is the given one, and is kept as the velocity of the
+    ``frame``; what is found later is accumulated rounding, and is discarded.
+    """
+    mass, p, energy = 0.0, (0.0, 0.0, 0.0), 0.0
+    fx, fy, fz = system.free[0], system.free[1], system.free[2]
+    gx, gy, gz = grid.gravity[0], grid.gravity[1], grid.gravity[2]
+    for i in range(motions.shape[0]):
+        ball = motions[i]
+        m, s = species[ball.species].mass, system.now - ball.time
+        x, y, z = ball.vx + gx * s, ball.vy + gy * s, ball.vz + gz * s
+        mass += m
+        p = (p[0] + m * x, p[1] + m * y, p[2] + m * z)
+        energy += m * (x * x + y * y + z * z)
+    x, y, z = p[0] / mass * fx, p[1] / mass * fy, p[2] / mass * fz
+    if not mass * (x * x + y * y + z * z) > MAX_DRIFT * energy:
+        return False
+    for i in range(motions.shape[0]):
+        ball = motions[i]
+        free_flight(grid, ball, system.now)
+        ball.vx, ball.vy, ball.vz = ball.vx - x, ball.vy - y, ball.vz - z
+    if system.cycles == 0:
+        system.frame[0] += x
+        system.frame[1] += y
+        system.frame[2] += z
+    return True
+
+
+@kernel
+def check_progress(motions: Any, plans: Any, species: Any, events: int) -> int:
+    """Return LIMIT if the run may go on, DONE if nothing will ever happen, UNDERFLOW if speeds are too small to compute with."""
+    if events == 0:
+        waits = False
+        for i in range(plans.shape[0]):
+            waits = waits or plans[i].event_time < math.inf
+        if not waits:
+            return DONE
+    mass, energy = 0.0, 0.0
+    for i in range(motions.shape[0]):
+        ball = motions[i]
+        m = species[ball.species].mass
+        mass += m
+        energy += m * (ball.vx * ball.vx + ball.vy * ball.vy + ball.vz * ball.vz)
+    return UNDERFLOW if 0.0 < energy < LEAST_SQUARE_SPEED * mass else LIMIT
+
+
+@kernel
+def _order_by_cell(cells: Any, order: Any) -> None:
+    """Write the places of all balls, cell by cell, to ``order``; within a cell in increasing order."""
+    slots, links, n = cells.slots, cells.links, 0
+    for first in range(0, slots.shape[0], SLOTS):
+        count = I64(slots[U64(first)]) >> INDEX_BITS
+        if count == 0:
+            continue
+        begin = n
+        order[U64(n)] = slots[U64(first)] & INDEX_MASK
+        n += 1
+        k = I64(slots[U64(first + 1)]) if count > 1 else NO_BALL
+        while k != NO_BALL:
+            order[U64(n)] = k
+            n += 1
+            k = I64(links[U64(k)]) if count > SLOTS else NO_BALL
+        for a in range(begin + 1, n):
+            one, b = order[U64(a)], a
+            while b > begin and order[U64(b - 1)] > one:
+                order[U64(b)] = order[U64(b - 1)]
+                b -= 1
+            order[U64(b)] = one
+
+
+@kernel
+def _permute(balls: Any, scratch: Any, order: Any) -> None:
+    """Move the ball at place ``order[k]`` to k, for all k, in place, cycle by cycle; afterwards order[k] is k."""
+    motions, plans, bodies, numbers = balls.motions, balls.plans, balls.bodies, balls.numbers
+    motion, plan, body, number = scratch.motion, scratch.plan, scratch.body, scratch.number
+    for start in range(order.shape[0]):
+        if order[U64(start)] == start:
+            continue
+        motion[0], plan[0], body[0], number[0] = motions[start], plans[start], bodies[start], numbers[start]
+        k, source = I64(start), I64(order[U64(start)])
+        while source != start:
+            motions[k], plans[k], bodies[k], numbers[k] = (
+                motions[source],
+                plans[source],
+                bodies[source],
+                numbers[source],
+            )
+            order[U64(k)] = k
+            k, source = source, I64(order[U64(source)])
+        motions[k], plans[k], bodies[k], numbers[k] = motion[0], plan[0], body[0], number[0]
+        order[U64(k)] = k
+
+
+@kernel
+def sort_by_cell(balls: Any, scratch: Any, cells: Any, calendar: Any) -> None:
+    """Sort the balls by cell. The calendar, whose blocks serve as working space, has to be rebuilt afterwards."""
+    plans, links = balls.plans, cells.links
+    count = balls.numbers.shape[0]
+    order = calendar.blocks[:count]
+    _order_by_cell(cells, order)
+    for k in range(count):
+        links[U64(order[U64(k)])] = k  # the new place
+    for k in range(count):
+        plan = plans[U64(k)]
+        if plan.partner != NO_BALL:
+            plan.partner = links[U64(plan.partner)]
+    _permute(balls, scratch, order)
+    cells.slots[:] = 0
+    for k in range(count):
+        insert_ball(cells, plans[U64(k)], k)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Prefetching: the records of a million balls lie far from the processor, and what comes next is known.
+#
+# Memory is fetched page by page of the calendar, some hundred events ahead, an entry or two at a time: first the balls entered on
+# a
+# page; a page later, when these have arrived, the cells around them and their partners; another page later, the balls in those
+# cells. It goes into the second-level cache; the first is too small for all that.
+
+
+PLANS, CELLS, BALLS = range(3)  # the stages
+ENTRIES = 2  # per call
+CELL_FACES = 6  # the least ``boundary`` that is no cell crossing
+
+
+@hot_kernel
+def _wrapped_index(index: int, n: int) -> int:
+    return index - n if index >= n else (index + n if index < 0 else index)
+
+
+@hot_kernel
+def _searched_block(flat: bool, grid: Any, plan: Any) -> Block:
+    """Return the cells that will be searched at a ball's next event."""
+    block = block_around(flat, plan)
+    which = I64(plan.boundary)
+    if plan.collision_time == plan.event_time or which >= CELL_FACES:
+        return block
+    # the ball crosses over to the next cell, and the cells beyond are searched
+    x, y, z, x0, x1, y0, y1, z0, z1 = block
+    up = which & 1
+    step, first = 2 * up - 1, 2 * up
+    if which < 2:
+        return Block(_wrapped_index(x + step, grid.cells[U64(0)]), y, z, first, first + 1, y0, y1, z0, z1)
+    if which < 4:
+        return Block(x, _wrapped_index(y + step, grid.cells[U64(1)]), z, x0, x1, first, first + 1, z0, z1)
+    return Block(x, y, _wrapped_index(z + step, grid.cells[U64(2)]), x0, x1, y0, y1, first, first + 1)
+
+
+@hot_kernel
+def _prefetch_cells(slots: Any, offsets: Any, block: Block) -> None:
+    """Prefetch cells: those in the corners are on all the cache lines that there are."""
+    x, y, z, x0, x1, y0, y1, z0, z1 = block
+    left, right = offsets[U64(0), U64(x), U64(x0)], offsets[U64(0), U64(x), U64(x1 - 1)]
+    front, back = offsets[U64(1), U64(y), U64(y0)], offsets[U64(1), U64(y), U64(y1 - 1)]
+    for c in range(2):
+        third = offsets[U64(2), U64(z), U64(z1 - 1 if c else z0)]
+        prefetch(slots, U64(third + front + left))
+        prefetch(slots, U64(third + front + right))
+        prefetch(slots, U64(third + back + left))
+        prefetch(slots, U64(third + back + right))
+
+
+@hot_kernel
+def _prefetch_cell_balls(motions: Any, slots: Any, first: int) -> None:
+    """Prefetch the first two balls of a cell."""
+    prefetch(motions, U64(slots[U64(first)] & INDEX_MASK))
+    prefetch(motions, U64(slots[U64(first + 1)] & INDEX_MASK))
+
+
+@hot_kernel
+def _prefetch_balls(motions: Any, slots: Any, offsets: Any, block: Block) -> None:
+    """Prefetch the first two balls of each cell."""
+    x, y, z, x0, x1, y0, y1, z0, z1 = block
+    left, middle, right = (
+        offsets[U64(0), U64(x), U64(0)],
+        offsets[U64(0), U64(x), U64(1)],
+        offsets[U64(0), U64(x), U64(2)],
+    )
+    ahead = right if x0 == 2 else left
+    for c in range(z0, z1):
+        third = offsets[U64(2), U64(z), U64(c)]
+        for b in range(y0, y1):
+            second = third + offsets[U64(1), U64(y), U64(b)]
+            if x1 - x0 == 3:
+                _prefetch_cell_balls(motions, slots, second + left)
+                _prefetch_cell_balls(motions, slots, second + middle)
+                _prefetch_cell_balls(motions, slots, second + right)
+            else:
+                _prefetch_cell_balls(motions, slots, second + ahead)
+
+
+@hot_kernel
+def _prefetch_entries(
+    stage: int, flat: bool, spins: bool, grid: Any, balls: Any, cells: Any, blocks: Any, page: int, end: int
+) -> int:
+    """Prefetch for the next entries of a page, of which those up to ``end`` are left; return the new end."""
+    motions, plans, bodies, slots, offsets = balls.motions, balls.plans, balls.bodies, cells.slots, cells.offsets
+    for _ in range(ENTRIES):
+        if end & (BLOCK_LENGTH - 1) == 0:
+            end = I64(blocks[U64(end)]) if end != 0 else 0
+            if end == 0:
+                return 0
+        i = blocks[U64(end)]
+        end -= 1
+        if stage == PLANS:
+            prefetch(plans, U64(i))
+            prefetch(motions, U64(i))
+            continue
+        plan = plans[U64(i)]
+        if not is_pending(plan, page):
+            continue
+        j, collides = plan.partner, plan.collision_time == plan.event_time
+        if stage == BALLS:
+            _prefetch_balls(motions, slots, offsets, _searched_block(flat, grid, plan))
+            if collides and motions[U64(j)].collisions == plan.partner_collisions:
+                _prefetch_balls(motions, slots, offsets, block_around(flat, plans[U64(j)]))
+            continue
+        _prefetch_cells(slots, offsets, _searched_block(flat, grid, plan))
+        if collides:
+            prefetch(plans, U64(j))
+            prefetch(motions, U64(j))
+            if spins:
+                prefetch(bodies, U64(i))
+                prefetch(bodies, U64(j))
+    return end
+
+
+@hot_kernel
+def page_ends_ahead(page_ends: Any, page: int, bins: int) -> tuple[int, int, int]:
+    """Return where the entries of the three pages end that are prefetched during this one; 0 where the cycle has no more pages.
+
+    (Events that never happen are on the last page of all, which is not prefetched.)
+    """
+    if (page + 4) * PAGE >= bins:
+        return 0, 0, 0
+    return I64(page_ends[U64(page + 2)]), I64(page_ends[U64(page + 3)]), I64(page_ends[U64(page + 4)])
+
+
+@hot_kernel
+def prefetch_ahead(
+    flat: bool, spins: bool, grid: Any, balls: Any, cells: Any, blocks: Any, page: int, ends: tuple[int, int, int]
+) -> tuple[int, int, int]:
+    """Prefetch for some balls of the next pages; return where the entries end that are left. Called once per bin."""
+    third = _prefetch_entries(PLANS, flat, spins, grid, balls, cells, blocks, page + 4, ends[2])
+    second = _prefetch_entries(CELLS, flat, spins, grid, balls, cells, blocks, page + 3, ends[1])
+    return _prefetch_entries(BALLS, flat, spins, grid, balls, cells, blocks, page + 2, ends[0]), second, third
+
+
+# ----------------------------------------------------------------------------------------------------
+# Event loop of a gas: event-driven molecular dynamics with a cell list and a calendar queue.
+#
+# One event per ball is planned: its earliest collision, or the crossing of its cell's border. A collision is stored with the ball
+# that predicted it; that is enough, for of two balls one was the last to be updated. A ball whose partner has collided with
+# another
+# meanwhile predicts again when the planned time comes. Ties go to the ball with the lowest index, so the same start gives the
+# same
+# bits.
 
 
 CACHED_BALLS = 10_000  # so many fit the processor's caches; of more, the next ones are prefetched

@@ -2,7 +2,7 @@
 
 All walls but two have one mechanism: a gap that is a polynomial of time, of degree 2 for a plane or where no force acts across a
 round wall, of degree 4 where one does. An ellipse that bounds the balls' surfaces has its own
-(:mod:`carom.core.geometry.ellipse`), and so have arcs of smooth curves (:mod:`carom.core.geometry.curve_arcs`). Each cell has a
+(:mod:`carom.core.geometry.outlines`), and so have arcs of smooth curves (:mod:`carom.core.geometry.curve_arcs`). Each cell has a
 set of the walls that a ball in it can touch; for most cells it is empty, and a block of those, the interior of the grid, skips the
 walls altogether.
 
@@ -15,32 +15,187 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.core.contact import friction_at_slip, one_contact, slip_velocity
-from carom.core.geometry.curve_arc_paths import arc_hit
-from carom.core.geometry.curve_arcs import arc_contact
-from carom.core.geometry.ellipse import oval_depth, oval_hit
-from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel
+from carom.core.contact import contact, friction_at_slip, one_contact, slip_velocity
+from carom.core.geometry.curve_arcs import arc_contact, arc_hit
+from carom.core.geometry.outlines import oval_depth, oval_hit
+from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel
 from carom.core.random import exponential, normals, uniform
 from carom.core.roots.first_root import hit2, hit4, next_hit4
 from carom.gas.edmd.averages import note_change
 from carom.gas.edmd.calendar import I64, U64
-from carom.gas.edmd.collisions import add_energies, count_if_feeble, restitution_of, set_velocity, squared_length
-from carom.gas.edmd.gas_records import CURVE, ELLIPSE, OUTSIDE, PLANE
-from carom.gas.edmd.moving_walls import (
-    heat_at,
-    is_yielding,
-    moving_collision_time,
-    oscillating_collision_time,
-    oscillation,
-    surface_velocity,
-    yielding_impact,
+from carom.gas.edmd.collisions import (
+    add_energies,
+    count_if_feeble,
+    restitution_of,
+    set_velocity,
+    squared_length,
+    with_flow,
 )
-from carom.gas.edmd.shear import with_flow
+from carom.gas.edmd.gas_records import CURVE, ELLIPSE, OUTSIDE, PLANE
 
-__all__ = [
-    "FIRST_WALL", "PREDICT_AGAIN", "collide_wall", "draw_ball", "next_kick_time", "next_wall_collision", "thermostat_kick",
-    "wall_collision_time",
-]  # fmt: skip
+MAX_ARCS = 16  # of an oscillating wall that are searched at once
+LEAST_STEP = 4e-16  # of a time, by which it grows when it is added, whatever rounding does
+
+
+@kernel
+def oscillation(face: Any, now: float) -> tuple[float, float, float, float]:
+    """Return an oscillating plane's position along its normal, as a parabola of the time from now, and how long it holds."""
+    k = math.floor((now - face.start) / face.half_period)
+    t = (now - face.start) - k * face.half_period
+    if face.half_period - t <= LEAST_STEP * now:
+        # rounding hides the rest of this parabola: without the next one, time would stand still
+        k, t = k + 1, t - face.half_period
+    c = 4.0 * face.amplitude / (face.half_period * face.half_period)
+    if k % 2.0 != 0.0:
+        c = -c
+    return c * t * (face.half_period - t), c * (face.half_period - 2.0 * t), -c, face.half_period - t
+
+
+@kernel
+def oscillating_collision_time(
+    face: Any, c: tuple[float, ...], now: float, most: float, slow: float
+) -> tuple[float, bool]:
+    """Return when a gap c to an oscillating plane closes, and True; or a time until which it does not, and False."""
+    c0, c1, c2 = c[0], c[1], c[2]
+    s = 0.0
+    if c0 > face.amplitude:
+        # nothing can happen before the ball comes within the amplitude
+        s = hit2(c0 - face.amplitude, c1, c2, most, 0.0)
+        if s == math.inf:
+            return s, True
+    for _ in range(MAX_ARCS):
+        d0, d1, d2, left = oscillation(face, now + s)
+        t = hit2(c0 + (c1 + c2 * s) * s - d0, c1 + 2.0 * c2 * s - d1, c2 - d2, left, slow)
+        if t <= left:
+            return s + t, True
+        s += left
+        if s > most:
+            return math.inf, True
+    return s, False
+
+
+@kernel
+def place(face: Any, now: float) -> tuple[float, float, float]:
+    """Return a moving plane's displacement along its normal, its speed, and half its acceleration."""
+    t = min(now, face.stop) - face.since
+    if now >= face.stop:
+        return face.offset + face.speed * t, 0.0, 0.0
+    h = face.pull / 2.0
+    return face.offset + (face.speed + h * t) * t, face.speed + face.pull * t, h
+
+
+@kernel
+def moving_collision_time(face: Any, c: tuple[float, ...], now: float, most: float, slow: float) -> float:
+    """Return when a gap c to a plane that moves steadily closes, at most ``most``; or infinity."""
+    d0, d1, d2 = place(face, now)
+    if now < face.stop:
+        left = face.stop - now
+        s = hit2(c[0] - d0, c[1] - d1, c[2] - d2, min(left, most), slow)
+        if s <= min(left, most) or left > most:
+            return s
+        # the gap once it rests
+        c0, c1 = c[0] + (c[1] + c[2] * left) * left, c[1] + 2.0 * c[2] * left
+        rests: float = left + hit2(c0 - place(face, face.stop)[0], c1, c[2], most - left, slow)
+        return rests
+    return hit2(c[0] - d0, c[1], c[2], most, slow)
+
+
+@kernel
+def move_on(face: Any, now: float, change: float) -> None:
+    """Begin a new flight of a piston, whose speed changes now."""
+    offset, speed, _half = place(face, now)
+    face.offset, face.speed = offset, speed + change
+    face.since = now
+
+
+@kernel
+def is_yielding(faces: Any, face: Any) -> bool:
+    """Return whether a contact changes the motion of a wall: of a piston, or of a rotor with a moment of inertia."""
+    return face.mass > 0.0 or (face.rotor >= 0 and faces[U64(face.rotor)].moment > 0.0)  # type: ignore[no-any-return]
+
+
+@kernel
+def surface_velocity(faces: Any, face: Any, n: Vec, reach: float, now: float) -> Vec:
+    """Return the velocity of a wall's surface where a ball touches it; ``reach``: the radius of a rotor."""
+    u = (face.ux, face.uy, face.uz)
+    if face.rotor >= 0:
+        one = faces[U64(face.rotor)]
+        w = cross((one.wx, one.wy, one.wz), n)
+        return (u[0] + reach * w[0], u[1] + reach * w[1], u[2] + reach * w[2])
+    speed = place(face, now)[1]
+    return (u[0] + speed * n[0], u[1] + speed * n[1], u[2] + speed * n[2])
+
+
+@kernel
+def heat_at(face: Any, ball: Any) -> float:
+    """Return the temperature of a heated wall where a ball touches it, relative to the one at the corner of the box."""
+    return face.temperature + face.tx * ball.x + face.ty * ball.y + face.tz * ball.z  # type: ignore[no-any-return]
+
+
+@kernel
+def yielding_impact(
+    system: Any, faces: Any, face: Any, record: Any, form: Any, body: Any, one: Any, n: Vec, v0: Vec, w0: Vec, now: float
+) -> tuple[Vec, Vec, float]:  # fmt: skip
+    """Return velocity, spin and normal impulse per mass of a ball after a contact with a piston or a rotor, which it changes."""
+    arm = abs(record.radius_part)  # (walls that bound centres touch the centre of the ball)
+    reach = record.distance - record.radius_part
+    u = surface_velocity(faces, face, n, reach, now)
+    un, ut = slip_velocity((v0[0] - u[0], v0[1] - u[1], v0[2] - u[2]), w0, n, arm)
+    e, mu = restitution_of(system, record.e, form, -un), record.mu
+    if form.drop > 0.0:
+        mu = friction_at_slip(mu, form.drop, form.rate, math.sqrt(squared_length(ut)))
+    if system.contact_time > 0.0:
+        if now - body.last_contact < system.contact_time:
+            e = 1.0
+        body.last_contact = now
+    m, moment = one.mass, one.kappa * one.radius * one.radius
+    along, across, theta = 1.0, 1.0 + arm * arm / moment, 0.0
+    if face.mass > 0.0:
+        along += m / face.mass
+    if face.rotor >= 0:
+        theta = faces[U64(face.rotor)].moment
+        across += m * reach * reach / theta
+    pn, f, _required, _regime = contact(un, ut, 1.0 / along, 1.0 / across, e, mu, record.beta)
+    j = (pn * n[0] + f[0], pn * n[1] + f[1], pn * n[2] + f[2])
+    v = (v0[0] + j[0], v0[1] + j[1], v0[2] + j[2])
+    turn = cross(n, f)
+    c = arm / moment
+    w = (w0[0] - c * turn[0], w0[1] - c * turn[1], w0[2] - c * turn[2])
+    half = m / 2.0
+    moved = half * (j[0] * (v0[0] + v[0]) + j[1] * (v0[1] + v[1]) + j[2] * (v0[2] + v[2]))
+    turned = half * moment * (squared_length(w) - squared_length(w0))
+    # the reaction on the wall, and what its energy gains
+    given = 0.0
+    if face.mass > 0.0:
+        speed, change = place(face, now)[1], -m * pn / face.mass
+        given = face.mass * change * (speed + change / 2.0)
+        move_on(face, now, change)
+    if face.rotor >= 0:
+        rotor = faces[U64(face.rotor)]
+        c = -m * reach / theta
+        before = (rotor.wx, rotor.wy, rotor.wz)
+        rotor.wx, rotor.wy, rotor.wz = before[0] + c * turn[0], before[1] + c * turn[1], before[2] + c * turn[2]
+        given = theta / 2.0 * (squared_length((rotor.wx, rotor.wy, rotor.wz)) - squared_length(before))
+    face.energy -= given
+    add_energies(record, half * (e - 1.0) * pn * un, moved + given, turned)
+    return v, w, pn
+
+
+# ----------------------------------------------------------------------------------------------------
+# Walls and thermostat: when a ball reaches a wall, what that does, and the thermostat's kicks.
+#
+# All walls but two have one mechanism: a gap that is a polynomial of time, of degree 2 for a plane or where no force acts across
+# a
+# round wall, of degree 4 where one does. An ellipse that bounds the balls' surfaces has its own
+# (:mod:`carom.core.geometry.outlines`), and so have arcs of smooth curves (:mod:`carom.core.geometry.curve_arcs`). Each cell has a
+# set of the walls that a ball in it can touch; for most cells it is empty, and a block of those, the interior of the grid, skips
+# the
+# walls altogether.
+#
+# What only round, oscillating or heated walls, growing balls and a thermostat need is compiled only for a gas that has some of
+# them:
+# it takes as long as all the rest. ``features`` says so: None where all walls are fixed planes, else :class:`.records.Features`.
+
 
 # What a plan's ``boundary`` may be: a face of the cell (below FIRST_WALL), FIRST_WALL + a wall, or a new prediction only.
 FIRST_WALL, PREDICT_AGAIN = 6, 0xFFFF

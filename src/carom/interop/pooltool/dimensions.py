@@ -10,8 +10,6 @@ from pooltool.objects.ball.datatypes import BallState
 
 from carom.bodies import State
 
-__all__ = ["leave", "needed"]
-
 
 def needed(is_3d: bool) -> Any:
     """Return the answer to main's question to a model: in which of its simulations it may act. 0.6.0 does not ask."""

@@ -9,14 +9,12 @@ import numpy as np
 
 from carom.bodies import Surface
 from carom.errors import CaromError, require_type
-from carom.interop.pooltool.installed import has_flights, require_pooltool
+from carom.interop.pooltool.physics import has_flights, require_pooltool
 from carom.laws.law import Law
 from carom.laws.registry import law_named
 
 if TYPE_CHECKING:
     from pooltool.physics import PhysicsEngine
-
-__all__ = ["engine", "register", "use_as_default"]
 
 
 def engine(

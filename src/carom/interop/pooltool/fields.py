@@ -8,8 +8,6 @@ from __future__ import annotations
 
 from carom.tracks.formats.pooltool_fields import Field
 
-__all__ = ["check_fields"]
-
 SYSTEM = ("cue", "table", "balls", "t", "events")
 CUE = ("id", "V0", "phi", "theta", "a", "b", "cue_ball_id", "specs")
 SPECS = ("brand", "M", "length", "tip_radius", "shaft_radius_at_tip", "shaft_radius_at_butt", "end_mass")

@@ -12,8 +12,6 @@ from carom.bodies import Ball, State, Surface
 from carom.interop.pooltool.dimensions import leave
 from carom.interop.pooltool.physics import off_floor
 
-__all__ = ["CaromFloor", "register_floor"]
-
 FLOOR = "carom_floor"
 
 

@@ -17,14 +17,19 @@ from pooltool.serialize import SerializeFormat, conversion
 from carom.bodies import Ball, State, Surface
 from carom.errors import CaromError
 from carom.interop.pooltool.dimensions import leave, needed
-from carom.interop.pooltool.installed import has_flights
-from carom.interop.pooltool.physics import after_collision, after_cushion, apart, nose_normal, off_cushion, off_floor
+from carom.interop.pooltool.physics import (
+    after_collision,
+    after_cushion,
+    apart,
+    has_flights,
+    nose_normal,
+    off_cushion,
+    off_floor,
+)
+from carom.laws.landing import Flight
 from carom.laws.law import Law
 from carom.laws.pair import collide
 from carom.laws.registry import law_named
-from carom.laws.results import Flight
-
-__all__ = ["CaromCircular", "CaromLinear", "CaromPair", "build_engine", "make_engine", "register_models"]
 
 CUSHION, PAIR = "carom_cushion", "carom_collide"
 

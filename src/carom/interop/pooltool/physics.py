@@ -7,20 +7,20 @@ pooltool's main branch lets balls fly (``is_3d``): there the ball leaves with it
 
 from __future__ import annotations
 
+import importlib.util
 import math
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, State, Surface
 from carom.core.motion.phases import ROUNDING
-from carom.errors import CaromError
+from carom.errors import CaromError, MissingLibraryError
 from carom.laws.contact import impact
+from carom.laws.landing import Flight
 from carom.laws.law import Answer, Law, Meeting
 from carom.laws.pair import collide
-from carom.laws.results import Flight
-
-__all__ = ["after_collision", "after_cushion", "apart", "landed", "nose_normal", "off_cushion", "off_floor"]
 
 Array = NDArray[np.float64]
 UP = (0.0, 0.0, 1.0)
@@ -136,3 +136,37 @@ def apart(states: tuple[State, State], normal: Array) -> bool:
     v1, v2 = states[0].velocity, states[1].velocity
     size = float((np.abs(v1) + np.abs(v2)).sum()) * float(np.linalg.norm(normal))
     return float((v1 - v2) @ normal) > ROUNDING * size
+
+
+# ----------------------------------------------------------------------------------------------------
+# Which pooltool is installed. The main branch calls itself 0.6.0, as the release does; only main has an engine with ``is_3d``.
+
+
+VERSION = "0.6"
+MAIN_MODULE = "pooltool.evolution.engine"
+
+
+def require_pooltool(needed_by: str) -> Any:
+    """Return pooltool. MissingLibraryError, one line, where it is not installed; CaromError where it is of another version."""
+    if importlib.util.find_spec("pooltool") is None:
+        raise MissingLibraryError(
+            f"{needed_by}: needs pooltool {VERSION}, which is not installed; carom's page 'From pooltool to carom' has two"
+            " commands that install it"
+        )
+    try:
+        import pooltool
+    except ImportError as error:
+        raise MissingLibraryError(
+            f"{needed_by}: cannot import pooltool: {error}; install what it names with pip"
+        ) from None
+    found = str(getattr(pooltool, "__version__", "unknown"))
+    if not found.startswith(f"{VERSION}."):
+        raise CaromError(
+            f"{needed_by}: expected pooltool {VERSION}, got {found}; pip install --no-deps pooltool-billiards==0.6.0"
+        )
+    return pooltool
+
+
+def has_flights() -> bool:
+    """Return whether the pooltool that is installed lets balls fly, as its main branch does."""
+    return importlib.util.find_spec(MAIN_MODULE) is not None

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError, FaultList, checked_number, require_type
-from carom.interop.pooltool.installed import has_flights, require_pooltool
+from carom.interop.pooltool.physics import has_flights, require_pooltool
 from carom.scene.restitution import Constant
 from carom.scene.scene import Scene
 from carom.scene.shapes.table import Table
@@ -18,8 +18,6 @@ from carom.simulation.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from pooltool import System
-
-__all__ = ["to_system"]
 
 Array = NDArray[np.float64]
 # pooltool's number of each phase; 0.6.0 has none for a ball in the air

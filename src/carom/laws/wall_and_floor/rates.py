@@ -22,13 +22,8 @@ from __future__ import annotations
 
 import math
 
-from carom.core.contact import SLIDE, STICK
-from carom.core.jit.kernel import hot_kernel, kernel, root_of
-
-__all__ = [
-    "FLOOR_JUMP", "FLOOR_SLIP", "FLOOR_STICK", "LEVEL", "OFF", "Couplings", "Pair", "Slips", "decide_mode", "norm",
-    "pressed_rates",
-]  # fmt: skip
+from carom.core.contact import SLIDE, STICK, wall_contact
+from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, root_of
 
 Pair = tuple[float, float]
 # The slips u_t, u_y, f_x, f_y, and the energy stored in the wall's normal spring.
@@ -209,3 +204,127 @@ def decide_mode(  # noqa: PLR0911  (one return a mode)
         slip = norm(e * df[0], d * df[1])
         return SLIDE, FLOOR_JUMP, level, (e * df[0] / slip, -d * df[1] / slip) if slip > 0 else dw, df
     return SLIDE, FLOOR_SLIP, level, _start_at_wall(fast, df), df
+
+
+# ----------------------------------------------------------------------------------------------------
+# Wall and floor at once: the transformation of a state to slips of both contacts, and back.
+#
+# Units: mass 1, and s = a omega in place of the spin. The frame has x along the horizontal part of the wall's normal; slips
+# and law are defined in :mod:`carom.laws.wall_and_floor.rates`.
+
+
+# Velocity, a times spin, the floor's impulse so far; the frame; law and slips; the speed of approach, and the total speed
+Met = tuple[Vec, Vec, Vec, Pair, Couplings, Slips, float, float]
+UP: Vec = (0.0, 0.0, 1.0)
+
+
+@kernel
+def to_wall_frame(
+    v: Vec, w: Vec, n: Vec, a: float, kappa: float, muw: float, ef: float, muf: float, betaf: float
+) -> Met:
+    """Transform a ball's state, after the first impulse of the floor, to the frame of the wall, with a = m = 1."""
+    zero = 0 * a
+    s = (a * w[0], a * w[1], a * w[2])
+    v1, s1, j = v, s, (zero, zero, zero)
+    if v[2] < 0:  # a rigid floor acts first, and may turn the ball away from the wall
+        v1, s1, j, _required, _regime = wall_contact(v, s, UP, 1, kappa, ef, muf, betaf)
+    # the frame: x along the horizontal part of the normal
+    m, c = n[2], norm(n[0], n[1])
+    x, y = (n[0] / c, n[1] / c) if c > 0 else (1 + zero, zero)
+    vx, vy, vz = x * v1[0] + y * v1[1], x * v1[1] - y * v1[0], v1[2]
+    sx, sy, sz = x * s1[0] + y * s1[1], x * s1[1] - y * s1[0], s1[2]
+    i = 1 / kappa
+    q = (c, m, m * m + i, 1 + i, 1 + m * i, m + i, 1 + zero, min(muw, ENDLESS), min(muf, ENDLESS), 1 + zero)
+    slips = (sy - m * vx + c * vz, vy - c * sz + m * sx, vx - sy, vy + sx, zero)
+    return v1, s1, j, (x, y), q, slips, -dot(v1, n), math.sqrt(dot(v1, v1)) + math.sqrt(dot(s1, s1))
+
+
+@kernel
+def from_wall_frame(
+    v: Vec, w: Vec, a: float, kappa: float, met: Met, after: Slips, up: float, p: float
+) -> tuple[Vec, Vec, Vec, Vec]:
+    """Velocity, spin and impulses of wall and floor, from the final slips, v_z and normal impulse of the wall."""
+    v1, s1, _j, (x, y), q, before, _speed, _scale = met
+    # Impulses, from the changes that they caused: wall friction f along (t, y), floor friction g along (x, y).
+    c, m, b, k, d, ee, _drive, _muw, _muf, _heed = q
+    i = 1 / kappa
+    rise = up - v1[2]
+    r1, r2 = after[0] - before[0] + m * c * p - c * rise, after[2] - before[2] - c * p
+    ft, gx = (k * r1 + ee * r2) / (b * k - ee * ee), (ee * r1 + b * r2) / (b * k - ee * ee)
+    r1, r2 = after[1] - before[1], after[3] - before[3]
+    fy, gy = (k * r1 - d * r2) / (k * k - d * d), (k * r2 - d * r1) / (k * k - d * d)
+    wx, wz = c * p - m * ft, m * p + c * ft
+    wall = (x * wx - y * fy, x * fy + y * wx, wz)
+    v2 = (v1[0] + wall[0] + x * gx - y * gy, v1[1] + wall[1] + x * gy + y * gx, up)
+    tx, ty = (m * fy + gy) * i, (ft - gx) * i
+    s2 = (s1[0] + x * tx - y * ty, s1[1] + x * ty + y * tx, s1[2] - c * fy * i)
+    # Without dissipation, integration errors may increase the energy slightly; no law of impact may create energy.
+    had, has = dot(v, v) + kappa * (a * a) * dot(w, w), dot(v2, v2) + kappa * dot(s2, s2)
+    if has > had:
+        k = math.sqrt(had / has)
+        v2, s2 = (k * v2[0], k * v2[1], k * v2[2]), (k * s2[0], k * s2[1], k * s2[2])
+    floor = (v2[0] - v[0] - wall[0], v2[1] - v[1] - wall[1], v2[2] - v[2] - wall[2])
+    return v2, (s2[0] / a, s2[1] / a, s2[2] / a), wall, floor
+
+
+# ----------------------------------------------------------------------------------------------------
+# The wall's spring: impulse remaining until compression or restitution ends, and the gap under a lifted ball.
+#
+# Stronge's restitution depends on the energy stored in the wall, not on time. Only the gap under a lifted ball depends on time:
+# the wall is a linear spring that unloads with 1/e^2 times its stiffness (Walton & Braun), and the stiffness cancels.
+
+
+@kernel
+def remaining_impulse(un: float, rate: float, stored: float, peak: float, compressing: bool) -> float:
+    """Return the impulse until compression or restitution ends at the present rate of u_n; infinite if it does not.
+
+    Restitution also ends if the ball approaches again and has given back to the wall all the energy that it had returned
+    (``peak``): the compression then exceeds its previous maximum.
+    """
+    if compressing:
+        return -un / rate if rate > 0 else math.inf
+    if un < 0 and stored < peak:
+        left = un * un - 2 * rate * (peak - stored)
+        if left > 0:
+            return 2 * (peak - stored) / (math.sqrt(left) - un)
+    left = un * un + 2 * rate * stored
+    if left < 0:
+        return math.inf
+    left = un + math.sqrt(left)
+    return 2 * stored / left if left > 0 else math.inf
+
+
+@kernel
+def gap_growth(un: float, vz: float, c: float, stored: float, p: float, e: float, compressing: bool) -> float:
+    """Return the growth of the gap under a lifted ball (v_z changes at the rate c) during the wall's impulse p."""
+    # The wall's spring in its own time: q' = -u_n/k, u_n' = q/k with q^2/2 the stored energy, k = 1 or, unloading, e;
+    # (u_n, q) moves on a circle. Differences of nearly equal numbers are expanded: c may be a large friction.
+    k = 1 + 0 * e if compressing else e
+    q0 = math.sqrt(2 * stored)
+    left = stored - un * p - p * p / 2
+    q1 = math.sqrt(2 * left) if left > 0 else 0 * e
+    if not q0 + q1 > 0:
+        return 0 * e
+    fall = p * (2 * un + p) / (q0 + q1)  # q0 - q1
+    turn = math.atan2(p * q0 + un * fall, q0 * q1 + un * (un + p))
+    return k * (vz * turn + c * (fall - un * turn))
+
+
+@kernel
+def touch_down_impulse(
+    un: float, vz: float, c: float, stored: float, p: float, e: float, compressing: bool, gap: float
+) -> float:
+    """Return the impulse in (0, p] at which the gap closes, by bisection between its maximum and p, where it is negative."""
+    low = -vz / c if vz > 0 else 0 * p
+    high = p
+    for _ in range(200):
+        middle = (low + high) / 2
+        if middle in (low, high):
+            break
+        if gap + gap_growth(un, vz, c, stored, middle, e, compressing) > 0:
+            low = middle
+        else:
+            high = middle
+    left = stored - un * high - high * high / 2
+    rate = (1 + 0 * e if compressing else e) * (vz + c * high) / math.sqrt(2 * left) if left > 0 else -1 + 0 * e
+    return root_of(high, gap + gap_growth(un, vz, c, stored, high, e, compressing), rate)

@@ -7,9 +7,18 @@ from __future__ import annotations
 
 from carom.scene.by_file import modules_of
 from carom.scene.figures.by_text import AnyFigure, figure
-from carom.scene.figures.figure import FIGURES, CellFigure, Figure, PlaneFigure
-from carom.scene.figures.outline import OutlineFigure
-from carom.scene.figures.pieces import ArcPiece, EllipsePiece, ParallelPiece, Piece, SegmentPiece
+from carom.scene.figures.figure import (
+    FIGURES,
+    ArcPiece,
+    CellFigure,
+    EllipsePiece,
+    Figure,
+    ParallelPiece,
+    Piece,
+    PlaneFigure,
+    SegmentPiece,
+)
+from carom.scene.figures.polygons import OutlineFigure
 
 __all__ = [
     "FIGURES",

@@ -14,10 +14,8 @@ from pydantic import PlainSerializer, PlainValidator
 from carom.errors import CaromError, Fault, did_you_mean, near_name, shown
 from carom.files import as_path, parse_json, read_regular
 from carom.scene.figures.figure import FIGURES, Figure
+from carom.scene.presets import read_toml
 from carom.scene.schema import from_file, refused, with_faults_of_part
-from carom.scene.toml_files import read_toml
-
-__all__ = ["AnyFigure", "figure", "value_of_text"]
 
 # What other names are called here, with an example as it is written
 CALLED = {

@@ -12,8 +12,6 @@ from carom.errors import Fault
 from carom.scene.figures.figure import CellFigure, Circle, Figure, Sizes2
 from carom.scene.schema import Components, Length, Place, Size, raise_faults
 
-__all__ = ["DiscsFigure", "Obstacles", "PeriodicCellFigure", "PeriodicStripFigure", "SinaiFigure"]
-
 Obstacles = tuple[
     Annotated[tuple[Length, Length, Size], BeforeValidator(Components("x, y, radius: 3 lengths in m", (3,)))], ...
 ]

@@ -5,21 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BeforeValidator, PlainSerializer, model_validator
+from pydantic import BeforeValidator, Field, PlainSerializer, model_validator
 
 from carom.core.jets import as_jet, call, variable
 from carom.errors import CaromError, Fault
 from carom.files import import_optional
-from carom.scene.figures.figure import Loop, PlaneFigure
-from carom.scene.figures.formula import formula
-from carom.scene.figures.pieces import Piece
-from carom.scene.schema import Components, Place, raise_faults, refused
-
-__all__ = ["CurveFigure", "FunctionPiece", "PolarPiece", "SplinePiece"]
+from carom.scene.figures.figure import Figure, Loop, Piece, PlaneFigure, Sizes2, formula
+from carom.scene.schema import Angle, Components, Number, Place, Size, Whole, raise_faults, refused
 
 Array = NDArray[np.float64]
 LARGEST = 1e90  # m: the third powers of derivatives are still numbers
@@ -207,3 +203,158 @@ def _try(figure: CurveFigure) -> None:
 def _as_function(value: Any, name: str) -> Function:
     found: Function = value if callable(value) else formula(value, name)
     return found
+
+
+# ----------------------------------------------------------------------------------------------------
+# Circles with ripples, r = radius (1 + eps cos(leaves theta)): limacon, oval, flower.
+
+
+Eps = Annotated[float, BeforeValidator(Number("a number from 0 to below 1", least=0, most=0.999))]
+
+
+def _ripples(radius: float, eps: float, leaves: float) -> list[Loop]:
+    """Return the whole curve."""
+    return [[PolarPiece(lambda t: radius * (1.0 + eps * call("cos", leaves * t)))]]
+
+
+class LimaconFigure(PlaneFigure):
+    """A limacon r = radius (1 + eps cos theta): a circle for eps = 0, convex up to 1/2, a cardioid with its cusp for 1.
+
+    Pascal's curve, Robnik's billiard. Source: M. Robnik, J. Phys. A 16, 3971 (1983), https://doi.org/10.1088/0305-4470/16/17/014.
+
+    Parameters
+    ----------
+    eps : from 0 to below 1
+    radius : m
+    """
+
+    usual: ClassVar = {"eps": 0.3, "radius": 1.0}
+    shape: Literal["limacon"] = "limacon"
+    eps: Eps
+    radius: Size
+
+    def outline(self) -> list[Loop]:
+        """Return the whole curve."""
+        return _ripples(self.radius, self.eps, 1.0)
+
+
+class OvalFigure(PlaneFigure):
+    """An oval r = radius (1 + eps cos 2 theta): convex up to eps = 1/5, and with a neck beyond.
+
+    Below 1/5 orbits along the wall stay there: there are rotational invariant curves. Beyond there are none.
+    Source: M. V. Berry, Eur. J. Phys. 2, 91 (1981), https://doi.org/10.1088/0143-0807/2/2/006.
+
+    Parameters
+    ----------
+    eps : from 0 to below 1
+    radius : m
+    """
+
+    usual: ClassVar = {"eps": 0.1, "radius": 1.0}
+    shape: Literal["oval"] = "oval"
+    eps: Eps
+    radius: Size
+
+    def outline(self) -> list[Loop]:
+        """Return the whole curve."""
+        return _ripples(self.radius, self.eps, 2.0)
+
+
+class FlowerFigure(PlaneFigure):
+    """A flower r = radius (1 + eps cos(leaves theta)); with inflections beyond eps = 1/(1 + leaves^2).
+
+    Parameters
+    ----------
+    leaves : number of leaves, from 1 to 50
+    eps : from 0 to below 1
+    radius : m
+    """
+
+    usual: ClassVar = {"leaves": 5, "eps": 0.2, "radius": 1.0}
+    shape: Literal["flower"] = "flower"
+    leaves: Annotated[int, BeforeValidator(Whole("a whole number from 1 to 50", 1)), Field(le=50)]
+    eps: Eps
+    radius: Size
+
+    def outline(self) -> list[Loop]:
+        """Return the whole curve."""
+        return _ripples(self.radius, self.eps, float(self.leaves))
+
+
+# ----------------------------------------------------------------------------------------------------
+# Lame's superellipse.
+
+
+class SuperellipseFigure(PlaneFigure):
+    """A superellipse |x/p|^n + |y/q|^n = 1: an ellipse for n = 2, nearly a rectangle for large n.
+
+    Parameters
+    ----------
+    half_axes : 2 lengths, m: p, q
+    power : n, a whole number from 2 to 20
+    """
+
+    usual: ClassVar = {"half_axes": (1.0, 0.8), "power": 4}
+    shape: Literal["superellipse"] = "superellipse"
+    half_axes: Sizes2
+    power: Annotated[int, BeforeValidator(Whole("a whole number from 2 to 20", 2)), Field(le=20)]
+
+    def outline(self) -> list[Loop]:
+        """Return the whole curve, by the angle; for odd n its third derivative or a higher one jumps on the axes."""
+        (p, q), n = self.half_axes, float(self.power)
+
+        def r(t: Any) -> Any:
+            x, y = call("absolute", call("cos", t) / p), call("absolute", call("sin", t) / q)
+            return (x**n + y**n) ** (-1.0 / n)
+
+        return [[PolarPiece(r, tuple(math.pi / 2 * k for k in range(1, 4)))]]
+
+
+# ----------------------------------------------------------------------------------------------------
+# Figures without an end: strip and wedge in the plane, plates in space.
+
+
+class StripFigure(Figure):
+    """A strip: two parallel walls y = -width/2 and y = width/2.
+
+    Parameters
+    ----------
+    width : m
+    """
+
+    usual: ClassVar = {"width": 1.0}
+    shape: Literal["strip"] = "strip"
+    width: Size
+
+
+class WedgeFigure(Figure):
+    """A wedge: two walls from the origin, symmetric about the x axis.
+
+    Parameters
+    ----------
+    angle : degrees, above 0 and below 180: between the walls
+    """
+
+    usual: ClassVar = {"angle": 40.0}
+    shape: Literal["wedge"] = "wedge"
+    angle: Angle
+
+    @model_validator(mode="after")
+    def _opens(self) -> WedgeFigure:
+        if not 0 < self.angle < 180:
+            raise_faults([Fault("", "angle", "degrees > 0 and < 180", f"{self.angle:g}")])
+        return self
+
+
+class PlatesFigure(Figure):
+    """Two parallel plates in space, y = -distance/2 and y = distance/2.
+
+    Parameters
+    ----------
+    distance : m
+    """
+
+    dimension: ClassVar[int] = 3
+    usual: ClassVar = {"distance": 1.0}
+    shape: Literal["plates"] = "plates"
+    distance: Size

@@ -2,22 +2,305 @@
 
 from __future__ import annotations
 
+import ast
+import functools
 import inspect
 import math
-from abc import abstractmethod
-from collections.abc import Mapping
+import warnings
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator
 
-from carom.scene.figures.pieces import Piece
+from carom.core.jets import call
+from carom.errors import CaromError, Fault, did_you_mean, shown
 from carom.scene.schema import Components, Model, Place, Size
 
-__all__ = ["FIGURES", "CellFigure", "Circle", "Figure", "Loop", "PlaneFigure", "Sizes2"]
-
 Array = NDArray[np.float64]
+Flat = tuple[float, float]
+PARTS, ORDER = 64, 12  # Gauss-Legendre rules for the length of a piece, and nodes of each
+STEPS = 8  # of Newton's method for the parameter at an arc length
+
+
+class Piece(ABC):
+    """A smooth piece of a boundary, with the open side on its left.
+
+    A subclass has two methods: :meth:`at` and :meth:`span`. All others follow from these; a subclass with a closed form replaces
+    them.
+
+    Examples
+    --------
+    >>> from carom.scene.figures import ArcPiece
+    >>> quarter = ArcPiece((0.0, 0.0), 2.0, 0.0, 90.0)
+    >>> round(quarter.length, 6), quarter.curvature([1.0])
+    (3.141593, array([0.5]))
+    """
+
+    @abstractmethod
+    def at(self, t: Any) -> tuple[Array, Array, Array]:
+        """Return the places (N, 2) at parameters t (N), and their first and second derivatives by t (N, 2)."""
+
+    @abstractmethod
+    def span(self) -> tuple[float, float]:
+        """Return the parameters at its beginning and its end, the second one the greater."""
+
+    def reversed(self) -> Piece:
+        """Return the piece from its end to its beginning: its open side is the other one."""
+        return _Turned(self)
+
+    @functools.cached_property
+    def _lengths(self) -> tuple[Array, Array]:
+        """Return parameters, and the arc lengths there."""
+        first, last = self.span()
+        t = np.linspace(first, last, PARTS + 1)
+        nodes, weights = np.polynomial.legendre.leggauss(ORDER)
+        middle, half = (t[1:] + t[:-1]) / 2, (last - first) / PARTS / 2
+        rate = np.linalg.norm(self.at((middle[:, None] + half * nodes).ravel())[1], axis=-1).reshape(PARTS, ORDER)
+        return t, np.concatenate([[0.0], np.cumsum(rate @ weights * half)])
+
+    @property
+    def length(self) -> float:
+        """Its length, m."""
+        return float(self._lengths[1][-1])
+
+    def parameter(self, s: Any) -> Array:
+        """Return the parameters (N) at arc lengths s (N), m, from its beginning."""
+        t, lengths = self._lengths
+        s = np.asarray(s, float)
+        nodes, weights = np.polynomial.legendre.leggauss(ORDER)
+        k = np.clip(np.searchsorted(lengths, s, side="right") - 1, 0, PARTS - 1)
+        found: Array = np.interp(s, lengths, t)
+        for _ in range(STEPS):  # Newton: ds/dt = |x'|
+            half = (found - t[k]) / 2
+            inner = t[k][..., None] + half[..., None] * (nodes + 1)
+            rate = np.linalg.norm(self.at(inner.ravel())[1], axis=-1).reshape(inner.shape)
+            here = np.linalg.norm(self.at(found)[1], axis=-1)
+            found = np.clip(found - (lengths[k] + rate @ weights * half - s) / here, t[0], t[-1])
+        return found
+
+    def place(self, s: Any) -> Array:
+        """Return the places (N, 2), m, at arc lengths s (N), m."""
+        return self.at(self.parameter(s))[0]
+
+    def tangent(self, s: Any) -> Array:
+        """Return the unit tangents (N, 2) at arc lengths s (N), m."""
+        along = self.at(self.parameter(s))[1]
+        found: Array = along / np.linalg.norm(along, axis=-1, keepdims=True)
+        return found
+
+    def normal(self, s: Any) -> Array:
+        """Return the unit normals (N, 2) towards the open side at arc lengths s (N), m."""
+        return _left(self.tangent(s))
+
+    def curvature(self, s: Any) -> Array:
+        """Return the curvatures (N), 1/m, at arc lengths s (N): above 0 where it bends towards the open side."""
+        _x, d, dd = self.at(self.parameter(s))
+        found: Array = (d[:, 0] * dd[:, 1] - d[:, 1] * dd[:, 0]) / np.linalg.norm(d, axis=-1) ** 3
+        return found
+
+    def inset(self, a: float) -> Piece:
+        """Return the parallel curve at the distance a, m, on the open side: where a ball of radius a has its centre.
+
+        Its radius of curvature is smaller by a. Where a is greater than the radius of curvature a ball does not reach the piece,
+        and the parallel curve runs backwards there; who uses it cuts that part off.
+        """
+        return self if a == 0 else ParallelPiece(self, a)
+
+
+@dataclass(frozen=True)
+class _Turned(Piece):
+    """A piece from its end to its beginning."""
+
+    of: Piece
+
+    def at(self, t: Any) -> tuple[Array, Array, Array]:
+        first, last = self.of.span()
+        x, d, dd = self.of.at(first + last - np.asarray(t, float))
+        return x, -d, dd
+
+    def span(self) -> tuple[float, float]:
+        return self.of.span()
+
+    @property
+    def cuts(self) -> tuple[float, ...]:
+        """Parameters at which a derivative jumps, as of a spline."""
+        return tuple(sum(self.span()) - cut for cut in reversed(getattr(self.of, "cuts", None) or ()))
+
+    def reversed(self) -> Piece:
+        return self.of
+
+
+def _left(t: Array) -> Array:
+    return np.stack([-t[..., 1], t[..., 0]], axis=-1)
+
+
+@dataclass(frozen=True)
+class SegmentPiece(Piece):
+    """A straight piece between two points, m."""
+
+    start: Flat
+    end: Flat
+
+    def at(self, t: Any) -> tuple[Array, Array, Array]:
+        """Return places and derivatives; t goes from 0 to 1."""
+        t = np.asarray(t, float)
+        x, d = np.array(self.start), np.subtract(self.end, self.start)
+        return x + np.multiply.outer(t, d), np.broadcast_to(d, (*t.shape, 2)), np.zeros((*t.shape, 2))
+
+    def span(self) -> tuple[float, float]:
+        """Return 0 and 1."""
+        return 0.0, 1.0
+
+    def reversed(self) -> SegmentPiece:
+        """Return the segment from its end to its beginning."""
+        return SegmentPiece(self.end, self.start)
+
+    @property
+    def length(self) -> float:
+        """Its length, m."""
+        return math.dist(self.start, self.end)
+
+    def parameter(self, s: Any) -> Array:
+        """Return the parameters (N) at arc lengths s (N), m."""
+        return np.asarray(s, float) / self.length
+
+    def inset(self, a: float) -> SegmentPiece:
+        """Return the segment moved by a, m, towards the open side."""
+        off = a * self.normal(np.zeros(1))[0]
+        (x, y), (u, v) = (np.add(one, off).tolist() for one in (self.start, self.end))
+        return SegmentPiece((x, y), (u, v))
+
+
+@dataclass(frozen=True)
+class ArcPiece(Piece):
+    """An arc of a circle from one angle to another, degrees from x: counterclockwise, the centre on the open side, or clockwise."""
+
+    center: Flat
+    radius: float
+    from_angle_deg: float
+    to_angle_deg: float
+    """Degrees: above ``from_angle_deg``: counterclockwise; below: clockwise, an obstacle seen from outside."""
+
+    @property
+    def way(self) -> float:
+        """1 where the centre is on the open side, else -1."""
+        return math.copysign(1.0, self.to_angle_deg - self.from_angle_deg)
+
+    def at(self, t: Any) -> tuple[Array, Array, Array]:
+        """Return places and derivatives; t is the angle turned, rad."""
+        t, w = np.asarray(t, float), self.way
+        angle = math.radians(self.from_angle_deg) + w * t
+        u = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+        return np.add(self.center, self.radius * u), w * self.radius * _left(u), -self.radius * u
+
+    def span(self) -> tuple[float, float]:
+        """Return 0 and its angle, rad."""
+        return 0.0, math.radians(abs(self.to_angle_deg - self.from_angle_deg))
+
+    def reversed(self) -> ArcPiece:
+        """Return the arc the other way round."""
+        return ArcPiece(self.center, self.radius, self.to_angle_deg, self.from_angle_deg)
+
+    @property
+    def length(self) -> float:
+        """Its length, m."""
+        return self.radius * self.span()[1]
+
+    def parameter(self, s: Any) -> Array:
+        """Return the angles turned (N), rad, at arc lengths s (N), m."""
+        return np.asarray(s, float) / self.radius
+
+    def inset(self, a: float) -> Piece:
+        """Return the arc about the same centre; of a ball that does not fit into it, the parallel curve that runs backwards."""
+        radius = self.radius - self.way * a
+        if radius <= 0:
+            return ParallelPiece(self, a)
+        return ArcPiece(self.center, radius, self.from_angle_deg, self.to_angle_deg)
+
+
+@dataclass(frozen=True)
+class EllipsePiece(Piece):
+    """An arc of the ellipse (p cos u, q sin u) about a centre, for u from one angle to another, degrees."""
+
+    half_axes: Flat
+    from_angle_deg: float = 0.0
+    to_angle_deg: float = 360.0
+    center: Flat = (0.0, 0.0)
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether it is the whole ellipse, counterclockwise about the origin."""
+        return self.to_angle_deg - self.from_angle_deg == 360.0 and not any(self.center)
+
+    def at(self, t: Any) -> tuple[Array, Array, Array]:
+        """Return places and derivatives; t is the change of u, rad."""
+        t, w = np.asarray(t, float), math.copysign(1.0, self.to_angle_deg - self.from_angle_deg)
+        u, axes = math.radians(self.from_angle_deg) + w * t, np.array(self.half_axes)
+        out = axes * np.stack([np.cos(u), np.sin(u)], axis=-1)
+        along = w * axes * np.stack([-np.sin(u), np.cos(u)], axis=-1)
+        return np.add(self.center, out), along, -out
+
+    def span(self) -> tuple[float, float]:
+        """Return 0 and the change of u, rad."""
+        return 0.0, math.radians(abs(self.to_angle_deg - self.from_angle_deg))
+
+    def reversed(self) -> EllipsePiece:
+        """Return the arc the other way round."""
+        return EllipsePiece(self.half_axes, self.to_angle_deg, self.from_angle_deg, self.center)
+
+    @property
+    def length(self) -> float:
+        """Its length, m; of a whole ellipse by the midpoint rule, which converges fast: the integrand is periodic."""
+        if abs(self.to_angle_deg - self.from_angle_deg) != 360:
+            return super().length
+        t, (a, b) = (np.arange(256) + 0.5) * (2 * math.pi / 256), self.half_axes
+        return float(np.hypot(a * np.sin(t), b * np.cos(t)).mean() * 2 * math.pi)
+
+
+@dataclass(frozen=True)
+class ParallelPiece(Piece):
+    """The parallel curve of a piece at the distance a on its open side, with the same parameter."""
+
+    of: Piece
+    a: float
+
+    def at(self, t: Any) -> tuple[Array, Array, Array]:
+        """Return places and derivatives: P = x + a n, P' = (1 - a kappa) x'; the second one by differences of the first."""
+        first, last = self.of.span()
+        h = 1e-5 * (last - first)
+        t = np.asarray(t, float)
+        x, d = self._first(t)
+        return x, d, (self._first(t + h)[1] - self._first(t - h)[1]) / (2 * h)
+
+    def _first(self, t: Array) -> tuple[Array, Array]:
+        x, d, dd = self.of.at(t)
+        speed = np.linalg.norm(d, axis=-1, keepdims=True)
+        kappa = (d[..., 0] * dd[..., 1] - d[..., 1] * dd[..., 0])[..., None] / speed**3
+        return x + self.a * _left(d / speed), (1.0 - self.a * kappa) * d
+
+    def span(self) -> tuple[float, float]:
+        """Return the parameters of the piece."""
+        return self.of.span()
+
+    def reversed(self) -> ParallelPiece:
+        """Return the same curve the other way round: it is at the distance -a from the piece the other way round."""
+        return ParallelPiece(self.of.reversed(), -self.a)
+
+    def curvature(self, s: Any) -> Array:
+        """Return kappa/(1 - a kappa) (N), 1/m, at arc lengths s (N), m."""
+        _x, d, dd = self.of.at(self.parameter(s))
+        kappa: Array = (d[:, 0] * dd[:, 1] - d[:, 1] * dd[:, 0]) / np.linalg.norm(d, axis=-1) ** 3
+        return kappa / (1.0 - self.a * kappa)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Figures: regions in the plane or in space by name and sizes; scenes, gases and billiards make their records from them.
+
+
 Loop = list[Piece]
 Sizes2 = Annotated[tuple[Size, Size], BeforeValidator(Components("2 lengths in m, > 0: along x, y", (2,)))]
 Circle = tuple[float, float, float]
@@ -139,3 +422,83 @@ class CellFigure(Figure):
     def along(self) -> tuple[bool, bool]:
         """Whether it is periodic in x, and in y."""
         return True, True
+
+
+# ----------------------------------------------------------------------------------------------------
+# Formulas in files: arithmetic of one variable with a fixed list of functions, read by Python's ``ast``; nothing is run.
+
+
+NAMES = {
+    "sin": "sin", "cos": "cos", "tan": "tan", "sinh": "sinh", "cosh": "cosh", "tanh": "tanh", "exp": "exp", "log": "log",
+    "sqrt": "sqrt", "atan": "arctan", "abs": "absolute",
+}  # fmt: skip
+"""Functions of a formula, by the names of NumPy's."""
+CONSTANTS = {"pi": math.pi, "e": math.e}
+LONGEST, DEEPEST = 2000, 60
+OPERATORS: dict[type[ast.AST], Callable[..., Any]] = {
+    ast.Add: lambda x, y: x + y, ast.Sub: lambda x, y: x - y, ast.Mult: lambda x, y: x * y, ast.Div: lambda x, y: x / y,
+    ast.Pow: lambda x, y: x**y, ast.USub: lambda x: -x, ast.UAdd: lambda x: x,
+}  # fmt: skip
+
+
+def formula(text: str, name: str) -> Callable[[Any], Any]:
+    """Return the function that a formula of one variable says, of a number or a jet (:mod:`carom.core.jets`).
+
+    Numbers, ``name``, pi, e, + - * / ** and the functions of NAMES. Anything else raises CaromError, one line.
+
+    Examples
+    --------
+    >>> from carom.core.jets import variable
+    >>> from carom.scene.figures.figure import formula
+    >>> import numpy as np
+    >>> found = formula("1 + 0.3*cos(2*theta)", "theta")(variable(np.array([0.0])))
+    >>> found.x, found.d, found.dd
+    (array([1.3]), array([0.]), array([-1.2]))
+    """
+    if len(text) > LONGEST:
+        raise _fault(f"a formula of at most {LONGEST:,} characters", f"{len(text):,}")
+    try:
+        with warnings.catch_warnings(action="ignore"):  # (Python's about a text that is refused anyway)
+            tree = ast.parse(text.strip(), mode="eval").body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        raise _fault(f"a formula of {name}, such as 1 + 0.3*cos(2*{name})", shown(text)) from None
+    return _read(tree, name, DEEPEST)
+
+
+def _fault(expected: str, got: str, advice: str = "") -> CaromError:
+    return CaromError(Fault("", "", expected, got, advice))
+
+
+def _read(node: ast.AST, name: str, depth: int) -> Callable[[Any], Any]:
+    """Return the function that a node says."""
+    if depth == 0:
+        raise _fault(f"a formula nested at most {DEEPEST} deep", "a deeper one")
+    if isinstance(node, ast.Constant) and isinstance(node.value, int | float) and not isinstance(node.value, bool):
+        try:
+            value = float(node.value)
+        except OverflowError:
+            value = math.inf
+        if not math.isfinite(value):
+            raise _fault("numbers below 1e308", "a larger one")
+        return lambda _x: np.float64(value)  # (which overflows to infinity, and has no complex powers)
+    if isinstance(node, ast.Name):
+        if node.id == name:
+            return lambda x: x
+        if node.id in CONSTANTS:
+            constant = np.float64(CONSTANTS[node.id])
+            return lambda _x: constant
+        if node.id in NAMES:
+            raise _fault(f"{node.id} of something, such as {node.id}({name})", f"{node.id} alone")
+        known = [name, *CONSTANTS, *NAMES]
+        raise _fault(f"{name}, {', '.join(CONSTANTS)} and functions", shown(node.id), did_you_mean(node.id, known))
+    if isinstance(node, ast.BinOp | ast.UnaryOp) and type(node.op) in OPERATORS:
+        work = OPERATORS[type(node.op)]
+        parts = [node.left, node.right] if isinstance(node, ast.BinOp) else [node.operand]
+        made = [_read(part, name, depth - 1) for part in parts]
+        return lambda x: work(*(part(x) for part in made))
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and len(node.args) == 1 and not node.keywords:
+        if node.func.id not in NAMES:
+            raise _fault(f"one of {', '.join(NAMES)}", shown(node.func.id), did_you_mean(node.func.id, list(NAMES)))
+        inner, function = _read(node.args[0], name, depth - 1), NAMES[node.func.id]
+        return lambda x: call(function, inner(x))
+    raise _fault("numbers, + - * / **, and functions of one argument", shown(ast.unparse(node)))

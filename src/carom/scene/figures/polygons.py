@@ -4,18 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 from pydantic import BeforeValidator, model_validator
 
-from carom.core.geometry.polygon import outline_faults
+from carom.core.geometry.outlines import outline_faults
 from carom.errors import Fault
-from carom.scene.figures.figure import Loop, PlaneFigure, Sizes2
-from carom.scene.figures.pieces import SegmentPiece
-from carom.scene.schema import Components, Place, Size, Whole, raise_faults
-
-__all__ = ["PolygonFigure", "RectangleFigure", "RegularFigure", "sides_through"]
+from carom.scene.figures.figure import Loop, Piece, PlaneFigure, SegmentPiece, Sizes2
+from carom.scene.schema import Components, Place, Size, Whole, raise_faults, refused
 
 Sides = Annotated[int, BeforeValidator(Whole("a whole number from 3 to 10000", 3))]
 
@@ -104,3 +101,94 @@ class RectangleFigure(PlaneFigure):
     def piece_names(self) -> list[str]:
         """Return the names of the sides."""
         return ["front", "right", "back", "left"]
+
+
+# ----------------------------------------------------------------------------------------------------
+# Tokarsky's room, in which a candle leaves a point dark.
+
+
+# In squares of a grid, from the left; the interior on the left. As N. Berglund draws the room
+# (https://github.com/nilsberglund-orleans/YouTube-simulations).
+CORNERS = (
+    (0, 2), (1, 2), (1, 1), (2, 1), (2, 0), (3, 1), (4, 1), (4, 0), (5, 1), (6, 1), (6, 0), (7, 1), (7, 2), (8, 2), (8, 3), (7, 3),
+    (6, 4), (6, 3), (5, 3), (5, 2), (3, 2), (3, 3), (2, 3), (2, 4), (1, 4), (1, 3),
+)  # fmt: skip
+
+
+class TokarskyFigure(PlaneFigure):
+    """Tokarsky's room of 26 sides: no flight with mirror reflections leads from one of two places in it to the other.
+
+    All walls lie on mirrors of the tiling of the plane by triangles of 45, 45 and 90 degrees: x, y, x + y or x - y is a
+    whole number of squares, of the latter two an even one. So reflections take places with two even coordinates to such places.
+    A straight line from one of them to another passes a grid point with an odd coordinate first, half-way or before; and
+    all grid points of the room with an odd coordinate are corners of it, where a flight ends.
+
+    Source: G. W. Tokarsky, Am. Math. Monthly 102, 867 (1995), https://doi.org/10.2307/2975263.
+
+    Parameters
+    ----------
+    side : m: of the squares of the grid on which its corners lie; the room is 8 of them long
+    """
+
+    usual: ClassVar = {"side": 0.25}
+    shape: Literal["tokarsky"] = "tokarsky"
+    side: Size
+
+    def outline(self) -> list[Loop]:
+        """Return its sides."""
+        return sides_through([self._place(*one) for one in CORNERS])
+
+    @property
+    def dark_pair(self) -> tuple[Place, Place]:
+        """The two places, m, of which one is dark when a candle is in the other."""
+        return self._place(2, 2), self._place(6, 2)
+
+    def _place(self, x: float, y: float) -> Place:
+        return self.side * (x - 4), self.side * (y - 2)
+
+
+# ----------------------------------------------------------------------------------------------------
+# A figure by its pieces, for programs.
+
+
+def _loops(value: Any) -> tuple[tuple[Piece, ...], ...]:
+    try:
+        found = tuple(tuple(loop) for loop in value)
+    except TypeError:
+        found = ()
+    if not found or not all(loop and all(isinstance(piece, Piece) for piece in loop) for loop in found):
+        raise refused("loops of pieces, each a list of Piece", f"{value!r:.60}")
+    return found
+
+
+class OutlineFigure(PlaneFigure):
+    """A figure by its pieces: closed loops, each piece with the open side on its left.
+
+    Parameters
+    ----------
+    loops : lists of Piece: the outside, counterclockwise, and obstacles in it, clockwise
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> from carom.scene.figures import ArcPiece, OutlineFigure, SegmentPiece
+    >>> half = OutlineFigure(loops=[[ArcPiece((0, 0), 1.0, 0.0, 180.0), SegmentPiece((-1, 0), (1, 0))]])
+    >>> round(half.area, 6), round(float(billiards.table(half).wall().lengths.sum()), 6)
+    (1.570796, 5.141593)
+    """
+
+    tag: ClassVar[str] = ""
+    loops: Annotated[tuple[tuple[Any, ...], ...], BeforeValidator(_loops)]
+
+    @classmethod
+    def kind(cls) -> str:
+        """Return its name in messages."""
+        return "outline"
+
+    def phrases(self) -> list[str]:
+        """Return the number of its pieces."""
+        return [f"{sum(map(len, self.loops))} pieces"]
+
+    def outline(self) -> list[Loop]:
+        """Return its pieces."""
+        return [list(loop) for loop in self.loops]

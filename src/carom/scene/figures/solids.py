@@ -7,11 +7,9 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import PlainValidator, model_validator
 
 from carom.errors import Fault, shown
-from carom.scene.figures.circle import CircleFigure
 from carom.scene.figures.figure import FIGURES, Figure
+from carom.scene.figures.rounds import CircleFigure
 from carom.scene.schema import Size, Sizes, checked_part, raise_faults, refused
-
-__all__ = ["BoxFigure", "CylinderFigure", "SphereFigure"]
 
 
 class SphereFigure(Figure):

@@ -11,11 +11,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Union
 from pydantic import Field
 
 from carom.scene.by_file import modules_of
-from carom.scene.shapes.curves import CurvedWallShape, CurveWallShape, figure_walls
-from carom.scene.shapes.outline import FigureWall, OutlineWall
-from carom.scene.shapes.planes import Box, Plane, Strip, Wedge
+from carom.scene.shapes.curves import CurvedWallShape, CurveWallShape, FigureWall, OutlineWall, figure_walls
+from carom.scene.shapes.planes import Box, Plane, Polygon, Segment, Strip, Wedge
 from carom.scene.shapes.rounds import Arc, Cylinder, Sphere, Stadium
-from carom.scene.shapes.segments import Polygon, Segment
 from carom.scene.shapes.table import Table
 from carom.scene.wall import WallShape
 

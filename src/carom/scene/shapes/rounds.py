@@ -31,15 +31,11 @@ from carom.scene.feature_builders import (
     put_round,
     unit,
 )
-from carom.scene.figures.stadium import StadiumSizes
+from carom.scene.figures.rounds import StadiumSizes
 from carom.scene.ruled import FaultText, format_vector, put_fault
 from carom.scene.schema import Angle, Direction, Extent, Flag, Place, Point, Size, Vector
-from carom.scene.shapes.planes import FAR, LEVEL
-from carom.scene.shapes.segments import LEVELS, Standing, level_faults, stands
+from carom.scene.shapes.planes import FAR, LEVEL, LEVELS, Standing, level_faults, stands
 from carom.scene.wall import Outline, ShapeKernels, WallShape, always
-
-__all__ = ["Arc", "Cylinder", "Sphere", "Stadium"]
-
 
 Numbers = Sequence[float]
 

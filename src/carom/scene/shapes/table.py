@@ -5,25 +5,211 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Sequence
-from typing import Any, ClassVar, Literal, NamedTuple
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import model_validator
+from pydantic import BeforeValidator, model_validator
 
+from carom.core.geometry.angles import direction
 from carom.core.geometry.features import FACE, OVER
 from carom.core.jit.kernel import Vec, kept_kernel, kernel
 from carom.formatting import format_length
 from carom.laws.law import Law
-from carom.scene.feature_builders import Flat, length_2d, put_cushion, put_edges, put_number, put_standing
-from carom.scene.pockets import Jaw, Pockets, is_free, jaw_at, jaw_line, put_jaw, put_pocket
+from carom.scene.feature_builders import (
+    UP,
+    Flat,
+    circle,
+    length_2d,
+    put,
+    put_cushion,
+    put_edges,
+    put_number,
+    put_round_cushion,
+    put_standing,
+)
 from carom.scene.presets import preset_fault, presets, wall_fields
+from carom.scene.restitution import Bounce
 from carom.scene.ruled import FaultText, put_fault
-from carom.scene.schema import ContactTime, Extent, Place, Size, raise_faults
-from carom.scene.sides import Sides
+from carom.scene.schema import ContactTime, Extent, Friction, Length, Model, Number, Place, Size, raise_faults
 from carom.scene.wall import CUSHION, ContactParameters, Outline, Pocket, ShapeKernels, WallShape
 
-__all__ = ["Table"]
+Numbers = Sequence[float]
+
+
+class Pockets(Model):
+    """The shape of a table's four corner pockets, or of its two side pockets.
+
+    Parameters
+    ----------
+    mouth : m: from tip to tip, where the lines of the noses meet the lines of the facings
+    jaw_angle : degrees, 90 to 175: between nose and facing; a corner pocket with parallel facings has 135, a side pocket 90
+    jaw_radius : m: of the arc that rounds each tip
+    shelf : m: from the middle of the mouth to the pocket's edge; negative where the edge comes in front of the mouth
+    radius : m: of the pocket's edge, a circle: a ball whose centre passes it falls
+
+    Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> import carom
+    >>> corner = carom.scene.Pockets(mouth="116 mm", jaw_angle=142, jaw_radius=0.005, shelf=0.041, radius=0.062)
+    >>> corner.mouth
+    0.116
+    """
+
+    mouth: Size
+    jaw_angle: Annotated[
+        float, BeforeValidator(Number("an angle from 90 to 175 degrees", "degree", least=90, most=175))
+    ]
+    jaw_radius: Size
+    shelf: Length
+    radius: Size
+
+
+class Jaw(NamedTuple):
+    """One side of a pocket's mouth, as seen from above: where the nose ends, the arc, the facing."""
+
+    nose_end: Flat
+    center: Flat
+    radius: float
+    middle: Flat
+    """Unit vector from the arc's centre to its middle."""
+    cosine: float
+    """Of half the arc's angle."""
+    facing: Flat
+    """Unit vector along the facing, into the pocket."""
+    start: Flat
+    end: Flat
+    """Where the facing begins and ends; one point where the arc reaches the pocket."""
+    reaches: bool
+    """Whether the facing's line comes over the pocket at all."""
+    forward: bool
+    """Whether it lies at the end of its cushion, as one goes round the table counterclockwise."""
+
+
+@kernel
+def jaw_at(
+    x: float, y: float, tx: float, ty: float, forward: bool, p: Numbers, first: int, px: float, py: float
+) -> Jaw:
+    """Return the jaw of a tip (x, y); the unit vector (tx, ty) leads along the nose towards the pocket, which is at (px, py).
+
+    The numbers of the pocket's shape are those of p from ``first`` on.
+    """
+    angle, r, radius = 180 - p[first + 1], p[first + 2], p[first + 4]
+    ox, oy = (ty, -tx) if forward else (-ty, tx)  # away from the table
+    c, s = direction(angle)
+    c2, s2 = direction(angle / 2)
+    d = r * s / (1 + c)  # from the tip to where the arc touches the lines: r tan(turn / 2)
+    fx, fy = c * tx + s * ox, c * ty + s * oy
+    nose_end = (x - d * tx, y - d * ty)
+    wx, wy = px - x, py - y
+    on = wx * fx + wy * fy
+    off2 = wx * wx + wy * wy - on * on
+    reaches = off2 < radius * radius
+    into = on - math.sqrt(radius * radius - off2) if reaches else d
+    end = max(into, d)
+    return Jaw(
+        nose_end,
+        (nose_end[0] + r * ox, nose_end[1] + r * oy),
+        r,
+        (s2 * tx - c2 * ox, s2 * ty - c2 * oy),
+        c2,
+        (fx, fy),
+        (x + d * fx, y + d * fy),
+        (x + end * fx, y + end * fy),
+        reaches,
+        forward,
+    )
+
+
+@kernel
+def put_jaw(jaw: Jaw, low: float, high: float, i: int, out: Any) -> int:
+    """Write arc and facing of a jaw, which stands from low to high."""
+    u = (jaw.middle[0], jaw.middle[1], 0.0)
+    i = put_round_cushion(jaw.center[0], jaw.center[1], jaw.radius, u, jaw.cosine, low, high, i, out)
+    if jaw.start[0] == jaw.end[0] and jaw.start[1] == jaw.end[1]:
+        return i
+    # (its ends in the order in which they are passed counterclockwise)
+    one, two = (jaw.start, jaw.end) if jaw.forward else (jaw.end, jaw.start)
+    return put_cushion(one[0], one[1], two[0], two[1], low, high, i, out)
+
+
+def jaw_line(jaw: Jaw) -> NDArray[np.float64]:
+    """Return a jaw as seen from above, a polyline (n, 2) from the nose's end into the pocket."""
+    middle, half = math.atan2(jaw.middle[1], jaw.middle[0]), math.acos(jaw.cosine)
+    first, last = (middle + half, middle - half) if jaw.forward else (middle - half, middle + half)
+    return np.vstack([circle(jaw.center, jaw.radius, first, last), jaw.end])
+
+
+@kernel
+def put_pocket(place: int, x: float, y: float, R: float, high: float, i: int, out: Any) -> int:
+    """Write the edge of a pocket: balls fall below the height of the cushions; above it they have left the table."""
+    i = put(out, i, OVER, (x, y, 0.0), UP, R, 1.0, (1.0, 0.0, 0.0), -1.0, 1.0, -math.inf, high, place)
+    if high < math.inf:
+        i = put(out, i, OVER, (x, y, 0.0), UP, R, 1.0, (1.0, 0.0, 0.0), -1.0, 1.0, high, math.inf, -1)
+    return i
+
+
+@kernel
+def is_free(x: Vec, jaw: Jaw) -> bool:
+    """Return whether a point behind the line of the nose is not in the rubber of a jaw."""
+    fx, fy = jaw.facing
+    nx, ny = (-fy, fx) if jaw.forward else (fy, -fx)
+    if nx * (x[0] - jaw.start[0]) + ny * (x[1] - jaw.start[1]) >= 0:
+        return True
+    rx, ry = x[0] - jaw.center[0], x[1] - jaw.center[1]
+    far = math.sqrt(rx * rx + ry * ry)  # in the sector that the arc rounds off, and beyond the arc
+    return far >= jaw.radius and rx * jaw.middle[0] + ry * jaw.middle[1] >= jaw.cosine * far
+
+
+# ----------------------------------------------------------------------------------------------------
+# The four cushions of a table, where their surfaces differ.
+
+
+class Side(Model):
+    """A cushion of a table with a surface of its own.
+
+    Parameters
+    ----------
+    restitution : number from 0 to 1, or a form of the normal speed; default: the table's
+    friction : number >= 0, or inf; default: the table's
+
+    Raises CaromError, one line per problem.
+    """
+
+    restitution: Bounce | None = None
+    friction: Friction | None = None
+
+
+class Sides(Model):
+    """The cushions of a table by name, in the order of their numbers: counterclockwise from the bottom one.
+
+    Parameters
+    ----------
+    bottom, right, top, left : Side
+        Where y is least, x is greatest, y is greatest, x is least. The jaws at its ends belong to a cushion. Default: the
+        surface of the table.
+
+    Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> import carom
+    >>> table = carom.scene.Table(preset="carom", friction=0.2, sides={"right": {"restitution": 0.83}})
+    >>> table.sides.right.restitution.value, table.sides.left.restitution
+    (0.83, None)
+    """
+
+    bottom: Side = Side()
+    right: Side = Side()
+    top: Side = Side()
+    left: Side = Side()
+
+
+# ----------------------------------------------------------------------------------------------------
+# A billiard table: cushions with noses, pockets where it has them, and real tables by name.
+
 
 # Counterclockwise, as the corners are: at each corner, and in the middle of the side after it.
 PLACES = (
@@ -33,7 +219,6 @@ PLACES = (
 TURNS: tuple[Flat, Flat, Flat, Flat] = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
 # Where the numbers of a table are: length, width, center, nose_height, height, and from these on those of its pockets.
 NOSE, HEIGHT, CORNER, SIDE = 4, 5, 6, 11
-Numbers = Sequence[float]
 
 
 class Mouth(NamedTuple):

@@ -7,29 +7,35 @@ shows how near the next sequence is: the impact is computed again for states alo
 
 from __future__ import annotations
 
+import functools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.geometry.gaps import impact_normal
-from carom.core.jit.compile import is_cached
-from carom.core.jit.objects import as_objects
-from carom.core.motion.phases import SLIDING
-from carom.core.motion.restitution import restitution
+from carom.core.geometry.features import (
+    BEHIND,
+    FALLS,
+    FEATURES,
+    OVER,
+    SEAM,
+    feature_gap,
+    gap_to_feature,
+    impact_normal,
+    pair_gap,
+)
+from carom.core.jit.compile import array_of, is_cached, njit, signature
+from carom.core.jit.kernel import Vec, as_objects, kernel
+from carom.core.jit.threads import block_slices
+from carom.core.motion.phases import BOUNCING, HELD, REST, SLIDING, restitution
 from carom.laws.law import TWO_STEP_WALL
+from carom.simulation.contact_kinds import compiled_joint_impact, joint_impact
 from carom.simulation.records import BALL, MEETINGS, WALL, WALLS, event_numbers
-from carom.simulation.sensitivity.dual import derivative, value
-from carom.simulation.sensitivity.interpreted import seeded
-from carom.simulation.sensitivity.lift import lifted
-from carom.simulation.sensitivity.parameters import Parameters
-from carom.simulation.sensitivity.pass_kernels import met_feature
-from carom.simulation.sensitivity.passages import Passage, Passages
-from carom.simulation.wall_and_floor import compiled_joint_impact, joint_impact
-
-__all__ = ["EXACT", "Margin", "impacts_at_once", "margins"]
+from carom.simulation.sensitivity.follow import lifted, seeded_records
+from carom.simulation.sensitivity.passages import PLACES, Dual, Passage, Passages, derivative, met_feature, value
+from carom.simulation.sensitivity.seeds import Parameters
 
 Array = NDArray[np.float64]
 SPAN = 0.5  # of the numbers of an impact: so far the next sequence of a joint impact is looked for
@@ -126,7 +132,7 @@ class _JointImpacts:
         arrays = parameters.arrays
         self.p = len(parameters)
         self.world, self.features, self.balls = (
-            seeded(getattr(arrays, name), [one[name] for one in parameters.slopes])
+            seeded_records(getattr(arrays, name), [one[name] for one in parameters.slopes])
             for name in ("world", "features", "balls")
         )
         self.walls = as_objects(arrays.features)
@@ -193,3 +199,265 @@ def _first_change(sequence: Callable[[Array], Any], now: Array, slope: Array) ->
             return high
         low = high
     return math.inf
+
+
+# ----------------------------------------------------------------------------------------------------
+# Near misses of a run: how closely balls pass by each other, by walls and pockets, and how far a contact is in the parameters.
+#
+# Between two events of a run every ball moves on x + v s + a s^2/2. On each such stretch the least gap of every pair is found
+# by sampling it and then by a golden-section search. Where the gap is least inside a stretch, its rate is zero, so that
+# its derivative is the one at a fixed time (envelope theorem); where an event turns the ball round, it is the one at the event's
+# time, which changes with the parameters.
+
+
+SAMPLES = 24  # of the gap on a stretch, between which the search begins
+STEPS = 48  # of the search: the bracket shrinks to 1e-10 of itself
+LONGEST_STRETCH = 0.1  # s, where the acceleration of a ball changes
+GOLDEN = (math.sqrt(5) - 1) / 2
+BLOCK = 1 << 8  # stretches at once
+MINIMA = 4  # of one gap on one stretch, at most
+LEAST_GAPS = np.dtype(
+    [
+        ("gap", "f8", (MINIMA,)),  # inside the stretch, m; infinite for none
+        ("at", "f8", (MINIMA,)),  # s since its begin
+        ("nearest", "i8", (MINIMA,)),  # feature
+        ("begin_gap", "f8"),
+        ("opens", "i8"),  # whether it is no smaller just after the begin
+        ("end_gap", "f8"),  # where it closes up to the end
+        ("end_nearest", "i8"),
+    ]
+)
+
+
+class NearMiss(NamedTuple):
+    """A ball passes by something without touching it, or comes to rest near it."""
+
+    time: float
+    """s: when it is nearest."""
+    ball: str
+    other: str
+    """Ball, wall or pocket, by name."""
+    distance: float
+    """m: gap between the surfaces; for a pocket, from its edge to the ball's centre."""
+    radius: float
+    """Length of the shortest change of the parameters (in their units) that makes them touch, to first order."""
+    at_rest: bool
+    """Whether both are at rest then: the ball did not pass, it stopped on its way."""
+
+
+# --- the least gaps ---------------------------------------------------------------------------------------------------
+
+
+@kernel
+def _position_at(path: Any, s: float) -> Vec:
+    h = s * s / 2
+    return (
+        path[0, 0] + path[1, 0] * s + path[2, 0] * h,
+        path[0, 1] + path[1, 1] * s + path[2, 1] * h,
+        path[0, 2] + path[1, 2] * s + path[2, 2] * h,
+    )
+
+
+@kernel
+def _gap_to_target(
+    features: Any, radius: Any, paths: Any, walls: int, i: int, target: int, s: float
+) -> tuple[float, int]:
+    """Return the gap between ball i and a ball, a wall or a pocket (numbered in this order), and the feature that is nearest."""
+    x, balls = _position_at(paths[i], s), radius.shape[0]
+    if target < balls:
+        return pair_gap(x, _position_at(paths[target], s), radius[i] + radius[target]), -1
+    best, nearest = math.inf, -1
+    for k in range(features.shape[0]):
+        f = features[k]
+        gap = math.inf
+        if target < balls + walls:
+            if f.wall == target - balls and f.kind != OVER:
+                gap = gap_to_feature(f, radius[i], x)
+                if gap < -BEHIND * radius[i]:
+                    gap = math.inf
+        elif f.kind == OVER and f.ends == FALLS and f.at == target - balls - walls:
+            gap = feature_gap(f, radius[i], x)
+        if gap < best:
+            best, nearest = gap, k
+    return best, nearest
+
+
+@kernel
+def _least_gap(
+    features: Any, radius: Any, paths: Any, walls: int, i: int, target: int, low: float, high: float
+) -> tuple[float, float, int]:
+    """Return where a gap is least between two times (golden-section search): gap, time, feature."""
+    for _ in range(STEPS):
+        one, two = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+        left, _f = _gap_to_target(features, radius, paths, walls, i, target, one)
+        right, _f = _gap_to_target(features, radius, paths, walls, i, target, two)
+        if left < right:
+            high = two
+        else:
+            low = one
+    s = (low + high) / 2
+    gap, nearest = _gap_to_target(features, radius, paths, walls, i, target, s)
+    return gap, s, nearest
+
+
+@kernel
+def _record_least_gaps(
+    features: Any, radius: Any, paths: Any, walls: int, i: int, target: int, span: float, out: Any
+) -> None:
+    """Note the least gaps inside a stretch, and what the gap is where it begins and ends."""
+    before, found, now, f = math.inf, 0, math.inf, -1
+    for k in range(SAMPLES + 2):
+        later, g = math.inf, -1
+        if k <= SAMPLES:
+            later, g = _gap_to_target(features, radius, paths, walls, i, target, span * k / SAMPLES)
+        if k == 1:
+            out.begin_gap, out.opens = now, now <= later
+        if 1 < k <= SAMPLES and now < before and now <= later < math.inf and found < MINIMA:
+            low, high = span * (k - 2) / SAMPLES, span * k / SAMPLES
+            out.gap[found], out.at[found], out.nearest[found] = _least_gap(
+                features, radius, paths, walls, i, target, low, high
+            )
+            found += 1
+        if k == SAMPLES + 1 and now < before:
+            out.end_gap, out.end_nearest = now, f
+        before, now, f = now, later, g
+
+
+def _least_gaps(features: Any, radius: Any, paths: Any, moves: Any, spans: Any, walls: int, out: Any) -> None:
+    """Fill ``out`` (J, B, T) with the least gaps on J stretches of B balls to T targets; ``paths`` (J, B, 3, 3).
+
+    ``moves`` (J, B): 1 for a ball that moves, 0 for one that does not, -1 for one that is no longer there.
+    """
+    for j in range(spans.shape[0]):
+        for i in range(radius.shape[0]):
+            for target in range(out.shape[2]):
+                pair = target < radius.shape[0]
+                other = moves[j, target] if pair else 0
+                if not (pair and target <= i) and moves[j, i] >= 0 and other >= 0 and moves[j, i] + other > 0:
+                    _record_least_gaps(features, radius, paths[j], walls, i, target, spans[j], out[j, i, target])
+
+
+LEAST = (
+    None, array_of(FEATURES), array_of(float), array_of(float, 4), array_of(int, 2), array_of(float), int,
+    array_of(LEAST_GAPS, 3),
+)  # fmt: skip
+
+
+@functools.cache
+def compiled_least_gaps() -> Callable[..., None]:
+    """Return the search, compiled; from the second time on it is loaded from the cache."""
+    return njit(_least_gaps, signature(*LEAST), _nrt=False)
+
+
+# --- along a run ------------------------------------------------------------------------------------------------------
+
+
+class _Place(NamedTuple):
+    """Where a gap is least: of which ball, to what, and when."""
+
+    ball: int
+    target: int
+    feature: int
+    time: float
+    turned: bool
+    """Whether an event ends the approach."""
+
+
+def _stretches(run: Any) -> tuple[Array, Array, NDArray[np.int64]]:
+    """Return times (J + 1,), paths (J, B, 3, 3) and whether balls move (J, B), between the events of a run."""
+    log, balls = run.log, len(run.scene.balls)
+    times = np.unique(np.append(log["t"], run.end))
+    floor = run.scene.floor
+    if floor is not None and (floor.rolling_drag > 0 or any(floor.slope)):
+        # (a ball that rolls is on a parabola for a short time only: to 1e-7 m)
+        pieces = np.maximum(np.ceil(np.diff(times) / LONGEST_STRETCH).astype(int), 1)
+        inner = [np.linspace(a, b, n, endpoint=False) for a, b, n in zip(times, times[1:], pieces, strict=False)]
+        times = np.unique(np.append(np.concatenate([*inner, times[-1:]]), times))
+    middle = (times[:-1] + times[1:]) / 2
+    start, half = run.at(times[:-1]), run.at(middle)
+    paths = np.zeros((len(middle), balls, 3, 3))
+    moves = np.zeros((len(middle), balls), np.int64)
+    paths[:, :, 0], paths[:, :, 1] = start.position, start.velocity
+    paths[:, :, 2] = (half.velocity - start.velocity) / (middle - times[:-1])[:, None, None]
+    for i in range(balls):
+        own = log[log["ball"] == i]
+        phase = own["phase"][np.searchsorted(own["t"], times[:-1], side="right") - 1]
+        hops = phase == BOUNCING  # so low that it is as if it slid, at a constant velocity
+        paths[hops, i, 2], paths[hops, i, 1, 2], paths[hops, i, 0, 2] = 0.0, 0.0, run.scene.balls[i].radius
+        moves[:, i] = np.where(phase >= HELD, -1, (phase < REST) | hops)
+    return times, np.ascontiguousarray(np.nan_to_num(paths)), moves
+
+
+def _places(run: Any, features: Any, times: Array, paths: Array, moves: NDArray[np.int64]) -> Iterator[_Place]:
+    """Yield where gaps are least, along the whole run."""
+    scene = run.scene
+    radius = np.array([ball.radius for ball in scene.balls])
+    targets = len(radius) + len(scene.walls) + len(scene.pocket_names)
+    spans = np.diff(times)
+    # gaps that still close where a stretch ends, and their features
+    still_closing, features_then = np.full((len(radius), targets), math.inf), np.zeros((len(radius), targets), np.int64)
+    for rows in block_slices(len(spans), BLOCK):
+        least = np.zeros((rows.stop - rows.start, len(radius), targets), LEAST_GAPS)
+        least["gap"], least["end_gap"] = math.inf, math.inf
+        compiled_least_gaps()(features, radius, paths[rows], moves[rows], spans[rows], len(scene.walls), least)
+        # contacts are no misses: a gap that closes to nothing where an event is, or that is none from the begin on
+        touching = SEAM * radius[:, None]
+        least["end_gap"][least["end_gap"] <= touching] = math.inf
+        least["gap"][least["begin_gap"] <= touching] = math.inf
+        for j, here in enumerate(least):
+            begin, last = float(times[rows.start + j]), rows.start + j == len(spans) - 1
+            turned = (still_closing < math.inf) & ((here["opens"] > 0) | _neither_moves(moves[rows.start + j], targets))
+            for i, target in np.argwhere(turned).tolist():
+                yield _Place(i, target, int(features_then[i, target]), begin, True)
+            for i, target, k in np.argwhere(here["gap"] < math.inf).tolist():
+                one = here[i, target]
+                yield _Place(i, target, int(one["nearest"][k]), min(begin + float(one["at"][k]), run.end), False)
+            still_closing, features_then = here["end_gap"], here["end_nearest"]
+            if last:
+                for i, target in np.argwhere(still_closing < math.inf).tolist():
+                    yield _Place(i, target, int(features_then[i, target]), run.end, False)
+
+
+def _neither_moves(moves: NDArray[np.int64], targets: int) -> NDArray[np.bool_]:
+    """Return of which ball (B,) and target (T,) neither moves."""
+    rest: NDArray[np.bool_] = (moves[:, None] == 0) & (np.append(moves, np.zeros(targets - len(moves), np.int64)) == 0)
+    return rest
+
+
+def near_misses(run: Any, parameters: Parameters, passages: Passages) -> list[NearMiss]:
+    """Return all near misses of a run, the one that the smallest change of the parameters makes a contact first."""
+    scene, log, p = run.scene, run.log, len(parameters)
+    arrays = parameters.arrays
+    features, balls = (
+        seeded_records(getattr(arrays, name), [one[name] for one in parameters.slopes])
+        for name in ("features", "balls")
+    )
+    names = [*scene.ball_names, *scene.wall_names, *scene.pocket_names]
+    time_of = passages.derivatives[:, PLACES["time"]][:, 0]
+    states: dict[float, tuple[Any, Any]] = {}
+    found = []
+    for one in _places(run, arrays.features, *_stretches(run)):
+        if one.time not in states:
+            states[one.time] = run.at(one.time), passages.at(one.time)[0]
+        here, slopes = states[one.time]
+        shift = np.zeros(p)
+        if one.turned:
+            its = (log["t"] == one.time) & np.isin(log["ball"], [one.ball, one.target])
+            shift = time_of[np.flatnonzero(its)[0]] if its.any() else shift
+
+        def place(k: int, here: Any = here, slopes: Any = slopes, shift: Array = shift) -> list[Dual]:
+            x, v = here.position[k], here.velocity[k]
+            return [Dual(float(x[c]), slopes[k, c] + v[c] * shift) for c in range(3)]
+
+        with np.errstate(all="ignore"):
+            if one.target < len(scene.balls):
+                reach = balls[one.ball].radius + balls[one.target].radius
+                gap = lifted(pair_gap)(place(one.ball), place(one.target), reach)
+            else:
+                gap = lifted(feature_gap)(features[one.feature], balls[one.ball].radius, place(one.ball))
+        size, slope = abs(float(value(gap))), float(np.linalg.norm(derivative(gap, p)))
+        radius = size / slope if slope > 0 else math.inf
+        both = [k for k in (one.ball, one.target) if k < len(scene.balls)]
+        at_rest = not np.any(here.velocity[both])
+        found.append(NearMiss(one.time, names[one.ball], names[one.target], size, radius, at_rest))
+    return sorted(found, key=lambda miss: (miss.radius, miss.time))

@@ -14,12 +14,9 @@ from carom.errors import CaromError
 from carom.formatting import format_number, html_table
 from carom.simulation.records import BALL, START, WALL
 from carom.simulation.sensitivity.follow import follow
-from carom.simulation.sensitivity.margins import EXACT, Margin, impacts_at_once, margins
-from carom.simulation.sensitivity.near_misses import NearMiss, near_misses
-from carom.simulation.sensitivity.parameters import Parameters, parameters_of
+from carom.simulation.sensitivity.margins import EXACT, Margin, NearMiss, impacts_at_once, margins, near_misses
 from carom.simulation.sensitivity.passages import PLACES, Passages, StateSensitivity
-
-__all__ = ["EventSensitivity", "Margin", "Sensitivity", "SensitivityTable", "StateSensitivity", "sensitivity"]
+from carom.simulation.sensitivity.seeds import Parameters, parameters_of
 
 Array = NDArray[np.float64]
 

@@ -8,10 +8,8 @@ import numpy as np
 
 from carom.errors import CaromError, FaultList
 from carom.files import parse_json
-from carom.tracks.formats.text_table import Calibration, require_sizes
+from carom.tracks.formats.tables import Calibration, require_sizes
 from carom.tracks.track import Track
-
-__all__ = ["matches", "read"]
 
 PROGRAM = "carom table"
 TICK = 5e-4

@@ -8,10 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from carom.errors import CaromError
-from carom.tracks.formats.text_table import IN_PIXELS, Calibration, require_calibration, split_rows
+from carom.tracks.formats.tables import IN_PIXELS, Calibration, require_calibration, split_rows
 from carom.tracks.track import Track
-
-__all__ = ["matches", "read"]
 
 PROGRAM = "DeepLabCut"
 IMAGE = re.compile(r"^labeled-data|\.(png|jpe?g|bmp|tiff?)$", re.IGNORECASE)

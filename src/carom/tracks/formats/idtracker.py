@@ -8,10 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from carom.errors import CaromError
-from carom.tracks.formats.text_table import Calibration, first_rows, require_calibration, split_rows
+from carom.tracks.formats.tables import Calibration, first_rows, require_calibration, split_rows
 from carom.tracks.track import Track
-
-__all__ = ["matches", "read"]
 
 PROGRAM = "idTracker"
 COLUMN = re.compile(r"^(X|Y)(\d+)$", re.IGNORECASE)

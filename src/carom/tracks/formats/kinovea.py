@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from carom.errors import CaromError, FaultList
-from carom.tracks.formats.text_table import (
+from carom.tracks.formats.tables import (
     Calibration,
     first_rows,
     numbers,
@@ -19,8 +19,6 @@ from carom.tracks.formats.text_table import (
     time_column,
 )
 from carom.tracks.track import Track
-
-__all__ = ["matches", "read"]
 
 PROGRAM = "Kinovea"
 WHY = "since Kinovea does not write the unit in which it was calibrated (or pixels)"

@@ -9,8 +9,6 @@ from numpy.typing import NDArray
 
 from carom.tracks.track import Track
 
-__all__ = ["without_invisible", "without_marked_places", "without_markers"]
-
 Array = NDArray[np.float64]
 MARKERS = (-1.0, 0.0, -999.0, -9999.0, 9999.0, -99.0)  # in both columns
 FAR = 8.0  # usual steps, by which a marker lies off the places before and after it

@@ -7,10 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from carom.tracks.formats.text_table import IN_PIXELS, Calibration, first_rows, require_calibration, split_rows
+from carom.tracks.formats.tables import IN_PIXELS, Calibration, first_rows, require_calibration, split_rows
 from carom.tracks.track import Track
-
-__all__ = ["matches", "read"]
 
 PROGRAM = "MTrack2"
 COLUMN = re.compile(r"^(X|Y|Flag)\d+$")

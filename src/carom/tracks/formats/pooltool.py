@@ -7,10 +7,8 @@ from numpy.typing import NDArray
 
 from carom.files import parse_json
 from carom.tracks.formats.pooltool_fields import Field
-from carom.tracks.formats.text_table import Calibration
+from carom.tracks.formats.tables import Calibration
 from carom.tracks.track import Track
-
-__all__ = ["matches", "read", "recorded", "tracks_of"]
 
 Array = NDArray[np.float64]
 POCKETED = 4  # pooltool's number of that motion

@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 from carom.errors import CaromError, did_you_mean
 from carom.files import MOST_TABLE, import_optional, parse_json, read_regular
 
-__all__ = ["Field", "open_file"]
-
 Array = NDArray[np.float64]
 ENDINGS = (".json", ".msgpack")
 REMEDY = "save the shot again with pooltool 0.6"

@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-__all__ = ["ForeignFile", "foreign_file"]
-
 START = 1 << 16  # bytes from which a file is recognised
 TRACKER = "export the positions with Tracker's menu File > Export > Data File"
 KINOVEA = "export the positions with Kinovea's menu File > Export to spreadsheet, as CSV"

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from carom.tracks.formats import columns
-from carom.tracks.formats.text_table import Calibration, first_rows, require_calibration
+from carom.tracks.formats import tables as columns
+from carom.tracks.formats.tables import Calibration, first_rows, require_calibration
 from carom.tracks.track import Track
-
-__all__ = ["matches", "read"]
 
 PROGRAM = "SLEAP"
 

@@ -12,10 +12,8 @@ from numpy.typing import NDArray
 
 from carom.errors import FaultList
 from carom.files import parse_json
-from carom.tracks.formats.text_table import Calibration, require_sizes
+from carom.tracks.formats.tables import Calibration, require_sizes
 from carom.tracks.track import Track
-
-__all__ = ["matches", "read"]
 
 PROGRAM = "tailuge/billiards"
 UNIT = 2.84 / (92.36 * 0.03275)  # m

@@ -11,10 +11,8 @@ import numpy as np
 from carom.core.units import UNITS, unit_named
 from carom.data.headers import BRACKETS
 from carom.errors import CaromError
-from carom.tracks.formats.text_table import Calibration, TextTable, first_rows, require_calibration, split_rows
+from carom.tracks.formats.tables import Calibration, TextTable, first_rows, require_calibration, split_rows
 from carom.tracks.track import Track
-
-__all__ = ["matches", "read"]
 
 PROGRAM = "Tracker"
 

@@ -9,10 +9,8 @@ from numpy.typing import NDArray
 
 from carom.core.units import parse_quantity
 from carom.errors import CaromError
-from carom.tracks.formats.text_table import Calibration, TextTable, first_rows, require_calibration, split_rows
+from carom.tracks.formats.tables import Calibration, TextTable, first_rows, require_calibration, split_rows
 from carom.tracks.track import Track
-
-__all__ = ["matches", "read"]
 
 PROGRAM = "TrackMate"
 TRACK, TIME, FRAME, X, Y = "TRACK_ID", "POSITION_T", "FRAME", "POSITION_X", "POSITION_Y"

@@ -6,11 +6,16 @@ from itertools import pairwise
 
 import numpy as np
 
-from carom.tracks.formats.headers import ROW_NUMBERS, numbers_rows
-from carom.tracks.formats.text_table import IN_PIXELS, Calibration, first_rows, require_calibration, split_rows
+from carom.tracks.formats.tables import (
+    IN_PIXELS,
+    ROW_NUMBERS,
+    Calibration,
+    first_rows,
+    numbers_rows,
+    require_calibration,
+    split_rows,
+)
 from carom.tracks.track import Track
-
-__all__ = ["matches", "read"]
 
 PROGRAM = "trackpy"
 

@@ -1,0 +1,563 @@
+"""Covariance of a law's parameters, and which of them, alone or in combination, the data do not identify.
+
+The same code serves rebounds and whole tracks: each provides the information at the minimum, and the deviance where one parameter
+is changed and the others are held or fitted again (:class:`Subject`).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.fitting.laws import Parameter
+from carom.fitting.model import FitModel, model_of, predict_law
+from carom.fitting.result import Estimate, Fit, scaled, without_estimate
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+NOT_IDENTIFIABLE = "not identifiable from these data"
+UNIDENTIFIED_STDERR = 0.5  # of a parameter's range, or of its size: with a larger standard error it is not identified
+INVOLVED_SHARE = 0.3  # of an unidentified direction: a parameter with a larger component is involved
+FAR = (5.0, 50.0)  # error bars from the minimum, where the deviance must have risen
+FLAT_RISE = 6.63  # of the deviance, 99 % of one parameter: a profile that rises by less there is flat
+ONE_SIDED = 2.706  # of the deviance: one-sided 95 % limit of one parameter
+NEAR_BOUND = 1.5  # error bars: a parameter is not held at a bound that is nearer
+COMPENSATED = (
+    2.0  # ratio of a parameter's error bar to what it were with the others known, above which they compensate for it
+)
+SLIP_RETURN = ("tangential_restitution", "stiffness_ratio")
+NEARER = 0.4  # of a step: 2 error bars where the step is 5
+ALONG = np.array([-8.0, -4.0, -2.0, 2.0, 4.0, 8.0])  # steps along a valley
+BISECTIONS = 20
+OUTWARDS = 2.0 ** np.arange(-7, 1)  # of the distance to where a profile should have risen: where it is evaluated
+STEEP = 100.0  # of the deviance: a side on which a profile has risen by so much is not followed any farther
+
+
+class Subject(Protocol):
+    """A fit at its minimum."""
+
+    label: str
+    names: tuple[str, ...]
+    parameters: tuple[Parameter, ...]
+    values: Array
+    ranges: Array
+    """Of each parameter: half of it is too large an error bar."""
+    information: Array
+    trade_offs: bool
+    """Whether unmeasured spins may compensate for parameters, which has to be tested by fits."""
+
+    def covariance(self, inside: NDArray[np.int64]) -> Array:
+        """Return the covariance of some parameters."""
+
+    def rise(self, i: int, value: float) -> float:
+        """Return the rise of the deviance with parameter i at a value and the other parameters held."""
+
+    def refit_rises(self, i: int, values: Array, start: Array | None = None) -> tuple[Array, Array]:
+        """Return the rise of the deviance (m,) with parameter i held at values (m,) and all else fitted, and the parameters
+        (m, k) there. The fits begin at the minimum, or at parameters ``start`` (m, k)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Identified:
+    """Covariance and estimates of a law's parameters, and the parameters that are not identifiable."""
+
+    covariance: Array
+    estimates: dict[str, Estimate]
+    degenerate: tuple[str, ...]
+    untold: tuple[str, ...]
+
+
+def parameter_ranges(parameters: Sequence[Parameter], values: Array) -> Array:
+    """Return each parameter's scale: its range, or for one with a wide range, such as a speed, its own size, at least 1."""
+    ends = zip(values.tolist(), parameters, strict=True)
+    return np.array([min(p.high - p.low, max(abs(v), 1.0)) for v, p in ends])
+
+
+def identify(subject: Subject) -> Identified:
+    """Compute covariance and estimates, and find the parameters that the data do not identify.
+
+    A weak curvature, or parameters that compensate for each other near the minimum, only suggest that; the profile decides.
+    """
+    names, parameters, values = list(subject.names), subject.parameters, subject.values
+    k, ranges = len(names), subject.ranges
+    low, high = (np.array([getattr(p, end) for p in parameters]) for end in ("low", "high"))
+    bound = (values <= low + 1e-9 * ranges) | (values >= high - 1e-9 * ranges)
+    covariance, sentences, concerned = np.full((k, k), np.nan), [], np.zeros(k, bool)
+    profiles = _Profiles(subject)
+
+    def involve(which: Mask) -> None:
+        which = which & np.array([bool(one) and not profiles.rises(i) for i, one in enumerate(which)])
+        if which.any():
+            concerned[which] = True
+            sentences.append(_sentence(subject, profiles, [names[i] for i in np.flatnonzero(which)]))
+
+    if k:
+        # (directions among parameters without influence, even with all others known, are arbitrary: each is involved by itself)
+        some = np.diag(subject.information) * ranges**2 > 1 / UNIDENTIFIED_STDERR**2
+        some |= subject.trade_offs  # (fits tell which go together)
+        for i in np.flatnonzero(~some).tolist():
+            involve(np.arange(k) == i)
+        strength, part, inner = _directions(subject.information[np.ix_(some, some)], ranges[some])
+        direction, bars = np.zeros((k, len(strength))), np.zeros(k)
+        direction[some], bars[some] = part, np.sqrt(np.diag(inner)) / ranges[some]
+        for column in direction[:, ~(strength > 1 / UNIDENTIFIED_STDERR**2)].T:
+            # a parameter is involved by its component, or if it changes by more than its own error bar
+            which = (np.abs(column) > INVOLVED_SHARE) | (np.abs(column) * UNIDENTIFIED_STDERR > np.maximum(bars, 1e-3))
+            if subject.trade_offs:
+                i = int(np.argmax(np.abs(column)))
+                which |= _compensating(subject, i, UNIDENTIFIED_STDERR * ranges[i], np.inf, bars * ranges)
+            involve(which)
+        if subject.trade_offs:
+            for together in _trade_offs(subject, ranges, np.flatnonzero(~bound & ~concerned)):
+                involve(together)
+    inside = np.flatnonzero(~bound & ~concerned)
+    if len(inside):
+        subject.information = _completed(subject.information, profiles, ranges, inside)
+        covariance[np.ix_(inside, inside)] = subject.covariance(inside)
+        for i in inside.tolist():
+            if concerned[i] or not (flat := _flat_side(subject, i, math.sqrt(covariance[i, i]))):
+                continue
+            along = np.zeros(k, bool)
+            if subject.trade_offs:
+                own = np.nan_to_num(np.sqrt(np.diag(covariance)), nan=np.inf)
+                along = _compensating(subject, i, UNIDENTIFIED_STDERR * ranges[i], np.inf, own)
+            along[i] = True
+            if along.sum() > 1:
+                involve(along)
+            elif not profiles.rises(i):
+                concerned[i] = True
+                sentences.append(f"{subject.label}: {names[i]}: {flat}")
+            covariance[concerned, :] = covariance[:, concerned] = np.nan
+        for i in profiles.widths:
+            if i in inside and not concerned[i]:
+                by = max(profiles.widths[i] / math.sqrt(covariance[i, i]), 1.0)
+                covariance[i, :] *= by
+                covariance[:, i] *= by
+    estimates = _estimates(subject, covariance, bound, concerned)
+    untold = tuple(names[i] for i in np.flatnonzero(concerned))
+    return Identified(covariance, estimates, tuple(dict.fromkeys(sentences)), untold)
+
+
+def _estimates(subject: Subject, covariance: Array, bound: Mask, concerned: Mask) -> dict[str, Estimate]:
+    """Return the estimates, without a value where a parameter is not identifiable, without an error bar at a bound."""
+    values, parameters, ranges = subject.values, subject.parameters, subject.ranges
+    estimates = {}
+    for i, name in enumerate(subject.names):
+        if concerned[i]:
+            estimates[name] = Estimate(None, None, NOT_IDENTIFIABLE)
+        elif bound[i]:
+            which_end = "lower" if values[i] <= parameters[i].low + 1e-9 * ranges[i] else "upper"
+            value = float(values[i]) if abs(values[i]) > 1e-9 * ranges[i] else 0.0
+            estimates[name] = Estimate(value, None, f"at its {which_end} bound, {value:g}")
+        else:
+            estimates[name] = Estimate(float(values[i]), float(math.sqrt(covariance[i, i])))
+    return estimates
+
+
+class _Profiles:
+    """Profiles of single parameters, evaluated when they are first asked for."""
+
+    def __init__(self, subject: Subject) -> None:
+        self.subject, self.ranges = subject, subject.ranges
+        self.known: dict[int, bool] = {}
+        self.widths: dict[int, float] = {}
+
+    def ends(self, i: int) -> list[float]:
+        """Return the values to both sides at which a profile should have risen; none where a bound is near."""
+        best, parameter = float(self.subject.values[i]), self.subject.parameters[i]
+        step = UNIDENTIFIED_STDERR * self.ranges[i]
+        ends: list[float] = np.clip(best + step * np.array([-1, 1]), parameter.low, parameter.high).tolist()
+        return [end for end in ends if abs(end - best) >= step / 4]
+
+    def rises_alone(self, i: int) -> bool:
+        """Return whether the deviance rises to all sides with all else held, which costs little."""
+        return all(self.subject.rise(i, end) >= FLAT_RISE for end in self.ends(i))
+
+    def rises(self, i: int) -> bool:
+        """Return whether the deviance rises to all sides with all else fitted, and near enough: the data identify the parameter.
+
+        At a kink, where a contact changes between sticking and sliding, and beside a bound, the curvature says nothing about that.
+        A number that is never negative, such as a friction, has to be known better than to half of itself.
+        """
+        if i not in self.known:
+            best, parameter = float(self.subject.values[i]), self.subject.parameters[i]
+            ends, known = np.array(self.ends(i)), self.rises_alone(i)
+            if known:  # (where fits from the minimum show a flat profile, those along the valley can only be lower)
+                far, _numbers = self.subject.refit_rises(i, ends)
+                known = bool((far >= FLAT_RISE).all())
+            if known:
+                distances, rises = self._outwards(i, ends, far)
+                known = bool((rises[:, -1] >= FLAT_RISE).all())
+                self.widths[i] = max(map(_width, distances[:, ::-1], rises[:, ::-1])) if known else np.inf
+                if parameter.low >= 0 and best > parameter.low + 1e-9 * self.ranges[i]:
+                    known &= self.widths[i] < UNIDENTIFIED_STDERR * best
+            self.known[i] = known
+        return self.known[i]
+
+    def _outwards(self, i: int, ends: Array, far: Array) -> tuple[Array, Array]:
+        """Return distances from the minimum, from near to far, and the profile there (sides, m). At the ends it is ``far``, by fits
+        from the minimum, or less; a side that is not followed to its end has the last value from there on.
+
+        The fits follow the valley, which begins along the weakest direction: from elsewhere they may end beyond a kink.
+        The first begin at the minimum, too, since a valley may end.
+        """
+        subject, values = self.subject, self.subject.values
+        low, high = (np.array([getattr(p, end) for p in subject.parameters]) for end in ("low", "high"))
+        strength, direction, _inner = _directions(subject.information, self.ranges)
+        towards = direction[:, int(np.argmin(strength))] * self.ranges
+        near = values[i] + OUTWARDS[0] * (ends - values[i])
+        with np.errstate(all="ignore"):
+            start = np.clip(values + (near - values[i])[:, None] * np.nan_to_num(towards / towards[i]), low, high)
+        rises = np.empty((len(OUTWARDS), len(ends)))
+        open_ended = np.arange(len(ends))
+        for k, share in enumerate(OUTWARDS):
+            there = values[i] + share * (ends - values[i])[open_ended]
+            one, at = subject.refit_rises(i, there, start)
+            if k == 0:
+                two, from_minimum = subject.refit_rises(i, there)
+                at = np.where((two < one)[:, None], from_minimum, at)
+                one = np.minimum(one, two)
+            rises[k:, open_ended] = one if k < len(OUTWARDS) - 1 else np.minimum(one, far[open_ended])
+            start = np.clip(values + 2 * (at - values), low, high)[one < STEEP]
+            open_ended = open_ended[one < STEEP]
+            if not len(open_ended):
+                break
+        return np.abs(OUTWARDS * (ends - values[i])[:, None]), rises.T
+
+
+def _completed(information: Array, profiles: _Profiles, ranges: Array, inside: NDArray[np.int64]) -> Array:
+    """Return the information with that of profiles in directions of some parameters in which the curvature is weak."""
+    both = np.ix_(inside, inside)
+    strength, direction, _inner = _directions(information[both], ranges[inside])
+    for m in np.flatnonzero(~(strength > 1 / UNIDENTIFIED_STDERR**2)):
+        i = int(np.argmax(np.abs(direction[:, m])))
+        if profiles.rises(int(inside[i])):
+            share = direction[i, m] * ranges[inside[i]] / profiles.widths[int(inside[i])]
+            change = max(share**2 - strength[m], 0.0)
+            along = direction[:, m] / ranges[inside]
+            information = information.copy()
+            information[both] += change * np.outer(along, along)
+    return information
+
+
+def _width(distance: Array, rises: Array) -> float:
+    """Return the distance at which a rise, given from afar to near, is 1: its square root is nearly linear."""
+    below = int(np.argmax(rises < 1)) if (rises < 1).any() else len(rises)
+    outer, inner = below - 1, below
+    near, low = (float(distance[inner]), max(float(rises[inner]), 0.0) ** 0.5) if below < len(rises) else (0.0, 0.0)
+    share = (1 - low) / (float(rises[outer]) ** 0.5 - low)
+    return float(near + share * (float(distance[outer]) - near))
+
+
+def _directions(information: Array, ranges: Array) -> tuple[Array, Array, Array]:
+    """Return the information along its principal directions, in units of the ranges, the directions, and the covariance of those
+    that are identified."""
+    strength, direction = np.linalg.eigh(information * np.outer(ranges, ranges))
+    good = strength > 1 / UNIDENTIFIED_STDERR**2
+    half = direction[:, good] / np.sqrt(strength[good])
+    return strength, direction, half @ half.T * np.outer(ranges, ranges)
+
+
+def identified_covariance(information: Array, ranges: Array) -> Array:
+    """Return the covariance in the identified directions."""
+    return _directions(information, ranges)[2]
+
+
+def _trade_offs(subject: Subject, ranges: Array, inside: NDArray[np.int64]) -> Iterator[Mask]:
+    """Yield parameters that compensate for each other: where spins are integrated over, the curvature between two kinks may be
+    large and the profile flat. So the most compensated one is held five error bars away, and the others fitted again."""
+    while len(inside):
+        block, bars = subject.information[np.ix_(inside, inside)], np.zeros(len(ranges))
+        bars[inside] = np.sqrt(np.diag(_directions(block, ranges[inside])[2]))
+        times = np.diag(block) * bars[inside] ** 2
+        i = int(inside[int(np.argmax(times))])
+        if times.max() < COMPENSATED:
+            # reversed slip and the spins before the wall are equivalent, whatever the curvature at a kink
+            i = next((int(j) for j in inside if subject.names[j] in SLIP_RETURN), -1)
+            if i < 0:
+                return
+        together = _compensating(subject, i, FAR[0] * float(bars[i]), bars[i], bars) & (bars > 0)
+        if not together.any():
+            return
+        yield together
+        inside = inside[~together[inside]]
+
+
+def _compensating(subject: Subject, i: int, step: float, bar: float, bars: Array) -> Mask:
+    """Return (k,) parameter i and those that move by more than their error bars when it is held a step away and all else is fitted;
+    none if the deviance rises by a quarter of what its own error bar implies, or by the 99 % level if it has none, at both ends."""
+    best, parameter = float(subject.values[i]), subject.parameters[i]
+    # (a near point alone does not count: at a kink the deviance may be level for two error bars, and steep beyond)
+    shares = np.array([-1, 1]) if bar == np.inf else np.array([-1, -NEARER, NEARER, 1])
+    values = np.clip(best + step * shares, parameter.low, parameter.high)
+    far = np.abs(values - best)
+    some = far > max(NEAR_BOUND * bar if bar < np.inf else 0.0, step / 4)
+    if not some.any():
+        return np.zeros(len(bars), bool)
+    rises, found = subject.refit_rises(i, values[some])
+    short = rises - (np.square(far[some] / bar) / 4 if bar < np.inf else FLAT_RISE)
+    if not (short < 0)[np.abs(shares[some]) == 1].any():
+        return np.zeros(len(bars), bool)
+    # along the whole valley: close by, a parameter with a wide error bar may hardly have moved yet
+    rises_along, along = subject.refit_rises(i, np.clip(best + step * ALONG, parameter.low, parameter.high))
+    flat = np.concatenate([found[short < 0], along[rises_along < FLAT_RISE]])
+    moved: Mask = np.asarray((np.abs(flat - subject.values) > np.maximum(bars, 1e-9)).any(axis=0))
+    moved[i] = True
+    return moved
+
+
+def _flat_side(subject: Subject, i: int, stderr: float) -> str:
+    """Return a sentence if the deviance does not rise on one side, although the curvature at the minimum implies that it should.
+
+    This happens if the last contact that identifies a parameter is at the edge between sticking and sliding. Five error bars
+    away the deviance should have risen by 25; if it has risen by less than half of that, all else is fitted again, there and ten
+    times as far.
+    """
+    best, parameter = float(subject.values[i]), subject.parameters[i]
+    for sign, word in ((1, "more"), (-1, "less")):
+        far = np.clip(best + sign * stderr * np.array(FAR), parameter.low, parameter.high)
+        if abs(far[0] - best) < 0.8 * FAR[0] * stderr:
+            continue  # the bound is near
+        if subject.rise(i, float(far[0])) < FAR[0] ** 2 / 2 and (subject.refit_rises(i, far)[0] < FLAT_RISE).all():
+            return (
+                f"values beyond {best:.3g} fit nearly as well: only a limit is identifiable, {_limit(subject, i, -sign):.3g} or"
+                f" {word} (95 %)"
+            )
+    return ""
+
+
+def _limit(subject: Subject, i: int, sign: int) -> float:
+    """Return the one-sided 95 % limit of a parameter, from the rise of the deviance with the others held."""
+    parameter = subject.parameters[i]
+    inside, outside = float(subject.values[i]), parameter.low if sign < 0 else parameter.high
+    for _ in range(BISECTIONS):
+        middle = (inside + outside) / 2
+        inside, outside = (inside, middle) if subject.rise(i, middle) >= ONE_SIDED else (middle, outside)
+    return (inside + outside) / 2
+
+
+def _sentence(subject: Subject, profiles: _Profiles, names: list[str]) -> str:
+    """Return a sentence about parameters that the data do not identify."""
+    said, values = f"{subject.label}: {' and '.join(names)}: ", dict(zip(subject.names, subject.values, strict=True))
+    if sorted(names) == ["friction", "restitution"]:
+        i = list(subject.names).index("friction")
+        if subject.rise(i, subject.parameters[i].high) < FLAT_RISE:
+            limit = _limit(subject, i, -1) * (1 + values["restitution"])
+            return (
+                f"{said}no contact slides throughout, so only a lower limit of friction (1 + restitution) is identifiable:"
+                f" {limit:.3g} or more (95 %)"
+            )
+        product = values["friction"] * (1 + values["restitution"])
+        return f"{said}sliding contacts identify only the product friction (1 + restitution) = {product:.4g}"
+    if len(names) > 1:
+        return f"{said}only a combination of them is identifiable, not each value; measure more (spin, other angles), or fix one"
+    i = subject.names.index(names[0])
+    if profiles.rises_alone(i):
+        return f"{said}other parameters compensate for it; measure more (spin, other angles), or fix one"
+    if names == ["friction"] and subject.rise(i, subject.parameters[i].low) >= ONE_SIDED:
+        limit = _limit(subject, i, -1)
+        return f"{said}no contact slides throughout, so only a lower limit is identifiable: {limit:.3g} or more (95 %)"
+    said += (
+        "every contact slides throughout, so no measurement depends on it; film steeper hits"
+        if (names[0] in SLIP_RETURN)
+        else "these data hardly depend on it"
+    )
+    return said
+
+
+# ----------------------------------------------------------------------------------------------------
+# Profile likelihood: the deviance above its minimum against one parameter, with all others fitted, and the intervals from it.
+
+
+Indices = NDArray[np.int64]
+Rises = Callable[[Array, Indices], Array]
+LEVELS = (1.0, 3.8415)  # of the deviance: 68.3 % and 95 % of one parameter
+ROUNDS, HALF_WIDTH_ROUNDS = 36, 8
+CLOSE, HALF_WIDTH_CLOSE = 1e-3, 0.04  # of a level: an end whose deviance is this close is accepted
+TIGHT = 1e-9  # of the parameter: a bracket of this width is closed
+LEAST_SHARE = 0.1  # of a bracket: no step is shorter, so that both of its ends converge
+GROWTH = 2.5  # of a distance in one step, if no bracket is known
+WIDE = 1.1  # error bars: a half-interval, over its number of them, that is larger replaces the error bar
+SLOPE_STEP = 0.1  # of an error bar: the step of a numerical derivative
+PROFILE_START = 6.0  # error bars from the minimum, where a profile begins
+
+
+def profile_ends(
+    rises: Rises, best: float, far: Array, edge: Array, goals: Array, *, jump: bool, rounds: int = ROUNDS,
+    close: float = CLOSE,
+) -> tuple[Array, Array]:  # fmt: skip
+    """Find where a profile, the deviance above its minimum with all else fitted, has risen to its goals. Returns ends and rises.
+
+    ``rises(values, which)`` evaluates some of the ends. From ``far`` on the search goes outwards, by a parabola, or at once to the
+    ``edge`` (``jump``), until the goal is bracketed; then the square root of the rise, which is nearly linear, is interpolated, and
+    every third step halves the bracket, because of kinks. If the rise at the edge is below its goal, the profile is open.
+    """
+    far, edge = np.where((far - best) * (edge - best) < 0, edge, far), np.asarray(edge, float)
+    end, rise = far.copy(), np.zeros(len(far))
+    inner, low = np.full(len(far), best), np.zeros(len(far))
+    outer, high = np.full(len(far), np.nan), np.full(len(far), np.nan)
+    left = np.arange(len(far))
+    for turn in range(rounds):
+        rise[left] = now = rises(end[left], left)
+        under = now < goals[left]
+        at, root = end[left], np.sqrt(np.maximum(now, 0.0))
+        inner[left[under]], low[left[under]] = at[under], root[under]
+        outer[left[~under]], high[left[~under]] = at[~under], root[~under]
+        bracket = np.abs(outer[left] - inner[left])
+        left = left[
+            (np.abs(now - goals[left]) > close * goals[left])
+            & ~(under & (at == edge[left]))
+            & ~(bracket <= TIGHT * max(abs(best), 1e-12))
+        ]
+        if not len(left):
+            break
+        known = ~np.isnan(outer[left])
+        share = (np.sqrt(goals[left]) - low[left]) / (high[left] - low[left])
+        share = np.clip(share, LEAST_SHARE, 1 - LEAST_SHARE) if turn % 3 < 2 else np.full(len(left), 0.5)
+        within = inner[left] + share * (outer[left] - inner[left])
+        by = np.clip(np.sqrt(goals[left]) / np.maximum(low[left], 1e-3), 1.05, GROWTH)
+        beyond = best + (inner[left] - best) * by
+        beyond = np.where(np.abs(beyond - best) > np.abs(edge[left] - best), edge[left], beyond)
+        end[left] = np.where(known, within, edge[left] if jump else beyond)
+    return end, rise
+
+
+def half_width(rises: Rises, best: float, step: float, low: float, high: float) -> tuple[float, Array]:
+    """Return half the width within which a profile rises by less than 1, searched for from a step away, and the rises at its ends,
+    which are 1 except at a bound."""
+    far = np.clip(best + step * np.array([-1.0, 1.0]), low, high)
+    end, rise = profile_ends(
+        rises, best, far, np.array([low, high]), np.ones(2), jump=False, rounds=HALF_WIDTH_ROUNDS, close=HALF_WIDTH_CLOSE,
+    )  # fmt: skip
+    return float(end[1] - end[0]) / 2, rise
+
+
+def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:
+    """Add the intervals of 68 % and 95 % of each identified parameter, or of those named, by profile likelihood.
+
+    The curvature is that of the minimum found. Where the interval of 95 % is far wider, since it holds another minimum or a slope
+    beyond a kink, half its width is 1.96 error bars.
+
+    Parameters
+    ----------
+    fit : Fit
+        Of one law.
+    names : sequence of str, optional
+        Parameters. Default: all identified ones.
+
+    Returns
+    -------
+    Fit
+        With ``interval_68`` and ``interval_95`` in its estimates.
+
+    Examples
+    --------
+    >>> from carom.data.rebounds import make_rebounds
+    >>> from carom.fitting import Setting, fit_law, make_problem, with_profiles
+    >>> from carom.fitting.laws import laws_named
+    >>> v = [1.0, 2.0, 3.0, 4.0]
+    >>> columns = {"v_n_in": v, "v_t_in": v, "spin_in": [0.0] * 4, "v_n_out": [0.81, 1.59, 2.42, 3.18], "v_t_out": v,
+    ...            "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02}
+    >>> problem, notes = make_problem(make_rebounds("planar", columns), Setting(radius=0.02))
+    >>> mirror = laws_named(["mirror"], "planar", True)[0][0]
+    >>> fit = with_profiles(fit_law(mirror, problem))
+    >>> low, high = fit.estimates["restitution"].interval_95
+    >>> low < 0.8 < high
+    True
+    """
+    problem = fit.problem
+    # (scatter of residuals follows along the profile; error bars before the wall need it held)
+    model = replace(model_of(fit.law, problem), profiled=bool(problem.estimated.any()) and not problem.vx.any())
+    base = float(model.minimize(fit.numbers[None]).value[0])
+    for name, estimate in fit.estimates.items():
+        if estimate.value is None or not (names is None or name in names):
+            continue
+        place, parameter = model.places[name], model.parameters[name]
+        best = float(fit.numbers[place])
+        levels, bars_out = _levels(fit, name, model.profiled)
+        goals, up = np.repeat(levels, 2), np.tile([False, True], 2)
+        edge = np.where(up, parameter.high, parameter.low)
+        reach = PROFILE_START * estimate.stderr if estimate.stderr else np.inf
+        far = np.where(up, np.minimum(best + reach, edge), np.maximum(best - reach, edge))
+        end, rise = profile_ends(profile_rises(fit, name, place, base, model=model), best, far, edge, goals, jump=True)
+        open_ = (rise < goals * (1 - CLOSE)) & (end == edge)
+        one, two = (float(end[0]), float(end[1])), (float(end[2]), float(end[3]))
+        fit = with_estimate(fit, name, replace(estimate, interval_68=one, interval_95=two))
+        # an end at a bound, many standard errors away: the parabola at the best place is only the bottom of the profile
+        far_off = np.abs(end[2:] - best) > PROFILE_START * (estimate.stderr or np.inf)
+        if (open_[2:] & far_off).any():
+            least = f"{end[2]:.3g} or more" if open_[3] and far_off[1] else f"{end[3]:.3g} or less"
+            said = f"{fit.law.name}: {name}: only a limit is identifiable, {least} (95 %); values beyond fit as well"
+            fit = without_estimate(fit, name, Estimate(None, None, f"{least} (95 %)", one, two), said)
+        elif estimate.stderr:
+            bar = max((high - low) / 2 / out for (low, high), out in zip((one, two), bars_out, strict=True))
+            if bar > WIDE * estimate.stderr:
+                fit = scaled(fit, name, bar / estimate.stderr)
+    return fit
+
+
+def _levels(fit: Fit, name: str, profiled: bool) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return the rises of the deviance at the ends of the intervals of 68.3 and 95 %, and the error bars from the minimum to there.
+
+    Where scatter is estimated from n_j numbers of an output, the intervals are those of Student's t: with n_j - p_j degrees of
+    freedom, p_j the parameters that the output determines (its leverage); of several outputs by Satterthwaite's sum, each with its
+    part of the parameter's information (Biometrics Bull. 2, 110 (1946)). Outputs that are weighted by their own estimated scatter
+    seem to agree too well: Meier's factor widens for it (Biometrics 9, 59 (1953)). ``profiled``: the deviance is that with
+    the scatter of the residuals at each place, n_j log of their mean square.
+    """
+    from scipy.special import stdtrit
+
+    problem = fit.problem
+    inside = [i for i in range(len(fit.names)) if np.isfinite(fit.covariance[i, i]) and fit.covariance[i, i] > 0]
+    if not problem.estimated.any() or problem.spins is not None or fit.names.index(name) not in inside:
+        return LEVELS, (1.0, math.sqrt(LEVELS[1]))
+    model, slopes = model_of(fit.law, problem), []
+    for i in inside:
+        step = np.zeros(len(fit.numbers))
+        step[model.places[fit.names[i]]] = SLOPE_STEP * math.sqrt(fit.covariance[i, i])
+        ends = [predict_law(fit.law, problem, fit.numbers + sign * step) for sign in (1, -1)]
+        slopes.append((ends[0] - ends[1]) / (2 * step.max()))
+    slope = np.where(np.isfinite(problem.y), np.stack(slopes), 0.0)
+    information = np.einsum("anj,bnj,nj->jab", slope, slope, 1 / np.where(problem.vy > 0, problem.vy, np.inf))
+    inverse = np.linalg.pinv(information.sum(axis=0), hermitian=True)
+    along = inverse[:, inside.index(fit.names.index(name))]
+    part = np.einsum("a,jab,b->j", along, information, along)
+    part = part / part.sum() if part.sum() > 0 else np.full(3, 1 / 3)
+    count = np.isfinite(problem.y).sum(axis=0)
+    free = np.maximum(count - np.einsum("ab,jba->j", inverse, information), 1.0)
+    share = np.where(problem.estimated, part * count / free, part)
+    degrees = share.sum() ** 2 / max(float((np.square(share) / free)[problem.estimated].sum()), 1e-12)
+    meier = 1 + 4 * float((part * (1 - part) / free)[problem.estimated].sum())
+    one, two = (float(stdtrit(degrees, (1 + p) / 2)) for p in (0.6827, 0.95))
+    rises = np.multiply.outer(np.square([one, two]) * share.sum() * meier, part)
+    if profiled:
+        rises = np.where(problem.estimated, count * np.log1p(rises / np.maximum(count, 1)), rises)
+    low, high = rises.sum(axis=1).tolist()
+    return (low, high), (one, two)
+
+
+def profile_rises(
+    fit: Fit, name: str, place: int, base: float, steps: int | None = None, model: FitModel | None = None
+) -> Rises:
+    """Return the profile of a parameter above ``base``; with ``steps`` each end goes on from where it was left."""
+    model = (model or model_of(fit.law, fit.problem)).holding(name)
+    seeds: dict[int, Array] = {}
+
+    def rises(values: Array, which: Indices) -> Array:
+        p = np.array([fit.numbers if steps is None else seeds.get(i, fit.numbers) for i in which.tolist()])
+        p[:, place] = values
+        found = model.minimize(p) if steps is None else model.minimize(p, steps)
+        seeds.update(zip(which.tolist(), found.p, strict=True))
+        return found.value - base
+
+    return rises
+
+
+def with_estimate(fit: Fit, name: str, estimate: Estimate) -> Fit:
+    """Return the fit with another estimate of a parameter."""
+    return replace(fit, estimates=fit.estimates | {name: estimate})
