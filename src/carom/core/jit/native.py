@@ -380,7 +380,7 @@ SETTINGS = (
     "BOUNDSCHECK", "CPU_FEATURES", "CPU_NAME", "DEBUGINFO", "DISABLE_JIT", "LOOP_VECTORIZE", "OPT", "SLP_VECTORIZE",
 )  # fmt: skip
 # The modules of this room that decide how a kernel is lowered, beside the kernels.
-LOWERING = ("dual/*.py", "kernel.py", "link.py", "lowering.py", "pointers.py", "prefetch.py")
+LOWERING = ("dual/*.py", "kernel.py", "link.py", "lowering.py", "calls.py")
 
 
 class LoopSource(NamedTuple):
