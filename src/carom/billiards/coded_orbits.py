@@ -186,10 +186,9 @@ def words(found: Orbit, longest: int, symbols: str | None = None) -> Words:
 # Equations of periodic orbits on one energy shell, with exact derivatives, and Newton's method for them.
 #
 # An orbit of period p is a fixed point of p bounces. Its unknowns are the state just after one bounce: arc length s, velocities
-# v_t
-# and v_n along and across the wall, spin q = sqrt(kappa) a omega. The equations: p bounces lead back, and the energy is the given
-# one. There is one equation more than unknowns, since bounces keep the energy; the step of least length solves them, also where
-# orbits form a continuous family.
+# v_t and v_n along and across the wall, spin q = sqrt(kappa) a omega. The equations: p bounces lead back, and the energy is the
+# given one. There is one equation more than unknowns, since bounces keep the energy; the step of least length solves them, also
+# where orbits form a continuous family.
 
 
 Array = NDArray[np.float64]

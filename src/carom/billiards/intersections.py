@@ -397,11 +397,9 @@ def arc_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple[float
 # A single ball needs no event queue: its next event is the nearest of the table's pieces. All pieces bound the ball's centre.
 #
 # Where no force acts across the walls, the flight is met as a straight line: linear for a face, quadratic for a circle, a sphere,
-# an
-# ellipse. Under a force across walls it is a parabola; its roots, of degree 2 (faces) or 4 (curved pieces), are those of
+# an ellipse. Under a force across walls it is a parabola; its roots, of degree 2 (faces) or 4 (curved pieces), are those of
 # :mod:`carom.core.roots.first_root`, which find the first of them, and a crossing outside the ends of a piece is skipped for the
-# next
-# one. The curve at a distance from an ellipse, of degree eight, is in :mod:`carom.billiards.boundary` and
+# next one. The curve at a distance from an ellipse, of degree eight, is in :mod:`carom.billiards.boundary` and
 # :mod:`carom.core.geometry.outlines`; smooth curves, with a table of ``panels``, are in :mod:`carom.core.geometry.curve`. Arcs of
 # circles, in a magnetic field, are in :mod:`carom.billiards.intersections`.
 

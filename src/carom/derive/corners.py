@@ -146,9 +146,8 @@ def _yield(motion: ImpulsiveMotion, wall: ConstraintRow) -> Expr:
 #
 # Pfaffian rows A(q) dq = 0 define a distribution D, the velocities that they allow. D is integrable (the constraints are
 # holonomic) exactly when it is closed under the Lie bracket. Where it is not, brackets are added until it is: the successive
-# ranks
-# are its growth vector, and the number of coordinates minus the last rank is the number of holonomic constraints that the rows
-# imply.
+# ranks are its growth vector, and the number of coordinates minus the last rank is the number of holonomic constraints that the
+# rows imply.
 
 
 @dataclass(frozen=True)

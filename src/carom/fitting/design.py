@@ -202,10 +202,8 @@ def _joined(first: Problem, second: Problem) -> Problem:
 # Search for a plan of shots: greedy, improved by exchange, and checked from all starting points of the fit.
 #
 # Atkinson & Fedorov, Biometrika 62, 57 (1975): the next shot is the one for which the other law, fitted to the shots so far, is
-# off
-# by most error bars; in the best plan all shots have the same gain, the largest. Those that were added first seldom have, so
-# shots
-# are moved at the end, as long as the odds grow.
+# off by most error bars; in the best plan all shots have the same gain, the largest. Those that were added first seldom have, so
+# shots are moved at the end, as long as the odds grow.
 
 
 MAX_SHOTS = 400
@@ -350,9 +348,8 @@ class ShotSearch:
 # Design of experiments: which shots discriminate between two laws best, and how many are needed.
 #
 # Atkinson & Fedorov, Biometrika 62, 57 (1975): assume that one law is true and fit the other to the shots planned so far; the
-# next
-# shot is the one for which the fitted law is off by most error bars. The sum of these squares, the noncentrality lambda of the
-# other law's chi^2, is the expected value of 2 log odds, apart from the penalty for the number of parameters:
+# next shot is the one for which the fitted law is off by most error bars. The sum of these squares, the noncentrality lambda of
+# the other law's chi^2, is the expected value of 2 log odds, apart from the penalty for the number of parameters:
 #
 # E(AIC of the other - AIC of the true) = lambda + k_other - k_true.
 #

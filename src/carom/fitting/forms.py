@@ -254,11 +254,10 @@ def _forms(now: TriedForm, name: str) -> list[TriedForm]:
 # Fit of a law together with a prior of flexible shape for unmeasured spins: a mixture of normal distributions.
 #
 # Spins before a wall are seldom normal: of shots at a cushion many roll with running side, and the others are broad. A normal
-# prior
-# in their place lets a wrong law win, by odds that grow with the rows, whose restitution or compliance takes over the part of the
-# missing tail. So each law is fitted again with a mixture, whose shares, means and widths are adjusted with the law's parameters,
-# by
-# descents from a few shapes; for the two best laws a third component is tried, where two are worth their parameters.
+# prior in their place lets a wrong law win, by odds that grow with the rows, whose restitution or compliance takes over the part
+# of the missing tail. So each law is fitted again with a mixture, whose shares, means and widths are adjusted with the law's
+# parameters, by descents from a few shapes; for the two best laws a third component is tried, where two are worth their
+# parameters.
 
 
 MOST_COMPONENTS = 3

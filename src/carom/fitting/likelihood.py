@@ -316,10 +316,8 @@ def predictions(kind: Kind, rows: RowData, x: Array, p: Array) -> Array:
 #
 # The likelihood of a row under a mixture is the sum of its likelihoods under the components, each weighted with the component's
 # share. Scores are those of the components, weighted with the row's probability of having come from each (Fisher's identity); so
-# is
-# the information, which is that of the rows with known component, an upper bound (Dempster, Laird & Rubin, J. R. Stat. Soc. B 39,
-# 1
-# (1977)).
+# is the information, which is that of the rows with known component, an upper bound (Dempster, Laird & Rubin, J. R. Stat. Soc. B
+# 39, 1 (1977)).
 
 
 class SpinMixture(NamedTuple):

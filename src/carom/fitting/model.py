@@ -278,8 +278,7 @@ def predict_law(law: FittedLaw, problem: Problem, p: Array) -> Array:
 # Starting values of a restitution that depends on the speed, from the measured ratios of normal speeds.
 #
 # A form of three numbers has several valleys, and a grid of starting values may miss the one of the data: a polynomial whose
-# vertex
-# lies below the least measured speed is constant over the table, and the deviance there does not depend on two of its
+# vertex lies below the least measured speed is constant over the table, and the deviance there does not depend on two of its
 # coefficients.
 
 

@@ -408,23 +408,18 @@ def subdivide(law: Any, rows: Any, trial: Any, i: int, work: Any) -> tuple[int, 
 # Deviance of a rebound whose spin before the wall was not measured: the likelihood, integrated over the spin's prior.
 #
 # The spin is sigma v/a, v the ball's speed, with a prior density of sigma: normal about mean v_t/v with a width, or uniform
-# within a
-# width of it. The row's deviance is, up to a constant that is the same for all laws,
+# within a width of it. The row's deviance is, up to a constant that is the same for all laws,
 #
 # -2 log of the integral of exp(-c(sigma)/2) (S_nn / det S(sigma))^(1/2) rho(sigma) d sigma,
 #
 # c and S as in :mod:`carom.fitting.deviance`. For measured inputs, the factor det S^(-1/2) of a density would bias the estimates,
-# so
-# the normal part S_nn is divided out; along the wall the unknown spin absorbs the measurement, and there it is the omission of
-# the
-# factor that would bias (by 30 in chi^2 for 100 rows, which suggested a spurious tangential restitution). J in S is taken along
-# the
-# mean of the prior: the spin changes with v_t.
+# so the normal part S_nn is divided out; along the wall the unknown spin absorbs the measurement, and there it is the omission of
+# the factor that would bias (by 30 in chi^2 for 100 rows, which suggested a spurious tangential restitution). J in S is taken
+# along the mean of the prior: the spin changes with v_t.
 #
 # Scores and Louis's information (J. R. Stat. Soc. B 44, 226 (1982)) need only the moments of the intervals of
-# :mod:`carom.fitting.spins`: derivatives of the prediction are taken as linear within an interval, which makes those of
-# c
-# and of log rho parabolas in t. They are evaluated only where the weight of the row's spin is not negligible.
+# :mod:`carom.fitting.spins`: derivatives of the prediction are taken as linear within an interval, which makes those of c and of
+# log rho parabolas in t. They are evaluated only where the weight of the row's spin is not negligible.
 
 
 LEAST_WEIGHT = 1e-4  # of a row's integral: intervals with less need no derivatives

@@ -137,8 +137,7 @@ def affine_table(scene: Callable[[dict[str, float]], Scene], shared: tuple[Share
 # descent of the numbers that all share, which the starts follow.
 #
 # A start is a vector of numbers in which the places, velocities and spins of the balls are linear. One call serves N starts of
-# one
-# ball each (segments of tracks) as well as one start of many balls (a shot).
+# one ball each (segments of tracks) as well as one start of many balls (a shot).
 
 
 Residual = Callable[[NDArray[np.int64], Array, bool], tuple[Array, Array | None]]

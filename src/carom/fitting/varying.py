@@ -155,12 +155,10 @@ def smooth_parameter(fit: Any, parameter: str, variable: str, width: float) -> S
 # A law whose parameters are smooth functions of the impact, with scatter that may grow with the speed and have heavy tails.
 #
 # On top of a law with its forms (:mod:`carom.fitting.model`) a parameter may be a penalised B-spline of v_n, slip, slip/v_n or
-# speed
-# (Eilers & Marx, Statist. Sci. 11, 89 (1996); SciPy's basis): its second differences are normal with a width that held-out rows
-# choose. The error of a rebound has the covariance S = error bars + J var(x) J' + scatter^2 (speed/v0)^(2 h), and is normal,
+# speed (Eilers & Marx, Statist. Sci. 11, 89 (1996); SciPy's basis): its second differences are normal with a width that held-out
+# rows choose. The error of a rebound has the covariance S = error bars + J var(x) J' + scatter^2 (speed/v0)^(2 h), and is normal,
 # Student's t, or exponential on two sides (Montaine et al., arXiv 1104.0049). All numbers are fitted together, by maximum
-# likelihood
-# with the penalty: the deviance is log det S + rho(c), c = r' S^-1 r. Spins before the wall have to be measured.
+# likelihood with the penalty: the deviance is log det S + rho(c), c = r' S^-1 r. Spins before the wall have to be measured.
 
 
 STEP = 1e-4  # of a number: of numerical derivatives
@@ -508,8 +506,7 @@ def fit_varying(
 #
 # The covariance of a prediction is S + G C G': the scatter of rebounds (and their error bars), and the covariance C of the fitted
 # numbers through the derivatives G. Where the scatter was estimated from few rows, S is enlarged by n/(n - k), and the prediction
-# is
-# Student's t with n - k degrees of freedom for each output.
+# is Student's t with n - k degrees of freedom for each output.
 
 
 FOLDS = 5

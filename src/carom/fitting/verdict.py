@@ -131,9 +131,9 @@ def kinked_rows_warning(fit: Fit) -> str:
 # The best law is tested in two ways. If error bars are given, by the probability of its chi^2. And by the dependence of its
 # residuals on incidence, speed, spin or slip: with the rows sorted by one of these, von Neumann's ratio of the ranks of their
 # residuals (Bartels, J. Am. Stat. Assoc. 77, 40 (1982)) is 2 if neighbours are independent, and smaller if they are correlated.
-# The
-# second test needs no error bars, so that it can reject a law whose scatter was estimated. Its probability is corrected for the
-# number of orders tested. It leaves out rows whose spin before the wall was not measured: their residuals depend on that spin.
+# The second test needs no error bars, so that it can reject a law whose scatter was estimated. Its probability is corrected for
+# the number of orders tested. It leaves out rows whose spin before the wall was not measured: their residuals depend on that
+# spin.
 
 
 Array = NDArray[np.float64]

@@ -344,10 +344,8 @@ def _require_conditions(
 # Elastic contacts that take time: Hertz's force, Tsuji's damping, and how long a contact lasts.
 #
 # Two spheres that overlap by d push each other apart with k d^(3/2), k = (4/3) E* sqrt(R*), R* = a1 a2 / (a1 + a2), and for balls
-# of
-# one material E* = E / (2 (1 - nu^2)). The damping alpha sqrt(m k) d^(1/4) d' of a pair of reduced mass m takes energy, and with
-# it
-# the restitution does not depend on the speed: with s = d^(5/4) the collision is a linear oscillator, damped by zeta =
+# of one material E* = E / (2 (1 - nu^2)). The damping alpha sqrt(m k) d^(1/4) d' of a pair of reduced mass m takes energy, and
+# with it the restitution does not depend on the speed: with s = d^(5/4) the collision is a linear oscillator, damped by zeta =
 # alpha / sqrt(5), whose force must not pull.
 #
 # Sources: K. L. Johnson, Contact Mechanics (1985), 4.2 and 11.4, for the force and the duration; Y. Tsuji, T. Tanaka & T. Ishida,

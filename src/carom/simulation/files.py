@@ -166,8 +166,7 @@ def states_dataset(run: RunRecord, times: NDArray[np.float64]) -> xarray.Dataset
 #
 # The file holds the log of events and the scene, from which :func:`carom.load_trajectory` makes the same
 # :class:`~carom.Trajectory`, bit for bit. Kinds of events and phases are written by name, so that a later version of carom may
-# number
-# them otherwise.
+# number them otherwise.
 
 
 FORMAT = 1

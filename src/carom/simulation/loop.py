@@ -195,10 +195,8 @@ def note_event(
 # The event loop: take the earliest event, resolve it, predict what comes next. There is no time step.
 #
 # Each ball has its own clock, the time of its last event, and one predicted event. Where that has become invalid (the other ball
-# of
-# the pair met something first) it is predicted anew. Of events at one instant, the ball that has had the fewest at its place
-# comes
-# first, then the one with the lower number, so that the same input gives the same bits on every run.
+# of the pair met something first) it is predicted anew. Of events at one instant, the ball that has had the fewest at its place
+# comes first, then the one with the lower number, so that the same input gives the same bits on every run.
 
 
 # How a call of ``run`` ends, apart from the refusals of contacts: DONE (no more events before the end), the log is full (call
@@ -462,8 +460,7 @@ def _one_end(worlds: Any, balls: Any, t: float) -> None:
 # Run the event loop as plain Python: for short runs while the compiled loop would have to be compiled, or loaded, first.
 #
 # A kernel gives the same bits as Python and compiled, so a run may begin here and go on in the compiled loop
-# (:mod:`carom.simulation.loop`). Python is some 500 times as slow: a shot of a few balls takes tens of milliseconds;
-# compiling
+# (:mod:`carom.simulation.loop`). Python is some 500 times as slow: a shot of a few balls takes tens of milliseconds; compiling
 # takes ten seconds or more, loading half a second.
 
 

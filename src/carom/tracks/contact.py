@@ -226,11 +226,9 @@ def tracked_spin(track: Track, rows: NDArray[np.intp], contact: float) -> Tracke
 #
 # A wall that gives way affects the frames of the contact itself, a tracker that smooths some frames after it. There the residuals
 # across the wall are large. Their start and end are a change point: bins next to the contact in which half of the residuals
-# exceed a
-# threshold, beyond them as many as far away. If there is one, it is the mean of those of greatest likelihood in contacts drawn
-# with replacement, because residuals of one contact are not independent, each draw weighted by the prior that long blind times
-# are
-# rare. Few contacts often have a second maximum far out, which so moves their mean little.
+# exceed a threshold, beyond them as many as far away. If there is one, it is the mean of those of greatest likelihood in contacts
+# drawn with replacement, because residuals of one contact are not independent, each draw weighted by the prior that long blind
+# times are rare. Few contacts often have a second maximum far out, which so moves their mean little.
 
 
 Array = NDArray[np.float64]

@@ -275,10 +275,8 @@ def _bends(gap: Array, t: Array) -> Array:
 # flight.
 #
 # At a wall the velocity jumps. On a curved rail, or at the end of a string, it turns in a smooth curve, and a fit of two free
-# motions
-# finds a contact where there is none. The jump that the frames near it show, beside a smooth curve, is then far less than the one
-# of
-# the fit.
+# motions finds a contact where there is none. The jump that the frames near it show, beside a smooth curve, is then far less than
+# the one of the fit.
 
 
 MIN_FRAMES = 3  # that determine a flight under a known gravity

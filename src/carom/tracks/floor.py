@@ -178,13 +178,10 @@ def pool_gravity(fits: Sequence[ContactFit | None]) -> dict[str, WithError]:
 # Whether a ball on a table hops off a wall: decided from all contacts with it.
 #
 # A wall that a ball touches at its centre lifts a ball that rolls into it, by its friction; the nose of a cushion, above the
-# centre,
-# presses the ball down. The frames of one contact seldom show which, but the hop that a wall at the centre would cause follows
-# from
-# the spin after the contact, which the fit determines: contacts that are fitted better with this hop than without it, or worse,
-# add
-# up to a verdict. After hops the velocities after the wall come from a fit with a hop of any length; in doubt they are the mean
-# of both, weighted with the odds, and their error bars contain the difference.
+# centre, presses the ball down. The frames of one contact seldom show which, but the hop that a wall at the centre would cause
+# follows from the spin after the contact, which the fit determines: contacts that are fitted better with this hop than without
+# it, or worse, add up to a verdict. After hops the velocities after the wall come from a fit with a hop of any length; in doubt
+# they are the mean of both, weighted with the odds, and their error bars contain the difference.
 #
 # Between these heights, up to about 1.15 radii above the floor, a wall causes shorter hops. Frames do not distinguish them from
 # none.

@@ -329,11 +329,10 @@ def _pieces(t: Array, x: Array, w: Array | None, sigma: float) -> Iterator[PathP
 # ----------------------------------------------------------------------------------------------------
 # Laws of mechanics in a trajectory of balls, of another engine, a video model or a film: which are violated, when, by how much.
 #
-# Tracks are cut into pieces of constant acceleration (:mod:`carom.tracks.judgement`). Velocities just before and after an
-# event, with their errors, follow from the pieces; the event is where their paths meet. Nothing else is assumed of the program
-# that
-# made the trajectory: not its law of impact, nor its steps. An event that moves no place by 27 standard deviations of the noise
-# within a frame is not seen.
+# Tracks are cut into pieces of constant acceleration (:mod:`carom.tracks.judgement`). Velocities just before and after an event,
+# with their errors, follow from the pieces; the event is where their paths meet. Nothing else is assumed of the program that made
+# the trajectory: not its law of impact, nor its steps. An event that moves no place by 27 standard deviations of the noise within
+# a frame is not seen.
 
 
 LAWS = {

@@ -277,14 +277,11 @@ def fit_pair(
 # ----------------------------------------------------------------------------------------------------
 # Contacts of balls with each other in tracks: a ball strikes one at rest. Measured, or the reason why not.
 #
-# Velocities and slips just before and just after come from :mod:`carom.tracks.pairs`. As rebounds the contacts are those of
-# one
+# Velocities and slips just before and just after come from :mod:`carom.tracks.pairs`. As rebounds the contacts are those of one
 # ball at a wall: the relative velocity of two equal balls, and the sum of their spins, are changed by a contact as velocity and
-# spin
-# of one of them are by a wall. Friction acts in the plane of the line of centres and of the slip, so that a contact is a bounce
-# in
-# this plane. The film shows the plane by the direction of the friction, and the rolling of the striking ball by its path; of its
-# sidespin it shows nothing, except as far as friction turns away from the vertical.
+# spin of one of them are by a wall. Friction acts in the plane of the line of centres and of the slip, so that a contact is a
+# bounce in this plane. The film shows the plane by the direction of the friction, and the rolling of the striking ball by its
+# path; of its sidespin it shows nothing, except as far as friction turns away from the vertical.
 
 
 RESTS_M, REST_NOISE = 0.003, 6.0  # a ball that moves by less, or by so many times the noise, rests

@@ -475,8 +475,7 @@ def cut_into_panels(at: At, t0: float, t1: float, size: float, cuts: Array | Non
 # When a point on a parabola meets a smooth curve: the panels of :mod:`carom.core.geometry.curve` one by one.
 #
 # Over a panel's chord the parallel curve is a graph eta = F(xi). The times at which the point is above or below the panel follow
-# from
-# quadratics; in each such stretch the gap G(s) = eta(s) - F(xi(s)) has |G''| <= pull = |eta''| + |F'| |xi''| + |F''| xi'^2.
+# from quadratics; in each such stretch the gap G(s) = eta(s) - F(xi(s)) has |G''| <= pull = |eta''| + |F'| |xi''| + |F''| xi'^2.
 
 
 OVERLAP = 1e-13  # of a panel's length: so much beyond its ends still belongs to it

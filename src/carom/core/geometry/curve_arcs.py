@@ -216,11 +216,9 @@ def arc_gap(table: Any, base: int, d: float, x: float, y: float) -> tuple[float,
 # D = min h_t  (the curve bends round the ball: D is concave),     D = max h_t  (it bends away: D is convex).
 #
 # On the path each h_t is a polynomial of degree 2 in the time, which bounds the gap G = D - a on one side, and at the foot t of
-# the
-# normal it has the gap's value and its rate. So Newton's method with these polynomials in place of tangents never passes the
-# first
-# contact with an arc that bends away. Of one that bends round, G'' is at most the size of the acceleration: where the chord less
-# that bound stays positive, nothing is met; where G falls throughout, it has one root; every other stretch is halved (as in
+# the normal it has the gap's value and its rate. So Newton's method with these polynomials in place of tangents never passes the
+# first contact with an arc that bends away. Of one that bends round, G'' is at most the size of the acceleration: where the chord
+# less that bound stays positive, nothing is met; where G falls throughout, it has one root; every other stretch is halved (as in
 # :mod:`carom.core.geometry.outlines`).
 
 
@@ -618,10 +616,9 @@ def _parabola_hit(
 # An arc of a smooth curve as a feature of a vertical wall: its hits, gap, normal and bend, in the curve's own frame.
 #
 # Few scenes have curves, so that the engine calls :mod:`carom.core.geometry.curve_arcs` through an address, as it does for rims.
-# The
-# feature has the place p and the direction u of the curve's x axis, and in ``lo1`` the address of the arc's table. From places
-# with
-# derivatives the distance and the normal follow to first order, which is exact for derivatives: n' = -kappa t along the curve.
+# The feature has the place p and the direction u of the curve's x axis, and in ``lo1`` the address of the arc's table. From
+# places with derivatives the distance and the normal follow to first order, which is exact for derivatives: n' = -kappa t along
+# the curve.
 
 
 NUMBERS = 11

@@ -306,8 +306,8 @@ def gap_derivatives(f: Any, x: Vec, v: Vec, acc: Vec) -> tuple[float, float]:
 #
 # A wall may yield: contact, an impact at one instant, is where the ball is deeper than the wall's place by the yield time c times
 # the speed of approach. A linear spring with a dashpot, which a ball touches for the time T and leaves with the share e of its
-# speed,
-# takes and returns it as if it had turned at once at the depth c v_n, c = e T / (1 + e): there the lines before and after meet.
+# speed, takes and returns it as if it had turned at once at the depth c v_n, c = e T / (1 + e): there the lines before and after
+# meet.
 
 
 MOST_ROUNDS = 7  # of Newton's steps, of second order

@@ -164,8 +164,7 @@ def ellipse_depth(p: float, q: float, x: Array) -> Array:
 # Find when a ball inside an ellipse touches it: the curve that bounds its centre is at the distance of the radius.
 #
 # That curve has no simple equation, but its distance from a point has what is needed. Within a convex curve the distance D from
-# it
-# is concave, and its gradient the unit normal there. So on a parabola with the acceleration g
+# it is concave, and its gradient the unit normal there. So on a parabola with the acceleration g
 #
 # G(s) = D(x(s)) - d,    G'' <= |g|,
 #
@@ -173,11 +172,9 @@ def ellipse_depth(p: float, q: float, x: Array) -> Array:
 # at once that nothing is met. Where G changes its sign and G' + |g| L < 0 at the beginning, it falls throughout and has one root.
 # Every other stretch is halved; so the first root is not missed, and a ball may be larger than the smallest circle of curvature.
 #
-# Two ellipses tell where to look at all, both by their support functions; that of the curve of the centres is at most
-# h(N) - d, where h(N) = sqrt(p^2 Nx^2 + q^2 Ny^2) and p >= q. The outer one has the half axes p - d and q - d: its support
-# function
-# is at least h - d, by the triangle inequality; when a ball leaves it, it has met the wall. The inner one, which it can only
-# leave
+# Two ellipses tell where to look at all, both by their support functions; that of the curve of the centres is at most h(N) - d,
+# where h(N) = sqrt(p^2 Nx^2 + q^2 Ny^2) and p >= q. The outer one has the half axes p - d and q - d: its support function is at
+# least h - d, by the triangle inequality; when a ball leaves it, it has met the wall. The inner one, which it can only leave
 # first, has sqrt((q - d)(p^2/q - d)) and q - d: the square of its support function is (h - d)^2 less d (h - q)^2/q.
 
 

@@ -56,11 +56,9 @@ def locked(path: Path) -> Iterator[None]:
 # Generations of compiled code in one cache folder: one for each version of carom's code, of Python and of Numba.
 #
 # Several versions are used in turn (another clone, another virtual environment, a branch), and compiling takes minutes: what was
-# used
-# in the last 30 days is kept, up to 2 GB. A generation that a process uses is never removed: each process holds a shared lock of
-# it,
-# which ends with the process. Without such locks (on Windows, on some network drives) a generation that was used in the last two
-# days counts as in use.
+# used in the last 30 days is kept, up to 2 GB. A generation that a process uses is never removed: each process holds a shared
+# lock of it, which ends with the process. Without such locks (on Windows, on some network drives) a generation that was used in
+# the last two days counts as in use.
 
 
 KEPT_SECONDS = 30 * 86_400.0
@@ -252,8 +250,7 @@ def cache_folder() -> Path:
 # Numba keeps compiled code under the path and the time of the source file, so that each clone and each virtual environment
 # compiles everything again, and processes that start together all compile the same loop. Here compiled code is found by the name
 # of its module (the cache folder's own name is a hash of what carom's code does), and a loop is compiled by one process at a
-# time:
-# the others wait, and load it.
+# time: the others wait, and load it.
 
 
 LOCATOR = f"{__name__}.Locator"

@@ -363,14 +363,11 @@ def finished_code(code: Bitcode) -> bytes:
 # Loops that lie ready in the package: nothing is compiled by Numba, which is not even imported, on a user's machine.
 #
 # `make native` has Numba type and lower every loop that carom.cli.warm names, and keeps each as LLVM's bitcode, optimised, for
-# any
-# processor (:mod:`carom.core.jit.native_build`). Here llvmlite alone finishes it for this processor, when it is first called, in
-# a
-# fraction of a second; the machine code is kept in the user's cache, from where it is loaded in a millisecond.
+# any processor (:mod:`carom.core.jit.native_build`). Here llvmlite alone finishes it for this processor, when it is first called,
+# in a fraction of a second; the machine code is kept in the user's cache, from where it is loaded in a millisecond.
 #
 # A loop is taken from the package only while its kernels are those of which it was built: by the hash of their files, or else by
-# the
-# hash of what they do. Otherwise, and for arguments or machines that it is not for, Numba compiles it.
+# the hash of what they do. Otherwise, and for arguments or machines that it is not for, Numba compiles it.
 
 
 FOLDER = Path(__file__).with_name("native")

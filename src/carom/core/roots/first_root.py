@@ -475,8 +475,7 @@ def next_hit8(c: Numbers, after: float, T: float) -> float:
 # The first root of a function whose second derivative is bounded: what its steps have in common.
 #
 # The function G is known with its rate at single times, and G'' <= pull on a stretch of time L. Where it is positive at both ends
-# of
-# the stretch, it is at least the chord less pull t (L - t)/2 in between; where it changes its sign, Newton's steps within the
+# of the stretch, it is at least the chord less pull t (L - t)/2 in between; where it changes its sign, Newton's steps within the
 # bracket, or halving, find the root.
 
 

@@ -143,9 +143,8 @@ def residuals(table: TableNumbers, shot: FilmedShot, starts: Array, frames: int,
 #
 # A small error of a start is a hundred times as large after three cushions, and a wrong start has local minima everywhere. So the
 # frames up to the first ball come first, then those up to the next event, and so on. At each event the starts that are kept
-# descend
-# (soft-L1 loss, exact derivatives), together with the best of others, drawn about them from the region that the frames leave
-# open.
+# descend (soft-L1 loss, exact derivatives), together with the best of others, drawn about them from the region that the frames
+# leave open.
 
 
 FIRST_FRAMES = 6  # of the cue ball, from which its velocity is guessed

@@ -198,9 +198,8 @@ def start_cycle(system: Any, balls: Any, faces: Any) -> None:
 # Cell list: which balls are near one, and which walls. A cell is at least one diameter wide, so neighbours are in adjacent cells.
 #
 # A cell has two slots for indices of balls, the first with a code in its upper bits: how many balls there are, 3 for more than
-# two.
-# Those form a chain that begins at the second ball, one link per ball; there are few of them. Both slots are copied whether they
-# are filled or not, and the code alone decides what of it stays: no branch for a processor to mispredict. Beyond a wall lies
+# two. Those form a chain that begins at the second ball, one link per ball; there are few of them. Both slots are copied whether
+# they are filled or not, and the code alone decides what of it stays: no branch for a processor to mispredict. Beyond a wall lies
 # a layer of cells that stays empty. Neighbours across a periodic border are entered with the code of the nearest image, so a box
 # need be only three cells wide.
 #

@@ -198,8 +198,7 @@ def sort_by_cell(balls: Any, scratch: Any, cells: Any, calendar: Any) -> None:
 # Prefetching: the records of a million balls lie far from the processor, and what comes next is known.
 #
 # Memory is fetched page by page of the calendar, some hundred events ahead, an entry or two at a time: first the balls entered on
-# a
-# page; a page later, when these have arrived, the cells around them and their partners; another page later, the balls in those
+# a page; a page later, when these have arrived, the cells around them and their partners; another page later, the balls in those
 # cells. It goes into the second-level cache; the first is too small for all that.
 
 
@@ -336,10 +335,8 @@ def prefetch_ahead(
 #
 # One event per ball is planned: its earliest collision, or the crossing of its cell's border. A collision is stored with the ball
 # that predicted it; that is enough, for of two balls one was the last to be updated. A ball whose partner has collided with
-# another
-# meanwhile predicts again when the planned time comes. Ties go to the ball with the lowest index, so the same start gives the
-# same
-# bits.
+# another meanwhile predicts again when the planned time comes. Ties go to the ball with the lowest index, so the same start gives
+# the same bits.
 
 
 CACHED_BALLS = 10_000  # so many fit the processor's caches; of more, the next ones are prefetched

@@ -185,16 +185,14 @@ def yielding_impact(
 # Walls and thermostat: when a ball reaches a wall, what that does, and the thermostat's kicks.
 #
 # All walls but two have one mechanism: a gap that is a polynomial of time, of degree 2 for a plane or where no force acts across
-# a
-# round wall, of degree 4 where one does. An ellipse that bounds the balls' surfaces has its own
-# (:mod:`carom.core.geometry.outlines`), and so have arcs of smooth curves (:mod:`carom.core.geometry.curve_arcs`). Each cell has a
-# set of the walls that a ball in it can touch; for most cells it is empty, and a block of those, the interior of the grid, skips
-# the
-# walls altogether.
+# a round wall, of degree 4 where one does. An ellipse that bounds the balls' surfaces has its own
+# (:mod:`carom.core.geometry.outlines`), and so have arcs of smooth curves (:mod:`carom.core.geometry.curve_arcs`). Each cell has
+# a set of the walls that a ball in it can touch; for most cells it is empty, and a block of those, the interior of the grid,
+# skips the walls altogether.
 #
 # What only round, oscillating or heated walls, growing balls and a thermostat need is compiled only for a gas that has some of
-# them:
-# it takes as long as all the rest. ``features`` says so: None where all walls are fixed planes, else :class:`.records.Features`.
+# them: it takes as long as all the rest. ``features`` says so: None where all walls are fixed planes, else
+# :class:`.records.Features`.
 
 
 # What a plan's ``boundary`` may be: a face of the cell (below FIRST_WALL), FIRST_WALL + a wall, or a new prediction only.

@@ -277,8 +277,7 @@ def extrapolated_euler_step(
 # away. In the variable s with dP = ds / (A/|u| + B/|f|) these are farther away (a slip that passes zero at a distance b on a
 # straight line is b cosh s), and a step of order 8 can be several times as long. The ends are reached exactly by a change of the
 # independent variable in the last step (Henon, Physica D 5, 412 (1982)): to u_n in compression, which ends at 0; in restitution
-# to
-# w, with w^2 / 2 the energy returned. Both can be used from the start, so a ball whose slips turn little takes three steps in
+# to w, with w^2 / 2 the energy returned. Both can be used from the start, so a ball whose slips turn little takes three steps in
 # all.
 #
 # A slip that is about to vanish takes steps of another variable, :func:`vanishing_slip_step`: there s would grow without end.

@@ -465,12 +465,11 @@ def slides_at_both(y: Slips, vz: float, q: Couplings, scale: float) -> tuple[boo
 # The impact at wall and floor at once: velocity and spin after it, and their derivatives.
 #
 # The values are integrated in steps that are as long as the values permit. Derivatives need other steps. A slip that goes
-# straight to
-# zero, as that of a ball that rolls without sidespin, is followed exactly in a few steps of any length; but a change *across* it
-# decays as a power of the slip that is left, by any factor within one step, and long steps magnify it without bound. So
-# derivatives
-# come from an integration of their own (:func:`impact_slopes`): dual numbers, the same equations and modes, and steps that are as
-# short as their derivatives require. The lengths of steps have no derivatives; the impulses at which events occur have them:
+# straight to zero, as that of a ball that rolls without sidespin, is followed exactly in a few steps of any length; but a change
+# *across* it decays as a power of the slip that is left, by any factor within one step, and long steps magnify it without bound.
+# So derivatives come from an integration of their own (:func:`impact_slopes`): dual numbers, the same equations and modes, and
+# steps that are as short as their derivatives require. The lengths of steps have no derivatives; the impulses at which events
+# occur have them:
 #
 # * a slip ends at an impulse that changes with its size (what has changed across it has decayed by then);
 # * the contact ends where the wall has returned its energy, or for e = 0 where the approach ends;
@@ -479,10 +478,8 @@ def slides_at_both(y: Slips, vz: float, q: Couplings, scale: float) -> tuple[boo
 # that a change of the impulse at which it happens has no effect.
 #
 # These are the saltation matrices of the flow (Leine & Nijmeijer, Dynamics and Bifurcations of Non-Smooth Mechanical Systems,
-# 2004,
-# section 7.1). The result depends on at most twelve numbers: four slips and the vertical velocity, the normal, the ball's moment
-# of
-# inertia, and the numbers of both surfaces. Their Jacobian does not depend on the parameters that somebody asks for.
+# 2004, section 7.1). The result depends on at most twelve numbers: four slips and the vertical velocity, the normal, the ball's
+# moment of inertia, and the numbers of both surfaces. Their Jacobian does not depend on the parameters that somebody asks for.
 
 
 LEAST_CHANGE = 1e-9  # of the changes of velocity and spin: a slip that changes less does not change

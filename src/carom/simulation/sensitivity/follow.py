@@ -230,11 +230,9 @@ def follow_compiled(scene: Any, parameters: Parameters, log: NDArray[np.void], e
 # Derived kernels: the very functions that the engine runs, with ``math`` replaced by its extension to dual numbers.
 #
 # A kernel is a function of numbers that names what it calls by the globals of its module. The derived one has the same code and
-# other
-# globals, in which ``math`` is :data:`carom.simulation.sensitivity.passages.DUAL_MATH` and every function is a derived one too. So
-# each
-# law, phase and shape has its exact derivative, without a line written by hand for it. What a kernel finds by trial and error
-# says so (:func:`carom.core.jit.kernel.root_of`), and has the derivative of the implicit function theorem.
+# other globals, in which ``math`` is :data:`carom.simulation.sensitivity.passages.DUAL_MATH` and every function is a derived one
+# too. So each law, phase and shape has its exact derivative, without a line written by hand for it. What a kernel finds by trial
+# and error says so (:func:`carom.core.jit.kernel.root_of`), and has the derivative of the implicit function theorem.
 
 
 _spaces: dict[str, dict[str, Any]] = {}

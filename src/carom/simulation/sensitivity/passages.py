@@ -203,17 +203,12 @@ DUAL_MATH = SimpleNamespace(
 # Follow a recorded run again with dual numbers: flows, event times by the implicit function theorem, and the laws' derivatives.
 #
 # The log tells what happened; roots are not solved again, and not differentiated. At an event whose gap g closes at the rate g',
-# the
-# time changes by dt = -dg / g', dg the change of the gap at the time as recorded (Kong, Payne, Zhu & Johnson 2023, arXiv
-# 2306.06862;
-# Zhong et al. 2023, arXiv 2305.00092). The balls are moved to the changed time by the flow before the impact, the law acts, and
-# they
-# leave from there by the flow after it, with clocks that have derivatives: that is the saltation matrix.
+# the time changes by dt = -dg / g', dg the change of the gap at the time as recorded (Kong, Payne, Zhu & Johnson 2023, arXiv
+# 2306.06862; Zhong et al. 2023, arXiv 2305.00092). The balls are moved to the changed time by the flow before the impact, the law
+# acts, and they leave from there by the flow after it, with clocks that have derivatives: that is the saltation matrix.
 #
-# These are kernels: Python runs them on objects (:mod:`carom.simulation.sensitivity.follow`), and compiled code on records
-# of
-# dual numbers (:mod:`carom.simulation.sensitivity.follow`), with the same bits. ``walls`` and ``plain`` are the features and
-# the
+# These are kernels: Python runs them on objects (:mod:`carom.simulation.sensitivity.follow`), and compiled code on records of
+# dual numbers (:mod:`carom.simulation.sensitivity.follow`), with the same bits. ``walls`` and ``plain`` are the features and the
 # balls once more, but their numbers are the values: what happened is known, and looked up there.
 
 
