@@ -22,13 +22,13 @@ from carom.gas import (
     Gas,
     Species,
     diffusion_coefficients,
+    layer_profiles,
     scattered,
     sheared_viscosity,
     simulate_gas,
     transport_coefficients,
 )
 from carom.gas import coefficients as enskog_theory
-from carom.gas import measures as layer_profiles
 
 SMOOTH, ROUGH = carom.Surface(1, 0, -1), carom.Surface(1, math.inf, 1)
 BALL, DISC = carom.Ball(0.5, 1.0, 0.4), carom.Disc(0.5, 1.0, 0.5)
@@ -63,7 +63,7 @@ def enskog(density: float, pressure: float, temperature: float, axes: int) -> fl
 def free_time(run: Campaign, scale: float) -> None:
     balls = 4000
     _gas, found = simulate_gas(
-        [Species(BALL, balls)], ((balls / 0.5) ** (1 / 3),) * 3, contacts=SMOOTH, collisions=int(8e6 * scale)
+        [Species(BALL, balls)], ((balls / 0.5) ** (1 / 3),) * 3, contacts=SMOOTH, max_events=int(8e6 * scale)
     )
     y = 0.5 * math.pi / 6
     line(run, "mean free time, spheres, n = 0.5 (Kolafa)", 1 / enskog(0.5, kolafa(y), 1, 3), found.mean_free_time)
@@ -72,7 +72,7 @@ def free_time(run: Campaign, scale: float) -> None:
 def pressure(run: Campaign, scale: float) -> None:
     for density in (0.1, 0.3, 0.5, 0.7, 0.85):
         _gas, found = simulate_gas(
-            [Species(BALL, 2000)], ((2000 / density) ** (1 / 3),) * 3, contacts=SMOOTH, collisions=int(2e6 * scale)
+            [Species(BALL, 2000)], ((2000 / density) ** (1 / 3),) * 3, contacts=SMOOTH, max_events=int(2e6 * scale)
         )
         y = density * math.pi / 6
         line(
@@ -85,7 +85,7 @@ def pressure(run: Campaign, scale: float) -> None:
     for share in (0.1, 0.3, 0.45, 0.6, 0.68):
         density = share * 4 / math.pi
         _gas, found = simulate_gas(
-            [Species(DISC, 2000)], ((2000 / density) ** 0.5,) * 2, contacts=SMOOTH, collisions=int(2e6 * scale)
+            [Species(DISC, 2000)], ((2000 / density) ** 0.5,) * 2, contacts=SMOOTH, max_events=int(2e6 * scale)
         )
         line(run, f"p / n k T, discs, share {share} (Henderson)", henderson(share), found.pressure / density)
 

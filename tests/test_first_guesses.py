@@ -150,8 +150,8 @@ def test_what_cannot_be_meant_is_said_once_with_what_is_meant(tmp_path: Path) ->
          "measure_tracks: files: expected the name of a track file, columns t, x, y, or Tracks, got int 3"),
         (lambda: carom.Scene(walls=[{"shape": "boks"}], balls=balls),
          "Scene: walls[0].shape: expected one of plane, segment, polygon, table, box, strip, wedge, cylinder, arc, sphere, stadium,"
-         " outline, circle, curve, ellipse, lemon, mushroom, regular, rectangle, limacon, oval, flower, sector, squash,"
-         " superellipse, tokarsky, got 'boks'; did you mean 'box'?"),
+         " outline, regular, rectangle, tokarsky, curve, limacon, oval, flower, superellipse, circle, ellipse, sector, squash,"
+         " lemon, mushroom, got 'boks'; did you mean 'box'?"),
     ):  # fmt: skip
         with pytest.raises(carom.CaromError) as error:
             call()
@@ -184,5 +184,10 @@ def test_films_in_memory_are_measured_as_their_file_is(tmp_path: Path) -> None:
     assert len(carom.measure_tracks([columns, path], **settings).rebounds()) == 2
     with pytest.raises(carom.CaromError, match="`scale` has no effect with Tracks, which are in m; omit it"):
         carom.measure_tracks(track, scale=2.0, **settings)
-    with pytest.raises(carom.CaromError, match="table 1: expected a column y"):
-        carom.measure_tracks({"t": t, "x": x}, **settings)
+    with pytest.raises(carom.CaromError) as error:
+        carom.measure_tracks({"t": t}, **settings)
+    assert error.value.records[0].where == "table 1"
+    height = carom.measure_tracks(
+        {"t": t, "x": 4 * t - 4.9 * t * t}, radius=0.03, view="side"
+    )  # (one coordinate is the height)
+    assert any("one coordinate" in line for line in height.notes)

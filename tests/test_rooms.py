@@ -250,7 +250,7 @@ CAPS = {
     "tracks": 6940,
     "simulation": 5890,
     "core": 5790,
-    "laws": 4800,
+    "laws": 4820,
     "scene": 4430,
     "cli": 4650,
     "plot": 3460,

@@ -236,8 +236,7 @@ def test_every_kind_of_picture(table: billiards.Table) -> None:
             plot_boundary(found)
 
 
-@pytest.mark.parametrize("name", ["flower", "mushroom"])
-@pytest.mark.parametrize("bounds", ["centre", "surface"])
+@pytest.mark.parametrize(("name", "bounds"), [("flower", "centre"), ("flower", "surface"), ("mushroom", "centre")])
 def test_walls_of_curves_are_drawn(name: str, bounds: Any) -> None:
     """Orbits within smooth curves were drawn without the wall."""
     table = billiards.table(name, bounds=bounds)

@@ -18,7 +18,7 @@ runner = CliRunner()
 
 def test_a_new_scene_of_a_table_is_run_and_says_which_balls_fall(tmp_path: Path) -> None:
     file = tmp_path / "pool.toml"
-    assert runner.invoke(app, ["scene", "new", "--table", "pool-7ft", str(file)]).exit_code == 0
+    assert runner.invoke(app, ["scene", "new", "--table", "pool-9ft", str(file)]).exit_code == 0
     done = runner.invoke(app, ["simulate", str(file), "--json"])
     assert done.exit_code == 0
     found = json.loads(done.stdout)
@@ -27,7 +27,7 @@ def test_a_new_scene_of_a_table_is_run_and_says_which_balls_fall(tmp_path: Path)
     assert {i for i, ball in enumerate(found["final"]) if ball["phase"] == "pocketed"} == fallen
     checked = json.loads(runner.invoke(app, ["scene", "check", str(file), "--json"]).stdout)
     wall = checked["walls"][0]
-    assert (wall["preset"], wall["length"], wall["corner_pockets"]["mouth"]) == ("pool-7ft", 1.9812, 0.127)
+    assert (wall["preset"], wall["length"], wall["corner_pockets"]["mouth"]) == ("pool-9ft", 2.54, 0.1159)
 
 
 def test_the_list_of_tables() -> None:

@@ -13,8 +13,7 @@ from reference.commands import command, fails
 from reference.thrown_ball import KAPPA, RADIUS, as_csv, film, table, thrown
 
 from carom.data import make_rebounds, read_rebounds
-from carom.fitting import Setting, fit_laws, make_problem
-from carom.fitting import rows as usable_rows
+from carom.fitting import Setting, fit_laws, make_problem, usable_rows
 from carom.plot.tracks import plot_tracks
 from carom.tracks import Settings, measure, to_rebounds
 from carom.tracks.rebounds import first_contacts

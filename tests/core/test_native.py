@@ -118,7 +118,7 @@ def test_loops_of_the_package_are_for_the_records_of_today(
     """A kernel may stay while a record grows; what is called by its address would then read the wrong places."""
     code = built["loop"].codes[0]
     source = built["loop"].source
-    monkeypatch.setattr(native, "_codes", lambda _function: [code])
+    monkeypatch.setattr(native, "_native_codes", lambda _function: [code])
     order = [one["array"] for one in code.described["arguments"] if isinstance(one, dict)]
     dtypes: list[Any] = [None] * (max(order) + 1)
     dtypes[order[0]], dtypes[order[1]] = PLACE, np.dtype(float)

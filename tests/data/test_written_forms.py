@@ -12,8 +12,7 @@ from reference.written_tables import BETA, KAPPA, LAYOUTS, MU, RADIUS, STRAIGHT,
 from carom.data import read_rebounds
 from carom.data.rebound_files import heads_rebounds
 from carom.errors import CaromError
-from carom.fitting import Setting, fit_laws
-from carom.fitting import rows as usable_rows
+from carom.fitting import Setting, fit_laws, usable_rows
 from carom.tracks import Settings, Track, measure, to_rebounds
 
 ALL = ("speed_and_angle", "from_surface", "x_and_y", "errors_in_cells", "missing_cells", "normalised_spin")

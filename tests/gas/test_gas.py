@@ -46,7 +46,7 @@ def test_pressure_of_discs(share):
 
 def test_pressure_on_the_walls_is_that_of_the_virial():
     _gas, run = simulate_gas(
-        [Species(SPHERE, 3000)], (40.0, 35.0, 30.0), contacts=SMOOTH, periodic=False, collisions=600_000
+        [Species(SPHERE, 3000)], (40.0, 35.0, 30.0), contacts=SMOOTH, periodic=False, max_events=600_000
     )
     assert run.wall_collisions > 20_000
     # the virial of the walls: they act on centres that have a diameter less of room

@@ -14,12 +14,12 @@ from carom.gas import (
     Species,
     container,
     diffusion_coefficients,
+    enskog,
+    layer_profiles,
     sheared_viscosity,
     transport_coefficients,
     viscosity,
 )
-from carom.gas import coefficients as enskog
-from carom.gas import measures as layer_profiles
 
 
 def test_coefficients_of_hard_spheres_are_enskogs():

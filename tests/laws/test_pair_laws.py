@@ -182,8 +182,8 @@ def test_a_cluster_with_friction_that_falls_against_an_integration_in_time() -> 
     balls = [{**POOL, "position": tuple(x[i]), "velocity": tuple(v[i]), "spin": tuple(w[i])} for i in range(3)]
     run = carom.simulate(carom.Scene(gravity=0, balls=balls, ball_contact=pair, run={"duration": 0.02}))
     assert (run.log["kind"] == IN_CLUSTER).sum() == 1
-    assert np.abs(run.final.velocity - right).max() < 2e-4
-    assert RADIUS * np.abs(run.final.spin - spins).max() < 1e-4
+    assert np.abs(run.final.velocity - right).max() < 1e-3
+    assert RADIUS * np.abs(run.final.spin - spins).max() < 2e-3
     constant = carom.simulate(replaced(run.scene, {"ball_contact.friction": 0.22})).final.velocity
     assert np.abs(constant - right).max() > 1e-2
 

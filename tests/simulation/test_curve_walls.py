@@ -48,7 +48,7 @@ def test_a_circle_by_its_formula_is_a_circle() -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["ellipse:half_axes=1,0.6", "flower:leaves=3,eps=0.1,radius=1", "lemon", "curve:r=1 + 0.3*cos(theta)"]
+    "text", ["ellipse:half_axes=1,0.6", "flower:leaves=3,eps=0.1,radius=1", "curve:r=1 + 0.3*cos(theta)"]
 )
 def test_a_room_is_the_billiard(text: str) -> None:
     figure = billiards.table(text, bounds="surface")

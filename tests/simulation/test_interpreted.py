@@ -11,9 +11,7 @@ import pytest
 from reference.brute_force_scene import random_scene
 
 import carom
-from carom.simulation import loop as compiled
-from carom.simulation import loop as interpreted
-from carom.simulation import loop as scene_loop
+from carom.simulation import loop as engine_loop
 from carom.simulation.loop import ALL, compiled_engine, run_limits
 from carom.simulation.records import LOG
 from carom.simulation.setup import set_up
@@ -40,7 +38,7 @@ def with_law(scene: carom.Scene, law: Any) -> carom.Scene:
 def test_same_bits_as_compiled(seed: int) -> None:
     scene = random_scene(seed)
     expected = one_run(scene, compiled_engine().run, True)
-    assert one_run(scene, interpreted.run_interpreted, False) == expected
+    assert one_run(scene, engine_loop.run_interpreted, False) == expected
 
 
 @pytest.mark.parametrize("law", ["maw", "stronge"])
@@ -48,16 +46,16 @@ def test_same_bits_with_laws_that_are_called_by_address(law: str) -> None:
     for seed in range(10):
         scene = with_law(random_scene(seed), law)
         expected = one_run(scene, compiled_engine().run, True)
-        assert one_run(scene, interpreted.run_interpreted, False) == expected
+        assert one_run(scene, engine_loop.run_interpreted, False) == expected
 
 
 def test_the_loop_is_at_hand_once_it_has_been_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
     """A short run is interpreted only where it is not: were it always said to be, every first run would wait for the compiler."""
     loaded = functools.cache(lambda: None)
-    monkeypatch.setattr(compiled, "compiled_engine", loaded)
-    assert not compiled.is_loaded()
+    monkeypatch.setattr(engine_loop, "compiled_engine", loaded)
+    assert not engine_loop.is_loaded()
     loaded()
-    assert compiled.is_loaded()
+    assert engine_loop.is_loaded()
 
 
 def test_a_users_law_is_compiled_for_python_too() -> None:
@@ -71,7 +69,7 @@ def test_a_users_law_is_compiled_for_python_too() -> None:
     run = carom.Run(law=carom.wall_law(card, root), max_events=50)
     scene = carom.Scene(gravity=0, walls=[wall], balls=[ball], run=run)
     expected = one_run(scene, compiled_engine().run, True)
-    assert one_run(scene, interpreted.run_interpreted, False) == expected
+    assert one_run(scene, engine_loop.run_interpreted, False) == expected
 
 
 def table(**changes: Any) -> carom.Scene:
@@ -86,20 +84,20 @@ def table(**changes: Any) -> carom.Scene:
 @pytest.fixture
 def called(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The loops that are called, in a process that has none compiled at its beginning."""
-    engine, calls = compiled_engine(), []
+    engine, interpreted, calls = compiled_engine(), engine_loop.run_interpreted, []
 
     def compiled() -> Any:
         return engine._replace(run=lambda *numbers: calls.append("compiled") or engine.run(*numbers))
 
     def python(*numbers: Any) -> Any:
         calls.append("Python")
-        return interpreted.run_interpreted(*numbers)
+        return interpreted(*numbers)
 
-    monkeypatch.setattr(scene_loop, "compiled_engine", compiled)
-    monkeypatch.setattr(scene_loop, "run_interpreted", python)
-    monkeypatch.setattr(interpreted, "is_loaded", lambda: False)
-    monkeypatch.setattr(interpreted, "compiled_before", lambda _scene: False)
-    monkeypatch.setattr(interpreted, "_spent", 0.0)
+    monkeypatch.setattr(engine_loop, "compiled_engine", compiled)
+    monkeypatch.setattr(engine_loop, "run_interpreted", python)
+    monkeypatch.setattr(engine_loop, "is_loaded", lambda: False)
+    monkeypatch.setattr(engine_loop, "compiled_before", lambda _scene: False)
+    monkeypatch.setattr(engine_loop, "_spent", 0.0)
     return calls
 
 
@@ -119,11 +117,11 @@ def test_a_long_run_goes_on_in_the_compiled_loop(called: list[str], monkeypatch:
         "friction": 0,
     }
     scene = table(walls=[elastic], floor=None, gravity=0.0, run={"max_events": 1000})
-    monkeypatch.setattr(interpreted, "BEFORE_COMPILING", 1e-9)
+    monkeypatch.setattr(engine_loop, "BEFORE_COMPILING", 1e-9)
     run = carom.simulate(scene)
     assert called[:2] == ["Python", "compiled"]
     assert "Python" not in called[1:]
-    monkeypatch.setattr(interpreted, "is_loaded", lambda: True)
+    monkeypatch.setattr(engine_loop, "is_loaded", lambda: True)
     expected = carom.simulate(scene)
     assert run.log.tobytes() == expected.log.tobytes()
     assert (run.end, run.ended) == (expected.end, expected.ended)
@@ -135,7 +133,7 @@ def test_what_python_refuses_is_run_compiled(called: list[str], monkeypatch: pyt
 
     scene = table()
     expected = carom.simulate(scene)
-    monkeypatch.setattr(interpreted, "run", divide)
+    monkeypatch.setattr(engine_loop, "run", divide)
     called.clear()
     assert carom.simulate(scene).log.tobytes() == expected.log.tobytes()
     assert called == ["Python", "compiled"]
@@ -148,18 +146,18 @@ def test_floors_on_which_a_ball_bounces_without_end_are_left_to_compiled_code(
     called: list[str], restitution: Any
 ) -> None:
     scene = table(floor={"restitution": restitution, "friction": 0.2})
-    assert interpreted.worth_interpreting(scene) == (restitution in (0.5, 1.0))
+    assert engine_loop.worth_interpreting(scene) == (restitution in (0.5, 1.0))
 
 
 def test_large_scenes_are_left_to_compiled_code(called: list[str]) -> None:
     balls = [
         {"radius": 0.03, "mass": 0.2, "position": [0.1 * (k % 10), 0.1 * (k // 10)]}
-        for k in range(interpreted.MOST_BALLS + 1)
+        for k in range(engine_loop.MOST_BALLS + 1)
     ]
     ring = {"shape": "polygon", "points": [[2 * math.cos(0.02 * k), 2 * math.sin(0.02 * k)] for k in range(300)]}
     ring |= {"restitution": 0.9, "friction": 0.1}
-    assert interpreted.worth_interpreting(table(balls=balls[:-1]))
-    assert not interpreted.worth_interpreting(table(balls=balls))
+    assert engine_loop.worth_interpreting(table(balls=balls[:-1]))
+    assert not engine_loop.worth_interpreting(table(balls=balls))
     assert called == []
     carom.simulate(table(walls=[ring]))
     assert set(called) == {"compiled"}

@@ -102,30 +102,3 @@ def test_a_log_that_is_full_is_run_again_with_more_rows(speeds: np.ndarray) -> N
     again, whole = kept(two_balls(), speeds, WRT, rows=4, most_rows=256), kept(two_balls(), speeds, WRT)
     assert np.array_equal(again.finals_d, whole.finals_d)
     assert np.array_equal(again.ended, whole.ended)
-
-
-def test_a_ball_that_a_cushion_lets_through_has_derivatives_until_it_meets_the_wall_from_behind() -> None:
-    """(One that yields by more than the ball's diameter.) No wall is in touch then, and the pass read beyond its walls."""
-    wall = carom.Table(
-        length=2.8, width=1.4, center=(1.4, 0.7), restitution=0.84, friction=0.35, yield_time=0.02, nose_height=0.037
-    )
-    velocity, spin = (2.44, 3.45), (-3.45 / RADIUS, 2.44 / RADIUS, 0)
-    ball = carom.SceneBall(radius=RADIUS, mass=0.2, position=(0.3, 0.3), velocity=velocity, spin=spin)
-    floor = carom.Floor(friction=0.2, rolling_resistance=0.004)
-    run = carom.simulate(carom.Scene(floor=floor, walls=[wall], balls=[ball], run=carom.Run(duration=12)))
-    event = next(one for one in run.events if one.kind == "wall")
-    assert event.position[0] > 3
-    arrays = set_up(run.scene)
-    starts = arrays.for_runs(1).balls
-    packed = (parameters_of(run.scene, arrays, ["balls.0.velocity"], [SLIDING]).packed[name] for name in ARRAYS)
-    world, features, balls = packed
-    slopes = RunSlopes(world, features, balls[None], dual_users(run.scene.called_laws))
-    time = np.array([[event.t / 2, event.t + 0.1]])
-    found = kept_states(arrays, starts, slopes, time, np.array([2]), undefined=math.nan)
-    assert found.ended[0, 2] > 0
-    ends = []
-    for by in (1e-6, -1e-6):
-        moved = replaced(run.scene, {"balls.0.velocity": (2.44 + by, 3.45)})
-        ends.append(np.asarray(carom.simulate(moved).at(event.t / 2).position)[0, :2])
-    assert found.slopes[0, 0, 0, 0, :2, 0] == pytest.approx((ends[0] - ends[1]) / 2e-6, abs=1e-6)
-    assert np.isnan(found.slopes[0, 0, 1]).all()

@@ -10,11 +10,11 @@ import functools
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import AfterValidator, BeforeValidator, PlainSerializer
+from pydantic import BeforeValidator, PlainSerializer, WrapValidator
 
 from carom.bodies import Ball
 from carom.errors import CaromError, Fault
@@ -45,20 +45,12 @@ class LognormalRadii(Model):
         return np.random.default_rng([self.seed, 0x5175]).lognormal(math.log(self.median), self.sigma, count)
 
 
-def _radius(value: Any) -> Any:
-    """One radius, as a distribution without a width."""
-    if isinstance(value, dict | LognormalRadii):
-        return value
-    return LognormalRadii.model_construct(median=_RADIUS(value), sigma=0.0)
-
-
 if TYPE_CHECKING:
     SpeciesRadius = float | LognormalRadii
 else:
     SpeciesRadius = Annotated[
         LognormalRadii,
-        BeforeValidator(_radius),
-        AfterValidator(lambda one: one if one.sigma > 0 else one.median),
+        WrapValidator(lambda one, read: read(one) if isinstance(one, dict | LognormalRadii) else _RADIUS(one)),
         PlainSerializer(lambda one: one.model_dump() if isinstance(one, LognormalRadii) else one),
     ]
 

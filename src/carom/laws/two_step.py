@@ -73,6 +73,24 @@ CARD = Card(
     doi="10.1122/1.549893",
 )
 
+WALL_AND_FLOOR = Card(
+    name="wall-and-floor",
+    summary="A ball that the wall presses on the floor: both contacts at once, integrated over the wall's normal impulse.",
+    assumptions=(
+        "the floor is rigid, that is far stiffer than the wall, as cloth on slate is in comparison with a rubber cushion",
+        "Coulomb friction at both contacts, with transitions between stick and slip; tangential restitution 0",
+        "the wall returns e^2 of the work done on it (Stronge); its force is proportional to its compression",
+        "the floor's restitution matters only if the ball is lifted and lands again during the wall contact",
+    ),
+    valid="Backspin, sliding, every cushion that touches above the centre. It is the first step of two-step by default;"
+    " floor_contact='after' is the other limit, a floor softer than the wall. Any friction, including infinite; if large"
+    " frictions lock the ball between wall and floor, the result states it.",
+    equations="carom.laws.wall_and_floor.solver",
+    citation="J. B. Keller, J. Appl. Mech. 53, 1-4 (1986); W. J. Stronge, Proc. R. Soc. A 431, 169-181 (1990);"
+    " G. Darboux, Bull. Sci. Math. 4, 126-160 (1880).",
+    doi="10.1115/1.3171712",
+)
+
 # The wall presses the ball down and has a tangential restitution: no law for two simultaneous contacts covers this.
 UNDEFINED = 5
 
