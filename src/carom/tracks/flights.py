@@ -481,7 +481,7 @@ def in_a_plane(tracks: Sequence[Track], notes: list[str]) -> list[Track]:
     >>> place = np.stack([3 * t, 1 + 2 * t - 9.81 / 2 * t**2, 4 * t], axis=-1)
     >>> (ball,) = in_a_plane([Track("ball", t, place)], [])
     >>> ball.position[-1].round(3)  # 5 m/s along the floor
-    array([ 0.988,  1.025])
+    array([1.975, 1.025])
     """
     if all(track.position.shape[1] == 2 for track in tracks):
         return list(tracks)
