@@ -234,3 +234,19 @@ def test_infinity_is_told_as_text() -> None:
     two = next(row for row in json.loads(result.stdout)["laws"] if row["law"] == "two-step")
     assert two["flight"] == {"duration": "inf", "height": "inf", "distance": "inf"}
     assert not any(isinstance(x, float) and math.isinf(x) for x in two["flight"].values())
+
+
+def test_the_command_starts_without_the_rooms_that_only_some_verbs_need() -> None:
+    code = "import sys, carom.cli; print(*(name for name in sys.modules if name.startswith('carom.') or name == 'pydantic'))"
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert "carom.cli.gas" in loaded
+    assert {name.split(".")[1] for name in loaded if "." in name} <= {
+        "cli",
+        "public",
+        "errors",
+        "files",
+        "formatting",
+        "core",
+        "bodies",
+    }
+    assert "pydantic" not in loaded

@@ -14,13 +14,13 @@ import typer
 from rich.text import Text
 
 from carom.cli.console import out
-from carom.cli.gas_output import LINE_INTERVAL, Progress, no_diffusion, print_tables
 from carom.cli.options import GAS_FILMS, OUTPUT, RUN, of_option, option, require_outputs, shared, write_files, wrote
 from carom.cli.streams import json_text, note, say_interrupted, say_json, say_notes, stop_requests
 from carom.errors import CaromError, FaultList, collected
 from carom.formatting import counted, format_bytes
 
 if TYPE_CHECKING:
+    from carom.cli.gas_output import Progress
     from carom.gas.files import SessionEnd
     from carom.gas.results import Every
     from carom.gas.scene import GasScene
@@ -48,6 +48,7 @@ def run_ensemble(
     quiet: bool,
 ) -> None:
     """Simulate an ensemble; print it, plot it, and write its measures."""
+    from carom.cli.gas_output import no_diffusion, print_tables
     from carom.gas.results import EndedEarlyError
     from carom.gas.simulate import simulate_ensemble
 
@@ -88,6 +89,8 @@ class _Bar:
 
     def show(self, events: float, total: float, _text: str) -> None:
         """Show the number of collisions so far, and the fraction that is done."""
+        from carom.cli.gas_output import LINE_INTERVAL
+
         share = events / total if total > 0 else 0.0
         one, now = self.progress, time.monotonic()
         if one.bar is None and not self.announced:
