@@ -172,6 +172,9 @@ def test_friction_that_falls_with_the_slip_in_a_scene() -> None:
         scene("contact", friction={"at_rest": 0.1, "at_speed": 0.2, "speed": 1.0})
 
 
+@pytest.mark.xfail(
+    reason="the direction of a slip is read at the step's end: 6.3e-4 of the speed, spins 1.6e-3", strict=True
+)
 def test_a_cluster_with_friction_that_falls_against_an_integration_in_time() -> None:
     x = np.array([(0.0, 0.0, RADIUS), (0.05, 0.0277, RADIUS), (0.04874, -0.02987, RADIUS)])
     v, w = np.zeros((3, 3)), np.zeros((3, 3))
@@ -182,8 +185,8 @@ def test_a_cluster_with_friction_that_falls_against_an_integration_in_time() -> 
     balls = [{**POOL, "position": tuple(x[i]), "velocity": tuple(v[i]), "spin": tuple(w[i])} for i in range(3)]
     run = carom.simulate(carom.Scene(gravity=0, balls=balls, ball_contact=pair, run={"duration": 0.02}))
     assert (run.log["kind"] == IN_CLUSTER).sum() == 1
-    assert np.abs(run.final.velocity - right).max() < 1e-3
-    assert RADIUS * np.abs(run.final.spin - spins).max() < 2e-3
+    assert np.abs(run.final.velocity - right).max() < 2e-4
+    assert RADIUS * np.abs(run.final.spin - spins).max() < 1e-4
     constant = carom.simulate(replaced(run.scene, {"ball_contact.friction": 0.22})).final.velocity
     assert np.abs(constant - right).max() > 1e-2
 
