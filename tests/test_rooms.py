@@ -196,7 +196,7 @@ def opens_a_name(call: ast.Call) -> bool:
     owner, _dot, what = ast.unparse(call.func).rpartition(".")
     if what == "open":
         modes = {one.value for one in call.args if isinstance(one, ast.Constant)}
-        return not {"w", "wb", "a"} & modes and owner not in ("archive", "os", "gsd", "gsd.fl", "_gsd(path)")
+        return not {"w", "wb", "a"} & modes and owner not in ("archive", "av", "os", "gsd", "gsd.fl", "_gsd(path)")
     return what in ("read_text", "read_bytes") and bool(owner)
 
 
@@ -247,7 +247,7 @@ CAPS = {
     "fitting": 10340,
     "gas": 7430,
     "billiards": 5920,
-    "tracks": 6940,
+    "tracks": 7190,
     "simulation": 5890,
     "core": 5790,
     "laws": 4820,
@@ -262,7 +262,7 @@ CAPS = {
     "public": 330,
     "top": 780,
 }
-MOST_MODULES = 359
+MOST_MODULES = 366
 NO_CODE = {
     tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER,
 }  # fmt: skip

@@ -34,6 +34,7 @@ from carom.formatting import escape_controls, format_bytes
 
 # Each optional library: its name in prose, and carom's extra that installs it.
 OPTIONAL = {
+    "av": ("PyAV", "video"),
     "gsd": ("gsd", "gsd"),
     "imageio_ffmpeg": ("imageio-ffmpeg", "film"),
     "jax": ("JAX", "jax"),

@@ -31,7 +31,7 @@ from carom.public.own_laws import with_own_laws
 PACKAGE = __name__.partition(".")[0]
 BORDER = f"{PACKAGE}.public.guard"  # whose wrappers stand between a caller and each public function
 LIBRARIES = frozenset({
-    "carom", "dask", "distributed", "gsd", "h5netcdf", "h5py", "imageio_ffmpeg", "lazy_loader", "llvmlite", "matplotlib",
+    "av", "carom", "dask", "distributed", "gsd", "h5netcdf", "h5py", "imageio_ffmpeg", "lazy_loader", "llvmlite", "matplotlib",
     "mpl_toolkits", "numba", "numpy", "pandas", "pint", "pyarrow", "pydantic", "pydantic_core", "rich", "scipy", "sympy",
     "typer", "xarray", "zarr",
 })  # fmt: skip

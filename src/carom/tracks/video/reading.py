@@ -1,0 +1,229 @@
+"""Frames of a film with the times of the container: planes of brightness and colour as they are stored, upright, one by one."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.errors import CaromError, Fault
+from carom.files import import_optional, open_regular
+from carom.tracks.clock import even_interval
+
+Array = NDArray[np.float64]
+Bytes = NDArray[np.uint8]
+STORED = ("yuv420p", "yuvj420p")  # pixel formats of which the planes are used as they are
+SUFFIXES = (".mp4", ".mov", ".m4v", ".webm", ".mkv", ".avi", ".mts", ".m2ts", ".3gp", ".mpg", ".mpeg", ".wmv", ".ogv")
+SIDE = 64, 16384  # px, least and largest
+EVEN = 0.02  # of a frame: stamps so near an even clock are of one
+MOST_FRAMES = 1_000_000
+STANDARDS = {1: (0.2126, 0.0722), 9: (0.2627, 0.0593)}  # weights of red and blue: BT.709, BT.2020; else BT.601
+FULL_RANGE = 2
+
+
+class Frame(NamedTuple):
+    """A frame of a film: planes of brightness (H, W) and of colour (H / 2, W / 2), upright; valid until the next one is read."""
+
+    number: int
+    stamp: float
+    """s; NaN where the container has none."""
+    y: Bytes
+    u: Bytes
+    v: Bytes
+
+
+def is_film(path: Path) -> bool:
+    """Return whether a file is taken for a film, by the ending of its name.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> is_film(Path("bounce.MOV")), is_film(Path("bounce.csv"))
+    (True, False)
+    """
+    return path.suffix.lower() in SUFFIXES
+
+
+@dataclass(frozen=True)
+class FilmFile:
+    """A film to read: size, rotation and clock of its pictures; made by :func:`open_film`."""
+
+    path: Path
+    height: int
+    """px, of the upright picture; even."""
+    width: int
+    rotation: int
+    """Quarter turns, counter-clockwise, by which the stored picture was turned: rows of the camera run along x for 1 and 3."""
+    rate: float
+    """Frames per second, as the container says; NaN if it does not."""
+    tick: float
+    """Step of the stamps, s."""
+    matrix: Array
+    """(3, 4): red, green, blue (0 to 255) of y, u, v and 1."""
+    notes: tuple[str, ...] = ()
+
+    def frames(self, keys: bool = False) -> Iterator[Frame]:
+        """Yield the frames in the order of the film; of some codecs only those that are stored whole, with ``keys``."""
+        with _opened(self.path) as (container, stream):
+            stream.thread_type = "AUTO"
+            if keys:
+                stream.codec_context.skip_frame = "NONKEY"
+            number = 0
+            for picture in _decoded(self.path, container, stream):
+                if picture.width * picture.height == 0:
+                    continue
+                stamp = np.nan if picture.pts is None else float(picture.pts * picture.time_base)
+                yield Frame(number, stamp, *self._planes(picture))
+                number += 1
+                if number > MOST_FRAMES:
+                    raise CaromError(
+                        Fault(f"{self.path}", "", f"at most {MOST_FRAMES:,} frames", "more", "cut the film")
+                    )
+
+    def _planes(self, picture: Any) -> list[Bytes]:
+        stored = (self.width, self.height) if self.rotation % 2 == 0 else (self.height, self.width)
+        if (
+            picture.format.name not in STORED
+            or abs(picture.width - stored[0]) > 1
+            or abs(picture.height - stored[1]) > 1
+        ):
+            picture = picture.reformat(width=stored[0], height=stored[1], format="yuv420p")
+        found = []
+        for part, plane in zip((1, 2, 2), picture.planes[:3], strict=True):
+            pixels = np.frombuffer(plane, np.uint8).reshape(-1, plane.line_size)
+            found.append(np.rot90(pixels[: stored[1] // part, : stored[0] // part], self.rotation))
+        return found
+
+    def to_rgb(self, y: Bytes, u: Bytes, v: Bytes) -> Bytes:
+        """Return planes (h, w), (h / 2, w / 2) twice as a picture (h, w, 3), 0 to 255."""
+        u, v = (np.repeat(np.repeat(one, 2, axis=0), 2, axis=1)[: y.shape[0], : y.shape[1]] for one in (u, v))
+        stacked = np.stack([y, u, v, np.ones_like(y)], axis=-1).astype(np.float32)
+        return np.clip(np.rint(stacked @ self.matrix.T.astype(np.float32)), 0, 255).astype(np.uint8)
+
+
+def open_film(path: Path) -> FilmFile:
+    """Look at a film: its size, rotation and clock. Raises CaromError for what is no film, and where PyAV is not installed."""
+    import_optional("av", "films")
+    open_regular(path, "a film").close()
+    with _opened(path) as (container, stream):
+        picture = next(_decoded(path, container, stream), None)
+        if picture is None:
+            raise CaromError(Fault(f"{path}", "", "a film with pictures", "none that can be decoded"))
+        rotation, aspect = int(np.rint(picture.rotation / 90)) % 4, stream.sample_aspect_ratio
+        notes = []
+        width, height = int(picture.width), int(picture.height)
+        if aspect and aspect != 1:
+            width = round(width * float(aspect))
+            notes.append(
+                f"pixels are {float(aspect):.4g} times as wide as high: the picture was stretched to {width} px"
+            )
+        if picture.interlaced_frame:
+            notes.append("frames are interlaced: every second row is from another moment; remove the interlacing first")
+        width, height = width // 2 * 2, height // 2 * 2
+        if rotation % 2:
+            width, height = height, width
+        if not SIDE[0] <= min(width, height) <= max(width, height) <= SIDE[1]:
+            raise CaromError(
+                Fault(f"{path}", "", f"pictures of {SIDE[0]} to {SIDE[1]} px a side", f"{width} x {height}")
+            )
+        rate = stream.average_rate or stream.guessed_rate
+        space = int(picture.colorspace)
+        matrix = _matrix(space if space in STANDARDS or height < 720 else 1, int(picture.color_range) == FULL_RANGE)
+        return FilmFile(
+            path, height, width, rotation, float(rate) if rate else np.nan, float(stream.time_base or 1e-3), matrix, tuple(notes)
+        )  # fmt: skip
+
+
+@contextlib.contextmanager
+def _opened(path: Path) -> Iterator[tuple[Any, Any]]:
+    """Open a film, and find its first stream of pictures."""
+    av = import_optional("av", "films")
+    try:
+        container = av.open(str(path))
+    except (av.error.FFmpegError, ValueError) as error:
+        raise CaromError(Fault(f"{path}", "", "a film", f"{getattr(error, 'strerror', None) or error}")) from None
+    with container:
+        if not container.streams.video:
+            raise CaromError(Fault(f"{path}", "", "a film", "a file without pictures"))
+        yield container, container.streams.video[0]
+
+
+def _decoded(path: Path, container: Any, stream: Any) -> Iterator[Any]:
+    """Yield decoded pictures; a film that is cut off ends where it does."""
+    av = import_optional("av", "films")
+    count = 0
+    try:
+        for picture in container.decode(stream):
+            yield picture
+            count += 1
+    except av.error.FFmpegError as error:
+        if not count:
+            raise CaromError(Fault(f"{path}", "", "a film", f"{error.strerror or error}")) from None
+
+
+def _matrix(space: int, full: bool) -> Array:
+    red, blue = STANDARDS.get(space, (0.299, 0.114))
+    green = 1 - red - blue
+    low, span, colour = (0.0, 255.0, 255.0) if full else (16.0, 219.0, 224.0)
+    scale, c = 255 / span, 255 / colour
+    of_v, of_u = (
+        np.array([2 * (1 - red), -2 * red * (1 - red) / green, 0.0]),
+        np.array([0.0, -2 * blue * (1 - blue) / green, 2 * (1 - blue)]),
+    )
+    return np.stack([np.full(3, scale), c * of_u, c * of_v, -scale * low - 128 * c * (of_u + of_v)], axis=1)
+
+
+def film_times(film: FilmFile, stamps: Sequence[float] | Array, rate: float | None, notes: list[str]) -> Array:
+    """Return the times (F,) of frames, s, from the first on; notes say what was made of the stamps.
+
+    Stamps are used as they are, of variable rates too; those that the container rounds, and an even clock explains, are on that
+    clock. ``rate``: true frames per second (slow motion): times are scaled.
+
+    Raises CaromError for stamps that go backward or are missing, without a ``rate``.
+    """
+    known: NDArray[Any] = np.asarray(stamps, dtype=np.float64)
+    count, step = len(known), np.diff(known)
+    missing, back = int((~np.isfinite(known)).sum()), np.flatnonzero(step <= 0)
+    if missing or len(back):
+        got = f"{missing} frames without one"
+        if not missing:
+            k = int(back[0])
+            got = f"{known[k + 1]:.6g} s after {known[k]:.6g} s, at frame {k + 1} ({len(back)} in all)"
+        known = np.arange(count) / film.rate if missing else np.sort(known)
+        step = np.diff(known)
+        if rate is None and not np.ptp(step) < 2 * film.tick + EVEN * float(np.median(step)):
+            advice = "the file's clock is broken: `rate` gives the frames per second, which are then taken as even"
+            raise CaromError(
+                Fault(f"{film.path}", "times", "one for each frame, later than the one before", got, advice)
+            )
+        known = np.arange(count) * (float(np.mean(step)) if rate is None else 1 / rate)
+        step = np.diff(known)
+        notes.append(
+            f"the container's times are out of order: {got}; taken as even, {1 / float(step[0]):.4g} frames per second"
+        )
+    usual = float(np.median(step)) if count > 1 else np.nan
+    times = known - known[0] if count else known
+    number = np.concatenate([[0.0], np.cumsum(np.round(step / usual))])[:count]
+    tick = np.full(count, max(film.tick, 1e-9))
+    even = even_interval(times, 2 * tick, number, off=0.0) if count > 2 and (np.diff(number) > 0).all() else None
+    if even is not None and film.tick < 0.5 * even:
+        times, usual = even * number, even
+        if number[-1] > count - 1:
+            notes.append(
+                f"{int(number[-1]) + 1 - count} frames are missing between others, by the times of the container"
+            )
+    elif count > 2 and np.abs(np.diff(times) / usual - 1).max() > EVEN:
+        notes.append(
+            f"variable frame rate: {1e3 * step.min():.3g} to {1e3 * step.max():.3g} ms from frame to frame; the container's times"
+            " are used"
+        )
+    if rate is None:
+        return np.asarray(times)
+    if abs(rate * usual - 1) > EVEN:
+        notes.append(f"the container plays {1 / usual:.4g} frames per second, `rate` {rate:g} overrides it")
+    return np.asarray(times / (usual * rate))
