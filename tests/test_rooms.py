@@ -249,7 +249,7 @@ CAPS = {
     "billiards": 5920,
     "tracks": 7190,
     "simulation": 5890,
-    "core": 5790,
+    "core": 5500,
     "laws": 4820,
     "scene": 4430,
     "cli": 4650,

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import csv
-import io
 import json
 import os
 import sys
-import time
 from pathlib import Path
 from typing import Any
 
@@ -496,54 +494,6 @@ def test_the_compiled_loop_is_found_in_the_package_or_in_the_cache(
     (scenes / "empty" / "simulation").mkdir(parents=True)
     (scenes / "empty" / "simulation" / "loop._one_end-1.py311.nbi").touch()
     assert compiled_before()
-
-
-def test_compiling_is_shown_while_it_happens(scenes: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from carom.core.jit.progress import announce, called_kernels, name_of
-    from carom.simulation import simulate
-    from carom.simulation.loop import finish, run
-
-    names = sorted(called_kernels(run, finish), key=lambda name: name in (name_of(run), name_of(finish)))
-    follow = simulate.simulate
-
-    def compiled_first(scene: Any, progress: Any) -> Any:
-        for name in names:
-            announce(name, False)
-            announce(name, True)
-        return follow(scene, progress)
-
-    monkeypatch.setattr(simulate, "simulate", compiled_first)
-    out, err = command("design.toml", "--json")
-    lines = err.splitlines()
-    assert len(lines) == 5
-    assert lines[0].startswith(f"compiling, once: 0%, 0 of {len(names)} functions: ")
-    assert lines[-1] == f"compiling, once: 100%, {len(names)} of {len(names)} functions"
-    json.loads(out)
-    assert command("design.toml", "--json", "--quiet")[1] == ""
-    monkeypatch.setattr(simulate, "simulate", follow)
-    assert command("design.toml", "--json")[1] == ""
-
-
-def test_a_bar_on_a_terminal() -> None:
-    from rich.console import Console
-
-    from carom.cli.console import show_progress
-    from carom.core.jit.progress import announce, called_kernels
-    from carom.core.roots.first_root import hit4
-
-    screen = Console(file=io.StringIO(), force_terminal=True, width=100)
-    with show_progress(screen, False, hit4) as say:
-        for name in called_kernels(hit4):
-            announce(name, False)
-            announce(name, True)
-        while "functions" not in screen.file.getvalue():  # type: ignore[attr-defined]
-            time.sleep(0.05)  # (drawn ten times a second)
-        say("simulating: 7 events, 1 s")
-    shown = screen.file.getvalue()  # type: ignore[attr-defined]
-    assert "compiling, once" in shown
-    assert "functions" in shown
-    with show_progress(Console(file=io.StringIO(), force_terminal=True), True, hit4) as say:
-        say("nothing")
 
 
 CHILD = """

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
 import functools
-import importlib
 import math
 from typing import Any
 
@@ -18,7 +16,6 @@ import carom
 from carom.core.jit.dual.numbers import LANES, seeded
 from carom.core.jit.threads import limit_threads, thread_count
 from carom.scene.paths import replaced
-from carom.simulation.sensitivity import follow as the_pass
 from carom.simulation.sensitivity.follow import follow_compiled, follow_interpreted
 from carom.simulation.sensitivity.seeds import Column, _columns_of, _differences, _step_of, parameters_of, shifted_scene
 from carom.simulation.setup import SceneArrays, set_up
@@ -230,17 +227,3 @@ def test_a_law_of_ones_own_is_compiled_too() -> None:
 def test_what_only_compiled_code_has_says_so() -> None:
     with pytest.raises(TypeError, match="seeded: expected a call from compiled code"):
         seeded(1.0, 0, 1.0)
-
-
-def test_the_pass_is_finished_by_another_process_only_where_the_cache_has_none(monkeypatch: pytest.MonkeyPatch) -> None:
-    asked: list[str] = []
-    monkeypatch.setattr(the_pass, "compile_in_background", lambda work: contextlib.nullcontext(asked.append(work)))
-    monkeypatch.setattr(the_pass, "is_finished", lambda function: True)
-    with the_pass.finished_meanwhile():
-        assert not asked
-    monkeypatch.setattr(the_pass, "is_finished", lambda function: function is not the_pass.pass_loop)
-    with the_pass.finished_meanwhile():
-        module, _, name = asked[0].partition(":")
-    getattr(importlib.import_module(module), name)()
-    monkeypatch.undo()
-    assert the_pass.is_finished(the_pass.pass_loop)

@@ -13,10 +13,7 @@ import pytest
 from reference.sweep_scenes import table_scene
 
 import carom
-from carom.core.jit.progress import announce, called_kernels
-from carom.simulation.loop import loops_of
 from carom.simulation.records import BALL, WALL
-from carom.simulation.sensitivity.follow import pass_loop
 from carom.sweeps.aiming import Aim, AimProblem, Aims, is_linear, unknowns_of
 from carom.sweeps.targets import is_reached, sizes, targets_of
 
@@ -115,31 +112,6 @@ def test_a_spread_that_gradients_cannot_say_is_a_dash() -> None:
         " –: the miss is not linear within the player's errors; success, of shots that were run, holds."
     )
     assert said.note in said._repr_html_()
-
-
-def test_what_is_compiled_is_said_in_quarters(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of the runs and of the derivatives, which are compiled when they are first asked for; without a terminal too."""
-    names = called_kernels(*loops_of(bank()), pass_loop)
-    assert called_kernels(*loops_of(bank())) < names
-
-    def compiling(*_args: object, **_options: object) -> Aims:
-        for name in sorted(names):
-            announce(name, True)
-        return Aims([], [], [])
-
-    from typer.testing import CliRunner
-
-    from carom.cli import app
-
-    monkeypatch.setattr("carom.sweeps.aiming.aim", compiling)
-    carom.save_scene(bank(), tmp_path / "scene.toml")
-    done = CliRunner().invoke(app, ["aim", str(tmp_path / "scene.toml"), "--hit", "red"])
-    lines = done.stderr.splitlines()
-    assert all(line.startswith("compiling, once: ") for line in lines)
-    assert len(lines) == 5
-    assert f"100%, {len(names)} of {len(names)} functions" in lines[-1]
-    quiet = CliRunner().invoke(app, ["aim", str(tmp_path / "scene.toml"), "--hit", "red", "--quiet"])
-    assert quiet.stderr == ""
 
 
 def pool_pair(**run: float) -> carom.Scene:

@@ -104,16 +104,13 @@ def aim(
     errors = found.attempt(dict, (_error(text) for text in error or ()))
     if found or made is None or ranges is None or errors is None:
         raise CaromError(*found)
-    from carom.cli.console import err, show_progress
-    from carom.simulation.loop import loops_of
-    from carom.simulation.sensitivity.follow import pass_loop
+    from carom.cli.console import working
     from carom.sweeps.aiming import aim as solve
 
-    # (the many runs are compiled first, then the derivatives)
-    with show_progress(err(), quiet, *loops_of(made), pass_loop) as say:
+    with working("aiming", quiet=quiet) as show:
         aims = solve(
             made, ranges, target, errors=errors, solutions=solutions, starts=starts, seed=seed,
-            progress=lambda _done, _total, text: say(text),
+            progress=show and (lambda _done, _total, text: show(0, None, text)),
         )  # fmt: skip
     if as_json:
         plain = [

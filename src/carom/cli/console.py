@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from rich.cells import cell_len
 from rich.console import Console
@@ -16,9 +16,6 @@ from rich.text import Text
 
 from carom.cli.option_names import in_options
 from carom.formatting import escape_controls
-
-if TYPE_CHECKING:
-    from carom.core.jit.progress import CompileProgress
 
 LONGEST_WORD = 16  # columns of the screen; a longer word, such as a path, is folded where a table has to be narrow
 WIDEST = 1000
@@ -122,38 +119,7 @@ def err() -> TextConsole:
 
 
 # ----------------------------------------------------------------------------------------------------
-# The progress of all verbs on standard error: a bar on a terminal; of compiling, else, a line for each quarter.
-
-
-@contextmanager
-def show_progress(console: Console, quiet: bool, *loops: Callable[..., Any]) -> Iterator[Callable[[str], None]]:
-    """Show the progress of compiling ``loops`` inside the block, if anything is compiled; nothing if ``quiet``.
-
-    Yields a function that shows another text instead, on a terminal only.
-    """
-    from carom.core.jit.progress import compile_progress
-
-    if quiet:
-        yield lambda _text: None
-    elif console.is_terminal:
-        bar = Bar(console)
-
-        def show(now: CompileProgress) -> None:
-            bar.describe(f"compiling, once: {now.part}")
-            bar.show(now.share, 1.0, f"{now.done} of {now.expected} functions")
-
-        def say(text: str) -> None:
-            bar.describe(text)
-            bar.show(0, None)
-
-        try:
-            with compile_progress(show, *loops):
-                yield say
-        finally:
-            bar.stop()
-    else:
-        with compile_progress(_lines(console), *loops):
-            yield lambda _text: None
+# The progress of all verbs on standard error: a bar on a terminal.
 
 
 @contextmanager
@@ -227,16 +193,3 @@ class Bar:
             self._task = self._bar.add_task(what, total=None, said="")
         self._bar.update(self._task, description=what)
         self._bar.start()
-
-
-def _lines(console: Console) -> Callable[[CompileProgress], None]:
-    quarter = -1
-
-    def show(now: CompileProgress) -> None:
-        nonlocal quarter
-        if int(4 * now.share) > quarter:
-            quarter = int(4 * now.share)
-            text = f"compiling, once: {now.share:.0%}, {now.done} of {now.expected} functions"
-            console.print(f"{text}: {now.part}" if now.share < 1 else text, soft_wrap=True, markup=False)
-
-    return show

@@ -73,7 +73,7 @@ def doctor(
 def report() -> dict[str, Any]:
     """Return the versions and features of the installation."""
     import carom
-    from carom.core.jit.cache import cache_base, cache_folder, generations
+    from carom.core.jit.cache import cache_base, cache_folder, version_folders
     from carom.core.jit.native import describe_loops
     from carom.core.jit.threads import thread_count
     from carom.core.jit.workers import core_count
@@ -81,7 +81,7 @@ def report() -> dict[str, Any]:
     from carom.simulation.loop import compiled_before
 
     folder = cache_folder()
-    sizes = {one.folder: one.size / 1e6 for one in generations(cache_base())}
+    sizes = {one: _megabytes(one) for one in version_folders(cache_base())}
     return {
         "carom": carom.__version__,
         "commit": commit(),
@@ -102,6 +102,10 @@ def report() -> dict[str, Any]:
         "cores": core_count(),
         "threads": thread_count(),
     }
+
+
+def _megabytes(folder: Path) -> float:
+    return sum(path.stat().st_size for path in folder.rglob("*") if path.is_file()) / 1e6
 
 
 def _version(name: str) -> str | None:

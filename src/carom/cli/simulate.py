@@ -208,16 +208,16 @@ def _scene(path: Path, allow_own_laws: bool, changes: dict[str, Any], values: di
 
 
 def _run(scene: Scene, quiet: bool) -> Trajectory:
-    from carom.cli.console import err, show_progress
-    from carom.simulation.loop import loops_of
+    from carom.cli.console import working
     from carom.simulation.simulate import simulate as follow
 
-    with show_progress(err(), quiet, *loops_of(scene)) as say, noticed_interrupts(always=True) as asked:
+    with working("simulating", quiet=quiet) as show, noticed_interrupts(always=True) as asked:
 
         def on_the_way(events: float, _total: float, time: str) -> None:
             if asked:  # an interrupt was swallowed
                 raise KeyboardInterrupt
-            say(f"simulating: {events:,} events, {time}")
+            if show is not None:
+                show(0, None, f"{events:,} events, {time}")
 
         found = follow(scene, on_the_way)
     if asked:  # the exception was swallowed elsewhere

@@ -15,7 +15,6 @@ from carom.core.contact import NO_REGIME, SLIDE, STICK, friction_at_slip, one_co
 from carom.core.geometry.features import GOES_ON, OVER, feature_gap, feature_normal, gap_to_feature, impact_normal
 from carom.core.jit.compile import call_compiled, njit, signature
 from carom.core.jit.kernel import Vec, dot, kernel, vector
-from carom.core.jit.workers import wait_for
 from carom.core.motion.phases import (
     FLIGHT,
     HELD,
@@ -325,12 +324,7 @@ PHASE_END, SETTLING = ContactKind(PHASE, end_phase), ContactKind(SETTLED, settle
 # ----------------------------------------------------------------------------------------------------
 # The impact at wall and floor at once, compiled for the event loop as a function of its own.
 #
-# It is a third of all that has to be compiled. When the loop is compiled for the first time, another process compiles this part
-# meanwhile (:mod:`carom.core.jit.workers`).
-
-
-# The job of the other process (carom.core.jit.workers).
-PART = f"{__name__}:compiled_joint_impact"
+# It is a third of all that has to be compiled.
 
 
 def joint_impact(
@@ -344,7 +338,6 @@ def joint_impact(
 @functools.cache
 def compiled_joint_impact() -> Callable[..., Any]:
     """:func:`joint_impact` compiled; from the second time on, loaded."""
-    wait_for(PART)
     vector = (float, float, float)
     found = (vector, vector, vector, vector, float, int, int)
     return njit(joint_impact, signature(found, *[vector] * 3, *[float] * 8, bool), _nrt=False)

@@ -7,7 +7,6 @@ first, then the one with the lower number, so that the same input gives the same
 
 from __future__ import annotations
 
-import contextlib
 import functools
 import math
 import time
@@ -18,13 +17,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.contact import NO_REGIME
-from carom.core.geometry.circles import rim_entry, rim_hit
-from carom.core.geometry.curve_arcs import arc_entry, arc_hit
+from carom.core.geometry.circles import rim_entry
+from carom.core.geometry.curve_arcs import arc_entry
 from carom.core.geometry.features import CURVE, FEATURES, RIM
 from carom.core.jit.compile import array_of, is_cached, njit, signature
 from carom.core.jit.kernel import Vec, as_objects, dot, kernel, vector, write_back
 from carom.core.jit.threads import Pace
-from carom.core.jit.workers import compile_in_background
 from carom.core.motion.phases import BOUNCING, CONSTANT, FLIGHT, HELD, PIVOTING
 from carom.errors import CaromError
 from carom.laws.callbacks import register_calls
@@ -34,7 +32,6 @@ from carom.simulation.contact_kinds import (
     ALL_REFUSALS,
     DONE,
     NO_IMPULSE,
-    PART,
     Outcome,
     met_at,
     register_joint_impact,
@@ -402,12 +399,11 @@ ENGINE_RUN = (
 def compiled_engine() -> Engine:
     """Return the compiled event loop; from the second time on it is loaded from the cache."""
     needs = (register_calls, register_joint_impact)
-    with contextlib.nullcontext() if compiled_before() else compile_in_background(PART):
-        # (nothing is made in the loop: no counting of who holds an array)
-        return Engine(
-            njit(_one_run, signature(*ENGINE_RUN), needs, _nrt=False),
-            njit(_one_end, signature(*ENGINE_END), needs, _nrt=False),
-        )
+    # (nothing is made in the loop: no counting of who holds an array)
+    return Engine(
+        njit(_one_run, signature(*ENGINE_RUN), needs, _nrt=False),
+        njit(_one_end, signature(*ENGINE_END), needs, _nrt=False),
+    )
 
 
 def plain_engine() -> Engine:
@@ -420,27 +416,14 @@ def is_loaded() -> bool:
     return compiled_engine.cache_info().currsize > 0
 
 
-def loops_of(scene: Scene) -> tuple[Callable[..., Any], ...]:
-    """Return the functions that are compiled for a scene: their names tell how much there is to compile."""
-    return (run, finish, *(loop for loop, _entry in _called(scene)))
-
-
-# What the loop calls by its address at features of a kind: the kernel that takes longest to compile, and the entry.
-_CALLED: dict[int, tuple[Callable[..., Any], Callable[..., Any]]] = {
-    RIM: (rim_hit, rim_entry),
-    CURVE: (arc_hit, arc_entry),
-}
-
-
-def _called(scene: Scene) -> list[tuple[Callable[..., Any], Callable[..., Any]]]:
-    kinds = {feature.kind for wall in scene.walls for feature in wall.features()}
-    return [called for kind, called in _CALLED.items() if kind in kinds]
+# What the loop calls by its address at features of a kind.
+_CALLED: dict[int, Callable[..., Any]] = {RIM: rim_entry, CURVE: arc_entry}
 
 
 def compiled_before(scene: Scene | None = None) -> bool:
     """Return whether the compiled loop is at hand (what is compiled last is), with what it calls at the features of a scene."""
-    called = [] if scene is None else _called(scene)
-    return is_cached(_one_end) and all(is_cached(entry) for _loop, entry in called)
+    kinds = set() if scene is None else {feature.kind for wall in scene.walls for feature in wall.features()}
+    return is_cached(_one_end) and all(is_cached(entry) for kind, entry in _CALLED.items() if kind in kinds)
 
 
 # Entries, and nothing else: what is called from Python is compiled with other flags, and so would be all that it calls, which

@@ -22,7 +22,6 @@ from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
 from carom.simulation.contact_kinds import partner_names
 from carom.simulation.records import START
-from carom.simulation.sensitivity.follow import finished_meanwhile
 from carom.simulation.setup import set_up
 from carom.simulation.simulate import simulate, simulate_many
 from carom.sweeps.shots import start_states
@@ -520,13 +519,12 @@ def aim(
     say = loop_callback(progress, lambda tell: lambda text: tell(math.nan, math.nan, text)) or (lambda _text: None)
     say(f"{starts:,} starts")
     refined: list[tuple[Array, Array, Any]] = []
-    with finished_meanwhile():  # (the starts are run without derivatives, and then refined with them)
-        sweep = _coarse(problem, starts)
-        for x0, sequence in _candidates(problem, sweep):
-            say(f"refining, {len(refined)} so far")
-            found = _refined(problem, x0, sequence)
-            if found is not None:
-                refined.append(found)
+    sweep = _coarse(problem, starts)
+    for x0, sequence in _candidates(problem, sweep):
+        say(f"refining, {len(refined)} so far")
+        found = _refined(problem, x0, sequence)
+        if found is not None:
+            refined.append(found)
     draws = np.random.default_rng(seed).normal(size=(DRAWS, len(unknowns)))
     say("the player's errors")
     made = _judged(problem, refined, draws)

@@ -1,8 +1,8 @@
 """Compile kernels and loops with Numba, and cache them; the other rooms use Numba only through this one.
 
 ``register_jitable`` makes a kernel callable from compiled code while it stays a plain function for Python. Compiled loops
-are cached in the user's cache folder, under a hash of carom's sources: Numba looks only at the file of the function that
-it caches, and would go on using a loop whose kernels, in other files, have changed.
+are cached by Numba in a folder that is named after a hash of carom's sources: Numba looks only at the file of the function
+that it caches, and would go on using a loop whose kernels, in other files, have changed.
 
 Signatures are written with Python's own types (:func:`signature`), so that a module which compiles a loop need not import
 Numba::
@@ -25,9 +25,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from carom.core.jit.cache import LOCATOR, cache_folder, compile_in_one_process
+from carom.core.jit.cache import cache_folder
 from carom.core.jit.kernel import DERIVED, HOT, KERNELS, PLAIN
-from carom.core.jit.native import LoopSource, has_machine_code, is_shipped, kinds_text, shipped_loop
+from carom.core.jit.native import LoopSource, is_shipped, kinds_text, shipped_loop
 from carom.core.jit.progress import listen
 from carom.core.jit.threads import thread_count
 from carom.errors import CaromError
@@ -41,17 +41,28 @@ KERNEL_OPTIONS = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_
 
 @contextmanager
 def _numba_cache() -> Iterator[None]:
-    """Point Numba's cache at ours while a function is decorated, and back: a user's own functions keep theirs."""
+    """Point Numba's cache at ours while a function is compiled, and back: a user's own functions keep theirs."""
     import numba
 
-    # (a Numba that knows no locators keeps compiled code under the path of its source)
-    config, ours = numba.config, {"CACHE_DIR": str(cache_folder()), "CACHE_LOCATOR_CLASSES": LOCATOR}
-    before = {name: getattr(config, name, "") for name in ours}
-    vars(config).update(ours)
+    before = numba.config.CACHE_DIR
+    numba.config.CACHE_DIR = str(cache_folder())
     try:
         yield
     finally:
-        vars(config).update(before)
+        numba.config.CACHE_DIR = before
+
+
+def _kept_if_possible(compiled: Callable[[bool], Any], keep: bool) -> Any:
+    """Return what ``compiled(keep)`` returns; ``compiled(False)`` where nothing can be kept: a full disk, a folder that is none."""
+    # (Numba would keep it beside the source, where it does not see that other files have changed)
+    keep = keep and os.access(cache_folder(), os.W_OK)
+    with _numba_cache():
+        try:
+            return compiled(keep)
+        except OSError:
+            if not keep:
+                raise
+            return compiled(False)
 
 
 def register_kernels() -> None:
@@ -219,11 +230,6 @@ def is_cached(function: Callable[..., Any]) -> bool:
         return False
 
 
-def is_finished(function: Callable[..., Any]) -> bool:
-    """Return whether the machine code of a loop lies in the cache, for some signature."""
-    return has_machine_code(function) if is_shipped(function) else is_cached(function)
-
-
 def compiling_failed() -> type[Exception]:
     """Return the class of what the compiler raises for code that it refuses."""
     from numba.core.errors import NumbaError
@@ -292,14 +298,15 @@ def _compile(
     if options.get("parallel"):
         function.__globals__["prange"] = numba.prange
         numba.set_num_threads(thread_count())
-    with _numba_cache():
-        compiled = numba.njit(**options)(function)
-        if options["cache"]:
-            compile_in_one_process(compiled, cache_folder())
+
+    def compiled(keep: bool) -> Any:
+        made = numba.njit(**options | {"cache": keep})(function)
         if signature is not None:
-            compiled.compile(numba_signature(signature))
-            compiled.disable_compile()
-    return compiled
+            made.compile(numba_signature(signature))
+            made.disable_compile()
+        return made
+
+    return _kept_if_possible(compiled, options["cache"])
 
 
 def cfunc(
@@ -316,8 +323,7 @@ def cfunc(
             prepare()
         register_kernels()
         signature = types.void(*[types.float64] * numbers, *[types.CPointer(types.float64)] * places)
-        with _numba_cache():
-            return numba.cfunc(signature, error_model="numpy", cache=keep)(function)
+        return _kept_if_possible(lambda kept: numba.cfunc(signature, error_model="numpy", cache=kept)(function), keep)
 
     source = LoopSource(function, None, needs, {}, compile_here, plain=(numbers, places))
     return (shipped_loop(source) if keep else None) or compile_here()

@@ -30,7 +30,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from carom.core.jit.cache import PLAIN_ROOMS, cache_base, locked, use_generation
+from carom.core.jit.cache import cache_base, hash_of_files, use_folder
 from carom.core.jit.kernel import DERIVED
 from carom.core.jit.kernel_hash import kernel_hash, module_hash, name_with_values
 from carom.core.jit.threads import call_in_parts, thread_count
@@ -274,7 +274,7 @@ def _objects(index: Path) -> Path:
     """Return the folder of machine code made for this processor of the bitcode that an index names."""
     name = hashlib.sha256(index.read_bytes() + _machine()[1].encode()).hexdigest()[:16]
     folder = cache_base() / name
-    use_generation(folder)
+    use_folder(folder)
     return folder
 
 
@@ -295,29 +295,20 @@ def function_address(code: Bitcode, symbol: str) -> int:
 
 
 def _object(code: Bitcode) -> bytes:
-    """Return a loop's machine code: from the cache, or made now, by one process while others wait."""
+    """Return a loop's machine code: from the cache, or made now."""
     _require_library(code)
     if code.names is None:
         return finished_code(code)
     folder, name = _objects(code.names), code.name
     path = folder / f"{name}.o"
     found = _checked(path)
-    if found is not None:
-        return found
-    with locked(folder / "locks" / name):
-        found = _checked(path)
-        if found is None:
-            found = finished_code(code)
-            with contextlib.suppress(OSError):
-                part = path.with_name(f"{name}.{os.getpid()}")
-                part.write_bytes(zlib.crc32(found).to_bytes(4, "little") + found)
-                part.replace(path)
+    if found is None:
+        found = finished_code(code)
+        with contextlib.suppress(OSError):
+            part = path.with_name(f"{name}.{os.getpid()}")
+            part.write_bytes(zlib.crc32(found).to_bytes(4, "little") + found)
+            part.replace(path)
     return found
-
-
-def is_kept(name: str, names: Path) -> bool:
-    """Return whether the cache has a loop's machine code."""
-    return (_objects(names) / f"{name}.o").exists()
 
 
 def _checked(path: Path) -> bytes | None:
@@ -580,16 +571,6 @@ def _dtypes() -> list[Any]:
     return [dtype_of(one) for one in _index()["dtypes"]]
 
 
-def hash_of_files(root: Path) -> str:
-    """Return the hash of the modules that may hold kernels, as they lie on the disk: quick, and another for any edit."""
-    digest = hashlib.sha256()
-    for path in sorted(root.rglob("*.py")):
-        name = path.relative_to(root)
-        if name.parts[0] not in PLAIN_ROOMS:
-            digest.update(name.as_posix().encode() + b"\0" + path.read_bytes())
-    return digest.hexdigest()[:16]
-
-
 @functools.cache
 def _files() -> str:
     return hash_of_files(Path(__file__).parents[2])
@@ -691,11 +672,6 @@ def _bitcode(name: str) -> bytes:
         return lzma.decompress((FOLDER / f"{name}.bc.xz").read_bytes())
     except lzma.LZMAError:
         raise UnusableError from None
-
-
-def has_machine_code(function: Callable[..., Any]) -> bool:
-    """Return whether the cache has the machine code of a loop of which the package has code."""
-    return all(is_kept(code.described["name"], INDEX) for code in _native_codes(function))
 
 
 def is_shipped(function: Callable[..., Any]) -> bool:

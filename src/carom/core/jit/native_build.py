@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from carom.core.jit import native
+from carom.core.jit.cache import hash_of_files
 from carom.core.jit.compile import numba_signature, register_kernels
 from carom.core.jit.kernel_hash import name_with_values
 from carom.core.jit.lowering import CFunction, LoweringError, linked_dispatcher, llvm_text, whole_module, with_entry
@@ -313,7 +314,7 @@ def _file_name(key: str) -> str:
 
 
 def _hash_of_files() -> str:
-    return native.hash_of_files(Path(__file__).parents[2])
+    return hash_of_files(Path(__file__).parents[2])
 
 
 def _versions() -> dict[str, str]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import functools
 import math
 import sys
@@ -15,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.geometry.features import FEATURES
-from carom.core.jit.compile import array_of, compiling_failed, is_cached, is_finished, njit, signature
+from carom.core.jit.compile import array_of, compiling_failed, is_cached, njit, signature
 from carom.core.jit.dual.dual_records import (
     dual_address,
     dual_records,
@@ -28,7 +27,6 @@ from carom.core.jit.dual.dual_records import (
 )
 from carom.core.jit.dual.numbers import LANES, as_dual, overload_for_duals, register_functions, register_numbers, seeded
 from carom.core.jit.kernel import DERIVED, ObjectArray, Vec, as_objects, kernel
-from carom.core.jit.workers import compile_in_background
 from carom.core.motion.phases import CONSTANT, HELD
 from carom.errors import CaromError
 from carom.laws.callbacks import NUMBERS, WallKernel, call_user, register_calls
@@ -146,17 +144,6 @@ STATES = (
 def compiled_follow() -> Callable[..., int]:
     """Return the compiled pass; from the second time on it is loaded from the cache."""
     return njit(pass_loop, signature(*FOLLOW), (register_pass,), _nrt=False)
-
-
-def finish_follow() -> None:
-    """Have the machine code of the pass in the cache: a job of another process (:func:`finished_meanwhile`)."""
-    getattr(compiled_follow(), "address", None)
-
-
-def finished_meanwhile() -> contextlib.AbstractContextManager[None]:
-    """While inside, another process makes the machine code of the pass, where the cache has none; whoever needs it waits."""
-    ready = is_finished(pass_loop)
-    return contextlib.nullcontext() if ready else compile_in_background(f"{__name__}:{finish_follow.__name__}")
 
 
 @functools.cache
