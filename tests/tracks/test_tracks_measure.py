@@ -35,6 +35,7 @@ from carom.tracks.flights import _position, _slope_in_vacuum
 from carom.tracks.floor import pool_floor, shared_fraction
 from carom.tracks.least_squares import ContactFit, Prior
 from carom.tracks.preprocess import rounding_step, without_outliers
+from carom.tracks.read import read_tracks
 from carom.tracks.track import position_noise
 
 ABOVE = Settings(view="above")
@@ -687,3 +688,20 @@ def test_a_ball_that_rolls_back_into_the_wall_is_no_row_with_a_negative_speed() 
 
     one = SimpleNamespace(interval=0.01, last=9.0)
     assert "a frame near the wall is mistracked" in _not_rolling(one, Fit(vn_roll=-0.2))
+
+
+@pytest.mark.parametrize("bars", [True, False])
+def test_a_spin_of_a_flight_has_its_error_bar(tmp_path: Path, bars: bool) -> None:
+    """A value that stands in all frames of a flight was measured once; without an error bar it has none."""
+    t = np.arange(40) / 100
+    y = np.where(t < 0.2, 2 * (0.2 - t), 1.6 * (t - 0.2)) - 9.81 / 2 * (t - 0.2) ** 2
+    y += np.random.default_rng(1).normal(0, 1e-4, 40)
+    columns = {"t [s]": t, "x [m]": 0.3 * t, "y [m]": y, "spin [rad/s]": np.where(t < 0.2, -60.0, -4.0)}
+    columns |= {"sigma_spin [rad/s]": np.where(t < 0.2, 0.4, 0.7)} if bars else {}
+    file = tmp_path / "film.csv"
+    np.savetxt(file, np.stack(list(columns.values()), axis=1), delimiter=",", header=",".join(columns), comments="")
+    table = to_rebounds(measure(read_tracks(file).tracks, Settings(view="side", noise=1e-4)))
+    assert (table["spin_in"][0], table["spin_out"][0]) == (-60.0, -4.0)
+    assert {name: value[0] for name, value in table.sigma.items() if name.startswith("spin")} == (
+        {"spin_in": pytest.approx(0.4), "spin_out": pytest.approx(0.7)} if bars else {}
+    )

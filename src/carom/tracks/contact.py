@@ -200,25 +200,35 @@ def tracked_spin(track: Track, rows: NDArray[np.intp], contact: float) -> Tracke
     source = track.spin if track.spin is not None else track.angle
     if source is None:
         return TrackedSpin()
-    values, errors = [], []
+    found = []
     for side in (track.time[rows] < contact, track.time[rows] >= contact):
-        t, y = track.time[rows][side], source[rows][side]
-        good = np.isfinite(y)
-        t, y = t[good], y[good]
-        if len(t) < (2 if track.spin is not None else 3):
-            values.append(np.nan)
-            errors.append(np.nan)
-        elif track.spin is not None:
-            values.append(float(y.mean()))
-            errors.append(float(y.std(ddof=1) / np.sqrt(len(y))))
-        else:
-            y = np.unwrap(y)
-            t = t - t.mean()
-            slope = float(t @ y / (t @ t))
-            gap = y - y.mean() - slope * t
-            values.append(slope)
-            errors.append(float(np.sqrt(gap @ gap / max(len(t) - 2, 1) / (t @ t))))
+        some = rows[side][np.isfinite(source[rows][side])]
+        if track.spin is not None:
+            found.append(_mean_spin(track.spin[some], None if track.sigma_spin is None else track.sigma_spin[some]))
+            continue
+        if len(some) < 3:
+            found.append((np.nan, np.nan))
+            continue
+        t, y = track.time[some] - track.time[some].mean(), np.unwrap(source[some])
+        slope = float(t @ y / (t @ t))
+        gap = y - y.mean() - slope * t
+        found.append((slope, float(np.sqrt(gap @ gap / max(len(t) - 2, 1) / (t @ t)))))
+    values, errors = zip(*found, strict=True)
     return TrackedSpin(*values, *errors)
+
+
+def _mean_spin(spins: Array, sigma: Array | None) -> tuple[float, float]:
+    """Return the mean of measured spins with its standard error; NaN where neither error bars nor scatter show it.
+
+    A value that stands in several frames in turn, as the spin of a flight does, was measured once.
+    """
+    first = np.flatnonzero(np.diff(spins, prepend=np.nan) != 0)
+    values = spins[first]
+    scatter = float(values.std(ddof=1) / np.sqrt(len(values))) if len(values) > 1 else np.nan
+    if sigma is None or not len(values) or not (sigma[first] > 0).all():
+        return (float(spins.mean()), scatter) if len(spins) > 1 else (np.nan, np.nan)
+    weights = sigma[first] ** -2.0
+    return float(values @ weights / weights.sum()), float(np.fmax(weights.sum() ** -0.5, scatter))
 
 
 # ----------------------------------------------------------------------------------------------------

@@ -5,13 +5,14 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from carom.tracks.contact import View
 from carom.tracks.flights import MIN_FALLING_SHARE, constant_acceleration, falling_share, falls_freely
-from carom.tracks.track import Track, position_noise
+from carom.tracks.track import SAMPLED, Track, position_noise
 
 Array = NDArray[np.float64]
 # Smallest share of the series (and at least two) that has to show the same rounding step: fast and resting balls show none.
@@ -280,11 +281,8 @@ def _continued(path: list[tuple[float, Array]], t: float, longest: float) -> Arr
 def _joined(tracks: list[Track], ball: int, rows: list[tuple[int, int]]) -> Track:
     """Return the track of a ball whose rows stand in several tracks of the file."""
 
-    def of(name: str) -> Array | None:
+    def of(name: str) -> Any:
         parts = [getattr(track, name) for track in tracks]
         return None if any(part is None for part in parts) else np.array([parts[k][i] for k, i in rows])
 
-    time, position = of("time"), of("position")
-    assert time is not None
-    assert position is not None
-    return replace(tracks[ball], time=time, position=position, angle=of("angle"), spin=of("spin"), frame=of("frame"))
+    return replace(tracks[ball], **{name: of(name) for name in SAMPLED})

@@ -131,6 +131,9 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
     for name in (f"{spin}_in", f"{spin}_out"):
         if np.isnan(columns[name]).all():
             del columns[name], columns[f"sigma_{name}"]
+        elif (np.isnan(columns[f"sigma_{name}"]) & ~np.isnan(columns[name])).any():
+            # (one value for a flight, with neither an error bar nor a scatter)
+            del columns[f"sigma_{name}"]
     read = {*speeds, *(f"sigma_{name}" for name in speeds), "stage"}
     extra = {name: np.array([row[name] for row in rows]) for name in rows[0] if name not in read}
     table = make_rebounds(

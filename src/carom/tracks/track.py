@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+SAMPLED = ("time", "position", "angle", "spin", "sigma_spin", "frame")  # what a track has for each sample
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,7 +32,9 @@ class Track:
     angle: Array | None = None
     """(n,) rad, counter-clockwise, of a mark on the ball; whole turns are not distinguished."""
     spin: Array | None = None
-    """(n,) rad/s, counter-clockwise, if the program measured it."""
+    """(n,) rad/s, counter-clockwise, if the program measured it; the same value in several samples is one measurement."""
+    sigma_spin: Array | None = None
+    """(n,) rad/s, standard errors of the spin."""
     group: str = ""
     """Tracks of one group were filmed together, so that their balls can meet."""
     notes: tuple[str, ...] = ()
@@ -52,14 +55,8 @@ class Track:
 
     def select(self, which: NDArray[np.bool_] | NDArray[np.intp]) -> Track:
         """Return the track with only these samples, from a mask or indices."""
-        return replace(
-            self,
-            time=self.time[which],
-            position=self.position[which],
-            angle=None if self.angle is None else self.angle[which],
-            spin=None if self.spin is None else self.spin[which],
-            frame=None if self.frame is None else self.frame[which],
-        )
+        parts = {name: getattr(self, name) for name in SAMPLED}
+        return replace(self, **{name: None if part is None else part[which] for name, part in parts.items()})
 
 
 def position_noise(time: Array, position: Array, interval: float) -> float:

@@ -314,6 +314,7 @@ NAMED = ColumnNames({
     "z": ("length", ("pos_z", "position_z")),
     "angle": ("angle", ("theta", "orientation")),
     "spin": ("spin", ("omega", "spin_z")),
+    "sigma_spin": ("spin", ("sigma_omega", "sigma_spin_z", "spin_error")),
     "frame": ("number", ("frame_number", "frame_idx", "frame_index", "frame_id", "frame_no", "frame_num", "image", "slice")),
     "visible": ("number", ("visibility", "vis", "is_visible", "detected", "in_view")),
     "likelihood": ("number", ("confidence",)),
@@ -744,7 +745,7 @@ def _track(
         place[:, 1] *= -1
     more = {
         key: _in_si(table.column(columns[key][0], first, header.name(columns[key][0])), columns[key][1], calibration)
-        for key in ("angle", "spin", "time_step") if key in columns
+        for key in ("angle", "spin", "sigma_spin", "time_step") if key in columns
     }  # fmt: skip
     frame = _frames(table, columns["frame"][0], header) if "frame" in columns else None
     steps = more.get("time_step")
@@ -757,7 +758,7 @@ def _track(
     else:
         time = np.arange(float(len(place))) if frame is None else frame
         time = time / (calibration.rate or 1.0)
-    return Track("", time, place, more.get("angle"), more.get("spin"), frame=frame)
+    return Track("", time, place, more.get("angle"), more.get("spin"), more.get("sigma_spin"), frame=frame)
 
 
 def _frames(table: TextTable, i: int, header: Header) -> Array:
