@@ -29,7 +29,7 @@ ROUGH = carom.Surface(0.95, 0.3, 0.4)
 def gases(balls: int) -> dict[str, Gas]:
     disc, ball = carom.Disc(0.5, 1.0), carom.Ball(0.5, 1.0)
     wide, side = (2.0 * balls) ** 0.5 + 4.0, (balls / 0.2) ** (1 / 3) + 3.0
-    shaken = {"gravity": (0.0, -0.5), "contact_time": 1e-5, "drives": {"bottom": Drive(0.5, 1.0)}}
+    shaken = {"gravity": (0.0, -0.5), "contact_time": 1e-5, "drives": {"bottom": Drive(amplitude=0.5, frequency=1.0)}}
     elastic = carom.Surface(1.0, math.inf, 1.0)  # (sliding friction would bring the gas to rest)
     return {
         "cooling": Gas([Species(ball, balls)], (side,) * 3, contacts=ROUGH, contact_time=1e-6),

@@ -259,9 +259,9 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
         a_session(),
         gas.simulate_ensemble(a_gas_scene(), 2),
         gas.Species(BALL, 5),
-        gas.Thermostat(1.0, 1.0),
+        gas.Thermostat(temperature=1.0, rate=1.0),
         gas.EarlyEnd("at rest", 1.0),
-        gas.Drive(1.0, 1.0),
+        gas.Drive(amplitude=1.0, frequency=1.0),
     ],
 }
 

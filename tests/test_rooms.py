@@ -245,7 +245,7 @@ def test_no_build_product_is_tracked() -> None:
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
     "fitting": 10340,
-    "gas": 7430,
+    "gas": 7390,
     "billiards": 5920,
     "tracks": 7190,
     "simulation": 5890,

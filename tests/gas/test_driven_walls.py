@@ -135,7 +135,7 @@ def test_balls_out_of_a_hopper_are_counted(tmp_path):
         ),
         ("right", {"force": 1.0, "temperature": 1.0}, "mass: expected a mass with a force, got none"),
         ("right", {"temperature": 1.0, "mass": 1.0}, "temperature: expected none for a wall that balls move, got 1"),
-        ("right", {"mass": -1.0}, "mass: expected a number > 0, got -1.0"),
+        ("right", {"mass": -1.0}, "mass: expected a mass in kg, > 0, got -1.0"),
         (
             "scatterer",
             {"mass": 1.0},

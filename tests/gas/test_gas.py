@@ -158,7 +158,12 @@ def test_a_thermostat_that_lets_no_ball_move_is_refused():
     with pytest.raises(
         CaromError, match=r"thermostat.rate: expected at most 1e.06 thermal speeds per radius .* lower it"
     ):
-        Gas([Species(Ball(0.5, 1.0), 8)], (6, 6, 6), contacts=Surface(1, 0, -1), thermostat=Thermostat(1.0, 1e15))
+        Gas(
+            [Species(Ball(0.5, 1.0), 8)],
+            (6, 6, 6),
+            contacts=Surface(1, 0, -1),
+            thermostat=Thermostat(temperature=1.0, rate=1e15),
+        )
 
 
 def test_progress_and_an_interrupt_between_chunks():

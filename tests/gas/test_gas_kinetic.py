@@ -38,7 +38,13 @@ def test_energies_that_a_contact_changes(ball, density, e, beta, spinning):
     flat = ball is DISC
     q = 0.5 if flat else 0.4
     eta, slips = (1 + beta) * q / (1 + q), 1 if flat else 2
-    gas = start(ball, 400, density, contacts=Surface(e, math.inf, beta), thermostat=Thermostat(1.0, 1.0, spinning))
+    gas = start(
+        ball,
+        400,
+        density,
+        contacts=Surface(e, math.inf, beta),
+        thermostat=Thermostat(temperature=1.0, rate=1.0, temperature_rotational=spinning),
+    )
     gas.run(2_000)
     mark = gas.mark()
     gas.advance(40_000)

@@ -291,7 +291,7 @@ def test_profiles_lie_along_gravity_or_across_driven_walls_and_need_walls():
     assert (profiles(periodic=False).axis, profiles(periodic=False).layered) == (0, False)
     pulled = profiles(periodic=False, gravity=(0, 0, -1.0))
     assert (pulled.axis, pulled.layered) == (2, True)
-    shaken = profiles(periodic=(True, False, False), drives={"top": Drive(0.1, 1.0)})
+    shaken = profiles(periodic=(True, False, False), drives={"top": Drive(amplitude=0.1, frequency=1.0)})
     assert (shaken.axis, shaken.layered) == (2, True)
     heated = profiles(periodic=False, drives={"front": Drive(temperature=2.0)})
     assert (heated.axis, heated.layered) == (1, True)

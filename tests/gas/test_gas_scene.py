@@ -244,7 +244,7 @@ WRONG = {
     ),
     "swings never": (
         MIXED.replace("[run]", '[[drives]]\nwall = "bottom"\namplitude = 1\n[run]'),
-        "drives[0].frequency: expected a number > 0 for an oscillating wall, got 0.0",
+        "drives[0].frequency: expected a number > 0 for an oscillating wall, got none",
     ),
     "a floor by another name": (
         MIXED.replace("[run]", '[[drives]]\nwall = "floor"\namplitude = 1\nfrequency = 1\n[run]'),

@@ -226,12 +226,12 @@ CASES = {
     ),
     "a floor that swings": (
         container("box", (5.0, 4.0, 6.0), periodic=(True, True, False)), [swinging(0.15, 1.7, 0.3), plane(2, 6.0, -1.0)],
-        (0, 0, -4.0), {"bottom": Drive(0.15, 1.7, 0.3)},
+        (0, 0, -4.0), {"bottom": Drive(amplitude=0.15, frequency=1.7, phase=0.3)},
     ),
     "a floor that shakes": (
         container("cylinder", radius=2.5, height=5.0), [inside((2.5, 2.5, 0), 2.5, 2),
         swinging(0.02, 23.0, 0.0), plane(2, 5.0, -1.0)],
-        (0, 0, -4.0), {"bottom": Drive(0.02, 23.0)},
+        (0, 0, -4.0), {"bottom": Drive(amplitude=0.02, frequency=23.0)},
     ),
 }  # fmt: skip
 
@@ -412,7 +412,7 @@ def test_walls_that_conserve_keep_the_barometer():
 def test_swinging_floor_feeds_the_gas_as_it_is_booked():
     gas = Gas(
         [Species(Ball(0.5, 1.0, 0.4), 120)], (7.0, 7.0, 20.0), periodic=(True, True, False), gravity=(0, 0, -10.0), seed=5,
-        contacts=Surface(0.9, 0.3, 0.2), drives={"bottom": Drive(0.1, 12.0)}, contact_time=1e-5,
+        contacts=Surface(0.9, 0.3, 0.2), drives={"bottom": Drive(amplitude=0.1, frequency=12.0)}, contact_time=1e-5,
     )  # fmt: skip
     mark = gas.mark()
     gas.advance(120_000)
@@ -467,7 +467,7 @@ def test_thermostat(ball):
     flat = ball.kappa == 0.5
     gas = Gas(
         [Species(ball, 500, temperature=0.1, temperature_rotational=0.0)], (30.0, 25.0) if flat else (9.0, 10.0, 11.0),
-        contacts=ROUGH, thermostat=Thermostat(1.5, 0.5), seed=2,
+        contacts=ROUGH, thermostat=Thermostat(temperature=1.5, rate=0.5), seed=2,
     )  # fmt: skip
     gas.run(60_000)
     start = gas.time
@@ -486,7 +486,7 @@ def test_thermostat_holds_an_inelastic_gas_below_its_temperature():
         [Species(Ball(0.5, 1.0, 0.4), 400)],
         (10.0,) * 3,
         contacts=Surface(0.9, 0, 0),
-        thermostat=Thermostat(1.0, 0.2),
+        thermostat=Thermostat(temperature=1.0, rate=0.2),
         seed=4,
     )
     gas.run(40_000)
@@ -567,8 +567,10 @@ def test_saved_and_restored_with_everything_on():
         return Gas(
             [Species(Ball(0.5, 1.0, 0.4), 40, "a"), Species(Ball(0.3, 0.5, 0.5), 40, "b")],
             container("cylinder", radius=3.0, height=9.0),
-            contacts=Surface(0.9, 0.4, 0.2), gravity=(0, 0, -3.0), contact_time=1e-4, thermostat=Thermostat(1.0, 0.05),
-            drives={"bottom": Drive(0.1, 5.0, 0.2, 1.5), "side": Drive(temperature=0.5)}, seed=9,
+            contacts=Surface(0.9, 0.4, 0.2), gravity=(0, 0, -3.0), contact_time=1e-4,
+            thermostat=Thermostat(temperature=1.0, rate=0.05),
+            drives={"bottom": Drive(amplitude=0.1, frequency=5.0, phase=0.2, temperature=1.5), "side": Drive(temperature=0.5)},
+            seed=9,
         )  # fmt: skip
 
     whole, parts, other = made(), made(), made()
@@ -612,7 +614,10 @@ def test_rooms_that_cannot_be(given, said):
 
 
 def test_sides_that_swing():
-    room, floor = container("polygon", points=[(0, 0), (9, 0), (9, 5), (5, 5), (5, 9), (0, 9)]), Drive(0.1, 2.0)
+    room, floor = (
+        container("polygon", points=[(0, 0), (9, 0), (9, 5), (5, 5), (5, 9), (0, 9)]),
+        Drive(amplitude=0.1, frequency=2.0),
+    )
     gas = Gas([Species(Disc(0.3, 1.0, 0.5), 10)], room, contacts=ROUGH, drives={"edge1": floor})
     assert gas.run(2_000).energy_from_walls["edge1"] > 0
     for edge, said in (("edge3", "re-entrant corner|continues behind"), ("edge4", "continues behind")):
@@ -625,8 +630,8 @@ def test_sides_that_swing():
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        ({"drives": {"side": Drive(0.1, 2.0)}}, "round"),
-        ({"drives": {"botom": Drive(0.1, 2.0)}}, "'bottom'"),
+        ({"drives": {"side": Drive(amplitude=0.1, frequency=2.0)}}, "round"),
+        ({"drives": {"botom": Drive(amplitude=0.1, frequency=2.0)}}, "'bottom'"),
         ({"contacts": {("a", "a"): ROUGH, ("a", "sid"): ROUGH}}, "'side'"),
         ({"position": np.full((1, 3), 0.4)}, "overlaps a wall"),
     ],
@@ -639,11 +644,11 @@ def test_what_walls_cannot_be(options, said):
 
 def test_faults_of_drives():
     with pytest.raises(CaromError, match="frequency"):
-        Drive(0.1)
+        Drive(amplitude=0.1)
     with pytest.raises(CaromError, match="none of them"):
         Drive()
     with pytest.raises(CaromError, match="rate"):
-        Thermostat(1.0, 0.0)
+        Thermostat(temperature=1.0, rate=0.0)
 
 
 @pytest.mark.parametrize("room", [

@@ -24,10 +24,11 @@ GASES = {
         [Species(Ball(0.5, 2.0), 20)], (4.0, 4.0, 8.0), periodic=False, gravity=(0, 0, -1.0), contacts=ROUGH, seed=1
     ),
     "on a shaken floor": lambda: Gas(
-        DISCS, (8.0, 16.0), gravity=(0, -1.0), drives={"bottom": Drive(0.3, 1.0)}, **STRIP
+        DISCS, (8.0, 16.0), gravity=(0, -1.0), drives={"bottom": Drive(amplitude=0.3, frequency=1.0)}, **STRIP
     ),
     "two species on an inclined floor": lambda: Gas(
-        [*DISCS, Species(Disc(0.3, 2.0), 5, "b")], (8.0, 16.0), gravity=(0.3, -1.0), drives={"bottom": Drive(0.3, 1.0)}, **STRIP
+        [*DISCS, Species(Disc(0.3, 2.0), 5, "b")], (8.0, 16.0), gravity=(0.3, -1.0),
+        drives={"bottom": Drive(amplitude=0.3, frequency=1.0)}, **STRIP,
     ),
     "between heated walls": lambda: Gas(DISCS, (8.0, 16.0), drives={"bottom": Drive(temperature=2.0)}, **STRIP),
     "across a circle": lambda: Gas(DISCS, container("circle", radius=4.0), contacts=ROUGH, seed=2),

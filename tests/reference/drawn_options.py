@@ -14,7 +14,8 @@ import numpy as np
 
 import carom
 from carom.gas import GasScene
-from carom.gas.scene import CONTAINERS, GasThermostat
+from carom.gas.drives import Thermostat
+from carom.gas.scene import CONTAINERS
 from carom.laws.registry import laws, laws_of_pairs
 from carom.scene.figures.figure import FIGURES, CellFigure, Figure, PlaneFigure
 from carom.scene.presets import presets
@@ -320,7 +321,7 @@ def random_gas(seed: int, shape: str = "") -> GasScene:
         if rng.random() < 0.3:
             table["contacts"].append({"between": ("a", "wall"), "restitution": 0.8, "friction": 0.1})
         if rng.random() < 0.3:
-            table["thermostat"] = table_of(rng, GasThermostat)
+            table["thermostat"] = table_of(rng, Thermostat)
         if rng.random() < 0.3:
             table["gravity"] = [1.0, [0.2, -0.5], [0.1, 0.2, -0.4]][rng.integers(3)]
         if rng.random() < 0.2:

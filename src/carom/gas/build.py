@@ -60,8 +60,8 @@ def _inputs(scene: GasScene) -> tuple[Any, ...]:
         scene.surfaces,
         scene.gravity_vector,
         scene.contact_time,
-        {one.wall: one.drive for one in scene.drives},
-        None if scene.thermostat is None else scene.thermostat.thermostat,
+        {one.wall: one for one in scene.drives},
+        scene.thermostat,
         scene.run.seed,
         scene.shear_rate,
     )

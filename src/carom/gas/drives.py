@@ -5,33 +5,30 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any, Self, cast
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import BeforeValidator, model_validator
 
-from carom.errors import FaultList, checked_number, suggestion
+from carom.errors import FaultList, suggestion
 from carom.gas.containers import Container
 from carom.gas.edmd.gas_records import CURVE, FACE
 from carom.gas.edmd.walls import oscillation, place
+from carom.scene.schema import Components, Mass, Model, Number, Share, Speed, raise_faults
 
 # Of the largest radius: a ball whose centre is further behind a wall that bounds centres overlaps it (snapshots are in single
 # precision).
 CENTRE_DEPTH = 1e-4
-_WARM = ("a number >= 0", lambda x: x >= 0)
-_POSITIVE = ("a number > 0", lambda x: (x > 0) & (x < math.inf))
-_NUMBER = ("a number", lambda x: abs(x) < math.inf)
+_TEMPERATURE = Annotated[float, BeforeValidator(Number("a temperature k_B T >= 0", "J", least=0))]
+_AMPLITUDE = Number("an amplitude >= 0", "m", least=0)
+_FREQUENCY = Number("a frequency > 0", "1/s", least=0, above=True)
+_RATE = Number("a rate > 0: kicks per ball per unit time", "1/s", least=0, above=True)
+_FORCE = Number("a force", "N")
+_ALONG = Components("2 or 3 speeds along x, y (and z)", (2, 3))
 
 
-def _check(faults: FaultList, of: Any, **fields: tuple[str, Any]) -> None:
-    """Add a fault for every given field that is not a finite number with the property asked of it."""
-    for name, (expected, holds) in fields.items():
-        if getattr(of, name) is not None:
-            checked_number(faults, name, getattr(of, name), expected, holds)
-
-
-@dataclass(frozen=True)
-class Drive:
+class Drive(Model):
     """A wall that moves, or is heated, or both: it oscillates, is a piston, or drags.
 
     Parameters
@@ -68,35 +65,30 @@ class Drive:
     0.0
     >>> Drive(amplitude=0.2)
     Traceback (most recent call last):
-    carom.errors.CaromError: Drive: frequency: expected a number > 0 for an oscillating wall, got 0.0
+    carom.errors.CaromError: Drive: frequency: expected a number > 0 for an oscillating wall, got none
     """
 
-    amplitude: float = 0.0
-    frequency: float = 0.0
-    phase: float = 0.0
-    temperature: float | None = None
-    temperature_rotational: float | None = None
-    mass: float | None = None
-    speed: float | None = None
-    force: float | None = None
-    surface_velocity: Sequence[float] | None = None
+    amplitude: Annotated[float, BeforeValidator(_AMPLITUDE)] = 0.0
+    frequency: Annotated[float, BeforeValidator(_FREQUENCY)] | None = None
+    phase: Share = 0.0
+    temperature: _TEMPERATURE | None = None
+    temperature_rotational: _TEMPERATURE | None = None
+    mass: Mass | None = None
+    speed: Speed | None = None
+    force: Annotated[float, BeforeValidator(_FORCE)] | None = None
+    surface_velocity: Annotated[tuple[Speed, ...], BeforeValidator(_ALONG)] | None = None
 
-    def __post_init__(self) -> None:  # noqa: D105
-        faults = FaultList("Drive")
-        _check(
-            faults, self, amplitude=_WARM, frequency=_WARM, temperature=_WARM, temperature_rotational=_WARM,
-            phase=("a number from 0 to 1", lambda x: (x >= 0) & (x <= 1)), speed=_NUMBER, mass=_POSITIVE, force=_NUMBER,
-        )  # fmt: skip
-        along = self.surface_velocity
-        if along is not None and not (np.ndim(along) <= 1 and np.size(along) <= 3 and np.isfinite(along).all()):
-            faults.add("surface_velocity", "up to three numbers", f"{along!r:.60}")
-        if self.amplitude > 0 and not self.frequency > 0:
-            faults.add("frequency", "a number > 0 for an oscillating wall", f"{self.frequency!r}")
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        faults = FaultList()
+        if self.amplitude > 0 and self.frequency is None:
+            faults.add("frequency", "a number > 0 for an oscillating wall", "none")
         if not self.moves and self.temperature is None:
             expected = "an amplitude > 0, a temperature, a mass or a surface_velocity"
             faults.add("amplitude", expected, "none of them")
         self._add_conflicts(faults)
-        faults.raise_if_any()
+        raise_faults(faults)
+        return self
 
     def _add_conflicts(self, faults: FaultList) -> None:
         """Add the faults of fields that another one needs, or excludes."""
@@ -122,11 +114,10 @@ class Drive:
     def greatest_speed(self) -> float:
         """A speed that the wall's motion gives to balls (m/s), about."""
         drag = 0.0 if self.surface_velocity is None else math.hypot(*self.surface_velocity)
-        return self.amplitude * self.frequency + abs(self.speed or 0.0) + drag
+        return self.amplitude * (self.frequency or 0.0) + abs(self.speed or 0.0) + drag
 
 
-@dataclass(frozen=True)
-class Thermostat:
+class Thermostat(Model):
     """Andersen's thermostat: each ball, at random instants, gets a new velocity and spin from a Maxwellian.
 
     The instants form a Poisson process, and are events like all others. Where contacts conserve energy, the gas
@@ -151,14 +142,9 @@ class Thermostat:
     0.1
     """
 
-    temperature: float
-    rate: float
-    temperature_rotational: float | None = None
-
-    def __post_init__(self) -> None:  # noqa: D105
-        faults = FaultList("Thermostat")
-        _check(faults, self, temperature=_WARM, temperature_rotational=_WARM, rate=_POSITIVE)
-        faults.raise_if_any()
+    temperature: _TEMPERATURE
+    rate: Annotated[float, BeforeValidator(_RATE)]
+    temperature_rotational: _TEMPERATURE | None = None
 
 
 @dataclass(frozen=True)
@@ -240,8 +226,9 @@ def face_records(
 def _set_drive(record: Any, drive: Drive) -> None:
     """Set the motion and the heat of a face."""
     if drive.amplitude > 0:
-        record["amplitude"], record["half_period"] = drive.amplitude, 0.5 / drive.frequency
-        record["start"] = -drive.phase / drive.frequency
+        frequency = cast(float, drive.frequency)
+        record["amplitude"], record["half_period"] = drive.amplitude, 0.5 / frequency
+        record["start"] = -drive.phase / frequency
     if drive.temperature is not None:
         record["temperature"] = drive.temperature
         record["spin_temperature"] = (

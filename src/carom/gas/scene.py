@@ -43,9 +43,7 @@ from carom.scene.schema import (
     Mass,
     Model,
     Number,
-    Share,
     Size,
-    Speed,
     Time,
     raise_faults,
     refused,
@@ -57,12 +55,7 @@ _PLATE = Components("x1, y1, x2, y2 of two places", (4,))
 _SIZE = Components("2 or 3 lengths > 0: along x, y (discs), and z (balls)", (2, 3))
 _KAPPA = Number("kappa = I/(m a^2) in (0, 1], or one of 'solid', 'hollow', 'disc', 'ring'", least=0, most=1, above=True)
 _TEMPERATURE = Number("a temperature k_B T >= 0", "J", least=0)
-_FREQUENCY = Number("a frequency > 0", "1/s", least=0, above=True)
 _DENSITY = Number("a density > 0 in kg/m^3 (discs: kg/m^2)", "", least=0, above=True)
-_RATE = Number("a rate > 0: kicks per ball per unit time", "1/s", least=0, above=True)
-_AMPLITUDE = Number("an amplitude >= 0", "m", least=0)
-_FORCE = Number("a force", "N")
-_ALONG = Components("2 or 3 speeds along x, y (and z)", (2, 3))
 _ENDINGS = (".csv", ".npz", ".gsd")
 
 
@@ -321,43 +314,10 @@ class GasContact(GasSurface):
 # --- energy input --------------------------------------------------------------------------------------------------
 
 
-class GasDrive(Model):
-    """A wall that moves or is heated, with the parameters of :class:`carom.gas.Drive`."""
+class GasDrive(Drive):
+    """The wall of a name that moves or is heated, with the parameters of :class:`carom.gas.Drive`."""
 
     wall: str
-    amplitude: Annotated[float, BeforeValidator(_AMPLITUDE)] = 0.0
-    frequency: Annotated[float, BeforeValidator(_FREQUENCY)] | None = None
-    phase: Share = 0.0
-    temperature: Annotated[float, BeforeValidator(_TEMPERATURE)] | None = None
-    temperature_rotational: Annotated[float, BeforeValidator(_TEMPERATURE)] | None = None
-    mass: Mass | None = None
-    speed: Speed | None = None
-    force: Annotated[float, BeforeValidator(_FORCE)] | None = None
-    surface_velocity: Annotated[tuple[Speed, ...], BeforeValidator(_ALONG)] | None = None
-
-    @model_validator(mode="after")
-    def _check(self) -> GasDrive:
-        with_faults_of_part(lambda: self.drive)
-        return self
-
-    @property
-    def drive(self) -> Drive:
-        """The drive of :class:`carom.gas.Gas`."""
-        given = {name: getattr(self, name) for name in type(self).model_fields if name != "wall"}
-        return Drive(**given | {"frequency": self.frequency or 0.0})
-
-
-class GasThermostat(Model):
-    """Andersen's thermostat, with the parameters of :class:`carom.gas.Thermostat`."""
-
-    temperature: Annotated[float, BeforeValidator(_TEMPERATURE)]
-    rate: Annotated[float, BeforeValidator(_RATE)]
-    temperature_rotational: Annotated[float, BeforeValidator(_TEMPERATURE)] | None = None
-
-    @property
-    def thermostat(self) -> Thermostat:
-        """The thermostat of :class:`carom.gas.Gas`."""
-        return Thermostat(self.temperature, self.rate, self.temperature_rotational)
 
 
 # --- run settings --------------------------------------------------------------------------------------------------
@@ -425,7 +385,7 @@ class GasScene(Model):
     species : GasSpecies, at least one
     contacts : GasContact for every pair of species, and for every species and the walls
     drives : GasDrive, walls that move or are heated
-    thermostat : GasThermostat, optional
+    thermostat : Thermostat, optional
     run : GasSettings
 
     Each part may be given as a dict. Numbers are in SI units, or in any consistent others. Raises CaromError, one line per
@@ -454,7 +414,7 @@ class GasScene(Model):
     species: tuple[GasSpecies, ...]
     contacts: tuple[GasContact, ...] = ()
     drives: tuple[GasDrive, ...] = ()
-    thermostat: GasThermostat | None = None
+    thermostat: Thermostat | None = None
     run: GasSettings
 
     @model_validator(mode="after")
@@ -630,7 +590,7 @@ def _drive_faults(scene: GasScene) -> list[Fault]:
         elif drive.wall in [one.wall for one in scene.drives[:i]]:
             found.add(at, "one drive for each wall", f"a second one for {drive.wall!r}")
         else:
-            for field, expected, got in drive_faults(drive.drive, drive.wall, container):
+            for field, expected, got in drive_faults(drive, drive.wall, container):
                 found.add(f"drives[{i}].{field}", expected, got)
     return found
 

@@ -618,7 +618,7 @@ def _max_wait(scene: GasScene, gas: Gas) -> float:
     side, mass = max(container.size), sum(one.total_mass(scene.container.dimensions) for one in scene.species)
     pull = math.hypot(*scene.gravity_vector)
     speed = math.sqrt(2 * gas.energy()[0] / mass) + math.sqrt(pull * side)
-    speed += sum(one.drive.greatest_speed for one in scene.drives)
+    speed += sum(one.greatest_speed for one in scene.drives)
     if scene.thermostat is not None:
         speed += math.sqrt(scene.thermostat.temperature * scene.count / mass)
     collides = scene.count > 1 or bool(container.faces)

@@ -203,7 +203,7 @@ def _angles(spins: Any, t: Array) -> Array:
 def _interval(session: Session, velocity: Array, radius: float) -> float:
     """Return the default time between two frames."""
     speed = math.sqrt(float((velocity**2).sum(axis=1).mean()))
-    speed = speed or max((one.drive.greatest_speed for one in session.scene.drives), default=0.0)
+    speed = speed or max((one.greatest_speed for one in session.scene.drives), default=0.0)
     step = STEP * radius / speed if speed > 0 else 1.0
     return min([step, *(SHARE_OF_PERIOD / one.frequency for one in session.scene.drives if one.frequency)])
 
