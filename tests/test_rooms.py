@@ -253,7 +253,7 @@ CAPS = {
     "laws": 4820,
     "scene": 4430,
     "cli": 4650,
-    "plot": 3460,
+    "plot": 3655,
     "derive": 3250,
     "sweeps": 2790,
     "data": 2680,

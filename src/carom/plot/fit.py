@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from carom.fitting.design import Plan
     from carom.fitting.shots import ShotsRanking
     from carom.fitting.tracks import TrackFit, TrackRanking
+    from carom.tracks.video.film import TrackedFilm
 
 SHOWN = 4  # laws in one picture
 NAMES = ("normal speed after", "speed along the wall after", "spin after")
@@ -250,7 +251,7 @@ div.small svg {{ flex: 0 1 11.5rem; }}
 @media (prefers-color-scheme: dark) {{
 :root {{ color-scheme: dark; }} body {{ color: #e6e6e6; background: #111; }}
 p.verdict, tr:nth-child(odd) td {{ background: #1c1c1c; }}
-th {{ border-color: #999; }} footer {{ color: #999; }} svg {{ filter: invert(.93) hue-rotate(180deg); }}
+th {{ border-color: #999; }} footer {{ color: #999; }} svg, svg image {{ filter: invert(.93) hue-rotate(180deg); }}
 }}
 </style></head><body>
 {body}
@@ -325,8 +326,15 @@ def _table(fit: Fit) -> str:
     return f"; the cushion touches it at {setting.contact_height:.4g} radii, friction of the cloth {setting.floor_friction:.4g}"
 
 
-def write_report(ranking: Ranking, path: str | Path) -> Path:
-    """Write the HTML report atomically: verdict, figures, table, unconstrained parameters, outliers."""
+def film_parts(films: Sequence[TrackedFilm]) -> list[str]:
+    """Return the contact sheets of films as HTML."""
+    from carom.plot.film_sheet import plot_film
+
+    return [f"<h2>Film {html.escape(film.path.name)}</h2>{svg(plot_film(film))}" for film in films]
+
+
+def write_report(ranking: Ranking, path: str | Path, films: Sequence[TrackedFilm] = ()) -> Path:
+    """Write the HTML report atomically: verdict, figures, table, unconstrained parameters, outliers, sheets of the films."""
     from carom import __version__
 
     setting, best = ranking.best.problem.setting, ranking.best
@@ -340,7 +348,7 @@ def write_report(ranking: Ranking, path: str | Path) -> Path:
         "<h2>Measured and predicted, law by law</h2>", svg(plot_laws(ranking)), "<h2>Residuals</h2>", svg(plot_residuals(ranking)),
         listed("Unconstrained parameters", ranking.degenerate),
         listed("Outliers under the best law", [f"{o.row}: chi² {o.chi2:.1f}; {o.why}" for o in ranking.outliers]),
-        listed("Notes", list(ranking.notes)),
+        listed("Notes", list(ranking.notes)), *film_parts(films),
         f"<footer>carom {__version__}. ΔAICc: how much higher the law's AICc"
         f" ({'Hurvich and Tsai' if best.scatter else 'chi² + 2 k, error bars given'}) is than the lowest, {best.aicc:.1f}; ΔBIC:"
         f" the same of BIC, {min(one.fit.bic for one in ranking.ranked):.1f}. Lower is better; weight and CV log score"
