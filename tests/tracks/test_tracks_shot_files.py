@@ -17,7 +17,7 @@ from carom.fitting.shots import drawn_films
 from carom.fitting.shots.film import filmed_shots
 from carom.tracks import Calibration, Track, read_tracks
 from carom.tracks.films import films_of
-from carom.tracks.formats.tailuge import UNIT
+from carom.tracks.formats.programs import TAILUGE as UNIT
 from carom.tracks.preprocess import with_one_name, with_own_names
 
 RADIUS = 0.03075

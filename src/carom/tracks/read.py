@@ -21,19 +21,7 @@ from carom.files import as_path, open_regular, read_text
 from carom.public.defaults import GRAVITY
 from carom.tracks.clock import MIN_INTERVAL_S, at_rate, without_rounding
 from carom.tracks.flights import in_a_plane, likely_unit
-from carom.tracks.formats import (
-    carom_table,
-    deeplabcut,
-    idtracker,
-    kinovea,
-    mtrack2,
-    pooltool,
-    sleap,
-    tailuge,
-    tracker,
-    trackmate,
-    trackpy,
-)
+from carom.tracks.formats import pooltool, programs
 from carom.tracks.formats import tables as columns
 from carom.tracks.formats.missing import without_marked_places
 from carom.tracks.formats.pooltool_fields import open_file
@@ -67,17 +55,17 @@ class Format:
 
 # Tried in this order; the last accepts any table with columns x and y.
 FORMATS = {
-    "tracker": Format("Tracker (Open Source Physics)", tracker.matches, tracker.read),
-    "kinovea": Format("Kinovea", kinovea.matches, kinovea.read),
-    "deeplabcut": Format("DeepLabCut", deeplabcut.matches, deeplabcut.read),
-    "sleap": Format("SLEAP analysis", sleap.matches, sleap.read),
-    "carom-table": Format("carom table (JSON)", carom_table.matches, carom_table.read),
-    "tailuge": Format("tailuge/billiards (JSON)", tailuge.matches, tailuge.read),
+    "tracker": Format("Tracker (Open Source Physics)", programs.is_tracker, programs.tracker),
+    "kinovea": Format("Kinovea", programs.is_kinovea, programs.kinovea),
+    "deeplabcut": Format("DeepLabCut", programs.is_deeplabcut, programs.deeplabcut),
+    "sleap": Format("SLEAP analysis", programs.is_sleap, programs.sleap),
+    "carom-table": Format("carom table (JSON)", programs.is_carom_table, programs.carom_table),
+    "tailuge": Format("tailuge/billiards (JSON)", programs.is_tailuge, programs.tailuge),
     "pooltool": Format("pooltool's recorded shot", pooltool.matches, pooltool.read),
-    "trackpy": Format("trackpy data frame", trackpy.matches, trackpy.read),
-    "trackmate": Format("TrackMate spots", trackmate.matches, trackmate.read),
-    "mtrack2": Format("MTrack2 (ImageJ)", mtrack2.matches, mtrack2.read),
-    "idtracker": Format("idTracker", idtracker.matches, idtracker.read),
+    "trackpy": Format("trackpy data frame", programs.is_trackpy, programs.trackpy),
+    "trackmate": Format("TrackMate spots", programs.is_trackmate, programs.trackmate),
+    "mtrack2": Format("MTrack2 (ImageJ)", programs.is_mtrack2, programs.mtrack2),
+    "idtracker": Format("idTracker", programs.is_idtracker, programs.idtracker),
     "columns": Format("named columns", columns.matches, columns.read),
 }
 
