@@ -69,3 +69,12 @@ def test_programs_files_with_nested_brackets(tmp_path: Path, text: str) -> None:
     for read in (read_tracks, judge):
         with pytest.raises(CaromError, match=r"nested too deep|expected a track"):
             read(file)
+
+
+@pytest.mark.parametrize("head", ["frame,x,y", "a,x,y,b\n", "X1\tY1\tFlag1\r", "ball,t [s],x [m],y [m]"])
+def test_headings_without_rows_are_refused(tmp_path: Path, head: str) -> None:
+    (tmp_path / "a.csv").write_text(head, newline="")
+    for read in (read_tracks, judge, carom.fit):
+        with pytest.raises(CaromError) as error:
+            read(tmp_path / "a.csv")
+        assert error.value.__cause__ is None or isinstance(error.value.__cause__, CaromError)

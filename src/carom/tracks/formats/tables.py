@@ -689,7 +689,7 @@ def _rising(table: TextTable, header: Header, i: int, labels: Labels) -> Array |
     for key in dict.fromkeys(keys):
         own = values[[one == key for one in keys]]
         parts.append(own[np.isfinite(own)])
-    steps = np.concatenate([np.diff(part) for part in parts])
+    steps = np.concatenate([np.empty(0), *map(np.diff, parts)])  # (a table may have no rows)
     if len(steps) < MIN_NUMBERED - 1 or sum(map(len, parts)) < MIN_FILLED * len(cells) or not (steps > 0).all():
         return None
     return np.cumsum(np.concatenate([[0.0], steps]))
