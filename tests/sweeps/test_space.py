@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 import pytest
 from reference.sweep_scenes import table_scene
@@ -89,6 +91,14 @@ def test_designs_of_one_dimension_fill_the_space_together() -> None:
 def test_axes_survive_as_plain_data(axis: object) -> None:
     data = axis_to_data(sweeps.axes.as_axis(axis, "axis"))
     assert axis_to_data(axis_from_data(data, "axis")) == data
+
+
+@pytest.mark.parametrize("form", ["linspace", "geomspace", "arange"])
+@pytest.mark.parametrize("given", [[0.5, np.inf, 3], [np.nan, 1.0, 3], [-1e308, 1e308, 3], [1e-320, np.inf, 2]])
+def test_values_between_ends_that_are_too_large_are_refused(form: str, given: list[float]) -> None:
+    with warnings.catch_warnings(), pytest.raises(carom.CaromError):
+        warnings.simplefilter("error")
+        axis_from_data({form: given}, "axis")
 
 
 def test_values_are_those_that_were_given_bit_for_bit() -> None:

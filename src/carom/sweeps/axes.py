@@ -318,12 +318,13 @@ def axis_from_data(data: Any, where: str) -> Axis:
             made = as_axis(from_plain(given), where)
         elif name in ("linspace", "geomspace", "arange"):
             _require_few(where, name, given)
-            made = as_axis(getattr(np, name)(*given), where)
+            with np.errstate(divide="raise", over="raise", invalid="raise"):  # (an end may be infinite)
+                made = as_axis(getattr(np, name)(*given), where)
         else:
             makers = {"uniform": uniform, "normal": normal, "sobol": sobol, "latin_hypercube": latin_hypercube}
             maker: Any = makers[name]
             made = maker(*given)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, ArithmeticError) as error:
         if isinstance(error, CaromError):
             raise
         raise CaromError(Fault(where, f"{name}", "its arguments", f"{given!r:.60} ({error})")) from None
