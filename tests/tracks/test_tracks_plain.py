@@ -11,6 +11,7 @@ from reference.synthetic_tracks import Camera, seen, shot
 
 from carom.errors import CaromError
 from carom.tracks import Settings, Track, measure, to_rebounds
+from carom.tracks.elsewhere import find_turns
 from carom.tracks.events import wall_through
 from carom.tracks.flights import falls_freely
 
@@ -94,3 +95,23 @@ def test_a_turn_at_no_wall_is_listed() -> None:
     found = measure([ball], Settings(view="above", walls=(left,)))
     assert len(found.contacts) == 1
     assert any("1 bounce away from the wall, at (x, y) = (0.42" in note for note in found.notes)
+
+
+@pytest.mark.parametrize(
+    ("name", "seed"), [("2 frames lost on either side of each bounce", 29), ("4 frames lost, 120 per second", 2)]
+)
+def test_bounces_whose_frames_are_lost_are_counted_where_no_minimum_is_seen(name: str, seed: int) -> None:
+    found = measured(KINDS[name](np.random.default_rng([seed, len(name)])))
+    assert not found.unlisted
+    assert max(map(abs, found.pulls)) < 4
+
+
+def test_frames_lost_of_a_ball_that_is_not_hit_are_no_turn() -> None:
+    rng, t = np.random.default_rng(6), np.arange(0, 0.8, 1 / 60)
+    free, held = 4 * t - GRAVITY / 2 * t * t, -GRAVITY / 2 * np.maximum(t - 0.4, 0) ** 2
+    bounces = np.where(t < 0.4, free, free + 3.0 * (t - 0.4))  # (it still rises less than it fell: no minimum is seen)
+    for height, turns in ((free, 0), (0 * t, 0), (held, 0), (bounces, 1)):
+        kept = np.abs(t - 0.405) > 0.06
+        place = np.stack([t, height], axis=-1) + rng.normal(0, 3e-4, (len(t), 2))
+        track = Track("ball", t, place).select(kept)
+        assert len(find_turns(track, 3e-4, (0.0, -1.0), GRAVITY, 1 / 60)) == turns

@@ -24,6 +24,7 @@ NOT_LEVEL = "a bounce away from the wall, on a surface that moves or is not leve
 # ball may have bounced twice; frames of flights that are to meet, their scatter in units of the noise, and how near they come
 SAME_FRAMES, SAME_S, LOST_FRAMES, MAX_LOST_S, MAX_LOST_FRAMES = 2.5, 0.03, 1.6, 0.1, 6.5
 MEETING_FRAMES, MIN_MEETING, MAX_SCATTER, MAX_APART_M = 16, 3, 4.0, 0.01
+MOST_DRAG = 0.15  # 1/m, of a table-tennis ball
 MIN_BACK_M = 0.005  # by which a ball turns back from an upright wall
 NEAR_WALL_M = 0.01  # a wall that gives way, or a line that was given a little off
 LEVEL = 0.5  # component of a normal that points down, from which a wall is a ceiling, or a floor seen from below
@@ -60,11 +61,13 @@ def find_turns(track: Track, noise: float, down: tuple[float, float], gravity: f
         height[gap] < height[gap + 1], gap, gap + 1
     )  # (where no minimum is seen the flights may meet all the same)
     edges = edges[(edges > 0) & (edges < len(t) - 1)]
-    turned = turning_points(height, noise, reach)
+    turned = set(turning_points(height, noise, reach).tolist())
     rows: list[int] = []
-    for i in np.union1d(turned, edges).tolist():
+    for i in np.union1d([*turned], edges).astype(int).tolist():
         if rows and i - rows[-1] < max(3, reach // 2) and not {i, rows[-1]} <= set(edges.tolist()):
+            both = {i, rows[-1]}
             rows[-1] = min(rows[-1], i, key=height.__getitem__)  # noise at a high rate: one turn
+            turned |= {rows[-1]} if turned & both else set()
         else:
             rows.append(i)
     # the frame before which the ball turns, where frames are missing on a side of the lowest one; else the lowest is left out
@@ -74,12 +77,13 @@ def find_turns(track: Track, noise: float, down: tuple[float, float], gravity: f
     for n, (i, k) in enumerate(zip(rows, before, strict=True)):
         first, last = (k + 1, k + 1) if lost[n] else (i, i + 1)
         since = before[n - 1] + 1 if n else 0
-        until = before[n + 1] + 1 if n + 1 < len(rows) else len(t)
+        until = before[n + 1] + lost[n + 1] if n + 1 < len(rows) else len(t)
         sides = np.arange(since, first)[-MEETING_FRAMES:], np.arange(last, until)[:MEETING_FRAMES]
+        pull = np.array(down) * gravity
         place = None
         if not lost[n] or t[k + 1] - t[k] < max(MAX_LOST_S, MAX_LOST_FRAMES * interval):
-            place = _meeting(t, x, sides, np.array(down) * gravity, noise, interval)
-        if place is None and i not in turned:
+            place = _meeting(t, x, sides, pull, noise, interval)
+        if place is None and i not in turned and not _gains(t, height, sides, gravity, noise):
             continue
         low, high = (float(t[k]), float(t[k + 1])) if lost[n] else (float(t[i - 1]), float(t[i + 1]))
         where = (float(x[i, 0]), float(x[i, 1]))
@@ -87,6 +91,39 @@ def find_turns(track: Track, noise: float, down: tuple[float, float], gravity: f
             low, high = max(low, place[0] - interval / 2), min(high, place[0] + interval / 2)
         found.append(Turn(i, low, high, place[1] if place is not None else where, lost[n], place is not None))
     return found
+
+
+def _gains(
+    t: Array, height: Array, sides: tuple[NDArray[np.intp], NDArray[np.intp]], gravity: float, noise: float
+) -> bool:
+    """Return whether a ball moves upward after a gap more than before it, beyond its fall: it has been hit meanwhile.
+
+    After what is a flight for certain, the fall is known, up to what the air may hold back; else, as where a ball lay still or was
+    held, none is taken off.
+    """
+    if min(map(len, sides)) < 2:
+        return False
+    zero, gap = float(t[sides[1][0]]), float(t[sides[1][-1]] - t[sides[0][0]])
+    fits, certain = [], []
+    for rows in (sides[0][::-1], sides[1]):
+        for count in (MEETING_FRAMES, MEETING_FRAMES // 2, MEETING_FRAMES // 4):  # (of them other contacts may follow)
+            s, y = t[rows[:count]] - zero, height[rows[:count]]
+            straight, falls = _line(s, y), _line(s, y + gravity / 2 * s * s)
+            scatter = falls[2] / max(len(s) - 2, 1)
+            if scatter < (MAX_SCATTER * noise) ** 2:
+                break
+        fits.append((straight, falls))
+        certain.append(len(s) > 3 and straight[2] - falls[2] > 25 * min(scatter, noise**2))
+    before, after = (fit[certain[0]] for fit in fits)
+    held = gap * min(gravity, MOST_DRAG * before[0] ** 2) if certain[0] else 0.0
+    return after[0] - before[0] > held + 5 * noise * float(np.sqrt(before[1] + after[1]))
+
+
+def _line(s: Array, y: Array) -> tuple[float, float, float]:
+    """Return the slope of a straight line through y(s), its variance by that of y, and the sum of the squares left over."""
+    u, v = s - s.mean(), y - y.mean()
+    uu, uv = float(u @ u), float(u @ v)
+    return uv / uu, 1 / uu, float(v @ v) - uv * uv / uu
 
 
 def _meeting(
