@@ -114,16 +114,17 @@ def _gains(
                 break
         fits.append((straight, falls))
         certain.append(len(s) > 3 and straight[2] - falls[2] > 25 * min(scatter, noise**2))
-    before, after = (fit[certain[0]] for fit in fits)
-    held = gap * min(gravity, MOST_DRAG * before[0] ** 2) if certain[0] else 0.0
-    return after[0] - before[0] > held + 5 * noise * float(np.sqrt(before[1] + after[1]))
+    (before, per, _), (after, and_per, _) = (fit[certain[0]] for fit in fits)
+    held = gap * min(gravity, MOST_DRAG * before[1] ** 2) if certain[0] else 0.0
+    return bool(after[1] - before[1] > held + 5 * noise * np.sqrt(per[1, 1] + and_per[1, 1]))
 
 
-def _line(s: Array, y: Array) -> tuple[float, float, float]:
-    """Return the slope of a straight line through y(s), its variance by that of y, and the sum of the squares left over."""
-    u, v = s - s.mean(), y - y.mean()
-    uu, uv = float(u @ u), float(u @ v)
-    return uv / uu, 1 / uu, float(v @ v) - uv * uv / uu
+def _line(s: Array, y: Array) -> tuple[Array, Array, float]:
+    """Return value at 0 and slope of a straight line through y(s), their covariance by that of y, and the sum of squares left."""
+    columns = np.stack([np.ones_like(s), s], axis=-1)
+    inverse = np.linalg.inv(columns.T @ columns)
+    line = inverse @ columns.T @ y
+    return line, inverse, float(np.square(y - columns @ line).sum())
 
 
 def _meeting(
@@ -136,12 +137,8 @@ def _meeting(
     lines, errors = [], []
     for rows in sides:  # without the fall a flight is a straight line
         s = t[rows] - zero
-        y = x[rows] - pull * (s * s / 2)[:, None]
-        columns = np.stack([np.ones_like(s), s], axis=-1)
-        inverse = np.linalg.inv(columns.T @ columns)
-        line = inverse @ columns.T @ y
-        gap = y - columns @ line
-        scatter = float(np.sqrt(np.square(gap).sum() / max(2 * len(s) - 4, 1)))
+        line, inverse, left = _line(s, x[rows] - pull * (s * s / 2)[:, None])
+        scatter = float(np.sqrt(left / max(2 * len(s) - 4, 1)))
         if scatter > MAX_SCATTER * noise:
             return None
         lines.append(line)
