@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from reference.drawn_options import random_scene
 
 import carom
 from carom.core.jit.threads import limit_threads, thread_count
@@ -102,3 +103,15 @@ def test_a_log_that_is_full_is_run_again_with_more_rows(speeds: np.ndarray) -> N
     again, whole = kept(two_balls(), speeds, WRT, rows=4, most_rows=256), kept(two_balls(), speeds, WRT)
     assert np.array_equal(again.finals_d, whole.finals_d)
     assert np.array_equal(again.ended, whole.ended)
+
+
+@pytest.mark.parametrize("seed", [465, 525])
+def test_at_the_time_of_an_event_a_state_on_a_slope_is_that_of_the_log(seed: int) -> None:
+    """Sweeps keep that of the log: bit for bit the same as a run's."""
+    run = carom.simulate(random_scene(seed))
+    for ball in range(len(run.scene.balls)):
+        rows = run.log[run.log["ball"] == ball]
+        rows = rows[np.append(np.diff(rows["t"]) > 0, True)]
+        found = run.at(rows["t"])
+        assert found.velocity[:, ball].tobytes() == rows["v"].tobytes()
+        assert found.spin[:, ball].tobytes() == rows["w"].tobytes()

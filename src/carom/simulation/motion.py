@@ -299,6 +299,7 @@ def states(world: Any, balls: Any, log: Any, after: Array) -> tuple[Array, Array
     gone = (rows["phase"] >= HELD) & (after > 0)
     _run(state_rows, world, rows, np.where(gone, 0.0, after))
     for field in ("x", "v", "w"):
+        rows[field][after == 0] = log[field][after == 0]  # (the path on a slope is exact to rounding there)
         rows[field][gone] = np.nan
     return rows["x"], rows["v"], rows["w"], rows["phase"]
 
