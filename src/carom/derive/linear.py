@@ -12,8 +12,6 @@ from typing import Any
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
-from sympy.core.mul import _keep_coeff
-from sympy.polys.rings import PolyRing
 
 from carom.errors import CaromError
 
@@ -67,104 +65,6 @@ def _vanishes(expr: Expr) -> bool:
     return bool(reduce_trig(expr) == 0)
 
 
-@lru_cache(maxsize=256)
-def _ring(names: frozenset[Expr]) -> Any:
-    """Return the ring of polynomials with integer coefficients in ``names``, in SymPy's own order of them."""
-    return PolyRing(sp.Poly(sp.Add(*names), *(names if len(names) == 1 else ())).gens, sp.ZZ)
-
-
-def _quotient(expr: Expr, ring: Any, letters: dict[Expr, Any]) -> tuple[Any, Any]:
-    """Return the numerator and the denominator of a rational function as polynomials of ``ring``, with common factors left in."""
-    if expr in letters:
-        return letters[expr], ring.one
-    if expr.is_Rational:
-        return ring(int(expr.p)), ring(int(expr.q))
-    if expr.is_Pow:
-        top, bottom = _quotient(expr.base, ring, letters)
-        n = int(expr.exp)
-        return (top**n, bottom**n) if n >= 0 else (bottom**-n, top**-n)
-    parts = [_quotient(x, ring, letters) for x in expr.args]
-    top, bottom = parts[0]
-    if expr.is_Mul:
-        for other, below in parts[1:]:
-            top, bottom = top * other, bottom * below
-        return top, bottom
-    for other, below in parts[1:]:
-        if below == bottom:
-            top = top + other
-        else:
-            _, mine, theirs = bottom.cofactors(below)
-            top, bottom = top * theirs + other * mine, bottom * theirs
-    return top, bottom
-
-
-def _polynomials(expr: Expr) -> tuple[Any, Any] | None:
-    """Return the numerator and the denominator of ``expr``, a rational function with rational numbers; None where it is not.
-
-    The variables are symbols, unknown functions and their derivatives, and sines and cosines.
-    """
-    names: set[Expr] = set()
-    others = [expr]
-    while others:
-        part = others.pop()
-        if part.is_Symbol or isinstance(part, AppliedUndef | sp.Derivative | sp.sin | sp.cos):
-            names.add(part)
-        elif part.is_Add or part.is_Mul or (part.is_Pow and part.exp.is_Integer):
-            others += part.args
-        elif not part.is_Rational:
-            return None
-    if not names or not all(n.is_commutative for n in names):
-        return None
-    ring = _ring(frozenset(names))
-    top, bottom = _quotient(expr, ring, dict(zip(ring.symbols, ring.gens, strict=True)))
-    return (top, bottom) if bottom else None
-
-
-def _cancelled(expr: Expr) -> Expr:
-    """Return ``expr`` over one denominator without common factors: ``cancel(together(expr))``, in less time."""
-    quotient = _polynomials(expr)
-    if quotient is None:
-        return sp.cancel(sp.together(expr))
-    top, bottom = quotient[0].cancel(quotient[1])
-    return top.as_expr() / bottom.as_expr()
-
-
-def _factors(poly: Any) -> tuple[Any, list[tuple[Any, int]]]:
-    """Return an integer and the irreducible factors of a polynomial with their exponents; leading coefficients are positive."""
-    ring = poly.ring
-    if poly.is_ground:
-        return poly.LC, []
-    content, poly = poly.primitive()
-    if poly.LC < 0:
-        content, poly = -content, -poly
-    least = [min(powers) for powers in zip(*poly.itermonoms(), strict=True)]
-    found = [(x, n) for x, n in zip(ring.gens, least, strict=True) if n]
-    for x, n in found:
-        poly = poly.exquo(x**n)
-    if poly.is_ground:
-        return content, found
-    linear = next((i for i, n in enumerate(poly.degrees()) if n == 1), None)
-    if linear is None:
-        return content, found + poly.factor_list()[1]
-    # A x + B with A and B free of x: what they have in common, and a rest that is irreducible
-    parts: list[dict[tuple[int, ...], Any]] = [{}, {}]
-    for powers, number in poly.iterterms():
-        parts[powers[linear]][(*powers[:linear], 0, *powers[linear + 1 :])] = number
-    common = ring.from_dict(parts[0]).gcd(ring.from_dict(parts[1]))
-    return content, [*found, *_factors(common)[1], (poly.exquo(common), 1)]
-
-
-def _factored(expr: Expr) -> Expr:
-    """Return ``expr``, which has no common factors, factored over the rationals: ``factor(expr)``, in less time."""
-    quotient = _polynomials(expr)
-    if quotient is None:
-        return sp.factor(expr)
-    (above, tops), (below, bottoms) = map(_factors, quotient)
-    number = sp.Rational(int(above), int(below))
-    powers = [f.as_expr() ** n for f, n in tops] + [f.as_expr() ** -n for f, n in bottoms]
-    return _keep_coeff(number, sp.Mul(*powers))
-
-
 def _without_squares(c: Expr, s: Expr, n: Expr) -> Expr:
     """Return ``c**n`` for an integer n with c^2 written as 1 - s^2."""
     half, odd = divmod(abs(int(n)), 2)
@@ -195,7 +95,7 @@ def _reduced(expr: Expr, keep: str) -> Expr:
         expr = sp.expand_trig(expr)
         angles = {f.args[0] for f in expr.atoms(sp.sin, sp.cos)}
     if not angles:
-        return _cancelled(expr)
+        return sp.cancel(expr)
     # a root, sign or modulus of an angle is replaced by a dummy until the end
     odd = {w for w in expr.atoms(sp.Pow) if w.exp.is_Rational and w.exp.q == 2 and w.has(*angles)}
     others = {w for w in expr.atoms(sp.sign, sp.Abs) if w.has(*angles)}
@@ -208,13 +108,13 @@ def _reduced(expr: Expr, keep: str) -> Expr:
     names = {wave: _letter(i) for i, wave in enumerate(waves)}
     first, second = (sp.sin, sp.cos) if keep == "sin" else (sp.cos, sp.sin)
     sine_of = {names[second(q)]: names[first(q)] for q in angles}
-    value = _cancelled(expr.xreplace(names))
+    value = sp.cancel(expr.xreplace(names))
     for _ in range(2):  # a cancellation after the first pass may free another square
         # (what has been cancelled is expanded: powers of a cosine stand by themselves)
         powers = {w: w.exp for w in value.atoms(sp.Pow) if w.base in sine_of and abs(w.exp) > 1}
         if not powers:
             break
-        value = _cancelled(value.xreplace({w: _without_squares(w.base, sine_of[w.base], n) for w, n in powers.items()}))
+        value = sp.cancel(value.xreplace({w: _without_squares(w.base, sine_of[w.base], n) for w, n in powers.items()}))
     return value.xreplace(back).xreplace({v: k for k, v in names.items()})
 
 
@@ -227,9 +127,9 @@ def tidy(expr: Expr) -> Expr:
 @lru_cache(maxsize=4096)
 def _tidied(expr: Expr) -> Expr:
     if not expr.atoms(sp.sin, sp.cos, sp.tan, sp.cot):
-        return _factored(_cancelled(expr))
+        return sp.factor(sp.cancel(expr))
     forms = dict.fromkeys(reduce_trig(expr, keep) for keep in ("sin", "cos"))
-    return min((_factored(form) for form in forms), key=sp.count_ops)
+    return min((sp.factor(form) for form in forms), key=sp.count_ops)
 
 
 def _short(expr: Expr) -> Expr:
