@@ -254,7 +254,7 @@ CAPS = {
     "scene": 4430,
     "cli": 4650,
     "plot": 3655,
-    "derive": 3160,
+    "derive": 3165,
     "sweeps": 2790,
     "data": 2680,
     "interop": 1070,
