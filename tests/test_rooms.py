@@ -247,7 +247,7 @@ CAPS = {
     "fitting": 10340,
     "gas": 7390,
     "billiards": 5920,
-    "tracks": 7080,
+    "tracks": 7355,
     "simulation": 5890,
     "core": 5500,
     "laws": 4820,
