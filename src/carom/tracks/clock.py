@@ -197,6 +197,10 @@ def on_camera_clock(tracks: Sequence[Track], notes: list[str]) -> tuple[list[Tra
     for members in groups.values():
         times = np.unique(np.concatenate([track.time for track in members]))
         clock = camera_clock(times)
+        if all(track.stamped for track in members):  # (uneven ones are no program's)
+            step = np.concatenate([np.diff(track.time) for track in members] or [np.zeros(0)])
+            usual = float(np.median(step)) if len(step) else np.nan
+            clock = CameraClock(usual, times, np.ones(len(times), bool), 0.0, True)
         off += [f"{t:.6g}" for t in times[~clock.frame]]
         rounded += clock.rounded > 0
         unsteady += not clock.steady

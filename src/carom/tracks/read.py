@@ -29,6 +29,8 @@ from carom.tracks.formats.projects import START, foreign_file
 from carom.tracks.formats.tables import Calibration, first_rows
 from carom.tracks.preprocess import with_one_name, with_own_names
 from carom.tracks.track import Track, position_noise
+from carom.tracks.video.film import track_film
+from carom.tracks.video.reading import is_film
 
 MESSAGE_PACK = ".msgpack"
 OF_REBOUNDS = ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in")  # columns
@@ -68,6 +70,7 @@ FORMATS = {
     "idtracker": Format("idTracker", programs.is_idtracker, programs.idtracker),
     "columns": Format("named columns", columns.matches, columns.read),
 }
+FILM = "film"
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,7 +101,7 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
     Parameters
     ----------
     path : path
-        A file of one of the programs in FORMATS, or any table with columns t, x, y.
+        A file of one of the programs in FORMATS, any table with columns t, x, y, or a film.
     format : str, optional
         A key of FORMATS; by default the format is recognised from the content.
     calibration : Calibration, optional
@@ -134,6 +137,11 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
         raise CaromError(
             Fault("tracks", "format", f"one of {', '.join(FORMATS)}", repr(format), suggestion(format, list(FORMATS)))
         )
+    if is_film(path) and format is None:
+        given = dict(calibration.film)
+        film = track_film(path, **{"scale": calibration.scale, "rate": calibration.rate, **given})
+        found = _checked_tracks(path, FILM, film.tracks, Calibration(scale=film.scale))
+        return replace(found, notes=(*film.notes, *found.notes))
     if path.suffix.lower() == MESSAGE_PACK:
         return _with_positions(path, "pooltool", pooltool.tracks_of(open_file(path), calibration), calibration)
     require_text(path, "positions")
@@ -171,7 +179,9 @@ def _checked_tracks(path: Path, name: str, tracks: Sequence[Track], calibration:
     faults = FaultList(str(path))
     checked = [_in_order(track, notes, faults) for track in _from_zero(tracks, notes)]
     faults.raise_if_any()
-    if calibration.rate is not None:
+    if all(track.stamped for track in checked):
+        pass
+    elif calibration.rate is not None:
         checked = at_rate(checked, calibration.rate, str(path), notes)
     else:
         checked = without_rounding(checked, notes)

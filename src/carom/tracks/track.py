@@ -43,6 +43,8 @@ class Track:
     """Whether frames in which the ball rested may be missing."""
     frame: Array | None = None
     """(n,) frame numbers, if the program wrote them."""
+    stamped: bool = False
+    """Whether the times are the frames' own, as a film's container has them: no clock is sought behind them."""
 
     def __len__(self) -> int:
         """The number of samples."""

@@ -8,10 +8,11 @@ import io
 import itertools
 import re
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,6 +56,8 @@ class Calibration:
     """Whether the second axis of the file points down, as in images; None: the program's convention."""
     likelihood: float = 0.6
     """Positions with a lower likelihood (of a neural network) are omitted."""
+    film: Mapping[str, Any] = field(default_factory=dict, repr=False)
+    """Of films that carom reads itself: further arguments of :func:`carom.track_film`."""
 
 
 @dataclass

@@ -2,17 +2,49 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
-from typing import NamedTuple
+from os import PathLike
+from pathlib import Path as FilePath
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, Fault
+from carom.errors import CaromError, Fault, FaultList, noting
+from carom.files import as_path
 from carom.formatting import counted
-from carom.tracks.video.reading import Array, Bytes, open_film
+from carom.public.defaults import GRAVITY
+from carom.public.other_rooms import figure_maker
+from carom.public.progress import Progress
+from carom.tracks.track import Track
+from carom.tracks.video.balls import (
+    CHANGED,
+    LOST,
+    Background,
+    Blob,
+    Linker,
+    Path,
+    cores_of,
+    find_background,
+    find_blobs,
+    joined,
+    likely_paths,
+    sampled,
+)
+from carom.tracks.video.edges import Optics, Outline, Patch, fit_outline
+from carom.tracks.video.reading import Array, Bytes, FilmFile, film_times, open_film
+from carom.tracks.video.scale import (
+    CERTAIN,
+    LEAST_READOUT,
+    MOST_READOUT,
+    choose_scale,
+    contacts_within,
+    fit_falls,
+    parse_length,
+    row_phase,
+)
 
 Mask = NDArray[np.bool_]
 AROUND = 1.6  # radii that a crop shows around the middle of the ball
@@ -25,7 +57,7 @@ class TrackedFilm:
     F is the number of frames.
     """
 
-    path: Path
+    path: FilePath
     times: Array
     """(F,) s, from the first frame on: the middle of each exposure, in the row of the picture's middle."""
     places: Mapping[str, Array]
@@ -47,6 +79,23 @@ class TrackedFilm:
     notes: tuple[str, ...] = ()
     used: Mapping[str, Mask] = field(default_factory=dict)
     """By ball: (F,) frames whose place is used: seen, not flagged, without a contact within the exposure."""
+    tracks: tuple[Track, ...] = ()
+    """In m, upward from the picture's lower left corner, with the times of the balls' rows."""
+    scale: float = np.nan
+    """m per px."""
+    readout: float = 0.0
+    """s, from the first to the last row of the camera."""
+
+    def table(self) -> dict[str, NDArray[Any]]:
+        """Return the columns ``t [s]``, ``x [m]``, ``y [m]``, ``ball`` of the tracks, a row per ball and frame."""
+        rows = {"t [s]": [one.time for one in self.tracks]}
+        rows |= {f"{axis} [m]": [one.position[:, k] for one in self.tracks] for k, axis in enumerate("xy")}
+        found = {name: np.concatenate([np.zeros(0), *parts]) for name, parts in rows.items()}
+        return found | {"ball": np.array([one.name for one in self.tracks for _ in range(len(one))], dtype=object)}
+
+    def sheet(self, file: str | PathLike[str]) -> Any:
+        """Draw the contact sheet, to look at what was tracked: .png, .svg or .pdf."""
+        return figure_maker("film_sheet")(self, file)
 
     def __repr__(self) -> str:
         """Return one line: the number of balls and frames."""
@@ -92,3 +141,677 @@ def crops(film: TrackedFilm, ball: str, frames: Sequence[int]) -> Iterator[Crop]
             halves = slice(top // 2, bottom // 2), slice(left // 2, right // 2)
             pixels = file.to_rgb(frame.y[rows, columns], frame.u[halves], frame.v[halves])
             yield Crop(frame.number, (int(left), int(top)), pixels)
+
+
+# ----------------------------------------------------------------------------------------------------
+# From the file to the record: background, blobs, paths; the optics from some frames of each candidate; then all frames.
+
+LEAST_FRAMES = 6
+SAMPLED = 10  # frames of a candidate from which the optics are found
+MOST_BYTES = 150e6  # of patches that are kept at once
+SHARE, RIM = 0.75, 0.6  # of what a candidate's picture shows, explained by a disc; of its rim, seen
+ALIKE_SIZE = 0.12  # scatter of a ball's radius in the frames, at most
+SHARPER = 0.85  # blur of a ball without its shadow, of that with it
+LIKE = 0.5  # of the frames of the best candidate: another one with as many is as likely
+FLAGGED = 8.0  # times the usual cost
+FAR = 25.0  # radii: the way of what surely moves
+GROWS = 0.03  # of the radius, that is said
+LONG_EXPOSURE = 0.5  # of the time from frame to frame
+
+
+class Candidate(NamedTuple):
+    """A path with the outline's usual numbers."""
+
+    path: Path
+    optics: Optics
+    share: float
+    seen: float
+    scatter: float
+    """Of the radius, relative."""
+    radii: Array
+    """(n, 2): frame and radius, px."""
+
+    @property
+    def score(self) -> float:
+        """How much speaks for a ball: frames, and that it moves far."""
+        way = float(np.hypot(*np.diff(self.path.places, axis=0).T).sum())
+        return len(self.path.frames) * max(self.share, 0.0) * min(way / self.optics.radius / FAR, 1.0)
+
+    @property
+    def is_ball(self) -> bool:
+        """Whether a disc explains what is seen."""
+        return self.share > SHARE and self.seen > RIM and self.scatter < ALIKE_SIZE and self.optics.radius > 2.5
+
+
+def patches(
+    film: FilmFile, ground: Background, wanted: Mapping[int, Sequence[tuple[Any, Array, float]]]
+) -> Iterator[tuple[Any, Patch]]:
+    """Yield the pixels around places, with their keys: ``wanted`` has, by frame, keys, places (2,) and half widths, px."""
+    last = max(wanted, default=-1)
+    for frame in film.frames() if wanted else ():
+        if frame.number > last:
+            return
+        height, width = frame.y.shape
+        for key, place, half in wanted.get(frame.number, ()):
+            low = np.maximum(np.floor(place - half), 0).astype(int) // 2 * 2
+            high = np.minimum(np.ceil(place + half), [width, height]).astype(int) // 2 * 2
+            if (high - low < 8).any():
+                continue
+            rows, columns = slice(low[1], high[1]), slice(low[0], high[0])
+            halves = slice(low[1] // 2, high[1] // 2), slice(low[0] // 2, high[0] // 2)
+            planes = frame.y[rows, columns].copy(), frame.u[halves].copy(), frame.v[halves].copy()
+            y, u, v = ground.planes
+            yield key, Patch(frame.number, (int(low[0]), int(low[1])), planes, (y[rows, columns], u[halves], v[halves]))
+
+
+def velocities(times: Array, places: Array) -> tuple[Array, Array, Array]:
+    """Return velocities (F, 2) in frames, px/s: of both sides, of the frames before, and of those after; NaN without a place.
+
+    Those of one side are of the frame, not of the middle between frames, where there are three frames.
+    """
+    rows = np.flatnonzero(np.isfinite(places[:, 0]))
+    both, before, after = (np.full(places.shape, np.nan) for _ in range(3))
+    if len(rows) < 2:
+        return both, before, after
+    t, x = times[rows], places[rows]
+    slope = np.diff(x, axis=0) / np.diff(t)[:, None]
+    bend = np.diff(slope, axis=0) / (t[2:] - t[:-2])[:, None]  # (half the acceleration)
+    first, second = np.concatenate([slope[:1], slope]), np.concatenate([slope, slope[-1:]])
+    first[2:] += bend * np.diff(t)[1:, None]
+    second[:-2] -= bend * np.diff(t)[:-1, None]
+    both[rows], before[rows], after[rows] = (first + second) / 2, first, second
+    weights = np.diff(t)
+    both[rows[1:-1]] = (slope[:-1] * weights[1:, None] + slope[1:] * weights[:-1, None]) / (weights[:-1] + weights[1:])[
+        :, None
+    ]
+    return both, before, after
+
+
+def _dense(path: Path, count: int, times: Array) -> Array:
+    """Return the places (F, 2) of a path, with those of short gaps between; NaN elsewhere."""
+    found = np.full((count, 2), np.nan)
+    frames, places = np.array(path.frames), path.places
+    inner = np.arange(frames[0], frames[-1] + 1)
+    gap = (
+        np.diff(frames)[np.clip(np.searchsorted(frames, inner, side="right") - 1, 0, len(frames) - 2)]
+        if len(frames) > 1
+        else 1
+    )
+    known = inner[gap <= LOST]
+    for axis in (0, 1):
+        found[known, axis] = np.interp(times[known], times[frames], places[:, axis])
+    return found
+
+
+def _usual_optics(film: FilmFile, ground: Background, paths: Sequence[Path], times: Array) -> list[Candidate]:
+    """Return candidates with radius, blur of the lens, exposure and noise, each from some frames of its own."""
+    cores = [one for one in map(cores_of, paths) if one is not None]
+    found = [
+        _candidate(path, mine, ground)
+        for path, mine in _some_patches(film, ground, [*paths, *cores], times)
+        if len(mine) >= 3
+    ]
+    # (a ball with its shadow is no disc, or a larger one: what is no shadow of it is taken where that is a ball)
+    better = {id(one): core for one in found for core in found if core.path in cores and one.path not in cores
+              and core.is_ball and (not one.is_ball or core.optics.psf < SHARPER * one.optics.psf) and core.path.frames[0] >= one.path.frames[0] and core.path.frames[-1] <= one.path.frames[-1]
+              and _within(core.path, one.path)}  # fmt: skip
+    return [better.get(id(one), one) for one in found if one.path not in cores]
+
+
+def _within(core: Path, path: Path) -> bool:
+    """Return whether a path of cores is of the blobs of another path."""
+    by_frame = dict(zip(path.frames, path.blobs, strict=True))
+    return all(
+        k in by_frame and by_frame[k].core is not None and by_frame[k].core[0] == one.x
+        for k, one in zip(core.frames, core.blobs, strict=True)
+    )
+
+
+def _some_patches(
+    film: FilmFile, ground: Background, paths: Sequence[Path], times: Array
+) -> list[tuple[Path, list[tuple[Patch, Blob, Array]]]]:
+    """Return for each path the pixels around it in some frames, slow and fast ones, with the blob and the velocity, px/s."""
+    wanted: dict[int, list[Any]] = {}
+    speeds = []
+    for k, path in enumerate(paths):
+        speeds.append(velocities(times, _dense(path, len(times), times))[0])
+        size = path.radius
+        good = [i for i, one in enumerate(path.blobs) if not one.cut and abs(np.log(one.radius / size)) < 0.4]
+        good = sorted(good, key=lambda i: path.blobs[i].blur)
+        for i in {good[round(one)] for one in np.linspace(0, len(good) - 1, SAMPLED)} if good else ():
+            blob = path.blobs[i]
+            wanted.setdefault(path.frames[i], []).append(
+                ((k, i), np.array([blob.x, blob.y]), 1.7 * size + blob.blur / 2 + 8)
+            )
+    rows: list[list[tuple[Patch, Blob, Array]]] = [[] for _ in paths]
+    for (k, i), patch in patches(film, ground, wanted):
+        rows[k].append((patch, paths[k].blobs[i], speeds[k][patch.frame]))
+    return list(zip(paths, rows, strict=True))
+
+
+def _candidate(path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Background) -> Candidate:
+    """Return a candidate from its pixels in some frames, with blobs and velocities."""
+    noise = tuple(max(2 * one, least) for one, least in zip(ground.noise, (1.5, 0.8, 0.8), strict=True))
+    start = Optics(0.95 * path.radius, 1.0, 0.0, noise)  # type: ignore[arg-type]
+    outlines = []
+    for patch, blob, speed in some:
+        fast = float(np.hypot(*speed))
+        way = speed / fast * max(blob.blur, 2.0) if fast > 0 else np.zeros(2)
+        outlines.append(fit_outline(patch, np.array([blob.x, blob.y]), way, start, free="xyrls", order=1))
+    radius = float(np.median([one.radius for one in outlines]))
+    good = [k for k, one in enumerate(outlines) if abs(one.radius / radius - 1) < ALIKE_SIZE]
+    fast, blur = np.array([np.hypot(*some[k][2]) for k in good]), np.array([outlines[k].blur for k in good])
+    exposure = _weighted_median(blur / np.maximum(fast, 1e-9), fast) if good and fast.max() > 0 else 0.0
+    optics = Optics(radius, float(np.median([one.psf for one in outlines])), exposure, noise)  # type: ignore[arg-type]
+    optics = optics._replace(shift=_colour_shift([(some[k][0], outlines[k]) for k in good], optics))
+    last = [
+        fit_outline(patch, one.place, speed * exposure, optics, free="xyr", coarse=False)
+        for (patch, _blob, speed), one in zip(some, outlines, strict=True)
+    ]
+    radii = np.array([one.radius for one in last])
+    return Candidate(
+        path, optics._replace(radius=float(np.median(radii))), float(np.median([one.share for one in last])),
+        float(np.median([one.seen for one in last])), float(1.4826 * np.median(np.abs(radii / np.median(radii) - 1))),
+        np.array([[patch.frame, radius] for (patch, _blob, _speed), radius in zip(some, radii, strict=True)]),
+    )  # fmt: skip
+
+
+def _weighted_median(values: Array, weights: Array) -> float:
+    order = np.argsort(values)
+    return float(values[order][np.searchsorted(np.cumsum(weights[order]), weights.sum() / 2)])
+
+
+def _colour_shift(fitted: Sequence[tuple[Patch, Outline]], optics: Optics) -> tuple[float, float]:
+    """Return by how much the colour planes are shifted against brightness, px, from frames in which the ball is slow."""
+    off = []
+    for patch, outline in sorted(fitted, key=lambda one: one[1].blur)[:5]:
+        sides = []
+        for blind in ((1, 1e3, 1e3), (1e3, 1, 1)):
+            alone = optics._replace(noise=tuple(np.multiply(optics.noise, blind)))
+            sides.append(fit_outline(patch, outline.place, np.zeros(2), alone, coarse=False, order=2))
+        if min(one.seen for one in sides) > RIM:
+            off.append(sides[0].place - sides[1].place)
+    found = np.clip(np.median(off, axis=0), -1, 1) if len(off) >= 3 else np.zeros(2)
+    return float(found[0]), float(found[1])
+
+
+def _followed(
+    film: FilmFile, ground: Background, ball: Candidate, times: Array, tell: Callable[[int], None]
+) -> tuple[Array, Array]:
+    """Return the places (F, 2) and costs (F,) of a ball's outline in all frames of its path."""
+    count = len(times)
+    seeds = _dense(ball.path, count, times)
+    places, costs = np.full((count, 2), np.nan), np.full(count, np.nan)
+    speed = velocities(times, seeds)[0]
+    blurs = dict(zip(ball.path.frames, (one.blur for one in ball.path.blobs), strict=True))
+    radii = _radius_of_frames(ball, count)
+    rows = np.flatnonzero(np.isfinite(seeds[:, 0]))
+    # (a centre so near the edge that part of the outline is beyond it)
+    border = (
+        (seeds > 0.8 * ball.optics.radius)
+        & (seeds < np.array([film.width, film.height]) - 1 - 0.8 * ball.optics.radius)
+    ).all(axis=1)
+    rows = rows[border[rows]]
+    wanted = {
+        int(k): [(int(k), seeds[k], 1.7 * radii[k] + max(np.abs(speed[k]).max() * ball.optics.exposure, blurs.get(int(k), 0.0)) / 2 + 8)]
+        for k in rows
+    }  # fmt: skip
+    chunk: list[Patch] = []
+    held = 0.0
+
+    def finish() -> None:
+        _fit_chunk(chunk, ball.optics, radii, times, seeds, places, costs)
+        chunk.clear()
+
+    for _key, patch in patches(film, ground, wanted):
+        chunk.append(patch)
+        held += 2 * sum(one.nbytes for one in patch.planes)
+        if held > MOST_BYTES:
+            finish()
+            held = 0.0
+        tell(patch.frame)
+    finish()
+    return places, costs
+
+
+def _radius_of_frames(ball: Candidate, count: int) -> Array:
+    """Return the radius (F,) in frames, px: one for all, or of a parabola in time where it changes by more than its scatter."""
+    frame, radius = ball.radii.T
+    usual = np.full(count, ball.optics.radius)
+    keep = np.abs(radius / ball.optics.radius - 1) < 0.3
+    if keep.sum() < 6 or np.ptp(frame[keep]) == 0:
+        return usual
+    middle, half = frame[keep].mean(), max(np.ptp(frame[keep]) / 2, 1.0)
+    fit = np.polyfit((frame[keep] - middle) / half, radius[keep], 1)
+    left = radius[keep] - np.polyval(fit, (frame[keep] - middle) / half)
+    error = float(np.std(left)) / np.sqrt(keep.sum())
+    if abs(fit[0]) < max(4 * error, GROWS * ball.optics.radius):
+        return usual
+    return np.polyval(fit, np.clip((np.arange(count) - middle) / half, -1, 1))
+
+
+def _fit_chunk(
+    chunk: Sequence[Patch], optics: Optics, radii: Array, times: Array, seeds: Array, places: Array, costs: Array
+) -> None:
+    """Fit the outlines in some frames, in rounds: with the way of the blobs, of the places found, and from beside, where that is bad."""
+    by_frame = {patch.frame: patch for patch in chunk}
+    way = np.nan_to_num(velocities(times, seeds)[0]) * optics.exposure
+    for k, patch in by_frame.items():
+        found = fit_outline(patch, seeds[k], way[k], optics._replace(radius=radii[k]))
+        places[k], costs[k] = found.place, found.cost
+    for turn in range(3):
+        both, before, after = (one * optics.exposure for one in velocities(times, places))
+        usual = float(np.nanmedian(costs)) if np.isfinite(costs).any() else 1.0
+        for k, patch in by_frame.items():
+            choices = [one[k] for one in (both, before, after) if np.isfinite(one[k]).all()]
+            bad = costs[k] > FLAGGED / 2 * usual
+            turns = len(choices) == 3 and float(np.hypot(*(choices[1] - choices[2]))) > 1.0
+            moved = len(choices) > 0 and float(np.hypot(*(choices[0] - way[k]))) > 0.7
+            if not (bad or (turns and turn == 0) or (moved and turn < 2)):
+                continue
+            if not turns:
+                choices = choices[:1]
+            starts = [(places[k], one) for one in [*choices, *([np.zeros(2)] if turns else [])]]
+            if bad:
+                starts += [
+                    (at, by * optics.exposure) for at, by in _from_beside(k, times, places, costs, FLAGGED / 2 * usual)
+                ]
+            at = optics._replace(radius=radii[k])
+            same = [(places[k], way[k]), *starts] if len(starts) > 1 else ()
+            tried = [fit_outline(patch, *one, at, coarse=bad, like=same[:1]) for one in starts]
+            best = min(range(len(tried)), key=lambda i: tried[i].cost)
+            if not np.isfinite(costs[k]) or tried[best].cost < costs[k] or not bad:
+                places[k], costs[k], way[k] = tried[best].place, tried[best].cost, starts[best][1]
+
+
+def _from_beside(k: int, times: Array, places: Array, costs: Array, most: float) -> list[tuple[Array, Array]]:
+    """Return places and velocities in a frame by the parabolas through the good frames before it, and after it."""
+    found = []
+    good = np.flatnonzero((costs <= most) & np.isfinite(places[:, 0]))
+    for side in (good[good < k][-4:], good[good > k][:4]):
+        if len(side) >= 3 and abs(side - k).max() < 9:
+            t = times[side] - times[k]
+            fit = [np.polyfit(t, places[side, axis], 2) for axis in (0, 1)]
+            found.append((np.array([one[2] for one in fit]), np.array([one[1] for one in fit])))
+    return found
+
+
+def track_film(
+    path: str | FilePath,
+    balls: int = 1,
+    *,
+    radius: float | None = None,
+    scale: float | str | None = None,
+    length: str | None = None,
+    readout: float | None = None,
+    rate: float | None = None,
+    ball: Sequence[str] | str = (),
+    colour: str | None = None,
+    region: str | None = None,
+    start: float | None = None,
+    end: float | None = None,
+    gravity: float = GRAVITY,
+    progress: Progress | None = None,
+) -> TrackedFilm:
+    """Track balls in a film, by their outlines: ``carom track``.
+
+    Parameters
+    ----------
+    path : path
+        A film that FFmpeg can read, taken with a camera at rest.
+    balls : int
+        How many are tracked.
+    radius : float, optional
+        Of the balls, m; gives the scale to some 2 % where nothing else does.
+    scale : float or "gravity", optional
+        Metres per pixel; or from free flight.
+    length : str, optional
+        Two points in px and their distance, ``"x1,y1,x2,y2=1m"``.
+    readout : float, optional
+        Time from the first to the last row of the camera, s. Default: from the flights, if they show it.
+    rate : float, optional
+        True frames per second of a film in slow motion; default: the container's times.
+    ball : sequence of str, optional
+        A place of each ball at a time of the film, ``"x,y@t"`` (px, s). Default: the things that move and are round.
+    colour, region : str, optional
+        Of the balls, ``"#e0b020"``; and where they are, ``"x0,y0,x1,y1"`` in px.
+    start, end : float, optional
+        Part of the film, s.
+    gravity : float
+        m/s^2.
+    progress : callable(done, total, text), optional
+
+    Returns
+    -------
+    TrackedFilm
+        ``.tracks`` in m, upward, ``.table()``, ``.sheet(file)``, ``.notes``; :func:`carom.measure_tracks` takes it.
+
+    Raises
+    ------
+    CaromError
+        One line: no film, no ball, two that may be meant, a camera that moves, no scale.
+
+    Examples
+    --------
+    >>> import carom
+    >>> film = carom.track_film("bounce.mp4", length="102,655,1180,650=1m")  # doctest: +SKIP
+    >>> film.tracks[0].position.shape  # doctest: +SKIP
+    (112, 2)
+    """
+    asked = _checked(balls, radius, scale, length, readout, rate, ball, colour, region, start, end)
+    file = open_film(as_path("track_film", path))
+    notes = list(file.notes)
+    part = (file.start + (start or 0.0), np.inf if end is None else file.start + end)
+
+    def tell(done: float, text: str) -> None:
+        if progress is not None:
+            progress(done, 1.0, text)
+
+    tell(0.0, "background")
+    samples = sampled(file, part)
+    if len(samples) < LEAST_FRAMES:
+        raise CaromError(Fault(f"{file.path}", "", f"{LEAST_FRAMES} frames or more", f"{len(samples)}"))
+    ground = find_background(samples)
+    del samples
+    stamps, paths, changed = _linked(file, ground, part, asked, tell)
+    times = film_times(file, stamps, rate, notes)
+    with noting(notes):
+        chosen = _chosen(file, ground, paths, times, asked, balls, changed)
+    notes += _outline_notes(chosen, times)
+    names = ["ball"] if balls == 1 else [f"ball {k + 1}" for k in range(balls)]
+    places, costs = {}, {}
+    for k, (name, one) in enumerate(zip(names, chosen, strict=True)):
+
+        def said(done: int, k: int = k) -> None:
+            tell(0.3 + 0.7 * (k + done / len(times)) / balls, "outlines")
+
+        places[name], costs[name] = _followed(file, ground, one, times, said)
+        costs[name] /= max(float(np.nanmedian(costs[name])), 1e-9)
+    optics = max(chosen, key=lambda one: len(one.path.frames)).optics
+    return _record(file, ground, times, places, costs, optics, (scale, length, radius, readout, gravity), notes)
+
+
+class _Asked(NamedTuple):
+    """Arguments of track_film that were read."""
+
+    seeds: list[tuple[float, float, float]]
+    colour: Array | None
+    region: tuple[float, float, float, float] | None
+
+
+def _checked(
+    balls: int, radius: float | None, scale: float | str | None, length: str | None, readout: float | None, rate: float | None,
+    ball: Sequence[str] | str, colour: str | None, region: str | None, start: float | None, end: float | None,
+) -> _Asked:  # fmt: skip
+    faults = FaultList()
+    if not 1 <= balls <= 30:
+        faults.add("`balls`", "1 to 30 balls", repr(balls))
+    for name, value, low in (
+        ("radius", radius, 0),
+        ("readout", readout, -1),
+        ("rate", rate, 0),
+        ("end", end, start or 0),
+    ):
+        if value is not None and not low < value < 1e6:
+            faults.add(f"`{name}`", f"a number above {max(low, 0):g}", repr(value))
+    if isinstance(scale, str) and scale != "gravity":
+        faults.add("`scale`", "metres per pixel, or gravity", repr(scale))
+    if isinstance(scale, float | int) and not 0 < scale < 1e3:
+        faults.add("`scale`", "metres per pixel, above 0", repr(scale))
+    if length is not None:
+        faults.attempt(parse_length, length)
+    seeds = []
+    for text in [ball] if isinstance(ball, str) else ball:
+        numbers = re.fullmatch(r"\s*(-?[\d.]+)\s*,\s*(-?[\d.]+)\s*@\s*([\d.]+)\s*s?\s*", text)
+        if numbers is None:
+            faults.add("`ball`", "a place and a time, x,y@t (px, s)", repr(text))
+        else:
+            seeds.append((float(numbers[1]), float(numbers[2]), float(numbers[3])))
+    if seeds and len(seeds) != balls:
+        faults.add("`ball`", f"one for each of {counted(balls, 'ball')}", str(len(seeds)))
+    tone = None
+    if colour is not None:
+        if re.fullmatch(r"#[0-9a-fA-F]{6}", colour):
+            tone = np.array([int(colour[k : k + 2], 16) for k in (1, 3, 5)], float)
+        else:
+            faults.add("`colour`", "red, green, blue as in '#e0b020'", repr(colour))
+    corners = None
+    if region is not None:
+        numbers_of = re.fullmatch(r"\s*([\d.]+),\s*([\d.]+),\s*([\d.]+),\s*([\d.]+)\s*", region)
+        x0, y0, x1, y1 = (float(one) for one in numbers_of.groups()) if numbers_of else (0.0, 0.0, 0.0, 0.0)
+        if x1 > x0 and y1 > y0:
+            corners = (x0, y0, x1, y1)
+        else:
+            faults.add("`region`", "x0,y0,x1,y1 in px, x0 < x1 and y0 < y1", repr(region))
+    faults.raise_if_any()
+    return _Asked(seeds, tone, corners)
+
+
+def _linked(
+    file: FilmFile, ground: Background, part: tuple[float, float], asked: _Asked, tell: Callable[[float, str], None]
+) -> tuple[list[float], list[Path], float]:
+    """Return the stamps of all frames, the paths of what moves in part of the film, and which share of frames changes as a whole."""
+    inside = None
+    if asked.region is not None:
+        inside = np.zeros(ground.half.shape, bool)
+        x0, y0, x1, y1 = (int(one / 2) for one in asked.region)
+        inside[y0 : y1 + 1, x0 : x1 + 1] = True
+    linker, stamps, shares = Linker(), list[float](), list[float]()
+    for frame in file.frames():
+        stamps.append(frame.stamp)
+        if part[0] <= frame.stamp <= part[1] or not np.isfinite(frame.stamp):
+            blobs, share = find_blobs(frame, ground, inside)
+            linker.add(frame.number, blobs)
+            shares.append(share)
+        tell(0.05 + 0.25 * (1 - 100 / (100 + frame.number)), "what moves")
+    return stamps, linker.paths, float(np.mean(np.array(shares) > CHANGED)) if shares else 0.0
+
+
+def _chosen(
+    file: FilmFile, ground: Background, paths: Sequence[Path], times: Array, asked: _Asked, balls: int, changed: float
+) -> list[Candidate]:
+    """Return the candidates that are balls. Raises CaromError where they are not, or others are as likely."""
+    where = f"{file.path}"
+    if changed > 0.5:
+        got = f"a picture that changes as a whole in {100 * changed:.0f} % of the frames"
+        raise CaromError(
+            Fault(where, "", "a camera at rest", got, "put it on a stand, or cut the film (`start`, `end`)")
+        )
+    likely = likely_paths(paths, LEAST_FRAMES)
+    if asked.colour is not None:
+        likely = [one for one in likely if np.abs(_rgb(file, one) - asked.colour).max() < 70]
+    if asked.seeds:
+        first = [_nearest(where, paths, times, seed) for seed in asked.seeds]
+        found = _usual_optics(file, ground, [joined(one, likely) for one in first], times)
+        if len(found) == balls:
+            return found
+        raise CaromError(
+            Fault(
+                where,
+                "`ball`",
+                f"outlines of {counted(balls, 'ball')}",
+                f"{len(found)}",
+                "name a frame in which it is seen alone",
+            )
+        )
+    found = _usual_optics(file, ground, likely[: balls + 4], times)
+    good = sorted((one for one in found if one.is_ball), key=lambda one: -one.score)
+    apart: list[Candidate] = []
+    for one in good:
+        # (what goes on under another name is the same ball)
+        if any(_one_ball(one.path, other.path) for other in apart):
+            continue
+        apart.append(one)
+    if len(apart) < balls:
+        raise CaromError(
+            Fault(
+                where,
+                "",
+                f"{counted(balls, 'round thing')} that move{'s' if balls == 1 else ''}",
+                _what_moves(found, likely, times, len(apart)),
+                "is the ball as bright as the ground, or too small? `ball` x,y@t names it",
+            )
+        )
+    rest = [one for one in apart[balls:] if one.score > LIKE * apart[balls - 1].score]
+    if rest:
+        said = "; ".join(_said(one, times) for one in [*apart[:balls], *rest][:4])
+        raise CaromError(
+            Fault(
+                where,
+                "",
+                counted(balls, "ball"),
+                f"{len(apart[:balls]) + len(rest)} that are as likely: {said}",
+                f"carom track `balls` {balls + len(rest)} tracks all, `ball` x,y@t names one",
+            )
+        )
+    kept = [
+        one._replace(
+            path=joined(one.path, [path for path in likely if not any(path is other.path for other in apart[:balls])])
+        )
+        for one in apart[:balls]
+    ]
+    return sorted(kept, key=lambda one: (one.path.frames[0], one.path.blobs[0].x)) if balls > 1 else kept
+
+
+def _one_ball(one: Path, other: Path) -> bool:
+    """Return whether two paths may be one ball's: never at the same time, of one size and colour."""
+    return len(joined(other, [one]).frames) > len(other.frames)
+
+
+def _rgb(file: FilmFile, path: Path) -> Array:
+    return np.asarray(file.matrix @ [*np.median([one.colour for one in path.blobs], axis=0), 1.0])
+
+
+def _nearest(where: str, paths: Sequence[Path], times: Array, seed: tuple[float, float, float]) -> Path:
+    """Return the path that passes nearest to a place (px) at a time."""
+    x, y, t = seed
+    frame = int(np.argmin(np.abs(times - t)))
+    near = []
+    for path in paths:
+        k = int(np.argmin(np.abs(np.array(path.frames) - frame)))
+        if abs(path.frames[k] - frame) <= 2:
+            near.append((float(np.hypot(path.blobs[k].x - x, path.blobs[k].y - y)), len(near), path, path.blobs[k]))
+    best = min(near, default=None)
+    if best is None or best[0] > 2 * best[3].radius + 5 or len(best[2].frames) < LEAST_FRAMES:
+        got = (
+            "nothing"
+            if best is None
+            else f"at ({best[3].x:.0f}, {best[3].y:.0f}) the nearest, in {counted(len(best[2].frames), 'frame')}"
+        )
+        raise CaromError(Fault(where, "`ball`", f"something that moves near ({x:g}, {y:g}) at {t:g} s", got))
+    return best[2]
+
+
+def _said(one: Candidate, times: Array) -> str:
+    k = len(one.path.frames) // 2
+    blob, frame = one.path.blobs[k], one.path.frames[k]
+    return f"r = {one.optics.radius:.3g} px in {counted(len(one.path.frames), 'frame')}, {blob.x:.0f},{blob.y:.0f}@{times[frame]:.3g}"
+
+
+def _what_moves(found: Sequence[Candidate], likely: Sequence[Path], times: Array, count: int) -> str:
+    lacking = [one for one in found if not one.is_ball]
+    some = f"{count}, and " if count else ""
+    if not lacking:
+        return f"{some}{'nothing that keeps its size' if not likely else 'nothing with an outline'}"
+    best = max(lacking, key=lambda one: one.share * one.seen)
+    return (
+        f"{some}at best {_said(best, times)}, of which a disc explains {100 * max(best.share, 0):.0f} %, with"
+        f" {100 * best.seen:.0f} % of its rim seen, its radius scattering by {100 * best.scatter:.0f} %"
+    )
+
+
+def _outline_notes(chosen: Sequence[Candidate], times: Array) -> list[str]:
+    notes = []
+    interval = float(np.median(np.diff(times)))
+    for one in chosen:
+        radii = _radius_of_frames(one, len(times))[one.path.frames]
+        if np.ptp(radii) > GROWS * one.optics.radius:
+            notes.append(
+                f"the ball's radius changes from {radii[0]:.3g} to {radii[-1]:.3g} px: it comes nearer or moves away, so the scale is not"
+                " the same everywhere"
+            )
+    one = max(chosen, key=lambda one: len(one.path.frames))
+    if one.optics.exposure > LONG_EXPOSURE * interval:
+        blur = (
+            float(np.nanmax(np.hypot(*velocities(times, _dense(one.path, len(times), times))[0].T)))
+            * one.optics.exposure
+        )
+        notes.append(
+            f"exposure of {1e3 * one.optics.exposure:.3g} ms of {1e3 * interval:.3g} ms from frame to frame: a blur of up to"
+            f" {blur:.0f} px; frames whose exposure holds a contact are left out. 1/500 s would give more"
+        )
+    return notes
+
+
+def _record(
+    file: FilmFile, ground: Background, times: Array, places: dict[str, Array], costs: dict[str, Array], optics: Optics,
+    asked: tuple[float | str | None, str | None, float | None, float | None, float], notes: list[str],
+) -> TrackedFilm:  # fmt: skip
+    """Return the record: flagged frames, frames with contacts in them, the readout, the scale and the tracks."""
+    scale, length, radius, given, gravity = asked
+    size = (file.width, file.height)
+    flags = {name: costs[name] > FLAGGED for name in places}
+    used, speed = {}, {}
+    held = 0
+    for name, place in places.items():
+        good = np.isfinite(place[:, 0]) & ~flags[name]
+        within = contacts_within(times, np.where(good[:, None], place, np.nan), optics.exposure)
+        held += int((within & good).sum())
+        used[name] = good & ~within
+        speed[name] = velocities(times, place)[0]
+    flagged = np.any(list(flags.values()), axis=0)
+    if flagged.any():
+        notes.append(
+            f"in {counted(int(flagged.sum()), 'frame')} the outline does not fit (a shadow, another thing beside the ball): left out, at"
+            f" t = {', '.join(f'{t:.4g}' for t in times[flagged][:8])}{' ...' if flagged.sum() > 8 else ''} s"
+        )
+    if held:
+        notes.append(f"{counted(held, 'frame')} whose exposure holds a contact left out")
+    balls = {name: (places[name], used[name]) for name in places}
+    falls = fit_falls(times, balls, size, file.rotation, free=given is None)
+    readout = given or 0.0
+    if given is None and falls is not None and falls.rises and falls.readout > CERTAIN * falls.readout_error:
+        if LEAST_READOUT < falls.readout < MOST_READOUT:
+            readout = falls.readout
+            notes.append(
+                f"rolling shutter: the flights show a readout of {1e3 * readout:.3g} ± {1e3 * falls.readout_error:.1g} ms from the first"
+                " to the last row; used (`readout` gives another, 0 for none)"
+            )
+    falls = (
+        fit_falls(times, balls, size, file.rotation, free=False)
+        if readout == 0
+        else _falls_by_rows(times, balls, size, file.rotation, readout)
+    )
+    value = choose_scale(optics.radius, falls, scale=scale, length=length, radius=radius, gravity=gravity, notes=notes)
+    tracks = []
+    for name, place in places.items():
+        rows = np.flatnonzero(used[name])
+        t = times[rows] + readout * row_phase(place[rows], size, file.rotation)
+        up = np.stack([place[rows, 0], file.height - 1 - place[rows, 1]], axis=1) * value
+        tracks.append(Track(name, t, up, frame=rows.astype(float), stamped=True))
+    cost = np.full(len(times), np.nan)
+    for one in costs.values():
+        cost = np.fmax(cost, one)
+    y, u, v = ground.planes
+    return TrackedFilm(
+        file.path, times, places, optics.radius, cost, flagged, optics.exposure, optics.psf, file.to_rgb(y, u, v), speed, tuple(notes),
+        used, tuple(tracks), value, readout,
+    )  # fmt: skip
+
+
+def _falls_by_rows(
+    times: Array, balls: Mapping[str, tuple[Array, Mask]], size: tuple[int, int], rotation: int, readout: float
+) -> Any:
+    """Return the falls of balls at the times of their rows: each ball's own."""
+    found = [
+        fit_falls(
+            times + readout * np.nan_to_num(row_phase(place, size, rotation)),
+            {name: (place, used)},
+            size,
+            rotation,
+            free=False,
+        )
+        for name, (place, used) in balls.items()
+    ]
+    known = [one for one in found if one is not None]
+    return min(known, key=lambda one: one.error, default=None)

@@ -63,6 +63,8 @@ class FilmFile:
     """Frames per second, as the container says; NaN if it does not."""
     tick: float
     """Step of the stamps, s."""
+    start: float
+    """Stamp of the first frame, s."""
     matrix: Array
     """(3, 4): red, green, blue (0 to 255) of y, u, v and 1."""
     notes: tuple[str, ...] = ()
@@ -134,8 +136,10 @@ def open_film(path: Path) -> FilmFile:
         rate = stream.average_rate or stream.guessed_rate
         space = int(picture.colorspace)
         matrix = _matrix(space if space in STANDARDS or height < 720 else 1, int(picture.color_range) == FULL_RANGE)
+        start = 0.0 if picture.pts is None else float(picture.pts * picture.time_base)
         return FilmFile(
-            path, height, width, rotation, float(rate) if rate else np.nan, float(stream.time_base or 1e-3), matrix, tuple(notes)
+            path, height, width, rotation, float(rate) if rate else np.nan, float(stream.time_base or 1e-3), start, matrix,
+            tuple(notes),
         )  # fmt: skip
 
 
