@@ -18,7 +18,7 @@ ARGUMENTS: dict[str, dict[str, str]] = {
     "floor": {name: f"floor_{name}" for name in ("restitution", "friction", "tangential_restitution")},
     "in_magnetic_field": {}, "under": {},
     "Run": {}, "simulate": {}, "predict": {}, "fit": {}, "fit_gas": {}, "design": {}, "tracks": {}, "measure_tracks": {},
-    "judge": {},
+    "judge": {}, "track_film": {},
     "aim": {"errors": "error"}, "aim: reach": {}, "explore": {}, "plot": {"orbit": "plot"}, "sensitivity": {"wrt": "sensitivity"},
     "GasSettings": {}, "simulate_gas": {}, "simulate_ensemble": {}, "orbit": {}, "orbit: start": {}, "starts": {},
 }  # fmt: skip

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 # Headings in the help, for options of all commands.
 BALL, WALL, FLOOR, RUN, OUTPUT = "Ball", "Wall", "Floor", "Run", "Output"
-TRACK, REBOUNDS = "Track", "Table of rebounds"
+TRACK, REBOUNDS, FILM = "Track", "Table of rebounds", "Film"
 
 # What an option with this unit expects, and examples.
 _QUANTITIES = {
@@ -72,10 +72,21 @@ _SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
     "max_events": (RUN, "Largest number of events; overrides the scene's.", {"metavar": "N", "whole": True}),
     "seed": (RUN, "Seed of the random numbers.", {"metavar": "N"}),
     "rate": (TRACK, "Frames per second; overrides the times of the file.", {"flags": ("--rate", "--fps")}),
-    "scale": (TRACK, "Metres per unit of the file: 0.0005, or 0.5mm.", {}),
+    "scale": (TRACK, "Metres per unit of the file: 0.0005, or 0.5mm; of a film also gravity.", {}),
     "balls": (TRACK, "Measure balls that strike balls at rest, not balls at walls.", {}),
     "view": (TRACK, "above (balls on a table) or side (balls in flight).", {"metavar": "above|side"}),
     "noise": (TRACK, "Error of one coordinate in one frame: 0.0003 (m), or 0.3mm.", {}),
+    "length": (FILM, "Two points of the picture, px, and their distance.", {"metavar": "X1,Y1,X2,Y2=1m"}),
+    "readout": (
+        FILM,
+        "Time from the camera's first row to its last, s.",
+        {"unit": "s", "show_default": "from the flights"},
+    ),
+    "ball": (FILM, "A place of the ball, px, at a time, s; once for each ball.", {"metavar": "X,Y@T"}),
+    "colour": (FILM, "Colour of the balls, such as '#e0b020'.", {"metavar": "#RRGGBB"}),
+    "region": (FILM, "Part of the picture in which balls move, px.", {"metavar": "X0,Y0,X1,Y1"}),
+    "start": (FILM, "Begin at this time of the film, s.", {"flags": ("--from",), "unit": "s"}),
+    "end": (FILM, "End at this time of the film, s.", {"flags": ("--to",), "unit": "s"}),
     "kind": (REBOUNDS, "planar (ball in flight) or table (ball on a table).", {"metavar": "planar|table"}),
     "sigma_v": (REBOUNDS, "Standard error of speeds, m/s.", {"unit": "m/s"}),
     "sigma_spin": (REBOUNDS, "Standard error of spins, rad/s.", {"unit": "rad/s"}),
@@ -111,6 +122,16 @@ def shared(name: str, default: str | None = None, **changes: Any) -> Any:
     if default is not None:
         settings["show_default"] = default
     return option(settings.pop("rich_help_panel", panel), settings.pop("help", text), *flags, **settings)
+
+
+def parse_scale(text: str | None) -> float | str | None:
+    """Return a length in m from a text with or without a unit, or "gravity"."""
+    return text if text == "gravity" else parse_length("scale", text)
+
+
+def of_films(**given: Any) -> dict[str, Any]:
+    """Return the options of films that were given, as arguments of ``carom.track_film``."""
+    return {name: value for name, value in given.items() if value not in (None, [], ())}
 
 
 def comma_separated(text: str) -> list[str]:

@@ -18,7 +18,7 @@ from rich.text import Text
 
 from carom.cli.console import err, working
 from carom.cli.console import out as stdout
-from carom.cli.options import FLOOR, option, parse_length, require_outputs, shared, wrote
+from carom.cli.options import FLOOR, of_films, option, parse_length, parse_scale, require_outputs, shared, wrote
 from carom.cli.streams import say_json
 from carom.cli.verbs import App
 from carom.errors import CaromError, FaultList, shortened_list
@@ -103,7 +103,9 @@ def tell(console: Console, found: TrackFile, measured: Measured) -> None:
     from carom.tracks.read import FORMATS
 
     rows = Table(box=None, show_header=False, padding=(0, 2, 0, 0))
-    rows.add_row(Text("format", "bold"), FORMATS[found.format].title)
+    rows.add_row(
+        Text("format", "bold"), FORMATS[found.format].title if found.format in FORMATS else "film, tracked by carom"
+    )
     for track in found.tracks[:MAX_TRACKS]:
         rows.add_row("track", _track_line(track))
     if len(found.tracks) > MAX_TRACKS:
@@ -347,6 +349,7 @@ def register(app: typer.Typer) -> None:
     tracks.command()(show)
     tracks.command()(example)
     app.add_typer(tracks, name="tracks")
+    app.command()(track)
 
 
 def show(
@@ -354,7 +357,7 @@ def show(
         list[Path],
         typer.Argument(
             metavar="FILE",
-            help="Files from Tracker, Kinovea, trackpy, DeepLabCut ..., or columns t, x, y; several films make one table.",
+            help="Films, files from Tracker, Kinovea, trackpy ..., or columns t, x, y; several films make one table.",
         ),
     ],
     out: Annotated[Path | None, typer.Option(help="Write the rebounds: .csv or .parquet.")] = None,
@@ -402,6 +405,13 @@ def show(
         float | None,
         option(FIT, "Time excluded before and after a contact, s. Default: from the frames.", "--blind", unit="s"),
     ] = None,
+    length: Annotated[str | None, shared("length")] = None,
+    readout: Annotated[float | None, shared("readout")] = None,
+    ball: Annotated[list[str] | None, shared("ball")] = None,
+    colour: Annotated[str | None, shared("colour")] = None,
+    region: Annotated[str | None, shared("region")] = None,
+    start: Annotated[float | None, shared("start")] = None,
+    end: Annotated[float | None, shared("end")] = None,
 ) -> None:
     """Summarise track files (format, tracks, frame rate, noise), and measure their contacts by fitting the physics.
 
@@ -411,7 +421,7 @@ def show(
     from carom.tracks.films import measure_tracks
 
     faults = FaultList()
-    lengths = {name: faults.attempt(parse_length, name, text) for name, text in (("scale", scale), ("noise", noise))}
+    sizes = faults.attempt(parse_scale, scale), faults.attempt(parse_length, "noise", noise)
     faults.attempt(inertia_number, inertia)
     for name, value, known in (
         ("stage", stage, ("best", "after_wall", "rolling", "both")),
@@ -427,9 +437,13 @@ def show(
     console = err()
     with working("contacts", console) as bar:
         films = measure_tracks(
-            files, format=format_, scale=lengths["scale"], rate=rate, down=down, view=view, radius=radius, inertia=inertia,
+            files, format=format_, scale=sizes[0], rate=rate, down=down, view=view, radius=radius, inertia=inertia,
             wall=wall or (), hard=hard, floor_friction=floor_friction, rolling_resistance=rolling_resistance, gravity=gravity,
-            drag=drag, noise=lengths["noise"], window=window, blind=blind, progress=bar,
+            drag=drag, noise=sizes[1], window=window, blind=blind, progress=bar,
+            film=of_films(
+                length=length, readout=readout, ball=ball, colour=colour, region=region, start=start, end=end,
+                balls=len(ball or [0]),
+            ),
         )  # fmt: skip
     names, found, measured = films.names, films.files, films.measured
     written = None
@@ -460,6 +474,81 @@ def show(
         wrote(written[0])
     if plot is not None:
         wrote(plot)
+
+
+def track(
+    film: Annotated[
+        Path, typer.Argument(metavar="FILM", help="A film, from a camera at rest: .mp4, .mov, .webm, .avi ...")
+    ],
+    out: Annotated[
+        Path | None, typer.Option(help="Write the track: .csv, t, x, y upward in m; its sheet beside it.")
+    ] = None,
+    sheet: Annotated[
+        Path | None, typer.Option(help="Draw the sheet: .png, .svg or .pdf.", show_default="beside --out")
+    ] = None,
+    overlay: Annotated[Path | None, typer.Option(help="Write the film with the outlines: .mp4.")] = None,
+    as_json: Annotated[bool, shared("json")] = False,
+    balls: Annotated[int, typer.Option(help="How many balls to track.", metavar="N")] = 1,
+    radius: Annotated[float | None, shared("radius")] = None,
+    scale: Annotated[str | None, shared("scale", help="Metres per pixel: 0.0005, or 0.5mm; or gravity.")] = None,
+    rate: Annotated[float | None, shared("rate", help="True frames per second of a film in slow motion.")] = None,
+    gravity: Annotated[float, shared("gravity")] = GRAVITY,
+    length: Annotated[str | None, shared("length")] = None,
+    readout: Annotated[float | None, shared("readout")] = None,
+    ball: Annotated[list[str] | None, shared("ball")] = None,
+    colour: Annotated[str | None, shared("colour")] = None,
+    region: Annotated[str | None, shared("region")] = None,
+    start: Annotated[float | None, shared("start")] = None,
+    end: Annotated[float | None, shared("end")] = None,
+) -> None:
+    """Track balls in a film by their outlines, with the times of its container.
+
+    carom track bounce.mp4 --length 102,655,1180,650=1m --out track.csv
+    """
+    from carom.tracks.video.film import track_film
+
+    faults = FaultList()
+    size = faults.attempt(parse_scale, scale)
+    if out is not None and sheet is None:
+        sheet = out.with_suffix(".png")
+    require_outputs(
+        faults,
+        {"--out": out, "--sheet": sheet, "--overlay": overlay},
+        {"--out": (".csv",), "--overlay": (".mp4",)},
+        film,
+    )
+    faults.raise_if_any()
+    with working("balls", err()) as bar:
+        found = track_film(
+            film, balls, radius=radius, scale=size, length=length, readout=readout, rate=rate, ball=ball or (), colour=colour,
+            region=region, start=start, end=end, gravity=gravity, progress=bar,
+        )  # fmt: skip
+    if as_json:
+        columns = {name: column.tolist() for name, column in found.table().items()}
+        say_json({
+            "balls": columns, "scale": found.scale, "radius_px": found.radius_px, "exposure": found.exposure, "psf": found.psf,
+            "readout": found.readout, "flagged": found.times[found.flagged].tolist(), "notes": list(found.notes),
+        })  # fmt: skip
+    else:
+        for one in found.tracks:
+            stdout().print(_track_line(one), soft_wrap=True)
+        stdout().print(
+            f"radius {found.radius_px:.3g} px, exposure {1e3 * found.exposure:.3g} ms, {1e3 * found.scale:.4g} mm per px",
+            soft_wrap=True,
+        )
+    for note in found.notes:
+        err().print(note, style="dim", soft_wrap=True)
+    if out is not None:
+        wrote(found.save(out))
+    if sheet is not None:
+        found.sheet(sheet)
+        wrote(sheet)
+    if overlay is not None:
+        from carom.plot.film_sheet import write_overlay
+
+        with working("overlay", err()) as bar:
+            write_overlay(found, overlay, bar)
+        wrote(overlay)
 
 
 def example(

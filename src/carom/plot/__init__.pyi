@@ -10,6 +10,7 @@ from .billiards import plot_roll as plot_roll
 from .comparison import PathAfterWall as PathAfterWall
 from .comparison import compare as compare
 from .comparison import path_after_wall as path_after_wall
+from .film_sheet import plot_film as plot_film
 from .gas import plot_ensemble as plot_ensemble
 from .gas import plot_gas as plot_gas
 from .gas_film import animate_gas as animate_gas

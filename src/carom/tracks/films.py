@@ -39,6 +39,7 @@ from carom.tracks.read import (
 )
 from carom.tracks.rebounds import Stage, to_rebounds
 from carom.tracks.track import Track
+from carom.tracks.video.reading import is_film
 
 
 def film_names(paths: Sequence[Path]) -> list[str]:
@@ -298,7 +299,7 @@ def measure_tracks(
     files: str | Path | Any,
     *,
     format: str | None = None,  # noqa: A002
-    scale: float | None = None,
+    scale: float | str | None = None,
     rate: float | None = None,
     down: bool | None = None,
     view: str | None = None,
@@ -313,6 +314,7 @@ def measure_tracks(
     noise: float | None = None,
     window: float = WINDOW,
     blind: float | None = None,
+    film: Mapping[str, Any] | None = None,
     progress: Progress | None = None,
 ) -> MeasuredFilms:
     """Measure the contacts in films: ``carom tracks show``, with the names and defaults of its options.
@@ -320,13 +322,14 @@ def measure_tracks(
     Parameters
     ----------
     files : path, columns or Track, or a sequence of these
-        Films of one table, or of one kind of throw: track files; tables in memory (a dict of arrays, a DataFrame, a structured
+        Films of one table, or of one kind of throw: films, which carom tracks itself; track files; what :func:`carom.track_film`
+        returns; tables in memory (a dict of arrays, a DataFrame, a structured
         array) with the columns of such a file, ``t``, ``x``, ``y``, and ``ball`` where there are several; or :class:`Track`. A
         list of Track is one film.
     format : str, optional
         A key of FORMATS; default: recognised from the content.
     scale, rate, down : optional
-        Metres per unit of the files, frames per second, and whether the second axis points down.
+        Metres per unit of the files (of films also "gravity"), frames per second, and whether the second axis points down.
     view : "above" or "side", optional
         Default: by the motion.
     radius, inertia
@@ -336,6 +339,8 @@ def measure_tracks(
         whether the walls are rigid.
     floor_friction, rolling_resistance, gravity, drag, noise, window, blind
         As in :class:`carom.tracks.Settings`.
+    film : mapping, optional
+        Of films: further arguments of :func:`carom.track_film`, such as ``{"length": "102,655,1180,650=1m"}``.
     progress : callable(done, total, text), optional
 
     Returns
@@ -367,10 +372,21 @@ def measure_tracks(
         rolling_resistance=rolling_resistance, gravity=gravity, window=window, blind=blind, hard=hard, drag=drag,
     )  # fmt: skip
     several = isinstance(files, list | tuple) and not all(isinstance(one, Track) for one in files)
-    calibration = Calibration(scale, rate, down)
+    calibration = film_calibration(scale, rate, down, radius=radius, gravity=gravity, film=film)
     each: Any = files if several else [files]
     films = [film_of(one, number + 1, calibration) for number, one in enumerate(each)]
     return measure_films(films, calibration, settings, format=format, wall=wall, progress=progress)
+
+
+def film_calibration(
+    scale: float | str | None, rate: float | None, down: bool | None, *, radius: float | None, gravity: float,
+    film: Mapping[str, Any] | None = None,
+) -> Calibration:  # fmt: skip
+    """Return the calibration of track files and films; of films it has the ball's radius, and what else is known of them."""
+    more = {"radius": radius or None, "gravity": gravity, **(film or {})}
+    if isinstance(scale, str):
+        more["scale"] = scale
+    return Calibration(None if isinstance(scale, str) else scale, rate, down, film=more)
 
 
 def rebounds_of_films(
@@ -538,7 +554,9 @@ def are_films(paths: Sequence[Path]) -> bool:
 
 
 def is_track(path: Path) -> bool:
-    """Return whether a file is taken for a track: it has no column of a rebound. Raises CaromError for a file that is not text."""
+    """Return whether a file is a track: a film, or no column of a rebound. Raises CaromError for a file that is not text."""
+    if is_film(path):
+        return True
     if path.suffix.lower() in (".parquet", ".pq") or path.is_dir() or not path.exists():
         return False
     with open_regular(path) as opened:

@@ -29,7 +29,7 @@ from carom.tracks.formats.projects import START, foreign_file
 from carom.tracks.formats.tables import Calibration, first_rows
 from carom.tracks.preprocess import with_one_name, with_own_names
 from carom.tracks.track import Track, position_noise
-from carom.tracks.video.film import track_film
+from carom.tracks.video.film import TrackedFilm, track_film
 from carom.tracks.video.reading import is_film
 
 MESSAGE_PACK = ".msgpack"
@@ -93,6 +93,8 @@ class TrackFile:
     format: str
     tracks: tuple[Track, ...]
     notes: tuple[str, ...]
+    film: TrackedFilm | None = None
+    """The film, where carom tracked the balls itself."""
 
 
 def read_tracks(path: str | Path, format: str | None = None, calibration: Calibration | None = None) -> TrackFile:  # noqa: A002
@@ -138,10 +140,7 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
             Fault("tracks", "format", f"one of {', '.join(FORMATS)}", repr(format), suggestion(format, list(FORMATS)))
         )
     if is_film(path) and format is None:
-        given = dict(calibration.film)
-        film = track_film(path, **{"scale": calibration.scale, "rate": calibration.rate, **given})
-        found = _checked_tracks(path, FILM, film.tracks, Calibration(scale=film.scale))
-        return replace(found, notes=(*film.notes, *found.notes))
+        return _of_film(track_film(path, **{"scale": calibration.scale, "rate": calibration.rate, **calibration.film}))
     if path.suffix.lower() == MESSAGE_PACK:
         return _with_positions(path, "pooltool", pooltool.tracks_of(open_file(path), calibration), calibration)
     require_text(path, "positions")
@@ -195,6 +194,12 @@ def _checked_tracks(path: Path, name: str, tracks: Sequence[Track], calibration:
     return TrackFile(path, name, tuple(checked), tuple(notes))
 
 
+def _of_film(film: TrackedFilm) -> TrackFile:
+    """Return the tracks of a film that carom tracked, with its notes."""
+    found = _checked_tracks(film.path, FILM, film.tracks, Calibration(scale=film.scale))
+    return replace(found, notes=(*film.notes, *found.notes), film=film)
+
+
 def film_of(one: Any, number: int, calibration: Calibration) -> Path | TrackFile:
     """Return a film as a file to read, or its tracks where it is given as columns or as tracks."""
     if is_columns(one):
@@ -204,6 +209,8 @@ def film_of(one: Any, number: int, calibration: Calibration) -> Path | TrackFile
             [list(columns), *zip(*(column.tolist() for column in columns.values()), strict=True)]
         )
         return _tracks_of_text(Path(f"table {number}"), rows.getvalue(), "columns", calibration)
+    if isinstance(one, TrackedFilm):
+        return _of_film(one)
     tracks = [one] if isinstance(one, Track) else one
     if isinstance(tracks, list | tuple) and tracks and all(isinstance(track, Track) for track in tracks):
         if calibration.scale is not None:

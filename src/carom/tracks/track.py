@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,7 +59,8 @@ class Track:
     def select(self, which: NDArray[np.bool_] | NDArray[np.intp]) -> Track:
         """Return the track with only these samples, from a mask or indices."""
         parts = {name: getattr(self, name) for name in SAMPLED}
-        return replace(self, **{name: None if part is None else part[which] for name, part in parts.items()})
+        chosen: dict[str, Any] = {name: None if part is None else part[which] for name, part in parts.items()}
+        return replace(self, **chosen)
 
 
 def position_noise(time: Array, position: Array, interval: float) -> float:

@@ -137,7 +137,8 @@ def find_background(samples: Sequence[tuple[Bytes, Bytes, Bytes]]) -> Background
     for part in (slice(0, quarter), slice(len(samples) - quarter, None)) if len(samples) >= 8 else ():
         other = [_median(stack[part]) for stack in stacks]
         _without_ghosts(planes, other, limits)
-    return Background((planes[0], planes[1], planes[2]), half_size(planes[0]), (limits[0], limits[1], limits[2]), (noise[0], noise[1], noise[2]))  # fmt: skip
+    y, u, v = planes
+    return Background((y, u, v), half_size(y), (limits[0], limits[1], limits[2]), (noise[0], noise[1], noise[2]))
 
 
 def _median(stack: Bytes) -> Bytes:

@@ -1,8 +1,8 @@
 """The outline of a ball in a frame: a disc swept over the exposure and blurred by the camera, before a known background.
 
 A picture is (1 - A) B (1 + G) + A F: A is the part of a pixel that the ball covers, B the background, F and G are Fourier series
-around the rim (what the ball looks like there; its shadow), found anew for each A (variable projection). Only pixels beside the edge
-enter, the same ones for all that is compared.
+around the rim (what the ball looks like there; its shadow), found anew for each A (variable projection). Only pixels beside the
+edge enter, the same ones for all that is compared.
 """
 
 from __future__ import annotations

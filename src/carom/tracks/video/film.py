@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError, Fault, FaultList, noting
-from carom.files import as_path
+from carom.files import as_path, write_text
 from carom.formatting import counted
 from carom.public.defaults import GRAVITY
 from carom.public.other_rooms import figure_maker
@@ -93,9 +93,17 @@ class TrackedFilm:
         found = {name: np.concatenate([np.zeros(0), *parts]) for name, parts in rows.items()}
         return found | {"ball": np.array([one.name for one in self.tracks for _ in range(len(one))], dtype=object)}
 
+    def save(self, path: str | PathLike[str]) -> FilePath:
+        """Write the table as .csv: ``t [s]``, ``x [m]``, ``y [m]``, ``ball``, with all digits."""
+        file, columns = as_path("TrackedFilm.save", path), self.table()
+        rows = zip(*(column.tolist() for column in columns.values()), strict=True)
+        lines = [",".join(columns), *(",".join(map(str, row)) for row in rows), ""]
+        write_text(file, "\n".join(lines))
+        return file
+
     def sheet(self, file: str | PathLike[str]) -> Any:
         """Draw the contact sheet, to look at what was tracked: .png, .svg or .pdf."""
-        return figure_maker("film_sheet")(self, file)
+        return figure_maker("plot_film")(self, file)
 
     def __repr__(self) -> str:
         """Return one line: the number of balls and frames."""
@@ -253,18 +261,15 @@ def _usual_optics(film: FilmFile, ground: Background, paths: Sequence[Path], tim
     ]
     # (a ball with its shadow is no disc, or a larger one: what is no shadow of it is taken where that is a ball)
     better = {id(one): core for one in found for core in found if core.path in cores and one.path not in cores
-              and core.is_ball and (not one.is_ball or core.optics.psf < SHARPER * one.optics.psf) and core.path.frames[0] >= one.path.frames[0] and core.path.frames[-1] <= one.path.frames[-1]
+              and core.is_ball and (not one.is_ball or core.optics.psf < SHARPER * one.optics.psf)
               and _within(core.path, one.path)}  # fmt: skip
     return [better.get(id(one), one) for one in found if one.path not in cores]
 
 
 def _within(core: Path, path: Path) -> bool:
     """Return whether a path of cores is of the blobs of another path."""
-    by_frame = dict(zip(path.frames, path.blobs, strict=True))
-    return all(
-        k in by_frame and by_frame[k].core is not None and by_frame[k].core[0] == one.x
-        for k, one in zip(core.frames, core.blobs, strict=True)
-    )
+    cores = {(k, one.core[:2]) for k, one in zip(path.frames, path.blobs, strict=True) if one.core is not None}
+    return all((k, (one.x, one.y)) in cores for k, one in zip(core.frames, core.blobs, strict=True))
 
 
 def _some_patches(
@@ -300,8 +305,8 @@ def _candidate(path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Ba
         outlines.append(fit_outline(patch, np.array([blob.x, blob.y]), way, start, free="xyrls", order=1))
     radius = float(np.median([one.radius for one in outlines]))
     good = [k for k, one in enumerate(outlines) if abs(one.radius / radius - 1) < ALIKE_SIZE]
-    fast, blur = np.array([np.hypot(*some[k][2]) for k in good]), np.array([outlines[k].blur for k in good])
-    exposure = _weighted_median(blur / np.maximum(fast, 1e-9), fast) if good and fast.max() > 0 else 0.0
+    quick, blur = np.array([np.hypot(*some[k][2]) for k in good]), np.array([outlines[k].blur for k in good])
+    exposure = _weighted_median(blur / np.maximum(quick, 1e-9), quick) if good and quick.max() > 0 else 0.0
     optics = Optics(radius, float(np.median([one.psf for one in outlines])), exposure, noise)  # type: ignore[arg-type]
     optics = optics._replace(shift=_colour_shift([(some[k][0], outlines[k]) for k in good], optics))
     last = [
@@ -347,15 +352,13 @@ def _followed(
     radii = _radius_of_frames(ball, count)
     rows = np.flatnonzero(np.isfinite(seeds[:, 0]))
     # (a centre so near the edge that part of the outline is beyond it)
-    border = (
-        (seeds > 0.8 * ball.optics.radius)
-        & (seeds < np.array([film.width, film.height]) - 1 - 0.8 * ball.optics.radius)
-    ).all(axis=1)
+    low, high = 0.8 * ball.optics.radius, np.array([film.width, film.height]) - 1 - 0.8 * ball.optics.radius
+    border = np.asarray(((seeds > low) & (seeds < high)).all(axis=1))
     rows = rows[border[rows]]
-    wanted = {
-        int(k): [(int(k), seeds[k], 1.7 * radii[k] + max(np.abs(speed[k]).max() * ball.optics.exposure, blurs.get(int(k), 0.0)) / 2 + 8)]
-        for k in rows
-    }  # fmt: skip
+    wanted = {}
+    for k in rows.tolist():
+        way = max(float(np.abs(speed[k]).max()) * ball.optics.exposure, blurs.get(k, 0.0))
+        wanted[k] = [(k, seeds[k], 1.7 * radii[k] + way / 2 + 8)]
     chunk: list[Patch] = []
     held = 0.0
 
@@ -393,7 +396,7 @@ def _radius_of_frames(ball: Candidate, count: int) -> Array:
 def _fit_chunk(
     chunk: Sequence[Patch], optics: Optics, radii: Array, times: Array, seeds: Array, places: Array, costs: Array
 ) -> None:
-    """Fit the outlines in some frames, in rounds: with the way of the blobs, of the places found, and from beside, where that is bad."""
+    """Fit the outlines in some frames, in rounds: with the way of the blobs, of the places found, and, where bad, from beside."""
     by_frame = {patch.frame: patch for patch in chunk}
     way = np.nan_to_num(velocities(times, seeds)[0]) * optics.exposure
     for k, patch in by_frame.items():
@@ -590,7 +593,7 @@ def _checked(
 def _linked(
     file: FilmFile, ground: Background, part: tuple[float, float], asked: _Asked, tell: Callable[[float, str], None]
 ) -> tuple[list[float], list[Path], float]:
-    """Return the stamps of all frames, the paths of what moves in part of the film, and which share of frames changes as a whole."""
+    """Return the stamps of all frames, the paths of what moves in part of the film, and which share of frames changes."""
     inside = None
     if asked.region is not None:
         inside = np.zeros(ground.half.shape, bool)
@@ -686,7 +689,7 @@ def _nearest(where: str, paths: Sequence[Path], times: Array, seed: tuple[float,
     """Return the path that passes nearest to a place (px) at a time."""
     x, y, t = seed
     frame = int(np.argmin(np.abs(times - t)))
-    near = []
+    near: list[tuple[float, int, Path, Blob]] = []
     for path in paths:
         k = int(np.argmin(np.abs(np.array(path.frames) - frame)))
         if abs(path.frames[k] - frame) <= 2:
@@ -704,8 +707,10 @@ def _nearest(where: str, paths: Sequence[Path], times: Array, seed: tuple[float,
 
 def _said(one: Candidate, times: Array) -> str:
     k = len(one.path.frames) // 2
-    blob, frame = one.path.blobs[k], one.path.frames[k]
-    return f"r = {one.optics.radius:.3g} px in {counted(len(one.path.frames), 'frame')}, {blob.x:.0f},{blob.y:.0f}@{times[frame]:.3g}"
+    blob, t = one.path.blobs[k], times[one.path.frames[k]]
+    return (
+        f"r = {one.optics.radius:.3g} px in {counted(len(one.path.frames), 'frame')}, {blob.x:.0f},{blob.y:.0f}@{t:.3g}"
+    )
 
 
 def _what_moves(found: Sequence[Candidate], likely: Sequence[Path], times: Array, count: int) -> str:
@@ -727,8 +732,8 @@ def _outline_notes(chosen: Sequence[Candidate], times: Array) -> list[str]:
         radii = _radius_of_frames(one, len(times))[one.path.frames]
         if np.ptp(radii) > GROWS * one.optics.radius:
             notes.append(
-                f"the ball's radius changes from {radii[0]:.3g} to {radii[-1]:.3g} px: it comes nearer or moves away, so the scale is not"
-                " the same everywhere"
+                f"the ball's radius changes from {radii[0]:.3g} to {radii[-1]:.3g} px: it comes nearer or moves away, so the scale"
+                " is not the same everywhere"
             )
     one = max(chosen, key=lambda one: len(one.path.frames))
     if one.optics.exposure > LONG_EXPOSURE * interval:
@@ -762,21 +767,21 @@ def _record(
     flagged = np.any(list(flags.values()), axis=0)
     if flagged.any():
         notes.append(
-            f"in {counted(int(flagged.sum()), 'frame')} the outline does not fit (a shadow, another thing beside the ball): left out, at"
-            f" t = {', '.join(f'{t:.4g}' for t in times[flagged][:8])}{' ...' if flagged.sum() > 8 else ''} s"
+            f"in {counted(int(flagged.sum()), 'frame')} the outline does not fit (a shadow, another thing beside the ball): left"
+            f" out, at t = {', '.join(f'{t:.4g}' for t in times[flagged][:8])}{' ...' if flagged.sum() > 8 else ''} s"
         )
     if held:
         notes.append(f"{counted(held, 'frame')} whose exposure holds a contact left out")
     balls = {name: (places[name], used[name]) for name in places}
     falls = fit_falls(times, balls, size, file.rotation, free=given is None)
     readout = given or 0.0
-    if given is None and falls is not None and falls.rises and falls.readout > CERTAIN * falls.readout_error:
-        if LEAST_READOUT < falls.readout < MOST_READOUT:
-            readout = falls.readout
-            notes.append(
-                f"rolling shutter: the flights show a readout of {1e3 * readout:.3g} ± {1e3 * falls.readout_error:.1g} ms from the first"
-                " to the last row; used (`readout` gives another, 0 for none)"
-            )
+    certain = falls is not None and falls.rises and falls.readout > CERTAIN * falls.readout_error
+    if given is None and falls is not None and certain and LEAST_READOUT < falls.readout < MOST_READOUT:
+        readout = falls.readout
+        notes.append(
+            f"rolling shutter: the flights show a readout of {1e3 * readout:.3g} ± {1e3 * falls.readout_error:.1g} ms from first to"
+            " last row; used (`readout` gives another, 0 for none)"
+        )
     falls = (
         fit_falls(times, balls, size, file.rotation, free=False)
         if readout == 0
@@ -794,8 +799,8 @@ def _record(
         cost = np.fmax(cost, one)
     y, u, v = ground.planes
     return TrackedFilm(
-        file.path, times, places, optics.radius, cost, flagged, optics.exposure, optics.psf, file.to_rgb(y, u, v), speed, tuple(notes),
-        used, tuple(tracks), value, readout,
+        file.path, times, places, optics.radius, cost, flagged, optics.exposure, optics.psf, file.to_rgb(y, u, v), speed,
+        tuple(notes), used, tuple(tracks), value, readout,
     )  # fmt: skip
 
 

@@ -20,6 +20,7 @@ MOST_MISFIT = 1.5  # px, rms of places about flights
 UPRIGHT = 0.35  # rad between gravity and the picture's vertical
 MOST_READOUT, LEAST_READOUT, CERTAIN = 0.06, 2e-3, 6.0  # s; error bars
 DRAG = 0.05  # 1/m: standard deviation of the prior of the air's drag
+RADIUS = 0.02  # of the scale by the ball's radius, which light and shadow change
 DIFFERENT = 0.03  # of two scales, which is said
 
 
@@ -170,7 +171,7 @@ def choose_scale(
     if side and falls is not None:
         known["gravity"] = gravity / fall, falls.error / fall
     if radius:
-        known["the ball's radius"] = radius / radius_px, 0.02
+        known["the ball's radius"] = radius / radius_px, RADIUS
     if scale == "gravity":
         if "gravity" not in known:
             got = (
@@ -184,6 +185,8 @@ def choose_scale(
         order = ["gravity"]
     else:
         order = ["the scale given", "the length in the picture", "the ball's radius", "gravity"]
+        if "gravity" in known and abs(known["gravity"][0] / known.get(order[2], known["gravity"])[0] - 1) < 2 * RADIUS:
+            order[2:] = order[:1:-1]  # (the better of the two, where the radius says that the film is not slowed down)
     first = next((name for name in order if name in known), None)
     if first is None:
         advice = "give `length` x1,y1,x2,y2=1m (two points in px and their distance), or `radius` of the ball"
