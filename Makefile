@@ -26,7 +26,7 @@ benchmarks:
 # derivatives through PyTorch, where it is installed (extra torch)
 check-torch:
 	pytest -n0 tests/interop/check_torch.py
-# what takes minutes to hours to count; results go to docs/campaigns.md
+# what takes minutes to hours to count; results go to campaigns/results.md
 campaigns: explore
 	python campaigns
 # changes of one place that the tests should notice: make mutants N=8

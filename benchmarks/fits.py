@@ -27,7 +27,7 @@ from reference.synthetic_runs import RADIUS, film
 
 
 def tracks(shots: int) -> Measured:
-    """The synthetic shots of docs/howto/whole_tracks.md, measured."""
+    """The synthetic shots of docs/howto/fit_shots.md, measured."""
     return measure(film(np.random.default_rng(1), shots), Settings(radius=0.0, view="above", noise=3e-4))
 
 

@@ -157,13 +157,13 @@ def cells(row: Row) -> list[str]:
     took = f"{amount(row.nanoseconds)} a {row.unit}"
     if not row.peer:
         wanted = "" if math.isnan(row.wanted) else amount(row.wanted)
-        return [row.work, took, "", f"repeats up to {row.high:.2f} times as long", wanted]
+        return [row.work, took, "", "", wanted]
     wanted = "" if math.isnan(row.wanted) else _ratio(row.wanted)
     return [row.work, took, row.peer, f"{_ratio(row.ratio)} ({_ratio(row.low)} to {_ratio(row.high)})", wanted]
 
 
 def _time(ns: float) -> str:
-    for size, unit in ((1e9, "s"), (1e6, "ms"), (1e3, "us")):
+    for size, unit in ((1e9, "s"), (1e6, "ms"), (1e3, "µs")):
         if ns >= size:
             return f"{ns / size:.3g} {unit}"
     return f"{ns:.3g} ns"
@@ -234,13 +234,12 @@ PEERS = """\
 Peers: `np.copy` copies half as many bytes as a result reads and writes, into new memory; `np.copyto` those of a final
 state, into arrays that exist, on one thread where carom has two; C is a loop written by hand for one table
 (`benchmarks/orbits.py`), which follows the same orbit. Gases, with their peers, are on [the page on
-gases](theory/gas.md); whole shots, and what each figure is made of, in [Tried and timed](dev/tried.md)."""
+gases](theory/gas.md); what was tried and left, in [Architecture](design.md#tried)."""
 
 
 def page(rows: list[Row], when: str, cpu: bool) -> str:
     """Return the page of the documentation."""
     table = ["| " + " | ".join(row) + " |" for row in [HEAD, ["---"] * len(HEAD), *map(cells, rows)]]
-    slower = sorted((row for row in rows if row.peer and row.ratio > 1 / 1.5), key=lambda row: -row.ratio)
     missed = [row for row in rows if (row.ratio if row.peer else row.nanoseconds) > row.wanted]
     parts = [
         "# Benchmarks",
@@ -249,8 +248,6 @@ def page(rows: list[Row], when: str, cpu: bool) -> str:
         HOW,
         *([OF_PROCESSOR] if cpu else []),
         "\n".join(table),
-        "## Where carom loses, or wins little",
-        "\n".join(f"- {row.work}: {_ratio(row.ratio)} against {row.peer}." for row in slower) or "Nowhere among these.",
         "## Not yet what is wanted",
         "\n".join(f"- {row.work}: {cells(row)[3 if row.peer else 1]}; wanted {cells(row)[4]}." for row in missed)
         or "Nothing among these.",

@@ -2,7 +2,7 @@
 
 A campaign counts something that takes minutes to hours: how often error bars hold the truth, how often verdicts are right, how far
 a gas drifts. ``python campaigns/NAME.py`` runs one, ``python campaigns`` (or ``make campaigns``) all. A complete run writes what
-it printed into docs/campaigns.md, with date, commit and time taken; the tests run each with ``--small``.
+it printed into campaigns/results.md, with date, commit and time taken; the tests run each with ``--small``.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ Row = dict[str, Any]
 Mapping = Callable[..., Iterable[Row]]
 SHARES = (0.6827, 0.95)
 ROOT = Path(__file__).parents[1]
-RESULTS = ROOT / "docs" / "campaigns.md"
+RESULTS = ROOT / "campaigns" / "results.md"
 # (bits.py compares with a record that somebody made before a change; held_out_shots.py is a part of shots_real.py)
 NAMES = sorted(
     path.stem
@@ -93,7 +93,7 @@ class Campaign:
 def campaign(
     name: str, doc: str, words: Sequence[str] | None, *, count: int = 1, small: int = 1, **options: dict[str, Any]
 ) -> Iterator[Campaign]:
-    """Read the command line; write what was said into docs/campaigns.md at the end of a complete run.
+    """Read the command line; write what was said into campaigns/results.md at the end of a complete run.
 
     ``count`` is how many of whatever it counts a run has, ``small`` how many with ``--small``. ``options`` are further arguments of
     the command line, by name, as for :meth:`argparse.ArgumentParser.add_argument`.

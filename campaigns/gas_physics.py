@@ -303,7 +303,7 @@ def rough_transport(run: Campaign, scale: float) -> None:
 
 
 def shear(run: Campaign, scale: float) -> None:
-    """Lees-Edwards boundaries, smooth spheres, kept at a temperature by a weak thermostat."""
+    """Lees-Edwards boundaries, smooth spheres: the shear heats them, so theory is taken at the temperature reached."""
     balls = 1000
     for density in (0.1, 0.3, 0.5):
         side = ((balls / density) ** (1 / 3),) * 3

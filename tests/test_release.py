@@ -29,9 +29,9 @@ def test_version_is_that_of_the_package_everywhere() -> None:
         assert found == [carom.__version__], name
 
 
-def test_readme_names_every_extra_and_those_outside_all() -> None:
+def test_the_table_of_extras_names_every_extra_and_those_outside_all() -> None:
     extras = tomllib.loads(text("pyproject.toml"))["project"]["optional-dependencies"]
-    table = text("README.md").split("| extra | for |", 1)[1].split("\n\n", 1)[0]
+    table = text("docs/project.md").split("| extra | for |", 1)[1].split("\n\n", 1)[0]
     rows = {
         name: use
         for names, use in re.findall(r"^\| (`.*?) \| (.*) \|$", table, re.MULTILINE)
@@ -42,7 +42,6 @@ def test_readme_names_every_extra_and_those_outside_all() -> None:
     in_all = set(re.findall(r"\w+", everything)) - {"carom"}
     assert {name for name, use in rows.items() if "not in `all`" in use} == set(rows) - in_all - {"all", "docs", "dev"}
     # `make docs` needs this extra and no other: pages run the optional parts, and the reference imports JAX's
-    assert "(extra `docs`, which brings all others but `torch`)" in " ".join(text("README.md").split())
     assert "carom[all,jax]" in extras["docs"]
 
 
@@ -97,10 +96,8 @@ def words_of(line: str, folder: Path) -> list[str]:
 def test_commands_of_the_readme_on_films_and_aiming_run(tmp_path: Path, forked: Forked) -> None:
     pytest.importorskip("scipy")
     (tmp_path / "docs").symlink_to(ROOT / "docs")
-    lines = readme_lines(
-        "carom tracks", "carom fit rebounds.csv", "carom aim", "carom simulate docs/scenes/carom_table.toml --sens"
-    )
-    assert len(lines) == 6
+    lines = readme_lines("carom tracks", "carom fit", "carom aim")
+    assert len(lines) == 5
     for line in lines:
         laws = tried(" --laws two-step-paper,mirror", "")  # (fitted surfaces beside unknown spins take ten seconds)
         fewer = {"carom aim": " --starts 256", "carom fit": f"{laws} --no-profiles --bootstrap 0"}.get(line[:9], "")

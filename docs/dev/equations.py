@@ -4,7 +4,8 @@
     python docs/dev/equations.py --check     # exit status 1 if that page is not of today's sources
 
 A function computes an equation if a comment that begins with its number, ``# (31)``, stands in it, and derives it if it makes the
-entry of that number in :mod:`carom.derive.paper`. Numbers of other papers stand in docstrings, with their authors.
+entry of that number in :mod:`carom.derive.paper`. Numbers of other papers stand in docstrings, with their authors. ``ELSEWHERE``
+says what is done about an equation that has no line of its own.
 """
 
 from __future__ import annotations
@@ -28,14 +29,39 @@ CITED = re.compile(rf"(?:^#\s*|: |; )({LIST})")
 NUMBER = re.compile(r"\((\d+)[a-z]?\)(?:-\((\d+)\))?")
 HEAD = """# Equations
 
-The equations of the paper, and the functions of `src/carom` that compute them: the number stands in a comment above the lines
-that do. The last column has the function that derives the equation and judges the printed form (`carom derive --equation 31`
-shows its steps). An equation that names a quantity or is a step of a derivation is computed nowhere. `python
-docs/dev/equations.py` writes this page.
+The equations of the paper, and the functions of `src/carom` that compute them: the number of an equation stands in a
+comment above its lines. The last column has the function in `derive/paper` that derives the equation and judges the printed
+form; `carom derive --equation 31` prints its steps. `python docs/dev/equations.py` writes this page.
 
-| equation | computed by | derived by |
-|---|---|---|
+| | what | computed by | derived by |
+|---|---|---|---|
 """
+WHAT = (
+    "angular velocity in Euler rates", "rolling on the floor", "kinetic energy of the rolling ball", "no slip at the wall",
+    "the same in Euler rates", "solved for two of the rates", "dψ/dθ", "its integral", "its constant", "dφ/dθ", "its integral",
+    "virtual displacements", "the momentum that does not jump", "written out", "in differences", "at the paper's attitude",
+    "in spins",
+    "hypothesis 1: rolling", "hypothesis 2: restitution", "kinetic energy", "hypothesis 3: energy", "the conventional law",
+    "rolling without side spin", "velocity of B before", "velocity of B after", "the slip is reversed", "rolling before",
+    "impulse and momentum at the wall", "the friction cone", "no slip at B afterwards", "the first impact", "energy before",
+    "energy after", "kinetic energy in flight", "momenta", "they do not jump", "in spins", "rolling afterwards",
+    "the second impact",
+    "example, after the wall", "example, after the floor",
+)  # fmt: skip
+ELSEWHERE = {
+    6: "`derive/euler.py: wall_rates`, without the pole",
+    **dict.fromkeys((7, 10), "[the integrals](../theory/conventional.md#the-integrals-7-to-11)"),
+    9: "(8) with c = 0",
+    **dict.fromkeys(
+        (12, 13, 14, 15, 16, 17),
+        "[the conserved momentum](../theory/conventional.md#the-momentum-that-does-not-jump-12-to-17)",
+    ),
+    21: "a consequence of (19) and (22); tested",
+    23: "(27) with no side spin",
+    **dict.fromkeys((25, 26), "a consequence of (22): `laws/conventional.py: conventional_reflection`"),
+    **dict.fromkeys((35, 36), "[after the wall](../theory/two_step.md#landing)"),
+    **dict.fromkeys((40, 41), "[the example](../theory/two_step.md#the-example-40-and-41)"),
+}
 
 
 def functions(tree: ast.Module) -> list[tuple[int, int, str]]:
@@ -51,7 +77,7 @@ def computed() -> dict[int, list[str]]:
     for path in sorted(SOURCE.rglob("*.py")):
         name = path.relative_to(SOURCE).as_posix()
         text = path.read_text(encoding="utf-8")
-        if name.startswith("derive/") or not re.search(rf"#\s*{LIST}", text):
+        if name.startswith(("derive/paper/", "plot/")) or not re.search(rf"#\s*{LIST}", text):
             continue
         around = functions(ast.parse(text))
         for token in tokenize.generate_tokens(io.StringIO(text).readline):
@@ -81,7 +107,7 @@ def derived() -> dict[int, list[str]]:
             for call in ast.walk(function):
                 first = call.args[0] if isinstance(call, ast.Call) and call.args else None
                 number = re.match(r"(\d+)[a-z]?$", str(getattr(first, "value", "")))
-                place = f"derive/paper/{path.name}: {function.name}"
+                place = f"{path.name}: {function.name}"
                 if number and isinstance(first.value, str) and place not in found[int(number[1])]:
                     found[int(number[1])].append(place)
     return found
@@ -91,8 +117,8 @@ def page() -> str:
     """Return the page."""
     left, right = computed(), derived()
     rows = [
-        f"| ({n}) | {', '.join(f'`{x}`' for x in left[n]) or '–'} | {', '.join(f'`{x}`' for x in right[n]) or '–'} |\n"
-        for n in range(1, LAST + 1)
+        f"| ({n}) | {what} | {', '.join(f'`{x}`' for x in left[n]) or ELSEWHERE[n]} | {', '.join(f'`{x}`' for x in right[n])} |\n"
+        for n, what in enumerate(WHAT, 1)
     ]
     return HEAD + "".join(rows)
 

@@ -1,4 +1,4 @@
-"""Whole tracks of real three-cushion shots beside the laws: the picture and the tables of docs/validation/whole_tracks.md.
+"""Whole tracks of real three-cushion shots beside the laws: the picture and the tables of docs/validation/filmed_shots.md.
 
     python docs/dev/real_whole.py carom_tracks_50hz.csv [--cushions 1] [--laws NAME,NAME] [--picture FILE]
 

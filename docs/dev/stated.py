@@ -14,7 +14,7 @@ A number is made by one of these, tried in this order:
 - said: its paragraph, or the table with the paragraph before it, names the test, script or page that gives it;
 - given: how many were counted, at which angle, or which share of an interval: a condition of a result, in its own words;
 - count: a whole number up to 12 in a sentence (an order, an index, a number of contacts): an argument, no measurement;
-- record: the same number stands in a record of a run (benchmarks.md, campaigns.md, validation, datasets and howto in docs).
+- record: the same number stands in a record of a run (campaigns/results.md; benchmarks.md, validation, datasets and howto in docs).
 
 Whatever is left is printed as without a source: a constant in an argument, or a result that no cell, script or record gives.
 """
@@ -56,7 +56,13 @@ PAGES = (
     "docs/faq.md",
     *sorted(f"docs/theory/{p.name}" for p in (ROOT / "docs/theory").glob("*.md")),
 )
-RECORDS = ("benchmarks.md", "campaigns.md", "validation/*.md", "datasets/*.md", "howto/*.md")
+RECORDS = (
+    "docs/benchmarks.md",
+    "campaigns/results.md",
+    "docs/validation/*.md",
+    "docs/datasets.md",
+    "docs/howto/*.md",
+)
 KINDS = ("cell", "code", "checked", "formula", "name", "said", "given", "record", "count", "no source")
 NOUNS = "(?:tables|rows|bounces|balls|shots|spins|draws|directions|films|spheres|orbits|layouts|racks|windows|neighbours|frames)"
 GIVEN = re.compile(
@@ -184,9 +190,9 @@ def benchmark(work: str) -> tuple[float, float]:
     """carom's time, s, and how many times as long the peer takes, of a row of docs/benchmarks.md."""
     cells = next(row for row in rows("docs/benchmarks.md") if row[0] == work)
     size, unit = cells[1].split()[:2]
-    ratio = cells[3].split()[0]
-    times = float(ratio[2:]) if ratio.startswith("1/") else 1 / float(ratio) if ratio != "repeats" else math.nan
-    return float(size) * {"ns": 1e-9, "us": 1e-6, "ms": 1e-3}[unit], times
+    ratio = cells[3].partition(" ")[0]
+    times = float(ratio[2:]) if ratio.startswith("1/") else 1 / float(ratio) if ratio else math.nan
+    return float(size) * {"ns": 1e-9, "µs": 1e-6, "ms": 1e-3}[unit], times
 
 
 MIRROR = ("a shot, one ball, mirror", "a shot, three balls, mirror")
@@ -206,7 +212,7 @@ def shots() -> list[float]:
 
 
 def gas_ratios() -> list[float]:
-    """Least and largest ratio to EDMD and to DynamO, least and most balls, of both tables of docs/theory/gas.md."""
+    """Least and largest ratio to EDMD and to DynamO, least and most balls, of the table of docs/theory/gas.md."""
     table = [
         row for row in rows("docs/theory/gas.md") if {"smooth", "rough"} & set(row[1:3]) and row[0] != "balls"
     ]  # balls, gas, ...
@@ -315,7 +321,6 @@ STATEMENTS = (
             ("gas", r"a ball that has (\d+) contacts in a row", collisions.PATIENCE, "carom.gas.edmd.collisions"),
             ("pairs", r"and Kennedy\), (\d+) a contact", cluster_steps.STEPS, "carom.simulation.cluster_steps"),
             ("fitting", r"has risen by ([\d.]+) \(99", identifiability.FLAT_RISE, "carom.fitting.identify"),
-            ("fitting", r"stays below ([\d.]+) \(99", identifiability.FLAT_RISE, "carom.fitting.identify"),
             ("fitting", r"From (\d+) such rows on", tabulated.LEAST_ROWS, "carom.fitting.law_table"),
             ("fitting", r"normal prior by (\d+) to 1", evidence.DECIDED, "carom.fitting.evidence"),
             (
@@ -325,12 +330,6 @@ STATEMENTS = (
                 "carom.fitting.spins",
             ),
         )
-    ),
-    Statement(
-        "README.md",
-        r"a collision takes ([\d.]+) to ([\d.]+) µs among ([\d,]+) spheres",
-        lambda: [*(1e6 * benchmark(f"a gas of 100,000 {kind} spheres")[0] for kind in ("smooth", "rough")), 100_000],
-        TABLE,
     ),
     Statement(
         "docs/theory/cushions.md",
@@ -361,7 +360,7 @@ STATEMENTS = (
         "docs/theory/pressed.md", r"1 for a vertical wall and ([\d.]+) for a cushion at 7/5", corner, "its formula"
     ),
     Statement(
-        "docs/theory/landing.md",
+        "docs/theory/two_step.md",
         r"which is 4/35 = ([\d.]+) for the solid ball and 4/15 = ([\d.]+) for",
         lambda: [4 / 35, 4 / 15],
         "its formula",
@@ -369,7 +368,7 @@ STATEMENTS = (
     Statement("docs/theory/pairs.md", r"0\.95\$ this is ([\d.]+) even", lambda: [2 / 7 / 1.95], "its formula"),
     Statement("docs/theory/pairs.md", r"for (\d+) µs at 1 m/s and (\d+) µs at 9\.5", pool_balls, "carom.laws.pair"),
     Statement(
-        "docs/theory/strike.md",
+        "docs/theory/pairs.md",
         r"default cue \((\d+) oz, end mass (\d+) g, tip \$e = ([\d.]+)\$, \$\\mu = ([\d.]+)\$",
         cue,
         "carom.Cue()",
@@ -383,20 +382,10 @@ STATEMENTS = (
     Statement(
         "docs/theory/fitting.md", r"with (\d+) Gauss points", lambda: [len(spin_quadrature.NODES)], "carom.fitting"
     ),
-    Statement(
-        "README.md",
-        r"wall at (\d+)°\. .*? reflected at ([\d.]+)°\. .*? the final angle is ([\d.]+)°, after a hop of (\d+) mm",
-        example,
-        "carom.compare()",
-    ),
-    Statement(
-        "README.md", r"break of a full rack, (\d+) balls and (\d+) events", rack, "docs/dev/stated.py: carom.simulate"
-    ),
     Statement("README.md", r"takes ([\d.]+) to ([\d.]+) µs; pooltool 0\.6 needs ([\d.]+) to ([\d.]+) ms", shots, TABLE),
     *(
         Statement(page, pattern, ratios, TABLE)
         for page, pattern in (
-            ("README.md", r"\((\d+) to (\d+) times as long among real noses, (\d+) to (\d+) times"),
             ("paper.md", r"takes (\d+) to (\d+) times as long as carom .*? real noses and (\d+) to (\d+) times"),
             ("docs/comparison.md", r"carom is (\d+) to (\d+) times as fast .*? real noses, and (\d+) to (\d+) times"),
         )
@@ -414,7 +403,10 @@ STATEMENTS = (
         "docs/theory/gas.md",
     ),
     Statement("paper.md", r"outcome under (\w+) laws", lambda: [len(carom.LAWS)], COUNTS),
-    Statement("docs/index.md", r"predicts it under (\w+) laws", lambda: [len(carom.LAWS)], COUNTS),
+    *(
+        Statement(page, r"under (\w+) published laws", lambda: [len(carom.LAWS)], COUNTS)
+        for page in ("README.md", "docs/index.md")
+    ),
     Statement("docs/index.md", r"compares (\w+) laws", lambda: [len(carom.compare().verdicts)], COUNTS),
     *(
         Statement(
@@ -427,44 +419,33 @@ STATEMENTS = (
     ),
     *(
         Statement(
-            "README.md",
+            "docs/howto/predict.md",
             rf"\| {name} \|[^|]*\| (\d+) \| ([\d.]+) to ([\d.]+) \| ([\d.]+) \| ([\d.]+) \|",
-            lambda row=row: measured(row),
+            lambda row=name: measured(row),
             "docs/dev/measured.py",
         )
-        for name, row in (
-            ("Mathavan 2009, snooker cushion, below 1.5 m/s", "Mathavan 2009, below 1.5 m/s"),
-            ("the same, above 1.5 m/s", "&nbsp;&nbsp; the same, above"),
-            ("below 1.5 m/s, cushion first and then the cloth", "&nbsp;&nbsp; below, cushion alone, then the cloth"),
-            ("Kharaz 2001, alumina on glass, above 35°", "Kharaz 2001, above 35°"),
-            ("the same, below 35°, β = 0", "&nbsp;&nbsp; below 35°, β = 0"),
+        for name in (
+            "Mathavan 2009, below 1.5 m/s",
+            "&nbsp;&nbsp; the same, above",
+            "&nbsp;&nbsp; below, cushion alone, then the cloth",
+            "Kharaz 2001, above 35°",
+            "&nbsp;&nbsp; below 35°, β = 0",
         )
     ),
     Statement(
-        "README.md",
-        r"rejected too\*\*, by (\d+), as is the conventional law, by (\d+)",
-        lambda: [law_of_films("two-step with", 3), law_of_films("conventional", 3)],
+        "docs/validation/which_law.md",
+        r"rejected, by (\d+) in AICc.*?rejected too\*\*, by (\d+)",
+        lambda: [law_of_films("conventional", 3), law_of_films("two-step with", 3)],
         FILMS,
     ),
+    Statement("README.md", r"to (\d+) rebounds", lambda: rebounds()[:1], "docs/data/carom_tracks_rebounds.csv"),
     Statement(
-        "README.md",
-        r"Fitted to (\d+) rebounds .*? one row of (\d+) that was left out",
-        rebounds,
-        "docs/data/carom_tracks_rebounds.csv",
-    ),
-    Statement(
-        "README.md",
-        r"three laws tried fit better, by (\d+) to (\d+), .*? within (\d+) to 1 of",
+        "docs/validation/which_law.md",
+        r"fit better, by (\d+) to (\d+), and springs at the nose come \[within (\d+) to 1",
         speed_dependent,
         "docs/theory/cushions.md",
     ),
-    Statement("README.md", r"fitted restitution is ([\d.]+) and the friction ([\d.]+)", fitted, FILMS),
-    Statement(
-        "README.md",
-        r"compliance come within (\d+) and (\d+)\.",
-        lambda: [law_of_films("tangential compliance", 3), law_of_films("two-step, then the floor, with", 3)],
-        FILMS,
-    ),
+    Statement("README.md", r"restitution ([\d.]+), friction ([\d.]+)\.\*\*", fitted, FILMS),
 )
 
 
@@ -489,7 +470,7 @@ def recorded() -> dict[str, str]:
     """Where each number of three characters or more first stands in the records."""
     found: dict[str, str] = {}
     for pattern in RECORDS:
-        for path in sorted((ROOT / "docs").glob(pattern)):
+        for path in sorted(ROOT.glob(pattern)):
             for n, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
                 for number in NUMBER.findall(line):
                     if len(number) > 2:

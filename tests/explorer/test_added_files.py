@@ -68,7 +68,7 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("copy")
     shutil.copytree(Path(carom.__file__).parent, folder / "carom", ignore=shutil.ignore_patterns("__pycache__"))
     for page, path, language in (
-        ("scene", "shapes/post", "python"),
+        ("own_law", "shapes/post", "python"),
         ("figures", "figures/rhombus", "{code-cell} ipython3"),
     ):
         text = (HOWTO / f"{page}.md").read_text(encoding="utf-8")

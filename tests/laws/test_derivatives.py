@@ -23,7 +23,7 @@ RADIUS, KAPPA, COLUMNS = 0.03, 0.4, 3
 CENTRAL = ((1, 4 / 5), (2, -1 / 5), (3, 4 / 105), (4, -1 / 280))
 
 
-# Largest error of a pressed impact, of the speeds (docs/dev/tried.md): what differences over a step h are blurred by.
+# Largest error of a pressed impact, of the speeds (docs/design.md): what differences over a step h are blurred by.
 NOISE = 6.6e-9
 
 

@@ -42,7 +42,7 @@ def test_the_readme_has_dark_copies_of_its_drawings() -> None:
     """On a dark page of GitHub they were white boxes; `python docs/dark_pictures.py` writes the copies."""
     readme = (DOCS.parent / "README.md").read_text(encoding="utf-8")
     assert not re.findall(r"!\[[^\]]*\]\(docs/images/\w+\.svg\)", readme)
-    assert len(dark_pictures.pictures()) == 6
+    assert dark_pictures.pictures()
     for picture in dark_pictures.pictures():
         assert f'srcset="docs/images/dark/{picture.name}"' in readme
         copy = (DOCS / "images" / "dark" / picture.name).read_text(encoding="utf-8")

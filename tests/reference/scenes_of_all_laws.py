@@ -63,7 +63,7 @@ def with_infinities(value: Any) -> Any:
 
 
 def may_call_libm(scene: carom.Scene) -> bool:
-    """Return whether a run of a scene may call sin, cos, acos, atan2, exp, log or pow (docs/dev/explorer_engine.md)."""
+    """Return whether a run of a scene may call sin, cos, acos, atan2, exp, log or pow (docs/design.md)."""
     if {law.last for law in scene.laws} & {"stiffness_ratio"}:
         return True
     surfaces = [wall.restitution for wall in scene.walls] + [scene.ball_contact.restitution]

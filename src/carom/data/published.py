@@ -144,7 +144,7 @@ def _alciatore(data: Dataset) -> Published:
     extra = {"table": data.columns["table"][seen], DIRECTION_COLUMN: np.full(len(before), DIRECTION_UNIT)}
     notes = (
         "directions alone, at a speed taken as 1 m/s, for an aim at diamond 0; the push of the nose on the upper half of the ball,"
-        " which the cloth turns into speed on the way to the opposite rail, is left out: see docs/datasets/alciatore.md",
+        " which the cloth turns into speed on the way to the opposite rail, is left out: see docs/datasets.md#alciatore",
     )
     rebounds = make_rebounds("planar", columns, extra=extra, source=data.name, notes=notes)
     return Published(rebounds, {"radius": 0.028575, "kappa": 0.4})

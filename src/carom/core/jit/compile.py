@@ -239,7 +239,7 @@ def compiling_failed() -> type[Exception]:
 
 @functools.cache
 def _has_numba() -> bool:
-    """Return whether Numba is installed: a browser has none (docs/howto/browser.md)."""
+    """Return whether Numba is installed: a browser has none (docs/howto/explorer.md)."""
     return find_spec("numba") is not None
 
 
