@@ -86,7 +86,7 @@ def test_place_normal_and_curvature_to_forty_digits(a: float) -> None:
         for t in np.linspace(0.1, 6.2, 25):
             x, y, nx, ny, kappa = (float(one) for one in precise_frame(curve, float(t), a))
             here = np.array([[x, y]])
-            places = [region.place(k, region.along(k, here))[0][0] for k in range(len(region.arcs))]
+            places = [wall.place(wall.along(here))[0][0] for wall in region.walls]
             off = [math.hypot(*(place - (x, y))) for place in places]
             arc = region.arcs[int(np.argmin(off))]
             found = curve_wall(region.table, arc.first, arc.last, a, *arc.direction, x, y)

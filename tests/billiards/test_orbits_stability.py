@@ -40,8 +40,29 @@ TABLES = {
         billiards.under(billiards.ellipse(), (0.2, -0.5)), 2.0, acceleration=-1.0
     ),
 }
+
+
+def springy(v, w, n, a, kappa, e, mu, beta):
+    """A custom law: a wall gives back less of a fast slip."""
+    un = v[0] * n[0] + v[1] * n[1] + v[2] * n[2]
+    s = (w[1] * n[2] - w[2] * n[1], w[2] * n[0] - w[0] * n[2], w[0] * n[1] - w[1] * n[0])
+    x, y, z = v[0] - un * n[0] - a * s[0], v[1] - un * n[1] - a * s[1], v[2] - un * n[2] - a * s[2]
+    c = -(1.0 + 0.9 / (1.0 + math.sqrt(x * x + y * y + z * z))) * kappa / (1.0 + kappa)
+    p, q, r, b = c * x, c * y, c * z, 1.0 / (kappa * a)
+    v = (v[0] - 1.9 * un * n[0] + p, v[1] - 1.9 * un * n[1] + q, v[2] - 1.9 * un * n[2] + r)
+    return v, (w[0] - (n[1] * r - n[2] * q) * b, w[1] - (n[2] * p - n[0] * r) * b, w[2] - (n[0] * q - n[1] * p) * b)
+
+
+def turned(v, w, n, a, kappa, e, mu, beta):
+    """A custom law, which is the no-slip law of discs: slip and spin are mirrored at a line between their axes."""
+    c, s, q = (1 - kappa) / (1 + kappa), 2 * math.sqrt(kappa) / (1 + kappa), math.sqrt(kappa) * a
+    un, ut = v[0] * n[0] + v[1] * n[1], v[0] * n[1] - v[1] * n[0]
+    ut, spin = c * ut - s * q * w[2], -s * ut - c * q * w[2]
+    return (-un * n[0] + ut * n[1], -un * n[1] - ut * n[0], v[2]), (w[0], w[1], spin / q)
+
+
 LAWS = {"no-slip": {}, "mirror": {"law": "mirror"}, "rough": {"law": "contact", "surface": ROUGH},
-        "slides": {"law": "contact", "surface": SLIDES}, "rolling": {"law": "rolling"}}  # fmt: skip
+        "slides": {"law": "contact", "surface": SLIDES}, "rolling": {"law": "rolling"}, "custom": {"law": springy}}  # fmt: skip
 
 
 def begin(table):
@@ -180,12 +201,28 @@ def test_mirror_as_wave_fronts_have_it():
     assert spectrum.per_bounce[:, 0].mean() == pytest.approx(total, rel=0.01)
 
 
-def test_what_has_no_derivative_is_refused():
-    def mine(v, w, n, a, kappa, e, mu, beta):
-        return v, w
+def test_a_custom_law_has_exponents_periodic_orbits_and_manifolds():
+    """A law of four lines that is the no-slip law has all that this one has; one that loses energy has no periodic orbits."""
+    table = billiards.stadium()
+    start = billiards.starts(table, 3, 1)
+    one, two = (billiards.lyapunov(table, start, 12, law=law).per_bounce for law in (turned, "no-slip"))
+    np.testing.assert_allclose(one, two, atol=1e-9)
+    found, known = (billiards.periodic_orbits(table, "2-3", law=law, starts=30) for law in (turned, "no-slip"))
+    assert [(orbit.period, orbit.stability, orbit.family) for orbit in found] == [
+        (orbit.period, orbit.stability, orbit.family) for orbit in known
+    ]
+    isolated = [(a, b) for a, b in zip(found, known, strict=True) if not a.family]
+    assert isolated
+    for a, b in isolated:
+        np.testing.assert_allclose((a.duration, a.trace), (b.duration, b.trace), rtol=1e-9)
+    hyperbolic = [(a, b) for a, b in isolated if a.stability == "hyperbolic" and a.trace > 2]
+    ways = [billiards.manifold(orbit, length=0.05).position for orbit in hyperbolic[0]]
+    assert all(np.isfinite(way).all() for way in ways)
+    with pytest.raises(carom.CaromError, match="law: expected one that keeps the energy and volumes"):
+        billiards.periodic_orbits(table, 2, law=springy)
 
-    with pytest.raises(carom.CaromError, match="with a known derivative"):
-        billiards.lyapunov(billiards.circle(), begin(billiards.circle()), 10, law=mine)
+
+def test_what_meets_no_wall_has_no_derivative():
     with pytest.raises(carom.CaromError, match="orbits with at least one bounce"):
         billiards.tangent_map(billiards.wedge(0.5), ((1, 0), (1, 0), 0.0))
 

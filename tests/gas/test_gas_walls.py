@@ -9,10 +9,12 @@ from reference.brute_force_gas import Room, follow
 from reference.exploring import tried
 
 from carom import Ball, CaromError, Disc, Surface
+from carom.core.geometry.curve_arcs import arc_tables
 from carom.gas import Drive, Gas, Species, Thermostat, container
-from carom.gas.edmd.gas_records import ELLIPSE
+from carom.gas.edmd.gas_records import CURVE
 from carom.gas.edmd.walls import _is_present, _release_speed, oscillating_collision_time
 from carom.gas.profiles import Profiles
+from carom.scene.figures import EllipsePiece
 
 ROUGH, SMOOTH = Surface(1, math.inf, 1), Surface(1, 0, -1)
 
@@ -677,7 +679,9 @@ def test_a_bounded_face_is_there_where_a_falling_ball_arrives() -> None:
 
 def test_a_ball_pressed_on_an_ellipse_returns_after_the_contact_time() -> None:
     """A circle of radius 1 as an ellipse: v^2 / 0.9 and gravity press, and half of that times the contact time returns."""
-    face, features = SimpleNamespace(form=ELLIPSE, nx=1.0, ny=1.0, mx=0.0, my=0.0), SimpleNamespace(ellipse=True)
+    circle = EllipsePiece((1.0, 1.0))
+    face = SimpleNamespace(form=CURVE, depth=0, mx=0.0, my=0.0)
+    features = SimpleNamespace(curve=arc_tables(circle.at, *circle.span())[0])
     ball, gravity = SimpleNamespace(x=0.9, y=0.0, z=0.0, vx=0.0, vy=2.0, vz=0.0), (3.0, 0.0, 0.0)
     speed = _release_speed(features, face, None, gravity, ball, (-1.0, 0.0, 0.0), 0.01)
     assert speed == pytest.approx((4 / 0.9 + 3.0) * 0.01 / 2)

@@ -323,13 +323,33 @@ class EnergyShell:
         return d
 
 
+def _keeps_measure(setup: OrbitSetup) -> bool:
+    """Return whether a law that is called keeps, in some impacts, the energy and the volume of (v_n, v_t, spin)."""
+    if setup.kernel is None:
+        return False
+    world, (a, kappa) = setup.world[0], (setup.ball.radius, setup.ball.kappa)
+    numbers = [float(world[name]) for name in ("e", "mu", "beta")]
+
+    def after(u: Array) -> Array:
+        v, w = setup.kernel(
+            (u[0], u[1], 0.0), (0.0, 0.0, u[2] / (math.sqrt(kappa) * a)), (1.0, 0.0, 0.0), a, kappa, *numbers
+        )
+        return np.array([v[0], v[1], w[2] * math.sqrt(kappa) * a])
+
+    for u in np.random.default_rng(0).normal(size=(20, 3)):
+        u[0] = -abs(u[0])
+        slopes = [(after(u + h) - after(u - h)) / 2e-5 for h in 1e-5 * np.eye(3)]
+        if abs(after(u) @ after(u) - u @ u) > 1e-9 * (u @ u) or abs(abs(np.linalg.det(slopes)) - 1) > 1e-6:
+            return False
+    return True
+
+
 def energy_shell(table: Table, ball: Ball | None, law: Any, surface: Surface | None, speed: float) -> EnergyShell:
     """Return the energy shell of a table, a ball and a law; CaromError where periodic orbits cannot be found there."""
     setup = orbit_setup(table, ball, law, surface, "end")
-    if not setup.conservative:
-        raise CaromError(
-            Fault("periodic_orbits", "law", "one that keeps the energy (no-slip, mirror, rolling)", f"{setup.law}")
-        )
+    if not setup.conservative and not _keeps_measure(setup):
+        expected = "one that keeps the energy and volumes of velocities (no-slip, mirror, rolling, some custom laws)"
+        raise CaromError(Fault("periodic_orbits", "law", expected, f"{setup.law}"))
     if not setup.planar:
         raise CaromError(Fault("periodic_orbits", "table", "a table in the plane", f"{table}"))
     lengths = setup.shape.lengths

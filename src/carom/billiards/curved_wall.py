@@ -15,7 +15,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards.checks import ball_too_large
 from carom.core.geometry.curve import (
     BEND,
     COEFFICIENTS,
@@ -37,7 +36,7 @@ from carom.core.geometry.curve import (
 )
 from carom.core.geometry.outlines import outline_faults
 from carom.errors import CaromError, Fault
-from carom.scene.figures import Piece
+from carom.scene.figures import EllipsePiece, Piece
 
 Array = NDArray[np.float64]
 CORNER_TURN = 1e-7  # rad
@@ -110,6 +109,8 @@ class CurvedWall:
 
     name: str
     outline: tuple[tuple[Piece, ...], ...]
+    is_whole: bool = True
+    """Whether each piece ends where the next one begins: not where it is what a ball touches of a wall."""
 
     @functools.cached_property
     def size(self) -> float:
@@ -156,7 +157,7 @@ class CurvedWall:
             parts.append((panels, np.full(len(panels.rows), first + number)))
             ends.append(piece.at(np.array([t0, t1])))
         for (x, _d, _dd), (y, _e, _ee) in zip(ends, ends[1:] + ends[:1], strict=True):
-            if np.abs(x[1] - y[0]).max() > OPEN * size:
+            if self.is_whole and np.abs(x[1] - y[0]).max() > OPEN * size:
                 raise CaromError(
                     Fault(
                         self.name, "outline", "a closed curve", f"one from ({y[0, 0]:.6g}, {y[0, 1]:.6g}) that ends at"
@@ -171,7 +172,7 @@ class CurvedWall:
         end = np.roll(self._tangents(owner, t[:, 1], pieces, first), 1, axis=0)
         jump = np.arctan2(end[:, 0] * begin[:, 1] - end[:, 1] * begin[:, 0], (end * begin).sum(-1))
         jump[np.abs(jump) < CORNER_TURN] = 0.0
-        if (np.abs(jump) > math.pi - 1e-6).any():
+        if self.is_whole and (np.abs(jump) > math.pi - 1e-6).any():
             at = rows[np.argmax(np.abs(jump)), OX : OX + 2]
             raise CaromError(Fault(self.name, "outline", "no cusp", f"one at ({at[0]:.6g}, {at[1]:.6g})"))
         return WallLoop(rows, owner, t, sign, turn, begin, jump)
@@ -274,6 +275,8 @@ SAME_NODE = (
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 
+# A ball touches the whole ellipse if its radius is smaller than the smallest radius of curvature by this fraction.
+CURVATURE_MARGIN = 1e-9
 TOUCHES = 1e-9  # of the size: so much nearer to another part of the wall is rounding
 REGION_SAMPLES = np.linspace(-1, 1, 25)  # of each panel and circle, at which the distance from the wall is asked
 
@@ -324,15 +327,15 @@ class CurvedRegion:
     """Number of the first arc of each closed curve of the boundary."""
 
     @functools.cached_property
-    def _ways(self) -> Array:
+    def ways(self) -> Array:
         """Return the arc length of each node from the beginning of its arc."""
-        inner = self._length_to(np.arange(len(self.table)), self.table[:, W1])
+        inner = self.length_to(np.arange(len(self.table)), self.table[:, W1])
         found = np.concatenate([[0.0], np.cumsum(inner)[:-1]])
         for arc in self.arcs:
             found[arc.first : arc.last + 1] -= found[arc.first]
         return found
 
-    def _length_to(self, row: NDArray[np.int64], w: Array) -> Array:
+    def length_to(self, row: NDArray[np.int64], w: Array) -> Array:
         """Return the arc lengths (N) from the beginning of panels to w (N)."""
         rows = self.table[row]
         low, h = rows[:, W0], rows[:, HALF]
@@ -345,26 +348,10 @@ class CurvedRegion:
         found: Array = total * half * h - self.inset * turned
         return found
 
-    @property
-    def lengths(self) -> list[float]:
-        """Length of each arc, m."""
-        return [float(self._ways[arc.last]) for arc in self.arcs]
-
-    def _feet(self, k: int, x: Array) -> tuple[NDArray[np.int64], Array]:
-        """Return the rows and w of points (N, 2) on arc k."""
-        arc = self.arcs[k]
-        nodes = self.table[arc.first : arc.last, X : X + 2] @ np.array(arc.direction)
-        row = arc.first + np.clip(
-            np.searchsorted(nodes, x @ np.array(arc.direction), side="right") - 1, 0, len(nodes) - 1
-        )
-        rows = self.table[row]
-        xi, eta = chord_frame(rows, x)
-        w = np.clip(xi / rows[:, HALF] - 1, -1, 1)
-        for _ in range(8 if self.inset else 1):
-            f, f1, f2 = graphs(rows, w)
-            dx, dy = xi - rows[:, HALF] * (1 + w), eta - f
-            w = np.clip(w + (dx + f1 * dy) / (rows[:, HALF] * (1 + f1 * f1 - f2 * dy)), rows[:, W0], rows[:, W1])
-        return row, w
+    @functools.cached_property
+    def walls(self) -> list[ArcWall]:
+        """Its arcs as walls of a boundary."""
+        return [ArcWall(self, arc) for arc in self.arcs]
 
     @functools.cached_property
     def parts(self) -> NDArray[np.int64]:
@@ -383,77 +370,122 @@ class CurvedRegion:
             number = int(found[here].max()) + 1
         return found
 
-    def along(self, k: int, x: Array) -> Array:
-        """Return the arc lengths (N) of points (N, 2) on arc k from its beginning."""
-        row, w = self._feet(k, x)
-        found: Array = self._ways[row] + self._length_to(row, w)
+
+class ArcWall(NamedTuple):
+    """An arc of a region as a wall of its boundary (:mod:`carom.billiards.boundary`)."""
+
+    region: CurvedRegion
+    arc: CurveArc
+
+    @property
+    def centre(self) -> tuple[float, float]:
+        """The origin."""
+        return 0.0, 0.0
+
+    @property
+    def length(self) -> float:
+        """Its length, m."""
+        return float(self.region.ways[self.arc.last])
+
+    @property
+    def row(self) -> tuple[Any, ...]:
+        """Its record."""
+        first, last, direction, *corners = self.arc
+        return (*direction, 0.0), first, last, *corners, -math.inf, math.inf
+
+    def _feet(self, x: Array) -> tuple[NDArray[np.int64], Array]:
+        """Return the rows and w of points (N, 2)."""
+        (first, last, direction, *_), table, inset = self.arc, self.region.table, self.region.inset
+        nodes = table[first:last, X : X + 2] @ np.array(direction)
+        row = first + np.clip(np.searchsorted(nodes, x @ np.array(direction), side="right") - 1, 0, len(nodes) - 1)
+        rows = table[row]
+        xi, eta = chord_frame(rows, x)
+        w = np.clip(xi / rows[:, HALF] - 1, -1, 1)
+        for _ in range(8 if inset else 1):
+            f, f1, f2 = graphs(rows, w)
+            dx, dy = xi - rows[:, HALF] * (1 + w), eta - f
+            w = np.clip(w + (dx + f1 * dy) / (rows[:, HALF] * (1 + f1 * f1 - f2 * dy)), rows[:, W0], rows[:, W1])
+        return row, w
+
+    def along(self, x: Array) -> Array:
+        """Return arc lengths."""
+        row, w = self._feet(x)
+        found: Array = self.region.ways[row] + self.region.length_to(row, w)
         return found
 
-    def place(self, k: int, s: Array) -> tuple[Array, Array]:
-        """Return points and normals (N, 2) at arc lengths (N) from the beginning of arc k."""
-        arc = self.arcs[k]
-        ways = self._ways[arc.first : arc.last + 1]
-        row = arc.first + np.clip(np.searchsorted(ways, s, side="right") - 1, 0, len(ways) - 2)
-        rows, rest = self.table[row], s - self._ways[row]
+    def place(self, s: Array) -> tuple[Array, Array]:
+        """Return points and normals."""
+        (first, last, *_), region = self.arc, self.region
+        ways = region.ways[first : last + 1]
+        row = first + np.clip(np.searchsorted(ways, s, side="right") - 1, 0, len(ways) - 2)
+        rows, rest = region.table[row], s - region.ways[row]
         low, high = rows[:, W0], rows[:, W1]
-        w = low + (high - low) * rest / (self._ways[row + 1] - self._ways[row])
+        w = low + (high - low) * rest / (region.ways[row + 1] - region.ways[row])
         for _ in range(8):
             _f, f1, f2 = graphs(rows, w)
             q = np.sqrt(1 + f1 * f1)
-            rate = rows[:, HALF] * q * np.maximum(1 - self.inset * f2 / q**3, 1e-6)
-            before, w = w, np.clip(w - (self._length_to(row, w) - rest) / rate, low, high)
+            rate = rows[:, HALF] * q * np.maximum(1 - region.inset * f2 / q**3, 1e-6)
+            before, w = w, np.clip(w - (region.length_to(row, w) - rest) / rate, low, high)
             if (w == before).all():
                 break
-        return self._point(rows, w)
+        x, t = _nodes(rows, w, region.inset)
+        return x, left_of(t)
 
-    def _point(self, rows: Array, w: Array) -> tuple[Array, Array]:
-        f, f1, _f2 = graphs(rows, w)
-        q = 1 / np.sqrt(1 + f1 * f1)
-        n = plane_of(rows, -f1 * q, q)
-        return rows[:, OX : OX + 2] + plane_of(rows, rows[:, HALF] * (1 + w), f) + self.inset * n, n
+    def normals(self, x: Array) -> Array:
+        """Return normals."""
+        row, w = self._feet(x)
+        return left_of(_nodes(self.region.table[row], w, 0.0)[1])
 
-    def normals(self, k: int, x: Array) -> Array:
-        """Return normals (N, 2) towards the ball at points (N, 2) on arc k."""
-        row, w = self._feet(k, x)
-        return self._point(self.table[row], w)[1]
-
-    def curvatures(self, k: int, x: Array) -> Array:
-        """Return curvatures (N) of the centre's curve at points (N, 2) on arc k."""
-        row, w = self._feet(k, x)
-        _f, f1, f2 = graphs(self.table[row], w)
+    def curvatures(self, x: Array) -> Array:
+        """Return curvatures."""
+        row, w = self._feet(x)
+        _f, f1, f2 = graphs(self.region.table[row], w)
         kappa = f2 / (1 + f1 * f1) ** 1.5
-        found: Array = kappa / (1 - self.inset * kappa)
+        found: Array = kappa / (1 - self.region.inset * kappa)
         return found
 
-    def pieces(self) -> list[tuple[Any, ...]]:
-        """Return its rows of :data:`carom.billiards.table_records.PIECES`."""
-        return [
-            ((*arc.direction, 0.0), arc.first, arc.last, arc.corner_before, arc.corner_after, -math.inf, math.inf)
-            for arc in self.arcs
-        ]
+
+def require_room(name: str, left: float, what: str, inset: float) -> None:
+    """Raise CaromError where a ball does not fit."""
+    if not left > 0:
+        raise CaromError(
+            Fault(f"{name}", "radius of the ball", f"one that fits {what}", repr(inset), "take a smaller ball")
+        )
+
+
+def ball_too_large(name: str, inset: float) -> CaromError:
+    """Return the refusal of a ball that does not touch all of a wall."""
+    expected = (
+        "one that touches all of the wall, smaller than its necks and radii of curvature, and without corners in curves"
+    )
+    return CaromError(
+        Fault(name, "radius of the ball", expected, repr(inset), "take a smaller ball, or bounds = 'centre'")
+    )
 
 
 @functools.lru_cache(maxsize=64)
-def curved_region(wall: CurvedWall, a: float) -> CurvedRegion:
-    """Return the region open to the centre of a ball of radius a.
+def curved_region(wall: CurvedWall, a: float, touched: CurvedWall | None = None) -> CurvedRegion:
+    """Return the region open to the centre of a ball of radius a; ``touched``: what of the wall it touches, where that is known.
 
-    CaromError for a ball that does not touch all of the wall: it is larger than a radius of curvature, or than a neck, or the
+    Else CaromError for a ball that does not touch all of the wall: it is larger than a radius of curvature, or than a neck, or the
     wall has a corner that bends towards it.
     """
     wall.require_simple()
-    if a > 0 and any(_hides(wall, loop, a) for loop in wall.loops):
-        raise ball_too_large(wall.name, a)
+    if touched is None:
+        touched = wall
+        if a > 0 and any(_hides(wall, loop, a) for loop in wall.loops):
+            raise ball_too_large(wall.name, a)
     tables, arcs, order, rounds = list[Array](), list[CurveArc](), list[tuple[bool, int]](), list[int]()
     circles: list[Bend] = []
     row = 0
-    for number, loop in enumerate(wall.loops):
+    for number, loop in enumerate(touched.loops):
         rounds.append(len(arcs))
         for one in _parts(number, loop, a):
             if isinstance(one, Bend):
                 order.append((True, len(circles)))
                 circles.append(one)
                 continue
-            part, own = _table_of(wall, one, a, row)
+            part, own = _table_of(touched, one, a, row)
             order += [(False, len(arcs) + k) for k in range(len(own))]
             tables.append(part)
             arcs += own
@@ -469,6 +501,19 @@ def curved_region(wall: CurvedWall, a: float) -> CurvedRegion:
     return CurvedRegion(wall, a, rows, tuple(arcs), tuple(circles), shown, tuple(rounds))
 
 
+def ellipse_touched(p: float, q: float, a: float) -> tuple[Piece, ...]:
+    """Return what a ball of radius a touches of the ellipse (x/p)^2 + (y/q)^2 = 1: all, or an arc on each long side."""
+    long, short = max(p, q), min(p, q)
+    if a < (1 - CURVATURE_MARGIN) * short**2 / long:
+        return (EllipsePiece((p, q)),)
+    e = (long - short) * (long + short)
+    across = math.sqrt(max((long - short**2 / a) * (long + short**2 / a), 0.0) / e)
+    # on the long axis it touches both sides, with the normal (along, across); there (p cos u, q sin u) = (p^2 Nx, q^2 Ny)/h
+    u = math.degrees(math.atan2(short * across, long * math.sqrt((1 - across) * (1 + across))))
+    turn = 0.0 if p > q else -90.0
+    return tuple(EllipsePiece((p, q), turn + side + u, turn + side + 180 - u) for side in (0.0, 180.0))
+
+
 def _bends(loop: WallLoop) -> dict[int, Bend]:
     """Return the circles around the reflex corners of a loop, by the panels before which they stand."""
     found = {}
@@ -480,8 +525,7 @@ def _bends(loop: WallLoop) -> dict[int, Bend]:
 
 def _parts(number: int, loop: WallLoop, a: float) -> list[Stretch | Bend]:
     """Return all of a loop, divided at its corners, from the first one on; a ball goes around them on circles."""
-    bends = _bends(loop) if a > 0 else {}
-    corners = list(bends) if a > 0 else np.flatnonzero(loop.jump != 0).tolist()
+    bends, corners = _bends(loop) if a > 0 else {}, np.flatnonzero(loop.jump != 0).tolist()
     first, count = corners[0] if corners else 0, len(loop.rows)
     found: list[Stretch | Bend] = []
     for k in ((first + m) % count for m in range(count)):

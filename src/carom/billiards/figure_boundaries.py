@@ -12,14 +12,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards.boundary import Boundary, Face, InsetEllipse, Obstacle, ObstacleImage, RoundWall, face
-from carom.billiards.checks import ball_too_large, require_room
-from carom.billiards.curved_wall import CurvedWall, curved_region
+from carom.billiards.boundary import Boundary, Circle, Face, WholeEllipse, face
+from carom.billiards.curved_wall import CurvedWall, ball_too_large, curved_region, ellipse_touched, require_room
 from carom.errors import CaromError, Fault
 from carom.scene.figures import CellFigure, Figure, PlaneFigure
 from carom.scene.figures.cells import DiscsFigure
 from carom.scene.figures.curve import PlatesFigure, StripFigure, WedgeFigure
-from carom.scene.figures.figure import ArcPiece, EllipsePiece, Loop, SegmentPiece
+from carom.scene.figures.figure import ArcPiece, EllipsePiece, Loop, SegmentPiece, joints
 from carom.scene.figures.polygons import RectangleFigure
 from carom.scene.figures.solids import BoxFigure, CylinderFigure, SphereFigure
 
@@ -56,18 +55,28 @@ def _outline(name: str, figure: PlaneFigure, inset: float) -> Boundary:
     if len(outside) == 1 and isinstance(first, EllipsePiece):
         p, q = first.half_axes
         require_room(name, min(p, q) - inset, f"in the {name}", inset)
-        found = Boundary(ellipse=InsetEllipse(p, q, inset), size=max(p, q))
+        found = _ellipse(name, first, inset)
     elif len(outside) == 1 and isinstance(first, ArcPiece):
         require_room(name, first.radius - inset, f"in the {name}", inset)
-        found = Boundary(inside=[RoundWall(*first.center, first.radius - inset, 0)], size=first.radius)
+        found = Boundary(inside=[Circle(*first.center, first.radius - inset, way=1.0)], size=first.radius)
     else:
         found = _chain(name, outside, inset)
         if inset > 0 and found.vertices is not None and _closes_a_neck(name, figure, inset):
             raise ball_too_large(name, inset)
     for loop in inner:
         one: Any = loop[0]
-        found.outside.append(Obstacle(one.center[0], one.center[1], one.radius + inset, 0.0, math.tau))
+        found.outside.append(Circle(*one.center, one.radius + inset))
     return found
+
+
+def _ellipse(name: str, piece: EllipsePiece, inset: float) -> Boundary:
+    """Return the boundary within an ellipse: itself for a centre, for a ball the parallel curve of what it touches."""
+    p, q = piece.half_axes
+    if not inset:
+        return Boundary(ellipse=WholeEllipse(p, q), size=max(p, q))
+    wall, touched = CurvedWall(name, ((piece,),)), ellipse_touched(p, q, inset)
+    region = curved_region(wall, inset, wall if len(touched) == 1 else CurvedWall(name, (touched,), is_whole=False))
+    return Boundary(curve=region, size=max(p, q))
 
 
 def _is_circle(loop: Loop, way: float) -> bool:
@@ -86,9 +95,7 @@ def _has_closed_form(loop: Loop) -> bool:
     halves = [isinstance(piece, ArcPiece) and (piece.from_angle_deg, piece.to_angle_deg) in HALVES for piece in loop]
     if not all(half or isinstance(piece, SegmentPiece) for half, piece in zip(halves, loop, strict=True)):
         return False
-    _lengths, begins, t = _directions(loop)
-    after = np.roll(begins, -1, axis=0)
-    smooth = np.abs(t[:, 0] * after[:, 1] - t[:, 1] * after[:, 0]) <= SMOOTH
+    smooth = np.abs(joints(loop).turn) <= SMOOTH
     return all(smooth[k - 1] and smooth[k] for k, half in enumerate(halves) if half)
 
 
@@ -102,7 +109,7 @@ def _curved(name: str, figure: PlaneFigure, inset: float) -> Boundary:
     """Return the boundary of a figure whose wall has a smooth curve."""
     wall = _wall_of(name, figure)
     region = curved_region(wall, inset)
-    outside = [Obstacle(x, y, inset, first, span) for x, y, first, span in region.reflex]
+    outside = [Circle(x, y, inset, first, span) for x, y, first, span in region.reflex]
     # (circles come before arcs among the pieces)
     arcs, circles = len(region.arcs), len(outside)
     order = None if region.order is None else [k + circles if k < arcs else k - arcs for k in region.order]
@@ -111,15 +118,16 @@ def _curved(name: str, figure: PlaneFigure, inset: float) -> Boundary:
 
 def _chain(name: str, loop: Loop, inset: float) -> Boundary:
     """Return the boundary of a loop of segments, of which half circles may continue some without a corner."""
-    lengths, begins, t = _directions(loop)
-    after = np.roll(begins, -1, axis=0)
-    turn = t[:, 0] * after[:, 1] - t[:, 1] * after[:, 0]  # at the end of each piece
-    reflex, smooth, cos = turn < -SMOOTH, np.abs(turn) <= SMOOTH, (t * after).sum(-1)
+    ends, tangents, speed, turn, cos = joints(loop)
+    lengths = np.array(
+        [s if isinstance(piece, SegmentPiece) else piece.length for piece, s in zip(loop, speed, strict=True)]
+    )
+    reflex, smooth = turn < -SMOOTH, np.abs(turn) <= SMOOTH
     # a convex corner shortens both its sides by inset/tan(half the inner angle)
     cut = np.where(reflex | smooth, 0.0, inset * turn / (1 + cos))
     faces: list[Face] = []
-    arcs: list[RoundWall] = []
-    outside: list[Obstacle] = []
+    arcs: list[Circle] = []
+    outside: list[Circle] = []
     order: list[tuple[str, int]] = []
     for k, piece in enumerate(loop):
         before = k - 1
@@ -127,10 +135,10 @@ def _chain(name: str, loop: Loop, inset: float) -> Boundary:
             half = HALVES[piece.from_angle_deg, piece.to_angle_deg]
             require_room(name, piece.radius - inset, f"in the {name}", inset)
             order.append(("inside", len(arcs)))
-            arcs.append(RoundWall(*piece.center, piece.radius - inset, half))
+            arcs.append(Circle(*piece.center, piece.radius - inset, -half * math.pi / 2, math.pi, 1.0, half))
             continue
         side: Any = piece
-        (tx, ty), (x, y) = t[k].tolist(), side.start
+        (tx, ty), (x, y) = tangents[k, 0].tolist(), side.start
         x0 = tx * x + ty * y
         begin, end = float(x0 + cut[before]), float(x0 + lengths[k] - cut[k])
         require_room(name, end - begin, f"to touch side {k + 1}", inset)
@@ -142,14 +150,14 @@ def _chain(name: str, loop: Loop, inset: float) -> Boundary:
         if reflex[k] and inset:
             span = math.acos(max(-1.0, min(1.0, float(cos[k]))))
             order.append(("outside", len(outside)))
-            outside.append(Obstacle(side.end[0], side.end[1], inset, math.atan2(tx, -ty), span))
+            outside.append(Circle(side.end[0], side.end[1], inset, math.atan2(tx, -ty), span))
     number = {"face": 0, "inside": len(faces), "outside": len(faces) + len(arcs)}
     found = Boundary(
         faces=faces, inside=arcs, outside=outside, order=[number[kind] + k for kind, k in order],
         finite_faces=bool(arcs) or bool(reflex.any()), size=_extent(loop) if arcs else float(lengths.max()),
     )  # fmt: skip
     if reflex.any():
-        found.vertices, found.clearance = np.array([piece.at(piece.span()[:1])[0][0] for piece in loop]), inset
+        found.vertices, found.clearance = ends[:, 0], inset
     return found
 
 
@@ -162,21 +170,6 @@ def _closes_a_neck(name: str, figure: PlaneFigure, inset: float) -> bool:
     share = (np.arange(4) + 0.5) / 4
     x = shape.place((shape.starts[:, None] + shape.lengths[:, None] * share).ravel())[1]
     return bool((shape.gap(x) < -NECK * shape.size).any())
-
-
-def _directions(loop: Loop) -> tuple[Array, Array, Array]:
-    """Return the lengths (N) of pieces, and their unit tangents (N, 2) where they begin and where they end."""
-    straight = [
-        (*piece.start, *piece.end) if isinstance(piece, SegmentPiece) else (0.0, 0.0, 1.0, 0.0) for piece in loop
-    ]
-    sides = np.array(straight)[:, 2:] - np.array(straight)[:, :2]
-    lengths = np.hypot(sides[:, 0], sides[:, 1])
-    begins = sides / lengths[:, None]
-    ends = begins.copy()
-    for k, piece in enumerate(loop):
-        if not isinstance(piece, SegmentPiece):
-            lengths[k], (begins[k], ends[k]) = piece.length, piece.tangent(np.array([0.0, piece.length]))
-    return lengths, begins, ends
 
 
 def _extent(loop: Loop) -> float:
@@ -216,7 +209,7 @@ def _discs(name: str, figure: DiscsFigure, inset: float) -> Boundary:
         [f(one[axis] + side * one[2] for one in circles) for axis in (0, 1)] for f, side in ((min, -1), (max, 1))
     )
     size = max(high[0] - low[0], high[1] - low[1])
-    return Boundary(outside=[Obstacle(*one, 0.0, math.tau) for one in circles], size=size)
+    return Boundary(outside=[Circle(*one) for one in circles], size=size)
 
 
 def _cell(name: str, figure: CellFigure, inset: float) -> Boundary:
@@ -238,10 +231,10 @@ def _cell(name: str, figure: CellFigure, inset: float) -> Boundary:
             ball = f", with a ball of radius {inset:g}," if inset else ""
             got, advice = f"one that{ball} covers the cell", "take a smaller one"
             raise CaromError(Fault(name, "obstacles", "room between them", got, advice))
-        found.outside.append(Obstacle(x, y, r, 0.0, math.tau))
+        found.outside.append(Circle(x, y, r))
         for dx, dy in along + [(-dx, -dy) for dx, dy in along]:
             if abs(x + dx) < w + r and abs(y + dy) < h + r:
-                found.images.append(ObstacleImage(x + dx, y + dy, r, k))
+                found.images.append(Circle(x + dx, y + dy, r, image_of=k))
     return found
 
 

@@ -5,9 +5,8 @@ A single ball needs no event queue: its next event is the nearest of the table's
 Where no force acts across the walls, the flight is met as a straight line: linear for a face, quadratic for a circle, a sphere, an
 ellipse. Under a force across walls it is a parabola; its roots, of degree 2 (faces) or 4 (curved pieces), are those of
 :mod:`carom.core.roots.first_root`, which find the first of them, and a crossing outside the ends of a piece is skipped for the next
-one. The curve at a distance from an ellipse, of degree eight, is in :mod:`carom.billiards.boundary` and
-:mod:`carom.core.geometry.outlines`; smooth curves, with a table of ``panels``, are in :mod:`carom.core.geometry.curve`. Arcs of
-circles, in a magnetic field, are in :mod:`carom.billiards.intersections`.
+one. Smooth curves, with a table of ``panels``, are in :mod:`carom.core.geometry.curve`. In a magnetic field flights are arcs of
+circles, in quarters of which u = tan(angle/2) goes from 0 to 1.
 """
 
 from __future__ import annotations
@@ -15,7 +14,6 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.billiards.boundary import arc_exit, arc_wall
 from carom.billiards.table_records import ARC, STRAIGHT
 from carom.core.geometry.angles import angle_of_tangent
 from carom.core.geometry.curve import (
@@ -33,9 +31,9 @@ from carom.core.geometry.curve import (
     flight_end,
     graph_at,
 )
-from carom.core.geometry.outlines import oval_depth, oval_hit
 from carom.core.jit.kernel import Vec, hot_kernel, kernel
-from carom.core.roots.first_root import hit2, hit4, least_of_chord, newton_or_half, next_hit4
+from carom.core.roots.bracketed import searches
+from carom.core.roots.first_root import hit2, hit4, next_hit4
 
 NEVER = math.inf
 FULL_CIRCLE = 4.0 + 1e-9  # quarters of a circle, and a margin for rounding
@@ -99,12 +97,6 @@ def arcs_joined(s: float, more: float) -> float:
     return m + n + 1.0 + (top - bottom) / (top + bottom)
 
 
-@kernel
-def displaced_on_arc(field: float, dx: Vec, dv: Vec, s: float) -> tuple[Vec, Vec]:
-    """Return the displacement of a neighbour's position and velocity after flights up to s: the flight is linear in both."""
-    return on_arc(field, dx, dv, s)
-
-
 # --- pieces with a closed form -----------------------------------------------------------------------------------------
 
 
@@ -159,79 +151,39 @@ def _ellipse(p: Any, x: Vec, v: Vec, k: Vec) -> float:
 
 
 @kernel
-def _gap(panels: Any, j: int, a: float, p: float, q: float, x: Vec, v: Vec, k: Vec, u: float) -> tuple[float, float]:
-    """Return the gap at u and its rate: to panel j in its chord's frame, or (j < 0) to the curve within an ellipse."""
+def _gap(path: Any, u: float) -> tuple[float, float]:
+    """Return the gap to a panel at u and its rate, in the chord's frame."""
+    panels, j, a, x, v, k = path
     d = 1.0 / (1.0 + u * u)
     f, g = u * d, d * d
     px, py = x[0] + f * (v[0] + u * k[0]), x[1] + f * (v[1] + u * k[1])
     even, odd = g * (1.0 - u * u), g * (2.0 * u)
-    vx, vy = even * v[0] + odd * k[0], even * v[1] + odd * k[1]
-    if j < 0:
-        depth, nx, ny, _rho = oval_depth(p, q, px, py)
-        return depth - a, nx * vx + ny * vy
     eta, slope = graph_at(panels, j, a, px)
-    return py - eta, vy - slope * vx
+    return py - eta, (even * v[1] + odd * k[1]) - slope * (even * v[0] + odd * k[0])
+
+
+_fall, _leave = searches(_gap)
 
 
 @kernel
-def _gap_root(
-    panels: Any, j: int, a: float, p: float, q: float, x: Vec, v: Vec, k: Vec, low: float, high: float, gap: float, rate: float
-) -> float:  # fmt: skip
-    """Return the root between low, where the gap is positive, and high, where it is not and falls."""
-    u = high
-    for _ in range(200):
-        new = newton_or_half(u, gap, rate, low, high)
-        if abs(new - u) <= 4e-16 * high or not low < new < high:
-            return new
-        u = new
-        gap, rate = _gap(panels, j, a, p, q, x, v, k, u)
-        if gap > 0.0:
-            low = u
-        else:
-            high = u
-    return u
-
-
-@kernel
-def _first_fall(  # noqa: PLR0911  (one return per outcome)
-    panels: Any, j: int, a: float, p: float, q: float, near: float, pull: float, x: Vec, v: Vec, k: Vec, u0: float, end: float
-) -> float:  # fmt: skip
+def _first_fall(
+    panels: Any, j: int, a: float, near: float, pull: float, x: Vec, v: Vec, k: Vec, u0: float, end: float
+) -> float:
     """Return the first u between u0 and the end at which the gap falls through zero, or infinity; pull: an upper bound of G''."""
+    path = (panels, j, a, x, v, k)
     speed = math.sqrt(v[0] * v[0] + v[1] * v[1])
     tiny = near / speed
-    g0, rate0 = _gap(panels, j, a, p, q, x, v, k, u0)
+    g0, rate0 = _gap(path, u0)
     if g0 < -BEHIND * near:
         return NEVER  # behind the wall: it has left the interior before, or is in another part of it
     if g0 <= near:
         if rate0 < -SLOW * speed:
             return u0
-        # it touches: on to where the gap is more than rounding. (The rate is known better than the gap.)
-        # (a panel's gap is at least rate0 u - pull u^2/2; that to an ellipse is concave but for the path, and may fall faster)
-        step, left = max(tiny, rate0 / pull) if j >= 0 else tiny, u0
-        while g0 <= near:
-            if u0 >= end:
-                return NEVER
-            u0 = min(left + step, end)
-            g0, rate0 = _gap(panels, j, a, p, q, x, v, k, u0)
-            if rate0 < 0.0 and g0 <= near:
-                return u0
-            step = step + step
-    right = end
-    while u0 < end:
-        g1, rate1 = _gap(panels, j, a, p, q, x, v, k, right)
-        length = right - u0
-        short = length <= max(tiny, 4e-16 * right)
-        if g1 > 0.0:
-            if short or least_of_chord(g0, g1, length, pull) >= 0.0:
-                u0, g0, rate0 = right, g1, rate1
-                right = min(right + 2.0 * max(length, tiny, 4e-16 * right), end)
-                continue
-        elif rate0 + pull * length < 0.0:
-            return _gap_root(panels, j, a, p, q, x, v, k, u0, right, g1, rate1)
-        elif short:
-            return right
-        right = u0 + length / 2.0
-    return NEVER
+        # it touches: on to where the gap is more than rounding, which is at least rate0 u - pull u^2/2
+        u0, g0, rate0, out = _leave(path, u0, end, max(tiny, rate0 / pull), near, 1.0)
+        if not out:
+            return u0
+    return _fall(path, u0, g0, rate0, end, end, pull, NEVER, tiny)
 
 
 @kernel
@@ -267,7 +219,7 @@ def _panel(panels: Any, j: int, a: float, near: float, x: Vec, v: Vec, k: Vec, m
         m = 0.5 * (u + out)
         middle = x[0] + m / (1.0 + m * m) * (v[0] + m * k[0])
         if first <= middle <= last:
-            found = _first_fall(panels, j, a, 0.0, 0.0, near, pull, x, v, k, u, out)
+            found = _first_fall(panels, j, a, near, pull, x, v, k, u, out)
             if found < NEVER:
                 return found
         u = out
@@ -317,16 +269,6 @@ def _at(x: Vec, v: Vec, k: Vec, u: float) -> tuple[float, float]:
 
 
 @kernel
-def _on_second_arc_turning(p: Any, near: float, x: Vec, v: Vec, k: Vec, u: float) -> bool:
-    """Return whether the second of an ellipse's two arcs is met; in their corner, the one towards which the ball flies."""
-    i = 1 if p.c > p.r else 0
-    side = _at(x, v, k, u)[i]
-    rate = (1.0 - u * u) * v[i] + 2.0 * u * k[i]
-    second: bool = (side if abs(side) > near else rate) < 0.0
-    return second
-
-
-@kernel
 def _hit_in_quarter(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec, k: Vec) -> tuple[float, int]:
     """Return u at the next piece within a quarter of the circle, and its index; infinity and -1 where none is met."""
     best = NEVER
@@ -356,17 +298,9 @@ def _hit_in_quarter(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec, k: Vec
         if u < best:
             best, which = u, i
     if world.outside < world.ellipses:
-        p, i = pieces[world.outside], world.outside
-        if world.inset > 0.0:
-            noise = NOISE * (p.c + p.r)
-            pull = 2.0 * math.sqrt(v[0] * v[0] + v[1] * v[1])
-            u = _first_fall(panels, -1, world.inset, p.c, p.r, noise, pull, x, v, k, 0.0, min(best, 1.0))
-            if world.arc_corners != 0 and u < NEVER and _on_second_arc_turning(p, near, x, v, k, u):
-                i += 1
-        else:
-            u = _ellipse(p, x, v, k)
+        u = _ellipse(pieces[world.outside], x, v, k)
         if u < best:
-            best, which = u, i
+            best, which = u, world.outside
     for i in range(world.ellipses, world.curves):
         p = pieces[i]
         u = _curve(panels, int(p.c), int(p.r), world.inset, NOISE * world.extent, x, v, k, min(best, 1.0))
@@ -391,17 +325,7 @@ def arc_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple[float
     return NEVER, -1
 
 
-# ----------------------------------------------------------------------------------------------------
-# Find the next piece of the boundary that a flying ball meets, and the wall's normal there.
-#
-# A single ball needs no event queue: its next event is the nearest of the table's pieces. All pieces bound the ball's centre.
-#
-# Where no force acts across the walls, the flight is met as a straight line: linear for a face, quadratic for a circle, a sphere,
-# an ellipse. Under a force across walls it is a parabola; its roots, of degree 2 (faces) or 4 (curved pieces), are those of
-# :mod:`carom.core.roots.first_root`, which find the first of them, and a crossing outside the ends of a piece is skipped for the
-# next one. The curve at a distance from an ellipse, of degree eight, is in :mod:`carom.billiards.boundary` and
-# :mod:`carom.core.geometry.outlines`; smooth curves, with a table of ``panels``, are in :mod:`carom.core.geometry.curve`. Arcs of
-# circles, in a magnetic field, are in :mod:`carom.billiards.intersections`.
+# --- straight lines and parabolas ------------------------------------------------------------------------------------------
 
 
 @hot_kernel
@@ -454,9 +378,7 @@ def sphere_exit(x: Vec, v: Vec, r: float) -> float:
 
 
 @hot_kernel
-def straight_hit(  # noqa: PLR0915  (one loop per kind of piece)
-    world: Any, pieces: Any, panels: Any, x: Vec, v: Vec
-) -> tuple[float, int]:
+def straight_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple[float, int]:
     """Return the time to the next piece on a straight flight, and its index; infinity and -1 where none lies ahead."""
     best = NEVER
     which = -1
@@ -500,10 +422,7 @@ def straight_hit(  # noqa: PLR0915  (one loop per kind of piece)
             which = i
     for i in range(world.outside, world.ellipses):
         p = pieces[i]
-        if world.inset > 0.0:
-            t = arc_exit(x[0], x[1], v[0], v[1], p, world.inset)
-        else:
-            t = circle_exit(x[0] / p.c, x[1] / p.r, v[0] / p.c, v[1] / p.r, 1.0)
+        t = circle_exit(x[0] / p.c, x[1] / p.r, v[0] / p.c, v[1] / p.r, 1.0)
         if t < best:
             best = t
             which = i
@@ -537,16 +456,14 @@ def wall_normal(world: Any, pieces: Any, panels: Any, i: int, x: Vec) -> Vec:
             return (-dx * w, -dy * w, 0.0)
         return (dx * w, dy * w, 0.0)
     if i < world.ellipses:
-        return arc_wall(p, world.inset, x[0], x[1])[0]
+        nx, ny = x[0] / (p.c * p.c), x[1] / (p.r * p.r)
+        w = 1.0 / math.sqrt(nx * nx + ny * ny)
+        return (-nx * w, -ny * w, 0.0)
     if i < world.curves:
         nx, ny, _kappa = curve_wall(panels, int(p.c), int(p.r), world.inset, p.n[0], p.n[1], x[0], x[1])
         return (nx, ny, 0.0)
     w = (1.5 - (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) * (0.5 * p.c * p.c)) * p.c
     return (-x[0] * w, -x[1] * w, -x[2] * w)
-
-
-# Approach to an ellipse that counts as rounding, relative to the speed.
-RELATIVE_ROUNDING_SPEED = 1e-14
 
 
 @kernel
@@ -587,15 +504,6 @@ def _parabolic_circle_exit(p: Any, near: float, x: float, y: float, u: float, v:
 
 
 @kernel
-def _on_second_arc(p: Any, near: float, x: Vec, v: Vec, g: Any, t: float) -> bool:
-    """Return whether the second of an ellipse's two arcs is met; in their corner, the one towards which the ball flies."""
-    k = 1 if p.c > p.r else 0
-    side, rate = x[k] + (v[k] + 0.5 * g[k] * t) * t, v[k] + g[k] * t
-    second: bool = (side if abs(side) > near else rate) < 0.0
-    return second
-
-
-@kernel
 def parabolic_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple[float, int]:
     """Return the time to the next piece on a parabolic flight, and its index; infinity and -1 where none lies ahead."""
     best = NEVER
@@ -626,18 +534,11 @@ def parabolic_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple
         if t < best:
             best, which = t, i
     if world.outside < world.ellipses:
-        p, i = pieces[world.outside], world.outside
-        if world.inset > 0.0:
-            slow = RELATIVE_ROUNDING_SPEED * math.sqrt(v[0] * v[0] + v[1] * v[1])
-            a = world.inset
-            t = oval_hit(p.c, p.r, a, 0.0, a, x[0], x[1], v[0], v[1], g0, g1, NEVER, slow)
-            if world.arc_corners != 0 and t < NEVER and _on_second_arc(p, world.corner_tolerance, x, v, g, t):
-                i += 1
-        else:
-            c = _depth_polynomial(x[0] / p.c, x[1] / p.r, v[0] / p.c, v[1] / p.r, g0 / p.c, g1 / p.r, 1.0)
-            t = hit4(c[0], c[1], c[2], c[3], c[4], NEVER, 0.0)
+        p = pieces[world.outside]
+        c = _depth_polynomial(x[0] / p.c, x[1] / p.r, v[0] / p.c, v[1] / p.r, g0 / p.c, g1 / p.r, 1.0)
+        t = hit4(c[0], c[1], c[2], c[3], c[4], NEVER, 0.0)
         if t < best:
-            best, which = t, i
+            best, which = t, world.outside
     if world.ellipses < world.curves:
         size, near = world.extent, NOISE * world.extent
         end = flight_end(size, x[0], x[1], v[0], v[1], g0, g1)

@@ -216,22 +216,51 @@ def at_arc_end(panels: Any, p: Any, x: Vec, near: float) -> bool:
 
 @hot_kernel
 def at_corner(world: Any, pieces: Any, panels: Any, i: int, x: Vec) -> bool:
-    """Return whether a ball that meets face i, or an arc of an ellipse or a smooth curve, is at a corner."""
+    """Return whether a ball that meets face i, or an arc of a smooth curve, is at a corner."""
     p = pieces[i]
     if i >= world.ellipses:
         return at_arc_end(panels, p, x, world.corner_tolerance)
-    if world.windows <= i < world.outside:
-        return False
     if i >= world.faces:
-        # the corners of the arcs lie on the long axis
-        across: bool = abs(x[1] if p.c > p.r else x[0]) < world.corner_tolerance
-        return across
+        return False
     s = p.n[1] * x[0] - p.n[0] * x[1]
     at: bool = s < p.low + world.corner_tolerance or s > p.high - world.corner_tolerance
     return at
 
 
-def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
+@hot_kernel
+def fly_to_wall(
+    world: Any, pieces: Any, panels: Any, x: Vec, v: Vec, t: float, ax: float, ay: float
+) -> tuple[int, int, Vec, Vec, float, float, float, float]:
+    """Fly through the windows of a periodic cell to a wall.
+
+    Return why it meets none (an index into ENDS; DONE where it does), the piece, position and velocity there, the time, the place
+    on the flight (:func:`next_hit`), and the displacement of the cell.
+    """
+    cells, along = 0, 0.0
+    while True:
+        dt, i = next_hit(world, pieces, panels, x, v)
+        if i < 0 or not dt < math.inf:
+            return (FREE if world.flight == ARC else ESCAPED), i, x, v, t, along, ax, ay
+        x, v = after_flight(world, x, v, dt)
+        t += duration(world, dt)
+        along = arcs_joined(along, dt) if world.flight == ARC else along + dt
+        if i < world.faces or i >= world.windows:
+            break
+        # leave the cell through one side, enter through the opposite one at the distance r
+        p = pieces[i]
+        x = (x[0] + p.r * p.n[0], x[1] + p.r * p.n[1], x[2])
+        ax -= p.r * p.n[0]
+        ay -= p.r * p.n[1]
+        cells += 1
+        if cells > MAX_EMPTY_CELLS or (world.flight == ARC and along > FULL_CIRCLE):
+            return FREE, -1, x, v, t, along, ax, ay
+    ended = DONE
+    if (i < world.faces or world.arc_corners != 0) and world.corners and at_corner(world, pieces, panels, i, x):
+        ended = CORNER
+    return ended, i, x, v, t, along, ax, ay
+
+
+def follow(
     world: Any,
     pieces: Any,
     panels: Any,
@@ -255,7 +284,6 @@ def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
     length) receives the pieces, ``last`` (10) time, position, velocity and spin at the end.
     """
     t, ax, ay, k = memory[0], memory[1], memory[2], int(memory[3])
-    cells, turned = 0, 0.0
     if k > 0:
         x, v = (memory[5], memory[6], memory[7]), (memory[8], memory[9], memory[10])
         w = (memory[11], memory[12], memory[13])
@@ -266,29 +294,9 @@ def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
     ended = DONE
     until = min(bounces, k + share)
     while k < until:
-        dt, i = next_hit(world, pieces, panels, x, v)
-        if i < 0 or not dt < math.inf:
-            ended = FREE if world.flight == ARC else ESCAPED
+        ended, i, x, v, t, _along, ax, ay = fly_to_wall(world, pieces, panels, x, v, t, ax, ay)
+        if ended != DONE:
             break
-        x, v = after_flight(world, x, v, dt)
-        t += duration(world, dt)
-        if i < world.faces or world.arc_corners != 0:
-            if world.corners and at_corner(world, pieces, panels, i, x):
-                ended = CORNER
-                break
-        elif i < world.windows:
-            # leave the cell through one side, enter through the opposite one at the distance r
-            p = pieces[i]
-            x = (x[0] + p.r * p.n[0], x[1] + p.r * p.n[1], x[2])
-            ax -= p.r * p.n[0]
-            ay -= p.r * p.n[1]
-            cells += 1
-            turned = arcs_joined(turned, dt) if world.flight == ARC else 0.0
-            if cells > MAX_EMPTY_CELLS or turned > FULL_CIRCLE:
-                ended = FREE
-                break
-            continue
-        cells, turned = 0, 0.0
         n = wall_normal(world, pieces, panels, i, x)
         if planar and law == NO_SLIP_WALL:  # (the same bits; zeros that the compiler sees)
             v, w = no_slip_bounce((v[0], v[1], 0.0), (0.0, 0.0, w[2]), (n[0], n[1], 0.0), a, kappa)

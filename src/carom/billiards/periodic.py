@@ -247,7 +247,7 @@ def periodic_orbits(
         Walls that the orbit meets, such as "ABC" (:func:`itinerary`, :func:`codes`): the orbits with this code are sought, each
         code for itself, with the mirror law from polygons of extremal length.
     ball, law, surface
-        As for :func:`orbit`; a law that keeps the energy.
+        As for :func:`orbit`; a law that keeps the energy, and volumes of velocities: a custom law may.
     starts : int
         Number of starts for each period.
     seed : int
@@ -264,7 +264,7 @@ def periodic_orbits(
     Raises
     ------
     CaromError
-        A law that loses energy, a custom law (its derivative is not known), a table without a closed boundary or in space.
+        A law that loses energy, a table without a closed boundary or in space.
 
     Examples
     --------

@@ -89,7 +89,9 @@ class OrbitSetup:
     panels: Array
     """Table of the panels of a smooth curve (:mod:`carom.core.geometry.curve`)."""
     conservative: bool
-    """Whether the law conserves the energy."""
+    """Whether the law is known to conserve the energy."""
+    kernel: Any = None
+    """Of a law that is called."""
 
     @property
     def rolls(self) -> bool:
@@ -171,10 +173,11 @@ def orbit_setup(table: Table, ball: Ball | None, law: Any, surface: Surface | No
         response == CONTACT_WALL and e == 1 and (mu == 0 or beta == -1 or (beta == 1 and mu == math.inf))
     )
     world["conservative"] = keeps
-    if response == CALLED_WALL and chosen.kernel is not None:
-        world["user"] = user_address(chosen.kernel)
+    kernel = chosen.kernel if response == CALLED_WALL else None
+    if kernel is not None:
+        world["user"] = user_address(kernel)
     panels = np.zeros((1, ROW)) if shape.curve is None else shape.curve.table
-    return OrbitSetup(table, ball, name, response, shape, world, pieces, panels, keeps)
+    return OrbitSetup(table, ball, name, response, shape, world, pieces, panels, keeps, kernel)
 
 
 def law_of(law: Any, surface: Surface | None) -> tuple[Law, str]:

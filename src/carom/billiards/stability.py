@@ -10,19 +10,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards.boundary import arc_wall
-from carom.billiards.intersections import FULL_CIRCLE, arcs_joined, displaced_on_arc, next_hit, wall_normal
-from carom.billiards.loop import after_flight, after_impact, at_corner, duration
+from carom.billiards.intersections import wall_normal
+from carom.billiards.loop import after_flight, after_impact, duration, fly_to_wall
 from carom.billiards.orbits import FIRST_BOUNCES, orbit_from_setup, require_integer
 from carom.billiards.setup import OrbitSetup, orbit_setup
 from carom.billiards.table_records import (
     ARC,
-    CORNER,
+    BODY,
     DONE,
     ENDING,
     ENDS,
-    ESCAPED,
-    FREE,
     GRAZED,
     PIECES,
     POSITION,
@@ -32,14 +29,15 @@ from carom.billiards.table_records import (
 )
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
-from carom.core.contact import LEAST, slip_velocity
 from carom.core.geometry.curve import curve_wall
 from carom.core.jit.compile import array_of, njit, signature
-from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel, prange
+from carom.core.jit.dual.dual_records import dual_records, register_records
+from carom.core.jit.dual.numbers import LANES, value_of, with_value
+from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, only_slopes, prange, vector
 from carom.core.jit.threads import Pace
 from carom.errors import CaromError, Fault
-from carom.laws.callbacks import register_calls
-from carom.laws.law import CALLED_WALL, ROLLING_WALL
+from carom.laws.callbacks import dual_law_address, register_duals
+from carom.laws.law import CALLED_WALL
 
 
 @hot_kernel
@@ -51,7 +49,10 @@ def curvature_at(world: Any, pieces: Any, panels: Any, i: int, x: Vec) -> float:
     elif world.inside <= i < world.outside:
         found = -found
     elif world.outside <= i < world.ellipses:
-        found = 1.0 / arc_wall(pieces[i], world.inset, x[0], x[1])[1]
+        p = pieces[i]
+        nx, ny = x[0] / (p.c * p.c), x[1] / (p.r * p.r)
+        size = math.sqrt(nx * nx + ny * ny)
+        found = 1.0 / ((p.c * p.r) * (p.c * p.r) * (size * size * size))
     elif world.ellipses <= i < world.curves:
         p = pieces[i]
         kappa = curve_wall(panels, int(p.c), int(p.r), world.inset, p.n[0], p.n[1], x[0], x[1])[2]
@@ -60,153 +61,70 @@ def curvature_at(world: Any, pieces: Any, panels: Any, i: int, x: Vec) -> float:
 
 
 @kernel
-def contact_derivative(
-    v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float, dv: Vec, dw: Vec, dn: Vec
+def _slopes_of(x: Any) -> Any:
+    """Return three dual numbers of the value zero."""
+    return (only_slopes(x[0]), only_slopes(x[1]), only_slopes(x[2]))
+
+
+@kernel
+def _with_values(x: Any, values: Vec) -> Any:
+    """Return three dual numbers with other values."""
+    return (with_value(x[0], values[0]), with_value(x[1], values[1]), with_value(x[2], values[2]))
+
+
+@kernel
+def _after_bounce(
+    world: Any, body: Any, x: Vec, v: Vec, n: Vec, k: float, sphere: bool, along: float
 ) -> tuple[Vec, Vec]:
-    """Return the derivative of :func:`carom.core.contact.wall_contact`: changes of velocity and spin after the impact."""
-    un, ut = slip_velocity(v, w, n, a)
-    slip = math.sqrt(dot(ut, ut))
-    pn = -(1.0 + e) * un
-    hold = (1.0 + beta) * (kappa / (1.0 + kappa))
-    # derivative of slip_velocity
-    dun = dot(dv, n) + dot(v, dn)
-    p, q = cross(dw, n), cross(w, dn)
-    dut = (
-        dv[0] - dun * n[0] - un * dn[0] - a * (p[0] + q[0]),
-        dv[1] - dun * n[1] - un * dn[1] - a * (p[1] + q[1]),
-        dv[2] - dun * n[2] - un * dn[2] - a * (p[2] + q[2]),
-    )
-    dpn = -(1.0 + e) * dun
-    c = -hold
-    f = (c * ut[0], c * ut[1], c * ut[2])
-    df = (c * dut[0], c * dut[1], c * dut[2])
-    if hold * slip > mu * pn and pn > LEAST * slip:
-        # sliding: f = -mu pn ut/|ut|
-        c = -mu * pn / slip
-        f = (c * ut[0], c * ut[1], c * ut[2])
-        dc = -mu * dpn / slip - c * dot(ut, dut) / (slip * slip)
-        df = (c * dut[0] + dc * ut[0], c * dut[1] + dc * ut[1], c * dut[2] + dc * ut[2])
-    # dv = pn n + f, dw = -n x f/(kappa a)
-    p, q = cross(dn, f), cross(n, df)
-    c = 1.0 / (kappa * a)
-    return (
-        (
-            dv[0] + dpn * n[0] + pn * dn[0] + df[0],
-            dv[1] + dpn * n[1] + pn * dn[1] + df[1],
-            dv[2] + dpn * n[2] + pn * dn[2] + df[2],
-        ),
-        (dw[0] - (p[0] + q[0]) * c, dw[1] - (p[1] + q[1]) * c, dw[2] - (p[2] + q[2]) * c),
-    )
+    """Bring a ball with its displacements from just after one bounce to just after the next; return velocity and spin there.
 
-
-@kernel
-def rolling_derivative(v: Vec, w: Vec, n: Vec, a: float, kappa: float, dv: Vec, dw: Vec, dn: Vec) -> tuple[Vec, Vec]:
-    """Return the derivative of :func:`carom.laws.conventional.conventional_reflection`."""
-    k = 1.0 / (1.0 + 2.0 * kappa)
-    x, y = v[0] * n[0] + v[1] * n[1], v[1] * n[0] - v[0] * n[1]
-    dx = dv[0] * n[0] + dv[1] * n[1] + v[0] * dn[0] + v[1] * dn[1]
-    dy = dv[1] * n[0] - dv[0] * n[1] + v[1] * dn[0] - v[0] * dn[1]
-    # (22)
-    y1, dy1 = (y + 2.0 * kappa * a * w[2]) * k, (dy + 2.0 * kappa * a * dw[2]) * k
-    dz = (2.0 * (1.0 + kappa) * dy / a - dw[2]) * k
-    du = -dx * n[0] - x * dn[0] - dy1 * n[1] - y1 * dn[1]
-    dq = -dx * n[1] - x * dn[1] + dy1 * n[0] + y1 * dn[0]
-    # (18): the horizontal spin follows from the velocity
-    return (du, dq, 0.0), (-dq / a, du / a, dz)
-
-
-@kernel
-def tangent_step(
-    world: Any, n: Vec, k: float, sphere: bool, t: float, v: Vec, w: Vec, dx: Vec, dv: Vec, dw: Vec
-) -> tuple[Vec, Vec, Vec]:
-    """Propagate a displacement from just after one bounce to just after the next: a flight up to t later, with v, w just before it.
-
-    n and k are the wall's normal and curvature; ``sphere``: it is curved in z as well.
+    It comes to x with the velocity v, ``along`` on its flight; n and k are the wall's normal and curvature; ``sphere``: it is
+    curved in z as well.
     """
-    g0, g1, g2 = world.acceleration[0], world.acceleration[1], world.acceleration[2]
-    # position of the neighbour at the same time, and how much later it meets the wall
+    # the neighbour's place and velocity at the same time, and how much later it meets the wall
+    p, dv = after_flight(world, (body.x[0], body.x[1], body.x[2]), (body.v[0], body.v[1], body.v[2]), along)
+    p, u, g = _slopes_of(p), _with_values(dv, v), vector(world.acceleration)
     if world.flight == ARC:
-        p, dv = displaced_on_arc(world.magnetic_field, dx, dv, t)
-        g0, g1, g2 = -world.magnetic_field * v[1], world.magnetic_field * v[0], 0.0
-    else:
-        p = (dx[0] + t * dv[0], dx[1] + t * dv[1], dx[2] + t * dv[2])
-    late = -dot(n, p) / dot(n, v)
-    dx = (p[0] + v[0] * late, p[1] + v[1] * late, p[2] + v[2] * late)
-    dv = (dv[0] + g0 * late, dv[1] + g1 * late, dv[2] + g2 * late)
-    dn = (-k * dx[0], -k * dx[1], -k * dx[2] if sphere else 0.0)
-    if world.law == ROLLING_WALL:
-        dv, dw = rolling_derivative(v, w, n, world.a, world.kappa, dv, dw, dn)
-    else:
-        dv, dw = contact_derivative(v, w, n, world.a, world.kappa, world.e, world.mu, world.beta, dv, dw, dn)
-    return dx, dv, dw
+        g = (-world.magnetic_field * v[1], world.magnetic_field * v[0], 0.0)
+    late = -(n[0] * p[0] + n[1] * p[1] + n[2] * p[2]) / dot(n, v)
+    p = (p[0] + v[0] * late, p[1] + v[1] * late, p[2] + v[2] * late)
+    u = (u[0] + g[0] * late, u[1] + g[1] * late, u[2] + g[2] * late)
+    m = (n[0] - k * p[0], n[1] - k * p[1], n[2] - (k * p[2] if sphere else 0.0 * p[2]))
+    v1, w1 = after_impact(world, world.law, world.a, world.kappa, u, (body.w[0], body.w[1], body.w[2]), m)
+    p = _with_values(p, x)
+    for j in range(3):
+        body.x[j], body.v[j], body.w[j] = p[j], v1[j], w1[j]
+    return (value_of(v1[0]), value_of(v1[1]), value_of(v1[2])), (value_of(w1[0]), value_of(w1[1]), value_of(w1[2]))
 
 
 def follow_tangents(
-    world: Any,
-    pieces: Any,
-    panels: Any,
-    x: Vec,
-    v: Vec,
-    w: Vec,
-    bounces: int,
-    vectors: Any,
-    sums: Any,
-    every: int,
-    last: Any,
-) -> tuple[int, int, int]:
+    world: Any, pieces: Any, panels: Any, bodies: Any, slopes: Any, row: int, bounces: int, sums: Any, every: int, last: Any
+) -> tuple[int, int, int]:  # fmt: skip
     """Follow a ball from just after a bounce, and its displacements; return why it ended, the bounces made, the last piece.
 
-    ``vectors`` (K, 9): displacements of position, velocity and spin, overwritten by their images. With ``every`` > 0 they are
-    orthonormalised after every so many bounces (Gram-Schmidt, twice) and the logarithms of their lengths are added to ``sums``
-    (K); the first vector keeps its direction. ``last`` (10): time, position, velocity and spin at the end; the time is added to.
+    ``bodies`` (N,) of BODY and ``slopes`` (1, N, 9, LANES): of row number ``row`` the ball, and its displacements of position,
+    velocity and spin, both overwritten by their images. With ``every`` > 0 the displacements are orthonormalised after every so
+    many bounces (Gram-Schmidt, twice) and the logarithms of their lengths are added to ``sums`` (K); the first keeps its direction.
+    ``last`` (10): time, position, velocity and spin at the end; the time is added to.
     """
-    t = last[0]
-    k = 0
-    met = -1
-    ended = DONE
+    t, k, met, ended = last[0], 0, -1, DONE
+    body = dual_records(bodies, slopes, 0)[row]
+    one = bodies[row]
+    x, v, w = vector(one.x), vector(one.v), vector(one.w)
     while k < bounces:
-        # a flight through windows of the periodic cell is one flight
-        flight = 0.0
-        i = -1
-        u = v
-        while True:
-            dt, i = next_hit(world, pieces, panels, x, u)
-            if i < 0 or not dt < math.inf:
-                ended = FREE if world.flight == ARC else ESCAPED
-                break
-            x, u = after_flight(world, x, u, dt)
-            flight = arcs_joined(flight, dt) if world.flight == ARC else flight + dt
-            if i < world.faces or i >= world.windows:
-                break
-            p = pieces[i]
-            x = (x[0] + p.r * p.n[0], x[1] + p.r * p.n[1], x[2])
-            if world.flight == ARC and flight > FULL_CIRCLE:
-                ended = FREE
-                break
+        ended, i, x, v, _t, along, _ax, _ay = fly_to_wall(world, pieces, panels, x, v, 0.0, 0.0, 0.0)
         if ended != DONE:
             break
-        if (i < world.faces or world.arc_corners != 0) and world.corners and at_corner(world, pieces, panels, i, x):
-            ended = CORNER
-            break
-        n = wall_normal(world, pieces, panels, i, x)
-        b = curvature_at(world, pieces, panels, i, x)
-        for m in range(len(vectors)):
-            q = vectors[m]
-            dx, dv, dw = tangent_step(
-                world, n, b, i >= world.curves, flight, u, w,
-                (q[0], q[1], q[2]), (q[3], q[4], q[5]), (q[6], q[7], q[8]),
-            )  # fmt: skip
-            for j in range(3):
-                q[j], q[3 + j], q[6 + j] = dx[j], dv[j], dw[j]
-        v, w = after_impact(world, world.law, world.a, world.kappa, u, w, n)
+        n, bend = wall_normal(world, pieces, panels, i, x), curvature_at(world, pieces, panels, i, x)
+        v, w = _after_bounce(world, body, x, v, n, bend, i >= world.curves, along)
         if not dot(v, n) > 0.0:
             ended = GRAZED
             break
-        t += duration(world, flight)
+        t += duration(world, along)
         met = i
         k += 1
         if every > 0 and k % every == 0:
-            orthonormalise(vectors, sums)
+            orthonormalise(slopes, row, sums)
     last[0] = t
     for j in range(3):
         last[1 + j], last[4 + j], last[7 + j] = x[j], v[j], w[j]
@@ -214,65 +132,58 @@ def follow_tangents(
 
 
 @kernel
-def orthonormalise(vectors: Any, sums: Any) -> None:
+def orthonormalise(slopes: Any, row: int, sums: Any) -> None:
     """Orthonormalise by Gram-Schmidt, each vector twice against those before it; add the logarithms of the lengths to sums."""
-    for m in range(len(vectors)):
-        q = vectors[m]
+    for m in range(len(sums)):
         for _ in range(2):
             for j in range(m):
-                p = vectors[j]
                 d = 0.0
                 for c in range(9):
-                    d += p[c] * q[c]
+                    d += slopes[0, row, c, j] * slopes[0, row, c, m]
                 for c in range(9):
-                    q[c] -= d * p[c]
+                    slopes[0, row, c, m] -= d * slopes[0, row, c, j]
         size = 0.0
         for c in range(9):
-            size += q[c] * q[c]
+            size += slopes[0, row, c, m] * slopes[0, row, c, m]
         size = math.sqrt(size)
         sums[m] += math.log(size)
         for c in range(9):
-            q[c] /= size
+            slopes[0, row, c, m] /= size
 
 
 _follow_tangents: Any = follow_tangents
 
 
 def follow_tangents_many(
-    worlds: Any,
-    pieces: Any,
-    panels: Any,
-    starts: Any,
-    bounces: int,
-    vectors: Any,
-    sums: Any,
-    every: int,
-    last: Any,
-    ends: Any,
-) -> None:
-    """Apply :func:`follow_tangents` to every row of ``starts`` (N, 9), ``vectors`` (N, K, 9), ``sums`` (N, K) that goes on."""
-    for m in prange(len(starts)):
+    worlds: Any, pieces: Any, panels: Any, bodies: Any, slopes: Any, bounces: int, sums: Any, every: int, last: Any, ends: Any
+) -> None:  # fmt: skip
+    """Apply :func:`follow_tangents` to every row that goes on; ``sums`` (N, K)."""
+    for m in prange(len(bodies)):
         if ends[m].reason != DONE:
             continue
-        s = starts[m]
         ended, count, met = _follow_tangents(
-            worlds[0], pieces, panels, (s[0], s[1], s[2]), (s[3], s[4], s[5]), (s[6], s[7], s[8]), bounces,
-            vectors[m], sums[m], every, last[m],
-        )  # fmt: skip
+            worlds[0], pieces, panels, bodies, slopes, m, bounces, sums[m], every, last[m]
+        )
         ends[m].reason, ends[m].bounces, ends[m].piece = ended, count, met
+
+
+def register_tangents() -> None:
+    """Tell the compiler what the loop calls."""
+    register_duals()
+    register_records()
 
 
 @functools.cache
 def compiled_tangent_loop() -> Any:
     """Compile :func:`follow_tangents_many`, or load it from the cache."""
     global _follow_tangents  # noqa: PLW0603
-    needs = (register_calls,)
-    pieces, row, table, vec = array_of(PIECES), array_of(float), array_of(float, 2), (float, float, float)
-    one = signature((int, int, int), WORLD, pieces, table, vec, vec, vec, int, table, row, int, row)
+    needs = (register_tangents,)
+    pieces, row, table, bodies, slopes = (
+        array_of(PIECES), array_of(float), array_of(float, 2), array_of(BODY), array_of(float, 4)
+    )  # fmt: skip
+    one = signature((int, int, int), WORLD, pieces, table, bodies, slopes, int, int, row, int, row)
     _follow_tangents = njit(follow_tangents, one, needs, _nrt=False)
-    many = signature(
-        None, array_of(WORLD), pieces, table, table, int, array_of(float, 3), table, int, table, array_of(ENDING)
-    )
+    many = signature(None, array_of(WORLD), pieces, table, bodies, slopes, int, table, int, table, array_of(ENDING))
     return njit(follow_tangents_many, many, needs, parallel=True)
 
 
@@ -395,10 +306,6 @@ def end_coordinates(setup: OrbitSetup, vectors: Array, n: Array) -> Array:
 
 def _after_first_bounce(setup: OrbitSetup, start: Any) -> tuple[Array, tuple[int, ...], Array]:
     """Return the states (N, 9) just after the first bounce, the shape of the starts, the normals there."""
-    if setup.response == CALLED_WALL:
-        raise CaromError(
-            Fault("lyapunov", "law", "one with a known derivative (no-slip, mirror, contact, rolling)", f"{setup.law}")
-        )
     begin = orbit_from_setup(setup, start, 1)
     if (np.asarray(begin.count) != 1).any():
         raise CaromError(Fault("lyapunov", "start", "orbits with at least one bounce", "one without"))
@@ -409,26 +316,26 @@ def _after_first_bounce(setup: OrbitSetup, start: Any) -> tuple[Array, tuple[int
 
 
 def _follow(
-    setup: OrbitSetup,
-    states: Array,
-    bounces: int,
-    vectors: Array,
-    sums: Array,
-    every: int,
-    last: Array,
+    setup: OrbitSetup, states: Array, bounces: int, vectors: Array, sums: Array, every: int, last: Array,
     ends: NDArray[np.void],
-) -> None:
-    """Run the compiled loop in slices, each from where the one before has ended (``every``: 0 or 1)."""
+) -> None:  # fmt: skip
+    """Follow displacements (N, K, 9) of states (N, 9), in slices, each from where the one before has ended (``every``: 0 or 1)."""
     loop, pace, done = compiled_tangent_loop(), Pace(FIRST_BOUNCES), 0
+    world, bodies, slopes = setup.world, np.zeros(len(states), BODY), np.zeros((1, len(states), 9, LANES))
+    bodies["x"], bodies["v"], bodies["w"] = states[:, :3], states[:, 3:6], states[:, 6:]
+    slopes[0, :, :, : vectors.shape[1]] = vectors.transpose(0, 2, 1)
+    if setup.response == CALLED_WALL:
+        world = world.copy()
+        world["user"] = dual_law_address(setup.kernel)
     if len(states) < FEW_ORBITS:  # (to wake threads takes longer than to follow a few)
         loop, ends = follow_tangents_many, ends.view(np.recarray)
     last[:, TIME] = 0.0
     while done < bounces and (ends["reason"] == DONE).any():
         share = min(max(pace.begin() // len(states), 1), bounces - done)
-        loop(setup.world, setup.pieces, setup.panels, states, share, vectors, sums, every, last, ends)
-        states = np.where((ends["reason"] == DONE)[:, None], last[:, 1:], states)
+        loop(world, setup.pieces, setup.panels, bodies, slopes, share, sums, every, last, ends)
         pace.done(share * len(states))
         done += share
+    vectors[:] = slopes[0, :, :, : vectors.shape[1]].transpose(0, 2, 1)
 
 
 def tangents_of_bounces(
@@ -455,7 +362,7 @@ def tangent_map(
 ) -> TangentMap:
     """Compute the exact derivative of a number of bounces, counted from the first bounce of the orbit.
 
-    Flight and impact are differentiated in closed form.
+    The flight is differentiated in closed form, the law's kernel by dual numbers: a custom law as well.
 
     Parameters
     ----------
@@ -472,7 +379,7 @@ def tangent_map(
     Raises
     ------
     CaromError
-        An orbit that ends before, a law without a known derivative.
+        An orbit that ends before.
 
     Examples
     --------

@@ -18,9 +18,8 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.billiards.checks import positive_number
 from carom.bodies import holds_arrays
-from carom.errors import CaromError, Fault, FaultList
+from carom.errors import CaromError, Fault, FaultList, checked_number
 from carom.scene.figures import Piece, PlaneFigure, figure
 
 Array = NDArray[np.float64]
@@ -481,9 +480,18 @@ def _from_axis(x: Array) -> float:
     return _length(x[:-1])
 
 
+def _positive_number(faults: FaultList, field: str, value: Any) -> float:
+    """Return a length > 0; add a fault for anything else."""
+    found = checked_number(faults, field, value, "a length > 0", lambda x: (x > 0) & (x < math.inf))
+    if isinstance(found, float):
+        return found
+    faults.add(field, "one number", repr(value))
+    return 1.0
+
+
 def _sizes(where: str, **sizes: float) -> list[float]:
     """Return lengths in m, each more than 0; CaromError with all faults."""
     faults = FaultList(where)
-    found = [positive_number(faults, name, value) for name, value in sizes.items()]
+    found = [_positive_number(faults, name, value) for name, value in sizes.items()]
     faults.raise_if_any()
     return found

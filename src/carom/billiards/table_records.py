@@ -73,6 +73,8 @@ STRAIGHT, PARABOLA, ARC = 0, 1, 2
 DONE, ESCAPED, CORNER, GRAZED, FREE = 0, 1, 2, 3, 4
 # Why and where an orbit ended; ``piece`` (of the tangent map only) is the last one met, -1 for none.
 ENDING = np.dtype([("reason", "i8"), ("bounces", "i8"), ("piece", "i8")])
+# A ball whose numbers have derivatives.
+BODY = np.dtype([(name, "f8", (3,)) for name in ("x", "v", "w")])
 # Columns of a row of ten numbers that holds the time and the state of a ball.
 TIME, POSITION, VELOCITY, SPIN = 0, slice(1, 4), slice(4, 7), slice(7, 10)
 ENDS = (

@@ -6,18 +6,19 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from os import PathLike
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from carom.billiards.boundary import Boundary
-from carom.billiards.checks import Bounds, checked_acceleration, require_bounds
 from carom.billiards.figure_boundaries import boundary_of
-from carom.errors import MAX_MAGNITUDE, CaromError, Fault, FaultList, checked_number
+from carom.errors import MAX_MAGNITUDE, CaromError, Fault, FaultList, checked_number, float_array, suggestion
 from carom.scene.figures import Figure, figure
 from carom.scene.figures.rounds import CircleFigure
 
+Bounds = Literal["centre", "surface"]
+BOUNDS = ("centre", "surface")
 WEAKEST_FIELD = 1e-50  # rad/s: powers of the Larmor radius overflow in a weaker one, which bends nothing
 
 
@@ -213,6 +214,24 @@ def in_magnetic_field(table: Table, magnetic_field: float) -> Table:
     return replace(table, magnetic_field=float(field) if abs(field) > WEAKEST_FIELD else 0.0)
 
 
+def checked_acceleration(faults: FaultList, value: Any, count: int = 1) -> tuple[float, ...]:
+    """Return ``count`` components of an acceleration; add a fault for anything else."""
+    try:
+        array = np.atleast_1d(float_array(value))
+    except (TypeError, ValueError):
+        array = np.full(1, np.nan)
+    if array.shape != (count,) or not np.isfinite(array).all():
+        faults.add("acceleration", "a number" if count == 1 else f"{count} numbers", repr(value))
+        return (0.0,) * count
+    return tuple(float(x) for x in array)
+
+
+def require_bounds(faults: FaultList, bounds: str) -> None:
+    """Add a fault where ``bounds`` is neither "centre" nor "surface"."""
+    if bounds not in BOUNDS:
+        faults.add("bounds", "'centre' or 'surface'", f"{bounds!r}; {suggestion(str(bounds), list(BOUNDS))}")
+
+
 def _require_table(faults: FaultList, table: Any) -> None:
     if not isinstance(table, Table):
         faults.add("table", "a table such as carom.billiards.circle()", f"{table!r:.60}")
@@ -369,8 +388,8 @@ def circle(radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
 def ellipse(major: float = 1.0, minor: float = 0.8, *, bounds: Bounds = "centre") -> Table:
     """Return the ellipse (x/major)^2 + (y/minor)^2 = 1.
 
-    With bounds="surface" the centre moves within the parallel curve, which is not an ellipse; it is treated exactly (flights that
-    leave the wall at less than 1e-8 rad end as "grazed"). A ball larger than the smallest radius of curvature does not reach the
+    With bounds="surface" the centre moves within the parallel curve, not an ellipse but a smooth curve, in
+    several pieces. A ball larger than the smallest radius of curvature does not reach the
     ends of the long axis: its centre's curve has two arcs, with corners where the ball touches both sides at once. A ball as large
     as the smaller half axis does not fit.
 

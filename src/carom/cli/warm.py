@@ -22,7 +22,6 @@ COMPILE_JOBS = (
     f"{__name__}:measure_gas",
     f"{__name__}:measure_sheared_gas",
     f"{__name__}:measure_heat_current",
-    f"{__name__}:measure_gas_in_ellipse",
     f"{__name__}:measure_gas_in_curve",
     f"{__name__}:follow_called_laws",
     f"{__name__}:measure_gas_in_container",
@@ -211,11 +210,6 @@ def measure_heat_current() -> None:
 def measure_gas_in_container() -> None:
     """Compile the event loop of gases whose walls are not all fixed planes, random starts there, and checks of given places."""
     _run_in("circle", radius=5.0)
-
-
-def measure_gas_in_ellipse() -> None:
-    """Compile the event loop of gases in an ellipse that bounds their surfaces."""
-    _run_in("ellipse", half_axes=(5.0, 3.0))
 
 
 def measure_gas_in_curve() -> None:

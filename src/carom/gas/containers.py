@@ -18,11 +18,11 @@ from numpy.typing import NDArray
 from carom.bodies import holds_arrays
 from carom.core.geometry.curve import ROW
 from carom.core.geometry.curve_arcs import arc_gap, arc_length, arc_tables, join_ends
-from carom.core.geometry.outlines import ellipse_depth, outline_faults, polygon_depth
+from carom.core.geometry.outlines import outline_faults, polygon_depth
 from carom.errors import CaromError, Fault, FaultList, did_you_mean
-from carom.gas.edmd.gas_records import CURVE, ELLIPSE, INSIDE, OUTSIDE, PLANE
+from carom.gas.edmd.gas_records import CURVE, INSIDE, OUTSIDE, PLANE
 from carom.scene.figures import FIGURES, ArcPiece, EllipsePiece, Figure, PlaneFigure, SegmentPiece, figure
-from carom.scene.figures.figure import Loop
+from carom.scene.figures.figure import Loop, joints
 from carom.scene.figures.solids import CylinderFigure, SphereFigure
 
 Array = NDArray[np.float64]
@@ -34,14 +34,14 @@ STRAIGHT = 1e-12  # sine of the angle between two sides that count as one line
 
 @dataclass(frozen=True)
 class ContainerFace:
-    """A face of a wall: a plane, a round surface, or an ellipse, of which it may be a part.
+    """A face of a wall: a plane, a round surface, or an arc of a curve, of which it may be a part.
 
     Parameters
     ----------
     name : of the wall
-    form : PLANE, INSIDE, OUTSIDE, ELLIPSE or CURVE, of :mod:`carom.gas.edmd.gas_records`
+    form : PLANE, INSIDE, OUTSIDE or CURVE, of :mod:`carom.gas.edmd.gas_records`
     vector : a plane's normal n into the gas; the q of a round surface |q (x - centre)| = radius, which holds the gas INSIDE or (a
-        scatterer) OUTSIDE; the half axes of an ELLIPSE
+        scatterer) OUTSIDE
     centre : a point of a plane, or the centre
     area : length, of discs
     radius : of a round surface
@@ -74,7 +74,7 @@ class ContainerFace:
     @property
     def fixed_because(self) -> str:
         """Why it cannot oscillate, or an empty string."""
-        if self.form != PLANE and self.radius == 0 and self.form not in {ELLIPSE, CURVE}:
+        if self.form != PLANE and self.radius == 0 and self.form != CURVE:
             return "which ends at a re-entrant corner"
         if self.form != PLANE:
             return "which is round"
@@ -96,9 +96,6 @@ class ContainerFace:
                 arc_gap(self.table, 0, float(d), *one) for d, one in zip(np.broadcast_to(d, len(x)), y, strict=True)
             ]
             return np.array([gap if beyond <= 0 else math.inf for gap, beyond, _nx, _ny in found])
-        if self.form == ELLIPSE:
-            gap: Array = ellipse_depth(self.vector[0], self.vector[1], x - self.centre) - d
-            return gap
         r = np.asarray(self.vector) * (x - self.centre)
         if self.form == PLANE:
             gap = (np.abs(r.sum(axis=1)) if self.thin else r.sum(axis=1)) - d
@@ -141,9 +138,10 @@ def faces_of(figure: PlaneFigure, bounds: str) -> FigureFaces:
     size = tuple((high.max(axis=0) + shift).tolist())
     if len(loop) == 1 and isinstance(first, EllipsePiece) and first.half_axes[0] != first.half_axes[1]:
         (a, b), length = first.half_axes, first.length
-        # (the curve at a ball's radius from an ellipse is none)
-        form, vector, radius = (INSIDE, (1 / a, 1 / b, 0.0), 1.0) if bounds == "centre" else (ELLIPSE, (a, b, 0.0), 0.0)
-        return FigureFaces([ContainerFace(names[0], form, vector, (a, b, 0.0), length, radius)], (2 * a, 2 * b), None)
+        if bounds == "surface":  # (the curve at a ball's radius from an ellipse is none)
+            return _curved(figure, loop, names, bounds)
+        face = ContainerFace(names[0], INSIDE, (1 / a, 1 / b, 0.0), (a, b, 0.0), length, 1.0)
+        return FigureFaces([face], (2 * a, 2 * b), None)
     if len(loop) == 1:
         r = first.half_axes[0] if isinstance(first, EllipsePiece) else getattr(first, "radius", 0.0)
         if r:
@@ -168,7 +166,7 @@ def _curved(figure: PlaneFigure, loop: Loop, names: Sequence[str], bounds: str) 
         tables += found
         owner += [name] * len(found)
     join_ends([*tables, tables[0]])
-    ends = np.array([piece.at(np.array(piece.span()))[0] for piece in loop])
+    ends, turn = (joints(loop)[k] for k in (0, 3))
     apart = float(np.abs(ends[:, 1] - np.roll(ends[:, 0], -1, axis=0)).max())
     places = [piece.at(np.linspace(*piece.span(), SAMPLES + 1))[0] for piece in loop]
     outline = np.concatenate([one[:-1] for one in places])
@@ -179,20 +177,22 @@ def _curved(figure: PlaneFigure, loop: Loop, names: Sequence[str], bounds: str) 
     if outline_faults(outline[:: len(loop)]):
         raise CaromError(Fault("container", "", "a curve that does not meet itself", figure.kind()))
     low, high = outline.min(axis=0), outline.max(axis=0)
-    # (between two places the curve is as near to them as their distance)
-    margin = float(np.linalg.norm(np.diff(outline, axis=0), axis=1).max())
+    # (between two places the curve is as near to them as their distance; an ellipse's places have its axes among them)
+    margin = 0.0 if len(loop) == 1 and isinstance(loop[0], EllipsePiece) else _longest_step(outline)
     shift = np.where(low < margin, margin - low, 0.0)
     x, y = shift.tolist()
     faces = [
         ContainerFace(name, CURVE, (1.0, 1.0, 0.0), (x, y, 0.0), arc_length(table), part=True, table=table)
         for name, table in zip(owner, tables, strict=True)
     ]
-    for k, (one, two) in enumerate(zip(loop, [*loop[1:], loop[0]], strict=True)):
-        (u,), (v,) = one.tangent(np.array([one.length])), two.tangent(np.zeros(1))
-        if u[0] * v[1] - u[1] * v[0] < -STRAIGHT and bounds == "surface":
-            tip = (*(ends[k, 1] + shift).tolist(), 0.0)
-            faces.append(ContainerFace(names[k], OUTSIDE, (1.0, 1.0, 0.0), tip, 0.0, part=True))
+    for k in np.flatnonzero((turn < -STRAIGHT) & (bounds == "surface")):
+        tip = (*(ends[k, 1] + shift).tolist(), 0.0)
+        faces.append(ContainerFace(names[k], OUTSIDE, (1.0, 1.0, 0.0), tip, 0.0, part=True))
     return FigureFaces(faces, tuple((high + shift + margin).tolist()), outline + shift)
+
+
+def _longest_step(outline: Array) -> float:
+    return float(np.linalg.norm(np.diff(outline, axis=0), axis=1).max())
 
 
 def _ends(piece: Any) -> tuple[list[float], list[float]]:
@@ -212,10 +212,8 @@ def _chain(
     figure: PlaneFigure, loop: Loop, names: Sequence[str], shift: tuple[float, float], size: Floats, bounds: str
 ) -> FigureFaces:
     """Return the faces of a loop of segments and arcs, and the points at re-entrant corners that balls touch."""
-    tangents = np.array([piece.tangent(np.array([0.0, piece.length])) for piece in loop])
-    after = np.roll(tangents[:, 0], -1, axis=0)
-    turn = tangents[:, 1, 0] * after[:, 1] - tangents[:, 1, 1] * after[:, 0]  # at the end of each piece
-    places = np.array([piece.at(np.array(piece.span()))[0] for piece in loop]) + shift
+    ends, _tangents, _speed, turn, _cosine = joints(loop)
+    places = ends + shift
     round_ = [isinstance(piece, ArcPiece) for piece in loop]
     convex = bool((turn > (-STRAIGHT if any(round_) else STRAIGHT)).all())
     if any(round_) and not (convex and all(_has_a_face(piece, places.reshape(-1, 2), shift) for piece in loop)):
@@ -228,7 +226,7 @@ def _chain(
         if isinstance(piece, ArcPiece):
             arcs.append(_arc(name, piece, np.add(piece.center, shift), places.reshape(-1, 2)))
             continue
-        planes += _side(name, k, places, tangents[k, 0], piece.length, JOINT_OVERLAP * longest, convex)
+        planes += _side(name, k, places, piece.tangent(np.zeros(1))[0], piece.length, JOINT_OVERLAP * longest, convex)
         if turn[k - back] < -STRAIGHT and bounds == "surface":
             # a ball's surface touches the corner itself, which belongs to the side that ends there
             tip = (*places[k, 0 if back else 1].tolist(), 0.0)
@@ -346,7 +344,7 @@ class Container:
     def _clearance_of_curves(self, depth: Array, gap: Array, radius: Array, x: Array) -> Array:
         """Return the gaps where a polygon that is almost the curve does not tell them to rounding: near it, by the arcs."""
         outline = cast(Array, self.outline)
-        error = float(np.linalg.norm(np.diff(outline, axis=0), axis=1).max())
+        error = _longest_step(outline)
         near = (np.abs(depth) < error) | (np.abs(gap) < error)
         faces = [face for face in self.faces if face.part]
         found = gap.copy()

@@ -7,10 +7,13 @@ first-class functions would also work, but passing each takes 75 us, longer than
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 from carom.core.jit.calls import address_of, answer_at, python_address, register_answers
+from carom.core.jit.dual.dual_records import dual_address, read_duals, register_calls_of_duals, write_duals
+from carom.core.jit.dual.numbers import register_functions, register_numbers
 from carom.core.jit.kernel import Vec, kernel
 from carom.errors import CaromError
 
@@ -49,12 +52,35 @@ def user_address(law: WallKernel, compiled: bool = True) -> int:
     entry = law_entry(law)
     if own and not compiled:
         return python_address(entry)
-    try:
+    with _explained(law):
         return address_of(entry, NUMBERS, keep=own)
+
+
+@contextmanager
+def _explained(law: WallKernel) -> Iterator[None]:
+    """While inside, what Numba says of a custom law is one line."""
+    try:
+        yield
     except Exception as error:
-        if own or not type(error).__module__.startswith("numba."):
+        if str(law.__module__).startswith("carom.") or not type(error).__module__.startswith("numba."):
             raise
         raise CaromError(_not_compiled(law, str(error))) from error
+
+
+@functools.cache
+def register_duals() -> None:
+    """Tell the compiler what dual numbers are, and how laws are called with them."""
+    register_calls()
+    register_numbers()
+    register_functions()
+    register_calls_of_duals(NUMBERS)
+
+
+@functools.cache
+def dual_law_address(law: WallKernel) -> int:
+    """Compile a law's kernel with dual numbers and return its address: it carries derivatives from before an impact to after it."""
+    with _explained(law):
+        return dual_address(law_of_duals(law), (register_duals,), keep=str(law.__module__).startswith("carom."))
 
 
 def _not_compiled(law: WallKernel, said: str) -> str:
@@ -77,5 +103,17 @@ def law_entry(law: WallKernel) -> Callable[..., None]:
         a: float, kappa: float, e: float, mu: float, last: float, out: Any,
     ) -> None:  # fmt: skip
         _write_state(out, law((vx, vy, vz), (wx, wy, wz), (nx, ny, nz), a, kappa, e, mu, last))
+
+    return entry
+
+
+def law_of_duals(law: WallKernel) -> Callable[..., None]:
+    """Return the function of a place to read dual numbers from, and of one to write to, by which a law is called."""
+    kernel(law)
+
+    def entry(given: Any, out: Any) -> None:
+        x = read_duals(given)
+        v, w = law((x[0], x[1], x[2]), (x[3], x[4], x[5]), (x[6], x[7], x[8]), x[9], x[10], x[11], x[12], x[13])
+        write_duals(out, v, w)
 
     return entry

@@ -219,22 +219,8 @@ def _outline(shape: Boundary, low: Array, high: Array) -> list[Array]:
             continue
         s = np.array([max(begin, -size), min(end, size)])
         lines.append(np.multiply(n[:2], c) + s[:, None] * np.array([n[1], -n[0]]))
-    for x, y, r, half in shape.inside:
-        u = (
-            np.linspace(-math.pi / 2, math.pi / 2, 200) + (0 if half >= 0 else math.pi)
-            if half
-            else np.linspace(0, math.tau, 400)
-        )
-        lines.append(np.stack([x + r * np.cos(u), y + r * np.sin(u)], axis=-1))
     if shape.cell is None:
-        for x, y, r, first, span in shape.outside:
-            u = first - np.linspace(0, span, 60)
-            lines.append(np.stack([x + r * np.cos(u), y + r * np.sin(u)], axis=-1))
-    if shape.ellipse is not None:
-        curve = _curve(shape)
-        lines.append(np.concatenate([curve, curve[:1]]))
-    if shape.curve is not None:
-        lines += [shape.curve.place(k, np.linspace(0, length, 200))[0] for k, length in enumerate(shape.curve.lengths)]
+        lines += [wall.place(np.linspace(0, wall.length, 400))[0] for wall in shape.walls[len(shape.faces) :]]
     if shape.sphere is not None:
         u = np.linspace(0, math.tau, 400)
         lines.append(shape.sphere * np.stack([np.cos(u), np.sin(u)], axis=-1))

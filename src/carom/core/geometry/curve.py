@@ -31,7 +31,7 @@ from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
 from carom.core.jit.kernel import hot_kernel, kernel
-from carom.core.roots.first_root import least_of_chord, newton_or_half
+from carom.core.roots.bracketed import searches
 
 NEVER = math.inf
 DEGREE = 13
@@ -514,46 +514,24 @@ def graph_at(panels: Any, j: int, a: float, xi: float) -> tuple[float, float]:
 
 
 @kernel
-def _gap(
-    panels: Any, j: int, a: float, x: float, y: float, u: float, v: float, g: float, h: float, s: float
-) -> tuple[float, float]:
+def _gap(path: Any, s: float) -> tuple[float, float]:
     """Return the gap at a time s, and its rate, in the chord's frame; (g, h): the acceleration."""
+    panels, j, a, x, y, u, v, g, h = path
     eta, slope = graph_at(panels, j, a, x + (u + 0.5 * g * s) * s)
     return y + (v + 0.5 * h * s) * s - eta, v + h * s - slope * (u + g * s)
 
 
-@kernel
-def _root(
-    panels: Any, j: int, a: float, x: float, y: float, u: float, v: float, g: float, h: float, low: float, high: float,
-    gap: float, rate: float, pull: float,
-) -> float:  # fmt: skip
-    """Return the root between low, where the gap is positive, and high, where it is not and falls with the rate."""
-    s = high
-    for _ in range(200):
-        if rate < 0.0:
-            new = s - gap / rate
-            # Newton's step is wrong by pull step^2/(2 |rate|) at most
-            if low <= new <= high and pull * ((new - s) * (new - s)) <= 4e-16 * high * -rate:
-                return new
-        new = newton_or_half(s, gap, rate, low, high)
-        if not low < new < high:
-            return new
-        s = new
-        gap, rate = _gap(panels, j, a, x, y, u, v, g, h, s)
-        if gap > 0.0:
-            low = s
-        else:
-            high = s
-    return s
+_fall, _leave = searches(_gap)
 
 
 @kernel
-def _first_fall(  # noqa: PLR0911  (one return per outcome)
+def _first_fall(
     panels: Any, j: int, a: float, near: float, tiny: float, slow: float,
     x: float, y: float, u: float, v: float, g: float, h: float, s0: float, end: float,
 ) -> float:  # fmt: skip
     """Return the first time between s0 and the end at which the gap falls through zero, or infinity."""
-    g0, u0 = _gap(panels, j, a, x, y, u, v, g, h, s0)
+    path = (panels, j, a, x, y, u, v, g, h)
+    g0, u0 = _gap(path, s0)
     if g0 < -near:
         return NEVER  # behind the wall: it has left the interior before, or is in another part of it
     if g0 <= near and u0 < -slow:
@@ -565,32 +543,11 @@ def _first_fall(  # noqa: PLR0911  (one return per outcome)
     if g0 + (u0 - 0.5 * pull * rest) * rest > near:
         return NEVER
     if g0 <= near:
-        # it touches: on to where the gap is more than rounding. (The rate is known better than the gap.)
-        step, left = max(tiny, u0 / pull) if pull > 0.0 else tiny, s0
-        while g0 <= near:
-            if s0 >= end:
-                return NEVER
-            s0 = min(left + step, end)
-            g0, u0 = _gap(panels, j, a, x, y, u, v, g, h, s0)
-            if u0 < 0.0 and g0 <= near:
-                return s0
-            step = step + step
-    right = end
-    while s0 < end:
-        g1, u1 = _gap(panels, j, a, x, y, u, v, g, h, right)
-        length = right - s0
-        short = length <= max(tiny, 4e-16 * right)
-        if g1 > 0.0:
-            if short or least_of_chord(g0, g1, length, pull) >= 0.0:
-                s0, g0, u0 = right, g1, u1
-                right = min(right + 2.0 * max(length, tiny, 4e-16 * right), end)
-                continue
-        elif u0 + pull * length < 0.0 or pull == 0.0:
-            return _root(panels, j, a, x, y, u, v, g, h, s0, right, g1, u1, pull)
-        elif short:
-            return right
-        right = s0 + length / 2.0
-    return NEVER
+        # it touches: on to where the gap is more than rounding
+        s0, g0, u0, out = _leave(path, s0, end, max(tiny, u0 / pull) if pull > 0.0 else tiny, near, 1.0)
+        if not out:
+            return s0
+    return _fall(path, s0, g0, u0, end, end, pull, pull, tiny)
 
 
 @hot_kernel

@@ -41,7 +41,8 @@ from carom.core.geometry.curve import (
 )
 from carom.core.jit.calls import Answer, address_of, answer_at, python_address, register_tables, table_at
 from carom.core.jit.kernel import Vec, hot_kernel, kernel, vector, without_slopes
-from carom.core.roots.first_root import hit2, least_of_chord, newton_or_half
+from carom.core.roots.bracketed import MOST_STEPS, searches
+from carom.core.roots.first_root import hit2
 
 NEVER = math.inf
 # Columns of the first row: number of panels; 1 where the arc bends round the ball, -1 where it bends away; the size of the curve,
@@ -56,6 +57,8 @@ Ends = tuple[int, float, int, float, int]
 """Panel and w at the beginning, panel and w at the end, the first row of the table."""
 Flat4 = tuple[float, float, float, float]
 Depth = tuple[float, float, float, float, float]
+Path = tuple[Any, Ends, float, float, float, float, float, float, float, float]
+"""Table and ends of an arc, the ball's radius and its rate, the centre's place, velocity and acceleration."""
 
 
 @hot_kernel
@@ -228,31 +231,21 @@ SMALL = 1e-16  # of the size: so short a way is none
 OVERLAP = 1e-9  # of w: so much beyond its ends still belongs to a panel
 POINT = 1e-6  # of the size: tolerances of a smaller ball, or of a point, are those of a ball of this radius
 ROUNDS = 8  # so often may a parabola enter and leave an arc's convex set
-MOST_STEPS = 200
 FEW = 4  # nodes whose tangents are asked first
 
 
 @kernel
-def _nodes_time(
-    table: Any,
-    ends: Ends,
-    d: float,
-    dd: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    gx: float,
-    gy: float,
-    way: float,
-) -> float:
-    """Return of the tangents at some nodes, and at the ends, how soon one is passed.
+def _tangents_time(path: Path, s: float, way: float) -> float:
+    """Return of the tangents at some nodes, and at the ends, when from s on one is passed first.
 
-    ``way`` 1: the earliest fall of a gap, from which on D = min h_t is not above it. -1: of those in front of which the ball is,
-    the latest fall, before which D = max h_t is above it; infinity where one of them is never passed. 2: the earliest rise.
+    ``way`` 1: the earliest fall of a gap, from which on D = min h_t is not above it; 2: the earliest rise.
     """
+    table, ends, d, dd, x, y, vx, vy, gx, gy = path
     j0, w0, j1, w1, _base = ends
-    best = 0.0 if way < 0.0 else NEVER
+    h = 0.5 * s
+    x, y, d = x + (vx + gx * h) * s, y + (vy + gy * h) * s, d + dd * s
+    vx, vy = vx + gx * s, vy + gy * s
+    best = NEVER
     stride = 1 + (j1 - j0) // FEW
     for m in range(FEW + 2):
         k = min(j0 + m * stride, j1 + 1)
@@ -266,44 +259,41 @@ def _nodes_time(
         c1, c2 = vy * tx - vx * ty - dd, 0.5 * (gy * tx - gx * ty)
         if way == 2.0:
             best = min(best, hit2(-c0, -c1, -c2, NEVER, 0.0))
-        elif way > 0.0:
-            s = NEVER
-            if c2 != 0.0:
-                s = hit2(c0, c1, c2, NEVER, 0.0)
-            elif c1 < 0.0:
-                s = -c0 / c1
-            best = min(best, s)
-        elif c0 > 0.0:
-            s = hit2(c0, c1, c2, NEVER, 0.0)
-            if s == NEVER:
-                return NEVER
-            best = max(best, s)
+        elif c2 != 0.0:
+            best = min(best, hit2(c0, c1, c2, NEVER, 0.0))
+        elif c1 < 0.0:
+            best = min(best, -c0 / c1)
         if k > j1:
             break
-    return best
+    return s + best
 
 
 @kernel
-def _gap(
-    table: Any,
-    ends: Ends,
-    d: float,
-    dd: float,
-    x: float,
-    y: float,
-    vx: float,
-    vy: float,
-    gx: float,
-    gy: float,
-    s: float,
-) -> tuple[float, float, float, float, float]:
+def _gap_and_bend(path: Path, s: float) -> tuple[float, float, float, float, float]:
     """Return the gap at a time s, its rate, half the tangent's second derivative, the whole one, how far beyond an end."""
+    table, ends, d, dd, x, y, vx, vy, gx, gy = path
     h = 0.5 * s
     depth, nx, ny, kappa, beyond = arc_depth(table, ends, x + (vx + gx * h) * s, y + (vy + gy * h) * s)
     ux, uy = vx + gx * s, vy + gy * s
     across, pull = ux * ny - uy * nx, nx * gx + ny * gy
     bend = pull - across * across * (kappa / max(1.0 - kappa * depth, 1e-9))
     return depth - (d + dd * s), nx * ux + ny * uy - dd, 0.5 * pull, bend, beyond
+
+
+@kernel
+def _gap(path: Path, s: float) -> tuple[float, float]:
+    """Return the gap at a time s, and its rate."""
+    g, u, _half, _whole, _beyond = _gap_and_bend(path, s)
+    return g, u
+
+
+@kernel
+def _beyond_end(path: Path, s: float) -> float:
+    """Return how far beyond an end of the arc the foot lies at a time s."""
+    return _gap_and_bend(path, s)[4]
+
+
+_first_fall, _leave = searches(_gap)
 
 
 @kernel
@@ -422,7 +412,7 @@ def _line_hit(
     if s * speed < -2.0 * BEHIND * large:
         return NEVER
     # in touch, or just behind the wall
-    g, u, _half, bend, beyond = _gap(table, ends, d, 0.0, x, y, vx, vy, 0.0, 0.0, 0.0)
+    g, u, _half, bend, beyond = _gap_and_bend((table, ends, d, 0.0, x, y, vx, vy, 0.0, 0.0), 0.0)
     if not -BEHIND * large <= g <= max(near, SEAM * large) or beyond > SEAM * large:
         return s if 0.0 <= s <= until else NEVER
     if u < -slow or (u <= 0.0 and bend < 0.0):
@@ -433,57 +423,10 @@ def _line_hit(
 
 
 @kernel
-def _fall_in(
-    table: Any, ends: Ends, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float,
-    low: float, high: float, g: float, u: float,
-) -> float:  # fmt: skip
-    """Return the one root between low, where the gap is not negative, and high, where it is g and falls with u."""
-    s = high
-    for _ in range(MOST_STEPS):
-        new = newton_or_half(s, g, u, low, high)
-        if abs(new - s) <= 4e-16 * high or not low < new < high:
-            return new
-        s = new
-        g, u, _half, _whole, _beyond = _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)
-        if g > 0.0:
-            low = s
-        else:
-            high = s
-    return s
-
-
-@kernel
-def _first_fall(
-    table: Any, ends: Ends, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float,
-    s0: float, g0: float, u0: float, end: float, pull: float, tiny: float,
-) -> float:  # fmt: skip
-    """Return when the gap, g0 > 0 at s0 with the rate u0, falls to zero before the end, or infinity; G'' is at most ``pull``."""
-    right = end
-    while s0 < end:
-        g1, u1, _half, _whole, _beyond = _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, right)
-        length = right - s0
-        short = length <= max(tiny, 4e-16 * right)
-        if g1 > 0.0:
-            if short or least_of_chord(g0, g1, length, pull) >= 0.0:
-                s0, g0, u0 = right, g1, u1
-                right = min(right + 2.0 * max(length, tiny, 4e-16 * right), end)
-                continue
-        elif u0 + pull * length < 0.0 or pull == 0.0:
-            return _fall_in(table, ends, d, dd, x, y, vx, vy, gx, gy, s0, right, g1, u1)
-        elif short:
-            return right
-        right = s0 + length / 2.0
-    return NEVER
-
-
-@kernel
-def _approach(
-    table: Any, ends: Ends, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float,
-    s: float, until: float, tiny: float, near: float, sign: float,
-) -> float:  # fmt: skip
+def _approach(path: Path, s: float, until: float, tiny: float, near: float, sign: float) -> float:
     """Return when the gap, times ``sign`` positive at s, falls to zero, or infinity; tangents at the feet bound it on the way."""
     for _ in range(MOST_STEPS):
-        g, u, half, _whole, _beyond = _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)
+        g, u, half, _whole, _beyond = _gap_and_bend(path, s)
         g, u, half = sign * g, sign * u, sign * half
         if g <= 0.0:
             return s
@@ -495,27 +438,6 @@ def _approach(
             return s
     # (a graze, where the steps halve: it is met where less is left than rounding)
     return s if g <= near else NEVER
-
-
-@kernel
-def _leave(
-    table: Any, ends: Ends, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float,
-    s: float, until: float, tiny: float, near: float, sign: float,
-) -> tuple[float, bool]:  # fmt: skip
-    """Return when the gap of a ball that touches, times ``sign``, is more than rounding, and True; or False when it falls before.
-
-    The rate is known better than the gap, which at first is nothing but rounding.
-    """
-    begin, step = s, tiny
-    while s < until:
-        s = min(begin + step, until)
-        g, u, _half, _whole, _beyond = _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)
-        if sign * g > near:
-            return s, True
-        if sign * u < 0.0:
-            return s, False
-        step = step + step
-    return NEVER, True
 
 
 @kernel
@@ -547,19 +469,18 @@ def arc_hit(
     if pull == 0.0 and dd == 0.0:
         return _line_hit(table, ends, d, x, y, vx, vy, until, slow)
     near, large = NOISE * table[ends[4], SIZE], max(d, POINT * table[ends[4], SIZE])
-    g, u, _half, bend, beyond = _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, 0.0)
+    path = (table, ends, d, dd, x, y, vx, vy, gx, gy)
+    g, u, _half, bend, beyond = _gap_and_bend(path, 0.0)
     touches = -BEHIND * large <= g <= near and beyond <= SEAM * large
     if touches and (u < -slow or (u <= 0.0 and bend < 0.0)):
         return 0.0
-    return _parabola_hit(table, ends, d, dd, x, y, vx, vy, gx, gy, until, touches, g)
+    return _parabola_hit(path, until, touches, g)
 
 
 @kernel
-def _parabola_hit(
-    table: Any, ends: Ends, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float, until: float,
-    touches: bool, g: float,
-) -> float:  # fmt: skip
+def _parabola_hit(path: Path, until: float, touches: bool, g: float) -> float:
     """:func:`arc_hit` on a parabola, of a ball that does not hit now."""
+    table, ends, d, dd, x, y, vx, vy, gx, gy = path
     sense, size = table[ends[4], SENSE], table[ends[4], SIZE]
     pull, speed = math.sqrt(gx * gx + gy * gy), math.sqrt(vx * vx + vy * vy)
     near, seam = NOISE * size, SEAM * max(d, POINT * size)
@@ -576,37 +497,31 @@ def _parabola_hit(
             if not touches:
                 # it is behind the arc, or over a tangent that continues it: first to where it is so by more than rounding
                 behind = True
-                if _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)[0] >= -near:
-                    s, behind = _leave(table, ends, d, dd, x, y, vx, vy, gx, gy, s, last, tiny, near, -1.0)
+                if _gap(path, s)[0] >= -near:
+                    s, _g, _u, behind = _leave(path, s, last, tiny, near, -1.0)
                 if behind and s < last and sense > 0.0:
-                    s = _approach(table, ends, d, dd, x, y, vx, vy, gx, gy, s, last, tiny, near, -1.0)
+                    s = _approach(path, s, last, tiny, near, -1.0)
                 elif behind and s < last:
-                    h = 0.5 * s
-                    x1, y1, ux, uy = x + (vx + gx * h) * s, y + (vy + gy * h) * s, vx + gx * s, vy + gy * s
-                    s = s + _nodes_time(table, ends, d + dd * s, dd, x1, y1, ux, uy, gx, gy, 2.0)
+                    s = _tangents_time(path, s, 2.0)
                 if not s < last:
                     return NEVER
-            s, out = _leave(table, ends, d, dd, x, y, vx, vy, gx, gy, s, last, tiny, near, 1.0)
+            s, _g, _u, out = _leave(path, s, last, tiny, near, 1.0)
             if not out and s <= last:
-                if _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)[4] <= seam:
+                if _beyond_end(path, s) <= seam:
                     return s
                 touches = False
                 continue
         if not s < last:
             return NEVER
         if sense > 0.0:
-            g, u, _half, _whole, _beyond = _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)
-            h = 0.5 * s
-            x1, y1, ux, uy = x + (vx + gx * h) * s, y + (vy + gy * h) * s, vx + gx * s, vy + gy * s
-            end = s + _nodes_time(table, ends, d + dd * s, dd, x1, y1, ux, uy, gx, gy, 1.0)
-            s = _first_fall(
-                table, ends, d, dd, x, y, vx, vy, gx, gy, s, g, u, min(end * (1.0 + 1e-9) + tiny, last), pull, tiny
-            )
+            g, u = _gap(path, s)
+            end = min(_tangents_time(path, s, 1.0) * (1.0 + 1e-9) + tiny, last)
+            s = _first_fall(path, s, g, u, end, end, pull, NEVER, tiny)
         else:
-            s = _approach(table, ends, d, dd, x, y, vx, vy, gx, gy, s, last, tiny, near, 1.0)
+            s = _approach(path, s, last, tiny, near, 1.0)
         if not s <= last:
             return NEVER
-        if _gap(table, ends, d, dd, x, y, vx, vy, gx, gy, s)[4] <= seam:
+        if _beyond_end(path, s) <= seam:
             return s
         out, touches = False, False
     return NEVER

@@ -24,10 +24,9 @@ from numpy.typing import NDArray
 
 from carom.core.geometry.curve import HALF, X
 from carom.core.geometry.curve_arcs import COUNT
-from carom.core.geometry.outlines import inner_axes
 from carom.core.jit.kernel import hot_kernel, kernel
 from carom.core.roots.first_root import two_sum
-from carom.gas.edmd.gas_records import CURVE, ELLIPSE, INDEX_BITS, INSIDE, NO_BALL, PLANE
+from carom.gas.edmd.gas_records import CURVE, INDEX_BITS, INSIDE, NO_BALL, PLANE
 
 # An unsigned index needs no test whether it counts from the end; sums are done with signed integers (a signed and an unsigned
 # one together become a float).
@@ -412,7 +411,6 @@ def _reached_cells(system: Any, face: Any, distance: float, curves: NDArray[np.f
     """Return which cells (z, y, x) a face reaches into, given its largest d (INSIDE: least d) of all species."""
     if face["form"] == CURVE:
         return _cells_along(system, face, distance, curves)
-    scale = _inner_scale(face, distance) if face["form"] == ELLIPSE else None
     least: Any = 0.0
     most: Any = 0.0
     along_low: Any = 0.0
@@ -420,12 +418,10 @@ def _reached_cells(system: Any, face: Any, distance: float, curves: NDArray[np.f
     for axis, name in enumerate("xyz"):
         low, high = _cell_spans(system, axis)
         n, m, a = float(face["n" + name]), float(face["m" + name]), float(face["a" + name])
-        if scale is not None:
-            n = scale[axis]
         near, far = n * (low - m), n * (high - m)
         if face["form"] == PLANE:
             part = np.minimum(near, far)
-        elif face["form"] in {INSIDE, ELLIPSE}:
+        elif face["form"] == INSIDE:
             part = -np.maximum(near * near, far * far)
         else:
             part = np.where((near < 0) != (far < 0), 0.0, np.minimum(near * near, far * far))
@@ -439,8 +435,6 @@ def _reached_cells(system: Any, face: Any, distance: float, curves: NDArray[np.f
         reached = least <= distance + face["amplitude"] + face["reach"]
     elif face["form"] == INSIDE:
         reached = least + distance * distance <= 0
-    elif face["form"] == ELLIPSE:
-        reached = least + 1 <= 0
     else:
         reached = least <= distance * distance
     if face["bounded"]:
@@ -462,12 +456,6 @@ def _cells_along(system: Any, face: Any, distance: float, curves: NDArray[np.flo
         over = (low <= (ends.max(axis=0) + wide)[:, None]) & (high >= (ends.min(axis=0) - wide)[:, None])
         found = over[:, None, :] if axis == 0 else found & over[:, :, None]
     return np.broadcast_to(found.any(axis=0), tuple(int(n) for n in system["cells"][::-1])).copy()
-
-
-def _inner_scale(face: Any, distance: float) -> tuple[float, float, float]:
-    """Return one over the half axes of an ellipse within the curve of the centres at this distance from an ELLIPSE."""
-    inner = inner_axes(float(face["nx"]), float(face["ny"]), distance)
-    return 1 / inner[0], 1 / inner[1], 0.0
 
 
 def _interior(walled: NDArray[np.bool_]) -> list[int]:

@@ -19,7 +19,6 @@ from carom.gas.edmd.gas_records import (
     BODY,
     CONTACT_FORM,
     CURVE,
-    ELLIPSE,
     FACE,
     FLOW,
     HEAT,
@@ -292,20 +291,16 @@ def saved_blocks(arrays: GasArrays, name: str) -> tuple[int, Iterator[NDArray[An
 
 
 def _features(arrays: GasArrays) -> Features | None:
-    """Return None where all walls are fixed planes, else what the general loop needs, which takes twice as long to compile.
-
-    An ellipse that bounds surfaces takes some seconds more, and is left out where there is none.
-    """
+    """Return None where all walls are fixed planes, else what the general loop needs, which takes twice as long to compile."""
     one, faces = arrays.system[0], arrays.walls.faces
     special = (faces["form"] != PLANE) | (faces["bounded"] != 0) | (faces["temperature"] >= 0)
     special |= (faces["amplitude"] != 0) | (faces["moving"] != 0)
     if not (special.any() or one["growth"] != 0 or one["rate"] != 0 or len(arrays.shear) or len(arrays.heat)):
         return None
     curved = (faces["form"] == CURVE).any()
-    ellipse = 1 if curved or (faces["form"] == ELLIPSE).any() else None
     shear, heat = (part if len(part) else None for part in (arrays.shear, arrays.heat))
     turned = arrays.turned if len(arrays.turned) else None
-    return Features(ellipse, arrays.walls.curves if curved else None, shear, heat, turned)
+    return Features(arrays.walls.curves if curved else None, shear, heat, turned)
 
 
 def advance(arrays: GasArrays, until: float, max_collisions: int, stop: Callable[[], bool] = lambda: False) -> None:

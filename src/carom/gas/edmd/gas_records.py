@@ -85,14 +85,13 @@ CONTACT_FORM = np.dtype([("form", "i8"), *((name, _FLOAT) for name in ("p0", "p1
 
 # A face of a wall: geometry, motion, temperature, totals.
 # The gap of a ball at x is n.(x - m) - d for a plane, d^2 - |q (x - m)|^2 inside a round wall and |q (x - m)|^2 - d^2 outside
-# one: q is 0 along the axis of a cylinder, 1 across it; d depends on the species. Within an ellipse that bounds the balls'
-# surfaces (ELLIPSE) it is the distance from the curve, less d; and so it is at an arc of a smooth CURVE, whose table begins at the
-# row ``depth`` of the curves.
-PLANE, INSIDE, OUTSIDE, ELLIPSE, CURVE = range(5)
+# one: q is 0 along the axis of a cylinder, 1 across it; d depends on the species. At an arc of a smooth
+# CURVE, whose table begins at the row ``depth`` of the curves, it is the distance from it, less d.
+PLANE, INSIDE, OUTSIDE, CURVE = range(4)
 FACE = np.dtype(
     [
         ("form", "i8"),
-        *((name, _FLOAT) for name in ("nx", "ny", "nz")),  # a plane's normal, or q, or the half axes of an ELLIPSE
+        *((name, _FLOAT) for name in ("nx", "ny", "nz")),  # a plane's normal, or q
         *((name, _FLOAT) for name in ("mx", "my", "mz")),
         # a bounded face exists only where low <= a . x <= high
         ("bounded", "i8"),
@@ -329,8 +328,6 @@ class Scratch(NamedTuple):
 class Features(NamedTuple):
     """Compile-time switch: what a gas needs beyond fixed planes. None in its place compiles the short loop."""
 
-    ellipse: int | None
-    """Not None where a wall is an ELLIPSE, or a CURVE."""
     curve: NDArray[np.float64] | None
     """The curves of the walls, where there are any."""
     shear: NDArray[np.void] | None

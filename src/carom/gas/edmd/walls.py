@@ -1,10 +1,9 @@
 """Walls and thermostat: when a ball reaches a wall, what that does, and the thermostat's kicks.
 
-All walls but two have one mechanism: a gap that is a polynomial of time, of degree 2 for a plane or where no force acts across a
-round wall, of degree 4 where one does. An ellipse that bounds the balls' surfaces has its own
-(:mod:`carom.core.geometry.outlines`), and so have arcs of smooth curves (:mod:`carom.core.geometry.curve_arcs`). Each cell has a
-set of the walls that a ball in it can touch; for most cells it is empty, and a block of those, the interior of the grid, skips the
-walls altogether.
+All walls but one have one mechanism: a gap that is a polynomial of time, of degree 2 for a plane or where no force acts across a
+round wall, of degree 4 where one does. Arcs of smooth curves have their own (:mod:`carom.core.geometry.curve_arcs`). Each cell has
+a set of the walls that a ball in it can touch; for most cells it is empty, and a block of those, the interior of the grid, skips
+the walls altogether.
 
 What only round, oscillating or heated walls, growing balls and a thermostat need is compiled only for a gas that has some of them:
 it takes as long as all the rest. ``features`` says so: None where all walls are fixed planes, else :class:`.records.Features`.
@@ -17,7 +16,6 @@ from typing import Any
 
 from carom.core.contact import contact, friction_at_slip, one_contact, slip_velocity
 from carom.core.geometry.curve_arcs import arc_contact, arc_hit
-from carom.core.geometry.outlines import oval_depth, oval_hit
 from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel
 from carom.core.random import exponential, normals, uniform
 from carom.core.roots.first_root import hit2, hit4, next_hit4
@@ -31,7 +29,7 @@ from carom.gas.edmd.collisions import (
     squared_length,
     with_flow,
 )
-from carom.gas.edmd.gas_records import CURVE, ELLIPSE, OUTSIDE, PLANE
+from carom.gas.edmd.gas_records import CURVE, OUTSIDE, PLANE
 
 MAX_ARCS = 16  # of an oscillating wall that are searched at once
 LEAST_STEP = 4e-16  # of a time, by which it grows when it is added, whatever rounding does
@@ -181,20 +179,6 @@ def yielding_impact(
     return v, w, pn
 
 
-# ----------------------------------------------------------------------------------------------------
-# Walls and thermostat: when a ball reaches a wall, what that does, and the thermostat's kicks.
-#
-# All walls but two have one mechanism: a gap that is a polynomial of time, of degree 2 for a plane or where no force acts across
-# a round wall, of degree 4 where one does. An ellipse that bounds the balls' surfaces has its own
-# (:mod:`carom.core.geometry.outlines`), and so have arcs of smooth curves (:mod:`carom.core.geometry.curve_arcs`). Each cell has
-# a set of the walls that a ball in it can touch; for most cells it is empty, and a block of those, the interior of the grid,
-# skips the walls altogether.
-#
-# What only round, oscillating or heated walls, growing balls and a thermostat need is compiled only for a gas that has some of
-# them: it takes as long as all the rest. ``features`` says so: None where all walls are fixed planes, else
-# :class:`.records.Features`.
-
-
 # What a plan's ``boundary`` may be: a face of the cell (below FIRST_WALL), FIRST_WALL + a wall, or a new prediction only.
 FIRST_WALL, PREDICT_AGAIN = 6, 0xFFFF
 # An approach slower than this share of the speed is the rounding of a ball that moves along a wall, and no collision. A ball
@@ -240,42 +224,6 @@ def _is_present(face: Any, gravity: Any, ball: Any, s: float) -> bool:
     z = ball.z + (ball.vz + gravity[U64(2)] * h) * s
     along = face.ax * x + face.ay * y + face.az * z
     return bool(face.low <= along <= face.high)
-
-
-@kernel
-def _ellipse_collision_time(
-    ellipse: Any, face: Any, contact: Any, gravity: Any, ball: Any, scale: float, growth: float, most: float, slow: float
-) -> float:  # fmt: skip
-    """Return when a ball reaches an ellipse that bounds its surface. ``ellipse`` is None where the gas has none."""
-    if ellipse is None:
-        return math.inf
-    return oval_hit(
-        face.nx, face.ny, contact.distance + contact.radius_part * (scale - 1.0), contact.radius_part * growth,
-        contact.distance, ball.x - face.mx, ball.y - face.my, ball.vx, ball.vy, gravity[U64(0)], gravity[U64(1)],
-        most, slow,
-    )  # fmt: skip
-
-
-@kernel
-def _ellipse_normal(ellipse: Any, face: Any, ball: Any) -> Vec:
-    """Return the normal of an ellipse at the point nearest to a ball, towards the ball."""
-    if ellipse is None:
-        return (1.0, 0.0, 0.0)
-    found = oval_depth(face.nx, face.ny, ball.x - face.mx, ball.y - face.my)
-    return (found[1], found[2], 0.0)
-
-
-@kernel
-def _ellipse_pressing(ellipse: Any, face: Any, gravity: Any, ball: Any) -> float:
-    """Return the acceleration of a ball towards an ellipse: by gravity, and by its motion along the curve."""
-    if ellipse is None:
-        return 0.0
-    depth, nx, ny, rho = oval_depth(face.nx, face.ny, ball.x - face.mx, ball.y - face.my)
-    along = ball.vx * ny - ball.vy * nx
-    # (at the end of a long axis a ball can be as large as the circle of curvature: it is held there by both sides)
-    return along * along / max(rho - depth, 1e-9 * rho) - (  # type: ignore[no-any-return]
-        nx * gravity[U64(0)] + ny * gravity[U64(1)]
-    )
 
 
 @kernel
@@ -329,8 +277,6 @@ def wall_collision_time(
     Or a time until which it does not, and False: the collision has to be predicted again then.
     """
     slow = APPROACH_ROUNDING * math.sqrt(squared_length((ball.vx, ball.vy, ball.vz)))
-    if features is not None and face.form == ELLIPSE:
-        return _ellipse_collision_time(features.ellipse, face, contact, gravity, ball, scale, growth, most, slow), True
     if features is not None and face.form == CURVE:
         return _curve_collision_time(features.curve, face, contact, gravity, ball, scale, growth, most, slow), True
     c = _gap_polynomial(features, face, contact, gravity, ball, scale, growth)
@@ -387,8 +333,6 @@ def _normal(features: Any, face: Any, ball: Any) -> Vec:
     """Return the normal of a wall where a ball touches it, towards the ball."""
     if face.form == PLANE:
         return (face.nx, face.ny, face.nz)
-    if face.form == ELLIPSE:
-        return _ellipse_normal(features.ellipse, face, ball)
     if face.form == CURVE:
         return _curve_normal(features.curve, face, ball)
     # (the gradient of the gap: q twice)
@@ -442,8 +386,6 @@ def _release_speed(
     features: Any, face: Any, contact: Any, gravity: Any, ball: Any, n: Vec, contact_time: float
 ) -> float:
     """Return the speed at which a ball pressed on a wall, by a force or its curvature, returns after the contact time."""
-    if features is not None and face.form == ELLIPSE:
-        return max(_ellipse_pressing(features.ellipse, face, gravity, ball), 0.0) * contact_time / 2.0
     if features is not None and face.form == CURVE:
         return max(_curve_pressing(features.curve, face, gravity, ball), 0.0) * contact_time / 2.0
     c = _gap_polynomial(features, face, contact, gravity, ball, 1.0, 0.0)

@@ -8,9 +8,9 @@ import inspect
 import math
 import warnings
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,19 +67,26 @@ class Piece(ABC):
         """Its length, m."""
         return float(self._lengths[1][-1])
 
+    def arc_length(self, t: Any) -> Array:
+        """Return the arc lengths (N), m, from its beginning to parameters t (N)."""
+        ends, lengths = self._lengths
+        t = np.asarray(t, float)
+        nodes, weights = np.polynomial.legendre.leggauss(ORDER)
+        k = np.clip(np.searchsorted(ends, t, side="right") - 1, 0, PARTS - 1)
+        half = (t - ends[k]) / 2
+        inner = ends[k][..., None] + half[..., None] * (nodes + 1)
+        rate = np.linalg.norm(self.at(inner.ravel())[1], axis=-1).reshape(inner.shape)
+        found: Array = lengths[k] + rate @ weights * half
+        return found
+
     def parameter(self, s: Any) -> Array:
         """Return the parameters (N) at arc lengths s (N), m, from its beginning."""
         t, lengths = self._lengths
         s = np.asarray(s, float)
-        nodes, weights = np.polynomial.legendre.leggauss(ORDER)
-        k = np.clip(np.searchsorted(lengths, s, side="right") - 1, 0, PARTS - 1)
         found: Array = np.interp(s, lengths, t)
         for _ in range(STEPS):  # Newton: ds/dt = |x'|
-            half = (found - t[k]) / 2
-            inner = t[k][..., None] + half[..., None] * (nodes + 1)
-            rate = np.linalg.norm(self.at(inner.ravel())[1], axis=-1).reshape(inner.shape)
             here = np.linalg.norm(self.at(found)[1], axis=-1)
-            found = np.clip(found - (lengths[k] + rate @ weights * half - s) / here, t[0], t[-1])
+            found = np.clip(found - (self.arc_length(found) - s) / here, t[0], t[-1])
         return found
 
     def place(self, s: Any) -> Array:
@@ -297,11 +304,42 @@ class ParallelPiece(Piece):
         return kappa / (1.0 - self.a * kappa)
 
 
-# ----------------------------------------------------------------------------------------------------
-# Figures: regions in the plane or in space by name and sizes; scenes, gases and billiards make their records from them.
-
-
 Loop = list[Piece]
+
+
+class Joints(NamedTuple):
+    """How the pieces of a closed loop follow each other; all arrays have an entry for each piece."""
+
+    ends: Array
+    """(N, 2, 2): its first and its last place, m."""
+    tangents: Array
+    """(N, 2, 2): unit tangents there."""
+    speed: Array
+    """(N): length of the derivative where it begins; of a segment its length, m."""
+    turn: Array
+    """(N): sine of the angle by which the tangent turns at its end: below 0 at a re-entrant corner."""
+    cosine: Array
+    """(N): of that angle."""
+
+
+def joints(loop: Sequence[Piece]) -> Joints:
+    """Return the ends of the pieces of a closed loop, and the angles between them."""
+    if all(isinstance(piece, SegmentPiece) for piece in loop):
+        ends = np.array([(piece.start, piece.end) for piece in loop])  # type: ignore[attr-defined]
+        along = np.repeat(ends[:, 1:] - ends[:, :1], 2, axis=1)
+    else:
+        found = [piece.at(np.array(piece.span())) for piece in loop]
+        ends, along = (np.array([one[k] for one in found]) for k in (0, 1))
+    speed = np.hypot(along[..., 0], along[..., 1])
+    t = along / speed[..., None]
+    before, after = t[:, 1], np.roll(t[:, 0], -1, axis=0)
+    turn = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
+    return Joints(ends, t, speed[:, 0], turn, (before * after).sum(-1))
+
+
+# --- figures ------------------------------------------------------------------------------------------------------------------
+
+
 Sizes2 = Annotated[tuple[Size, Size], BeforeValidator(Components("2 lengths in m, > 0: along x, y", (2,)))]
 Circle = tuple[float, float, float]
 

@@ -21,6 +21,7 @@ from carom.errors import Fault
 from carom.scene.feature_builders import UP, Feature, Flat, built, circle, put, put_line, put_post, put_round
 from carom.scene.figures import FIGURES, ArcPiece, Piece, PlaneFigure, SegmentPiece
 from carom.scene.figures.curve import CurveFigure
+from carom.scene.figures.figure import joints
 from carom.scene.schema import Angle, Coefficient, Components, Flag, Place, Vector, raise_faults, with_faults_of_part
 from carom.scene.wall import Outline, ShapeKernels, WallShape
 
@@ -168,11 +169,8 @@ class FigureWall(WallShape):
 def placed_pieces(kind: str, loop: Sequence[Any], center: Place, angle: float) -> tuple[tuple[float, ...], ...]:
     """Return the rows of pieces that are turned by an angle, degrees, and moved to a place."""
     rows: list[tuple[float, ...]] = []
-    for piece, after in zip(loop, (*loop[1:], loop[0]), strict=True):
-        turned = piece.tangent(np.array([piece.length]))[0], after.tangent(np.zeros(1))[0]
-        corner = float(turned[0][0] * turned[1][1] - turned[0][1] * turned[1][0]) < REENTRANT
-        row = placed_piece(piece, corner, center, angle)
-        rows.append(row or ())
+    for piece, turn in zip(loop, joints(loop).turn, strict=True):
+        rows.append(placed_piece(piece, bool(turn < REENTRANT), center, angle) or ())
     if () in rows:
         raise_faults(
             [Fault("", "shape", "a figure of straight sides and arcs of circles", f"a {kind}, with other pieces")]
@@ -241,14 +239,14 @@ def _built(of: type[Any], fields: tuple[tuple[str, Hashable], ...], inside: bool
     pieces: list[Piece] = list(loops[0])
     if not closed:
         pieces = figure.open_pieces()
-    ends = [(piece, *piece.at(np.array(piece.span()))) for piece in pieces]
+    ends = joints(pieces).ends
     outline = np.concatenate([one[:-1] if closed else one for one in _polylines(pieces)])
     size = float(np.abs(outline).max())
     if not np.isfinite(outline).all():
         raise_faults([Fault("", "", "a curve of finite places", "others")])
-    gaps = [math.dist(one[1][1], two[1][0]) for one, two in zip(ends, [*ends[1:], ends[0]], strict=True)]
-    if closed and max(gaps) > OPEN * size:
-        got = f"one whose last place is {max(gaps):.6g} m from the first"
+    gap = float(np.linalg.norm(ends[:, 1] - np.roll(ends[:, 0], -1, axis=0), axis=1).max())
+    if closed and gap > OPEN * size:
+        got = f"one whose last place is {gap:.6g} m from the first"
         raise_faults([Fault("", "closed", "true for a curve that closes", got, "let it close, or set closed = false")])
     if closed and outline_faults(outline):
         raise_faults([Fault("", "", "a curve that does not meet itself", "one that does")])
@@ -259,14 +257,15 @@ def _built(of: type[Any], fields: tuple[tuple[str, Hashable], ...], inside: bool
     posts: list[Any] = []
     others: list[tuple[Piece, bool]] = []
     if closed:
-        for one, two in zip(pieces, [*pieces[1:], pieces[0]], strict=True):
-            corner = _turn(one, two) < REENTRANT
+        at = joints(pieces)
+        for one, turn, (_first, last) in zip(pieces, at.turn, at.ends.tolist(), strict=True):
+            corner = bool(turn < REENTRANT)
             if _is_simple(one):
                 others.append((one, corner))
             elif corner:
-                posts.append(tuple(one.at(np.array([one.span()[1]]))[0][0].tolist()))
+                posts.append(tuple(last))
     else:
-        posts = [tuple(ends[0][1][0].tolist()), tuple(ends[-1][1][1].tolist())]
+        posts = [tuple(one) for one in (ends[0, 0].tolist(), ends[-1, 1].tolist())]
     return _Built(tuple(arcs), tuple(others), tuple(posts), outline)
 
 
@@ -280,12 +279,6 @@ def _samples(piece: Piece) -> int:
 
 def _polylines(pieces: Sequence[Piece]) -> list[Array]:
     return [piece.at(np.linspace(*piece.span(), _samples(piece)))[0] for piece in pieces]
-
-
-def _turn(one: Piece, two: Piece) -> float:
-    """Return the sine of the angle by which the tangent turns from a piece to the next one."""
-    d, e = one.at(np.array([one.span()[1]]))[1][0], two.at(np.array([two.span()[0]]))[1][0]
-    return float((d[0] * e[1] - d[1] * e[0]) / (np.linalg.norm(d) * np.linalg.norm(e)))
 
 
 def _arcs(pieces: Sequence[Piece]) -> list[tuple[int, float, float, float]]:

@@ -16,20 +16,16 @@ from numpy.typing import NDArray
 from carom.core.geometry.features import FEATURES
 from carom.core.jit.compile import array_of, compiling_failed, is_cached, njit, signature
 from carom.core.jit.dual.dual_records import (
-    dual_address,
     dual_records,
     float_count,
     float_places,
-    read_duals,
-    register_calls_of_duals,
     register_records,
-    write_duals,
 )
-from carom.core.jit.dual.numbers import LANES, as_dual, overload_for_duals, register_functions, register_numbers, seeded
+from carom.core.jit.dual.numbers import LANES, as_dual, overload_for_duals, seeded
 from carom.core.jit.kernel import DERIVED, ObjectArray, Vec, as_objects, kernel
 from carom.core.motion.phases import CONSTANT, HELD
 from carom.errors import CaromError
-from carom.laws.callbacks import NUMBERS, WallKernel, call_user, register_calls
+from carom.laws.callbacks import call_user, dual_law_address, register_duals
 from carom.laws.law import Law
 from carom.laws.two_step import first_impact_and_way
 from carom.simulation.contact_kinds import joint_impact
@@ -119,12 +115,9 @@ def _joint_impact(
 @functools.cache
 def register_pass() -> None:
     """Tell the compiler all that the pass calls."""
-    register_calls()
+    register_duals()
     compiled_engine()  # (which has the impact of wall and floor at once)
-    register_numbers()
-    register_functions()
     register_records()
-    register_calls_of_duals(NUMBERS)
     overload_for_duals(joint_impact, _joint_impact)
 
 
@@ -152,27 +145,9 @@ def compiled_states() -> Callable[..., None]:
     return njit(_states, signature(*STATES), (register_pass,), _nrt=False)
 
 
-@functools.cache
-def _user(law: WallKernel) -> int:
-    """Return the address of a law compiled with dual numbers."""
-    return dual_address(law_of_duals(law), (register_pass,), keep=str(law.__module__).startswith("carom."))
-
-
-def law_of_duals(law: WallKernel) -> Callable[..., None]:
-    """Return the function of a place to read dual numbers from, and of one to write to, by which a law is called."""
-    kernel(law)
-
-    def entry(given: Any, out: Any) -> None:
-        x = read_duals(given)
-        v, w = law((x[0], x[1], x[2]), (x[3], x[4], x[5]), (x[6], x[7], x[8]), x[9], x[10], x[11], x[12], x[13])
-        write_duals(out, v, w)
-
-    return entry
-
-
 def dual_users(laws: Iterable[Law]) -> NDArray[np.int64]:
-    """Return the addresses of laws that are not compiled in; raises whatever the compiler says of one that it refuses."""
-    return np.array([_user(law.kernel) for law in laws if law.kernel is not None], dtype=np.int64)
+    """Return the addresses of laws that are not compiled in; raises what the compiler says of one that it refuses."""
+    return np.array([dual_law_address(law.kernel) for law in laws if law.kernel is not None], dtype=np.int64)
 
 
 def follow_compiled(scene: Any, parameters: Parameters, log: NDArray[np.void], end: float) -> tuple[Passages, int]:
