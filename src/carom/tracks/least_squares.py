@@ -303,6 +303,9 @@ class Prior:
     c_g_error: float = 0.06
     k: float = 2 / 7
     """kappa / (1 + kappa)."""
+    mu_g_between: float | None = None
+    """Variance of mu_g between contacts; None for a contact that has no weight in the estimate of the floor."""
+    c_g_between: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
