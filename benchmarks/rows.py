@@ -240,7 +240,6 @@ gases](theory/gas.md); what was tried and left, in [Architecture](design.md#trie
 def page(rows: list[Row], when: str, cpu: bool) -> str:
     """Return the page of the documentation."""
     table = ["| " + " | ".join(row) + " |" for row in [HEAD, ["---"] * len(HEAD), *map(cells, rows)]]
-    missed = [row for row in rows if (row.ratio if row.peer else row.nanoseconds) > row.wanted]
     parts = [
         "# Benchmarks",
         "<!-- made by: python benchmarks/rows.py SCRIPTS --page docs/benchmarks.md -->",
@@ -248,9 +247,6 @@ def page(rows: list[Row], when: str, cpu: bool) -> str:
         HOW,
         *([OF_PROCESSOR] if cpu else []),
         "\n".join(table),
-        "## Not yet what is wanted",
-        "\n".join(f"- {row.work}: {cells(row)[3 if row.peer else 1]}; wanted {cells(row)[4]}." for row in missed)
-        or "Nothing among these.",
         PEERS,
     ]
     return "\n\n".join(parts) + "\n"

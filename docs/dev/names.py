@@ -236,11 +236,11 @@ def page() -> str:
                     name for name in row.names.split() if name in known and (of != "in a scene" or _in_scene(name))
                 ]
                 cells.append(
-                    ", ".join(f"`{name}`{f' ({known[name]})' if known[name] else ''}" for name in found) or "–"
+                    ", ".join(f"`{name}`{f' ({known[name]})' if known[name] else ''}" for name in found) or ""
                 )
             several = "**several names**: " if len(names_of(row)) > 1 else ""
             text.append(
-                f"| {row.title} | {row.symbol or '–'} | {row.unit} | {' | '.join(cells)} | {several}{row.remark} |\n"
+                f"| {row.title} | {row.symbol} | {row.unit} | {' | '.join(cells)} | {several}{row.remark} |\n"
             )
         text.append("\n")
     return "".join(text).rstrip("\n") + "\n"
