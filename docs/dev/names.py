@@ -235,13 +235,9 @@ def page() -> str:
                 found = [
                     name for name in row.names.split() if name in known and (of != "in a scene" or _in_scene(name))
                 ]
-                cells.append(
-                    ", ".join(f"`{name}`{f' ({known[name]})' if known[name] else ''}" for name in found) or ""
-                )
+                cells.append(", ".join(f"`{name}`{f' ({known[name]})' if known[name] else ''}" for name in found) or "")
             several = "**several names**: " if len(names_of(row)) > 1 else ""
-            text.append(
-                f"| {row.title} | {row.symbol} | {row.unit} | {' | '.join(cells)} | {several}{row.remark} |\n"
-            )
+            text.append(f"| {row.title} | {row.symbol} | {row.unit} | {' | '.join(cells)} | {several}{row.remark} |\n")
         text.append("\n")
     return "".join(text).rstrip("\n") + "\n"
 
