@@ -6,6 +6,7 @@ import json
 import math
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -244,3 +245,27 @@ def test_another_description_or_other_columns(runs: dict[str, carom.Trajectory],
     words = pa.array(["a"] * len(table))
     pq.write_table(table.set_column(table.column_names.index("vx"), "vx", words), tmp_path / "words.parquet")
     assert "'vx'" in one_line(tmp_path / "words.parquet")
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [
+        ("t", math.nan), ("t", -1.0), ("t", math.inf), ("t", 1e9), ("ball", 3), ("ball", -1), ("kind", 0), ("other", 9),
+        ("other", -2),
+        ("x", math.nan), ("v", math.inf), ("w_before", -math.inf), ("impulse", math.nan), ("regime", 17), ("required", -0.1),
+        ("end", math.nan), ("end", -1.0), ("ended", "tired"),
+    ],
+)  # fmt: skip
+def test_numbers_that_no_run_has_are_one_line_behind_a_right_checksum(
+    runs: dict[str, carom.Trajectory], tmp_path: Path, field: str, value: Any
+) -> None:
+    run = runs["bounces"]
+    log = run.log.copy()
+    about = {"end": run.end, "ended": run.ended}
+    if field in about:
+        about[field] = value
+    else:
+        log[field][np.flatnonzero(log["met"] == 1)[1]] = value
+    path = storage.save(SimpleNamespace(scene=run.scene, log=log, **about), tmp_path / "run.parquet")  # type: ignore[arg-type]
+    assert field.removesuffix("ed") in one_line(path)
+    assert len(carom.load_trajectory(run.save(path)).log) == len(log)

@@ -195,6 +195,23 @@ def test_damage_is_found(tmp_path: Path) -> None:
     assert made.verify(made.blocks.number) == [3]
 
 
+@pytest.mark.parametrize(
+    ("name", "value"), [("failed", 100), ("failed", -3), ("final.phase", 99), ("events.wall.count", -2)]
+)
+def test_numbers_that_cannot_be_are_found_behind_a_right_checksum(tmp_path: Path, name: str, value: int) -> None:
+    made = carom.sweep(space(), [*KEEP, "final.phase"], store=tmp_path / "s.zarr", block=40)
+    made.run()
+    region = made.blocks.region(1)
+    values = {one: made.store.read(one, region) for one in (*(one.name for one in made.outcomes), "failed")}
+    values[name].flat[0] = value
+    flat = {name: array.reshape(-1, *array.shape[len(made.space.shape) :]) for name, array in values.items()}
+    made.store.write(1, made.blocks, made.outcomes, flat)
+    assert made.verify(0) == [1]
+    for look in (carom.sweep(tmp_path / "s.zarr").run, *([made.status] if name == "failed" else [])):
+        with pytest.raises(carom.CaromError, match=f"expected {name} from -1 to .*, got {value}"):
+            look()
+
+
 def test_a_full_disk_is_one_line_and_loses_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     made = carom.sweep(space(), KEEP, store=tmp_path / "s.zarr", block=40)
     from zarr.storage import _local

@@ -10,12 +10,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError
+from carom.core.contact import NO_REGIME
+from carom.errors import CaromError, FaultList
 from carom.files import as_path, import_optional, open_regular, require_unpacked_size
+from carom.laws.landing import REGIME_NAMES
 from carom.scene.scene import Scene
 from carom.scene.schema import from_file
+from carom.simulation.contact_kinds import PARTNERS
 from carom.simulation.files import AXES, FORMAT, FORMATS, NAMED, SCALARS, VECTORS, digest_of, log_columns, version
-from carom.simulation.records import LOG
+from carom.simulation.loop import ENDS
+from carom.simulation.records import LOG, START
 from carom.simulation.trajectory import Trajectory
 
 Array = NDArray[Any]
@@ -65,7 +69,37 @@ def load_trajectory(path: str | Path, *, allow_own_laws: bool = False) -> Trajec
     except (TypeError, ValueError, RecursionError):
         raise _damaged(path, "one with an unreadable scene") from None
     scene = from_file(f"{path}: scene", Scene, table, allow_own_laws=allow_own_laws)
+    _require_possible(path, scene, log, float(about["end"]), str(about["ended"]))
     return Trajectory(scene, log, float(about["end"]), str(about["ended"]))
+
+
+def _require_possible(path: Path, scene: Scene, log: Array, end: float, ended: str) -> None:
+    """Raise CaromError, a line a column, for numbers that no run has: a file that other code wrote, with the right checksum."""
+    faults, count, t = FaultList(str(path)), len(scene.balls), log["t"]
+    if not (0 <= end < np.inf and ended in ENDS):
+        faults.add("end", f"a time in s, and one of {', '.join(ENDS)}", f"{end!r}, {ended!r:.40}")
+    if len(log) < count:
+        faults.add("ball", f"rows for all of {count} balls", f"{len(log)}")
+    faults.raise_if_any()
+    most = np.zeros(len(log), int)
+    for met, names in PARTNERS.items():
+        most[log["met"] == met] = len(getattr(scene, names))
+    number = np.arange(len(log))
+    begins, of = number < count, log["ball"]
+    rules = {
+        "t": (np.isfinite(t) & (t >= 0) & (t <= end) & (np.diff(t, prepend=0) >= 0), f"times that rise from 0 to {end:.9g} s"),
+        "ball": ((of >= 0) & (of < count) & (~begins | (of == number)), f"first 0 to {count - 1} in order, then one of them"),
+        "kind": (begins == (log["kind"] == START), f"the start of each of {count} balls, and then events"),
+        "other": ((log["other"] >= np.where(most, 0, -1)) & ((log["other"] < most) | (most == 0)), "a number of the scene"),
+        "regime": ((log["regime"] >= NO_REGIME) & (log["regime"] < len(REGIME_NAMES)), f"{NO_REGIME} to {len(REGIME_NAMES) - 1}"),
+        "required": (~(log["required"] < 0), "a number >= 0"),
+        **{name: (np.isfinite(log[name]).all(axis=1), "finite numbers") for name in VECTORS},
+    }  # fmt: skip
+    for name, (good, expected) in rules.items():
+        if not good.all():
+            row = int(np.argmin(good))
+            faults.add(f"{name}, row {row}", expected, f"{log[name][row].tolist()!r}")
+    faults.raise_if_any()
 
 
 def _damaged(path: Path, what: str) -> CaromError:
@@ -117,14 +151,14 @@ def _from_parquet(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
         elif field in NAMED:
             fields[field] = table.column(field).to_pylist()
         else:
-            fields[field] = _numbers(path, table, SCALARS[field])
+            fields[field] = _numbers(path, table, SCALARS[field], "if" if LOG[field].kind == "f" else "i")
     return about, fields
 
 
-def _numbers(path: Path, table: Any, name: str) -> Array:
+def _numbers(path: Path, table: Any, name: str, kinds: str = "if") -> Array:
     column = table.column(name)
     values: Array = column.to_numpy()
-    if column.null_count or values.dtype.kind not in "if":
+    if column.null_count or values.dtype.kind not in kinds:
         raise _damaged(path, f"a column {name!r} that is not all numbers")
     return values
 

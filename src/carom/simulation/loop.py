@@ -585,6 +585,9 @@ def run_limits(scene: Scene) -> tuple[float, int]:
     return math.inf if run.duration is None else run.duration, most
 
 
+ENDS = ("nothing more happens", "duration", "max_events")
+
+
 class RunLog(NamedTuple):
     """One run of a scene, as the event loop leaves it."""
 
@@ -594,7 +597,7 @@ class RunLog(NamedTuple):
     end: float
     """s: time up to which the balls were followed."""
     ended: str
-    """Why it ended: "nothing more happens", "duration", "max_events"."""
+    """Why it ended: one of ENDS."""
     arrays: SceneArrays
     """The scene as the loop read it."""
 
@@ -609,9 +612,9 @@ def run_scene(scene: Scene, progress: Callable[[int, float], None] | None = None
     loop = SceneLoop(scene)
     status, _events, log = loop.follow(until, most, progress)
     if status == LIMIT:
-        end, ended = loop.last, "max_events"
+        end, ended = loop.last, ENDS[2]
     elif status == DONE and until < math.inf:
-        end, ended = until, "duration"
+        end, ended = until, ENDS[1]
     else:
-        end, ended = loop.last, "nothing more happens"
+        end, ended = loop.last, ENDS[0]
     return RunLog(scene, log, end, ended, loop.arrays)

@@ -140,6 +140,21 @@ class Outcome:
         """Value of a point that has no outcome."""
         return float("nan") if self.dtype.startswith("f") else -1
 
+    @property
+    def bounds(self) -> tuple[float, float]:
+        """Least and greatest value that it can have; NaN stands for none."""
+        if self.dtype.startswith("f"):
+            return (0.0, np.finfo(float).max) if self.units == "s" else (-np.inf, np.inf)
+        return -1, len(self.meanings) - 1 if self.meanings else np.inf
+
+    def impossible(self, values: NDArray[Any]) -> NDArray[np.bool_]:
+        """Return which values it cannot have."""
+        low, high = self.bounds
+        return np.asarray((values < low) | (values > high))
+
+
+WHY = Outcome(FAILED, "i1", meanings=FAILURES)
+
 
 def blank(outcome: Outcome, count: int) -> NDArray[Any]:
     """Return an array of ``count`` points without an outcome."""

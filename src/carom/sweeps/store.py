@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.files import import_optional
 from carom.formatting import counted, format_number
-from carom.sweeps.fields import FAILED, FAILURES, NOT_DONE, Outcome
+from carom.sweeps.fields import FAILED, NOT_DONE, WHY, Outcome
 from carom.sweeps.space import Coordinate
 
 Array = NDArray[Any]
@@ -175,7 +175,7 @@ class Store:
             group = self.zarr.open_group(self.place, mode="r", zarr_format=3)
             expected: dict[str, tuple[Any, ...]] = {
                 one.name: (np.dtype(one.dtype), (*blocks.shape, *one.shape), (*_inner(blocks), *one.shape))
-                for one in [*outcomes, Outcome(FAILED, "i1")]
+                for one in [*outcomes, WHY]
             }
             expected[f"{BLOCKS}/checksum"] = np.dtype("u8"), (blocks.number,), (1,)
             for name, (dtype, shape, chunks) in expected.items():
@@ -204,6 +204,16 @@ class Store:
             array = self.zarr.open_group(self.place, mode="r", zarr_format=3)[name]
             return np.asarray(array[region if array.ndim else ...])
 
+    def require_possible(self, outcome: Outcome, values: Array) -> None:
+        """Raise CaromError for a value that an outcome cannot have: other code wrote it, its checksum may be right."""
+        wrong = values[outcome.impossible(values)]
+        if wrong.size:
+            low, high = outcome.bounds
+            raise CaromError(
+                f"{self.name}: expected {outcome.name} from {low:g} to {high:g}, got {wrong[0].item()!r}: the store is damaged;"
+                " name a new one"
+            )
+
     # --- writing ---------------------------------------------------------------------------------------------------
 
     def create(
@@ -219,7 +229,7 @@ class Store:
             # (a process that is killed here leaves a store that says whose it is, and is made again)
             begun = {ATTRIBUTE: {**specification, "complete": False}}
             group = self.zarr.open_group(self.place, mode="a", zarr_format=3, attributes=begun)
-            for outcome in [*outcomes, Outcome(FAILED, "i1", meanings=FAILURES)]:
+            for outcome in [*outcomes, WHY]:
                 inner = outcome.shape
                 attributes: dict[str, Any] = {"units": outcome.units} if outcome.units != "1" else {}
                 if outcome.meanings:
@@ -306,6 +316,7 @@ def identity(data: dict[str, Any]) -> str:
 
 
 LOOKED_AT = 100  # points without an outcome
+MOST_LOOKED_AT = 2e7  # bytes of a store whose values are looked at when it is opened; of a larger one `verify` does
 
 
 def _attributes(sweep: Any) -> dict[str, Any]:
@@ -338,7 +349,7 @@ def dataset_of(sweep: Any, values: dict[str, Any]) -> Any:
     xarray = import_optional("xarray", "sweep")
     dims = tuple(sweep.space.dims)
     variables = {one.name: ((*dims, *one.dims), values[one.name], _about(one)) for one in sweep.outcomes}
-    variables[FAILED] = (dims, values[FAILED], _about(Outcome(FAILED, "i1", meanings=FAILURES)))
+    variables[FAILED] = (dims, values[FAILED], _about(WHY))
     return xarray.Dataset(variables, _coordinates(sweep), _attributes(sweep))
 
 
@@ -350,6 +361,9 @@ def open_dataset(sweep: Any) -> Any:
         warnings.filterwarnings("ignore", message=".*onsolidated metadata.*")
         found = xarray.open_dataset(sweep.store.place, engine="zarr", chunks=None, mask_and_scale=False)
     # (names are numbers in a store)
+    if sum(variable.nbytes for variable in found.values()) <= MOST_LOOKED_AT:
+        for one in (*sweep.outcomes, WHY):
+            sweep.store.require_possible(one, found[one.name].values)
     found = found[[*(one.name for one in sweep.outcomes), FAILED]].assign_coords(_coordinates(sweep))
     del found.attrs["carom"]  # (which is in "specification", as text)
     return found.assign_attrs(_attributes(sweep))

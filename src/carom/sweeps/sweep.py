@@ -20,7 +20,7 @@ from carom.files import require_memory
 from carom.formatting import format_bytes, format_time
 from carom.public.own_laws import with_own_laws
 from carom.sweeps.cluster import run_on_cluster
-from carom.sweeps.fields import FAILED, FAILURES, NOT_DONE, Outcome
+from carom.sweeps.fields import FAILED, FAILURES, NOT_DONE, WHY, Outcome
 from carom.sweeps.space import Space
 from carom.sweeps.store import (
     BLOCKS,
@@ -317,6 +317,7 @@ class Sweep:
         assert self.store is not None
         for block in done:
             codes = self.store.read(FAILED, self.blocks.region(block)).ravel()
+            self.store.require_possible(WHY, codes)
             failed += np.bincount(codes[codes != NOT_DONE], minlength=len(FAILURES))
         shown = {"first_failures": first_failures(self, failures) if failed.any() else []} if failures else {}
         return {
@@ -340,9 +341,9 @@ class Sweep:
         bad = []
         for count, block in enumerate(done):
             region = self.blocks.region(block)
-            values = {one.name: self.store.read(one.name, region) for one in self.outcomes}
-            values[FAILED] = self.store.read(FAILED, region)
+            values = {one.name: self.store.read(one.name, region) for one in (*self.outcomes, WHY)}
             same = checksum(self.outcomes, values) == sums[block]
+            same &= not any(one.impossible(values[one.name]).any() for one in (*self.outcomes, WHY))
             if same and block in again:
                 same = checksum(self.outcomes, self.compute(block)) == sums[block]
             if not same:
