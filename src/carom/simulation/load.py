@@ -106,10 +106,6 @@ def _damaged(path: Path, what: str) -> CaromError:
     return CaromError(f"{path}: expected an undamaged file that carom saved, got {what}; save the run again")
 
 
-def _foreign(path: Path, kind: str) -> CaromError:
-    return CaromError(f"{path}: expected a run that carom saved, got {kind} without one; Trajectory.save writes one")
-
-
 def _known_format(path: Path, about: dict[str, Any]) -> None:
     """CaromError for a file of a later carom. First of all: its columns may be others."""
     number = about.get("carom_format")
@@ -129,7 +125,9 @@ def _from_parquet(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
         with pq.ParquetFile(path) as file:
             text = (file.schema_arrow.metadata or {}).get(b"carom")
             if text is None:
-                raise _foreign(path, "a Parquet file")
+                raise CaromError(
+                    f"{path}: expected a run that carom saved, got a Parquet file without one; Trajectory.save writes one"
+                )
             about = json.loads(text)
             _known_format(path, about)
             require_unpacked_size(path, file.metadata.num_rows * LOG.itemsize)

@@ -29,6 +29,7 @@ class Coordinate:
         self.dim, self.values, self.path, self.units = dim, values, path, units
         self.name = path
         """In a result: the dimension's where that has no other values, else the path."""
+        self.about = {"path": path, **({"units": units} if units != "1" else {})}
 
     @property
     def dims(self) -> tuple[str, ...]:

@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.files import import_optional
 from carom.formatting import counted, format_number
-from carom.sweeps.fields import FAILED, NOT_DONE, WHY, Outcome
+from carom.sweeps.fields import FAILED, WHY, Outcome
 from carom.sweeps.space import Coordinate
 
 Array = NDArray[Any]
@@ -109,7 +109,7 @@ def _inner(blocks: Blocks) -> tuple[int, ...]:
 def checksum(outcomes: list[Outcome], values: Mapping[str, Array]) -> int:
     """Return a block's checksum, never 0: 8 bytes of BLAKE2b over all outcomes and ``failed``."""
     digest = hashlib.blake2b(digest_size=8)
-    for name in [*(outcome.name for outcome in outcomes), FAILED]:
+    for name in (one.name for one in (*outcomes, WHY)):
         digest.update(np.ascontiguousarray(values[name]).data)
     return int.from_bytes(digest.digest(), "little") or 1
 
@@ -194,9 +194,7 @@ class Store:
 
     def checksums(self) -> Array:
         """Return (blocks,) the checksums: 0 where a block is not done."""
-        with self._explaining("read"):
-            found: Array = self.zarr.open_group(self.place, mode="r", zarr_format=3)[f"{BLOCKS}/checksum"][:]
-        return found
+        return self.read(f"{BLOCKS}/checksum", (slice(None),))
 
     def read(self, name: str, region: tuple[slice, ...]) -> Array:
         """Return a part of a variable."""
@@ -231,28 +229,21 @@ class Store:
             group = self.zarr.open_group(self.place, mode="a", zarr_format=3, attributes=begun)
             for outcome in [*outcomes, WHY]:
                 inner = outcome.shape
-                attributes: dict[str, Any] = {"units": outcome.units} if outcome.units != "1" else {}
-                if outcome.meanings:
-                    attributes |= {
-                        "flag_values": list(range(len(outcome.meanings))),
-                        "flag_meanings": list(outcome.meanings),
-                    }
                 self._array(
                     group,
                     outcome.name,
-                    attributes,
+                    _about(outcome),
                     shape=(*blocks.shape, *inner),
                     dtype=outcome.dtype,
                     chunks=(*_inner(blocks), *inner) or "auto",
                     shards=(*blocks.box, *inner) or None,
-                    fill_value=NOT_DONE if outcome.name == FAILED else outcome.fill,
+                    fill_value=outcome.fill,
                     dimension_names=(*dims, *outcome.dims),
                 )
                 for dim, labels in outcome.dims.items():
                     self._coordinate(group, dim, (dim,), np.array(labels), {})
             for one in coordinates:
-                about = {"path": one.path, **({"units": one.units} if one.units != "1" else {})}
-                self._coordinate(group, one.name, one.dims, one.values, about)
+                self._coordinate(group, one.name, one.dims, one.values, one.about)
             inside = group.require_group(BLOCKS)
             self._array(
                 inside,
@@ -298,7 +289,7 @@ class Store:
             group = self.zarr.open_group(self.place, mode="r+", zarr_format=3)
             region = blocks.region(block)
             shape = tuple(one.stop - one.start for one in region)
-            for name in [*(outcome.name for outcome in outcomes), FAILED]:
+            for name in (one.name for one in (*outcomes, WHY)):
                 array = values[name].reshape((*shape, *values[name].shape[1:]))
                 group[name][region if region else ...] = array if region else array.reshape(tuple(group[name].shape))
             found = checksum(outcomes, values)
@@ -336,8 +327,7 @@ def _about(outcome: Outcome) -> dict[str, Any]:
 def _coordinates(sweep: Any) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for one in sweep.space.coordinates:
-        about = {"path": one.path, **({"units": one.units} if one.units != "1" else {})}
-        found[one.name] = (one.dims, one.values, about)
+        found[one.name] = (one.dims, one.values, one.about)
     for outcome in sweep.outcomes:
         for dim, labels in outcome.dims.items():
             found.setdefault(dim, ((dim,), np.array(labels)))
@@ -348,8 +338,7 @@ def dataset_of(sweep: Any, values: dict[str, Any]) -> Any:
     """Return the result as an ``xarray.Dataset``; ``values`` by name have the shape of the space, and then their own."""
     xarray = import_optional("xarray", "sweep")
     dims = tuple(sweep.space.dims)
-    variables = {one.name: ((*dims, *one.dims), values[one.name], _about(one)) for one in sweep.outcomes}
-    variables[FAILED] = (dims, values[FAILED], _about(WHY))
+    variables = {one.name: ((*dims, *one.dims), values[one.name], _about(one)) for one in (*sweep.outcomes, WHY)}
     return xarray.Dataset(variables, _coordinates(sweep), _attributes(sweep))
 
 
@@ -364,7 +353,7 @@ def open_dataset(sweep: Any) -> Any:
     if sum(variable.nbytes for variable in found.values()) <= MOST_LOOKED_AT:
         for one in (*sweep.outcomes, WHY):
             sweep.store.require_possible(one, found[one.name].values)
-    found = found[[*(one.name for one in sweep.outcomes), FAILED]].assign_coords(_coordinates(sweep))
+    found = found[[one.name for one in (*sweep.outcomes, WHY)]].assign_coords(_coordinates(sweep))
     del found.attrs["carom"]  # (which is in "specification", as text)
     return found.assign_attrs(_attributes(sweep))
 
