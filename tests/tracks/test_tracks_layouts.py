@@ -122,6 +122,20 @@ def test_a_height_alone(tmp_path: Path) -> None:
         np.testing.assert_allclose(track.position, one.place * [0, 1], atol=1e-6)
 
 
+def test_a_single_coordinate_from_above_is_no_height(tmp_path: Path) -> None:
+    """The view that is given decides: the wall is the one that the same film with both coordinates has."""
+    t, rng = np.arange(0, 1.0, 1 / 120), np.random.default_rng(3)
+    x = np.where(t < 0.5, 0.9 * (0.5 - t), 0.72 * (t - 0.5)) + rng.normal(0, 2e-4, len(t))
+    (tmp_path / "film.csv").write_text(table("t [s],x [px]", [cells(t), cells(1e3 * x)]))
+    for view, name in (("above", "left"), ("side", None)):
+        found = measure_tracks(tmp_path / "film.csv", view=view, scale=1e-3, radius=0.03, noise=2e-4)
+        assert [one.wall.name for one in found.measured[0].measured] == ([name] if name else [])
+        if name:
+            (one,) = found.measured[0].measured
+            assert one.fit["vn_out"] == pytest.approx(0.72, abs=4 * one.fit.error("vn_out"))
+    assert len(rebounds_of_films([tmp_path / "film.csv"], Calibration(1e-3), Settings(view="above", radius=0.03))) == 1
+
+
 def test_the_restitution_of_a_film_with_marks(tmp_path: Path) -> None:
     path = tmp_path / "film.csv"
     path.write_text(LAYOUTS["minus one"].write(film()))

@@ -278,7 +278,8 @@ def measure_films(
     CaromError
         With the faults of all files; for settings as :func:`carom.tracks.measure`, with the notes of reading.
     """
-    found, settings = read_films(paths, calibration, format), settings or Settings()
+    settings = settings or Settings()
+    found = read_films(paths, replace(calibration or Calibration(), view=settings.view), format)
     walls = [tuple(wall_of_text(text, film.tracks) for text in wall) or settings.walls for film in found]
     known = [replace(settings, walls=lines) for lines in walls]
 
@@ -372,7 +373,7 @@ def measure_tracks(
         rolling_resistance=rolling_resistance, gravity=gravity, window=window, blind=blind, hard=hard, drag=drag,
     )  # fmt: skip
     several = isinstance(files, list | tuple) and not all(isinstance(one, Track) for one in files)
-    calibration = film_calibration(scale, rate, down, radius=radius, gravity=gravity, film=film)
+    calibration = replace(film_calibration(scale, rate, down, radius=radius, gravity=gravity, film=film), view=view)
     each: Any = files if several else [files]
     films = [film_of(one, number + 1, calibration) for number, one in enumerate(each)]
     return measure_films(films, calibration, settings, format=format, wall=wall, progress=progress)

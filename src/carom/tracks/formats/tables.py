@@ -56,6 +56,8 @@ class Calibration:
     """Whether the second axis of the file points down, as in images; None: the program's convention."""
     likelihood: float = 0.6
     """Positions with a lower likelihood (of a neural network) are omitted."""
+    view: str | None = field(default=None, repr=False)
+    """From where it was filmed: of a single coordinate, ``"above"`` says that it is no height."""
     film: Mapping[str, Any] = field(default_factory=dict, repr=False)
     """Of films that carom reads itself: further arguments of :func:`carom.track_film`."""
 
@@ -484,7 +486,9 @@ def _heights(series: list[Series], clocks: list[Series]) -> list[Series]:
     if len({one.run for one in balls}) < len(balls) or not any(CLOCKS & set(one.columns) for one in clocks):
         return []
     for one in balls:
-        one.columns = {"y" if k in "xyz" else k: column for k, column in one.columns.items()}
+        one.columns, one.pixels = (
+            {"y" if k in "xyz" else k: column for k, column in some.items()} for some in (one.columns, one.pixels)
+        )
     return balls
 
 
@@ -738,10 +742,12 @@ def _track(
         raw[doubtful] = np.nan
     place = np.stack([_in_si(raw[:, k], columns[axis][1], calibration) for k, axis in enumerate(axes)], axis=-1)
     if axes == ["y"]:
-        place = np.stack([0 * place[:, 0], place[:, 0]], axis=-1)
+        above = calibration.view == "above"
+        place = np.stack([place[:, 0], 0 * place[:, 0]][:: 1 if above else -1], axis=-1)
+        taken, normal = ("x, with y = 0", "wall") if above else ("the height, with x = 0", "floor")
         notes.append(
-            f"{label}one coordinate against time, {header.name(columns['y'][0])!r}: taken as the height, with x = 0; it holds the"
-            " velocities normal to the floor"
+            f"{label}one coordinate against time, {header.name(columns['y'][0])!r}: taken as {taken}; it holds the velocities"
+            f" normal to the {normal}"
         )
     down = calibration.down if calibration.down is not None else any(columns[axis][1] is None for axis in axes[:2])
     if down:
