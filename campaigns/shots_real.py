@@ -23,7 +23,7 @@ import carom
 from carom.fitting.result import with_error_bar
 from carom.fitting.shots import ShotsFit, drawn_films, fit_of_some
 from carom.fitting.shots.result import HORIZONS
-from carom.tracks.films import films_of
+from carom.tracks.films import tracks_of_films
 
 KINDS = ("fit", "rest", "halves", "alone")
 PARTS = ((1 / 3, "first third"), (1 / 2, "first half"))
@@ -88,7 +88,7 @@ def main(words: Sequence[str] | None = None) -> None:
     options = {"films": {"type": Path}, "radius": {"type": float, "default": 0.03075}}
     with campaign("shots_real", __doc__, words, count=2, small=1, **options) as run:
         if run.given.films:
-            tracks, table = films_of(run.given.films)[0], None
+            tracks, table = tracks_of_films(run.given.films)[0], None
         else:
             tracks, scenes = drawn_films(run.count, seed=5, until=1.5 if run.small else 6.0)
             table = scenes[0]

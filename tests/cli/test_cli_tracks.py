@@ -13,7 +13,7 @@ from carom.cli import main
 from carom.cli.tracks import grouped_reasons
 from carom.data import read_rebounds
 from carom.tracks import Settings
-from carom.tracks.films import rebounds_of_films
+from carom.tracks.films import measure_films
 
 HERE = Path(__file__).parents[1] / "tracks" / "files"
 
@@ -332,7 +332,7 @@ def test_carom_fit_reads_many_films(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     files = films(tmp_path)
-    table = rebounds_of_films(files, settings=Settings(radius=0.02, view="side"))
+    table = measure_films(files, settings=Settings(radius=0.02, view="side")).rebounds()
     assert set(table.extra["film"]) == {"film2", "film5"}
     assert "1 of 3 films have no contact that can be measured" in table.notes
     assert any(note.startswith("straight: no wall found") for note in table.notes)

@@ -19,7 +19,7 @@ from carom.data import make_rebounds, published_rebounds, read_rebounds
 from carom.data.datasets import load
 from carom.fitting import Ranking, Setting, fit_laws, ranking
 from carom.tracks import Settings
-from carom.tracks.films import rebounds_of_films
+from carom.tracks.films import measure_films
 
 BALL = ("--radius", str(RADIUS), "--inertia", str(KAPPA))
 SETTING = {"radius": RADIUS, "kappa": KAPPA}
@@ -156,7 +156,7 @@ def in_python(case: Case, files: list[Path], laws: list[str]) -> dict[str, Any]:
         ours = published_rebounds(case.data)
         return fit_laws(ours.rebounds, Setting(**ours.setting), laws, shifted=ours.shifted, **quick).as_dict()
     if case.data in (side_films, one_film):
-        rows = rebounds_of_films(files, settings=Settings(**case.setting))
+        rows = measure_films(files, settings=Settings(**case.setting)).rebounds()
     else:
         rows = read_rebounds(files[0], kind="planar" if case.data is not rolled else None)
     return fit_laws(rows, Setting(**case.setting), laws, **case.rows, **quick).as_dict()

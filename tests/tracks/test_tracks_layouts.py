@@ -25,7 +25,7 @@ import carom
 from carom.data import read_rebounds
 from carom.errors import CaromError
 from carom.tracks import Calibration, Settings, judge, measure, read_tracks
-from carom.tracks.films import films_of, measure_tracks, rebounds_of_films
+from carom.tracks.films import measure_films, measure_tracks, tracks_of_films
 
 
 @pytest.mark.parametrize("name", LAYOUTS)
@@ -133,7 +133,8 @@ def test_a_single_coordinate_from_above_is_no_height(tmp_path: Path) -> None:
         if name:
             (one,) = found.measured[0].measured
             assert one.fit["vn_out"] == pytest.approx(0.72, abs=4 * one.fit.error("vn_out"))
-    assert len(rebounds_of_films([tmp_path / "film.csv"], Calibration(1e-3), Settings(view="above", radius=0.03))) == 1
+    films = measure_films([tmp_path / "film.csv"], Calibration(1e-3), Settings(view="above", radius=0.03))
+    assert len(films.rebounds()) == 1
 
 
 def test_the_restitution_of_a_film_with_marks(tmp_path: Path) -> None:
@@ -253,7 +254,7 @@ def test_columns_that_are_not_used_are_named_by_every_reader(tmp_path: Path) -> 
     said = [
         read_tracks(path).notes, read_tracks(tracker).notes, measure_tracks(path, view="side").notes,
         judge(path, radius=0.02).notes, read_rebounds(rows).notes, carom.predict(rows, law="no-slip").notes,
-        rebounds_of_films([path], settings=Settings(view="side")).notes, films_of(path)[1],
+        measure_films([path], settings=Settings(view="side")).rebounds().notes, tracks_of_films(path)[1],
     ]  # fmt: skip
     for notes in said:
         assert any("humidity" in note for note in notes), notes

@@ -10,7 +10,7 @@ import pytest
 from carom.errors import CaromError
 from carom.tracks import Calibration, Settings, Track, TrackFile, measure, read_tracks
 from carom.tracks.clock import at_rate, even_interval, on_camera_clock, rounding_of_times, without_rounding
-from carom.tracks.films import rebounds_of_films
+from carom.tracks.films import measure_films
 
 RATE = 119.88
 
@@ -155,7 +155,7 @@ def test_columns_with_times_and_frames(tmp_path: Path) -> None:
 
 
 def test_carom_fit_takes_the_rate_as_well(film: Path) -> None:
-    rows = rebounds_of_films([film], Calibration(rate=RATE), Settings(radius=0.02, view="side"))
+    rows = measure_films([film], Calibration(rate=RATE), Settings(radius=0.02, view="side")).rebounds()
     assert rows["v_n_in"].max() == pytest.approx(np.sqrt(2 * 9.80665), rel=2e-3)
     assert any("`rate` 119.88 replaces them" in note for note in rows.notes)
 

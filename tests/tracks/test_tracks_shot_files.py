@@ -16,7 +16,7 @@ from carom.errors import CaromError
 from carom.fitting.shots import drawn_films
 from carom.fitting.shots.film import filmed_shots
 from carom.tracks import Calibration, Track, read_tracks
-from carom.tracks.films import films_of
+from carom.tracks.films import tracks_of_films
 from carom.tracks.formats.programs import TAILUGE as UNIT
 from carom.tracks.preprocess import with_one_name, with_own_names
 
@@ -231,11 +231,11 @@ def test_notes_of_reading_are_of_the_chosen_shots(several: bool, tmp_path: Path)
     for name, start in (
         (("a s1", "a: s1 1: "), ("b s11", "b: s11 1: ")) if several else (("s1", "s1 1: "), ("s11", "s11 1: "))
     ):
-        tracks, notes = films_of(paths, where=f"shot={name}")
+        tracks, notes = tracks_of_films(paths, where=f"shot={name}")
         assert [track.group for track in tracks] == [name]
         assert len([note for note in notes if "the ball jumps" in note]) == 1
         assert any(note.startswith(f"{start}the ball jumps") for note in notes)
-    assert len([note for note in films_of(paths)[1] if "the ball jumps" in note]) == 2
+    assert len([note for note in tracks_of_films(paths)[1] if "the ball jumps" in note]) == 2
 
 
 def test_balls_that_collide_keep_their_names(films: list[Track]) -> None:

@@ -41,13 +41,6 @@ if TYPE_CHECKING:
     from carom.fitting.tracks import TrackFit, TrackRanking
 
 
-def write_shots_page(ranking: ShotsRanking, files: Sequence[Path], page: Path) -> Path:
-    """Write the report, and return its path."""
-    from carom.plot.shots import write_shots_report
-
-    return write_shots_report(ranking, shortened_list([str(file) for file in files]), page)
-
-
 def show_shots(ranking: ShotsRanking) -> None:
     """Print a ranking of fits to whole shots, then the sentences on the best one."""
     from rich.text import Text
@@ -82,13 +75,6 @@ def _errors(fit: ShotsFit) -> str:
 
 # ----------------------------------------------------------------------------------------------------
 # Output of ``carom fit TRACKS --whole``: laws fitted to whole tracks, each simulated from its own initial state.
-
-
-def write_whole_page(ranking: TrackRanking, files: Sequence[Path], page: Path) -> Path:
-    """Write the report, and return its path."""
-    from carom.plot.fit import write_track_report
-
-    return write_track_report(ranking, shortened_list([str(file) for file in files]), page)
 
 
 def show_whole(ranking: TrackRanking) -> None:
@@ -499,8 +485,10 @@ def _picture(ranking: Any) -> Any:
 def _page(ranking: Any, files: list[Path], path: Path) -> Path:
     from carom.fitting import Ranking
     from carom.fitting.shots import ShotsRanking
-    from carom.plot.fit import write_report
+    from carom.plot.fit import write_report, write_track_report
+    from carom.plot.shots import write_shots_report
 
+    source = shortened_list([str(file) for file in files])
     if isinstance(ranking, ShotsRanking):
-        return write_shots_page(ranking, files, path)
-    return write_report(ranking, path) if isinstance(ranking, Ranking) else write_whole_page(ranking, files, path)
+        return write_shots_report(ranking, source, path)
+    return write_report(ranking, path) if isinstance(ranking, Ranking) else write_track_report(ranking, source, path)

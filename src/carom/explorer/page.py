@@ -34,7 +34,6 @@ from carom.scene.wall import WallShape, law_name
 from carom.simulation.records import LOG
 from carom.simulation.simulate import simulate
 from carom.simulation.trajectory import Trajectory
-from carom.tracks import Calibration, read_tracks
 from carom.tracks.read import film_of
 from carom.tracks.track import Track
 
@@ -97,8 +96,7 @@ def places_of_shot(shot: FilmedRun) -> PageFilm:
 
 def places_in_film(film: Any, shot: str | None, scene: Scene) -> PageFilm:
     """Return where a film saw the balls of a scene, which begins when its run is nearest to the film."""
-    found = film_of(film, 0, Calibration())
-    tracks = (read_tracks(found) if isinstance(found, Path) else found).tracks
+    tracks = film_of(film, 0).tracks
     shots = list(dict.fromkeys(track.group for track in tracks))
     if len(shots) > 1 and shot is None:
         got = f"{len(shots)}: {shortened_list(shots, 6)}"

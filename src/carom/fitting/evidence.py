@@ -211,11 +211,6 @@ def verdict_words(
     return f"{these} cannot decide between {', '.join(near[:-1])} and {near[-1]}; carom design says which shot to film next"
 
 
-def decisive(fits: bool, odds: float) -> bool:
-    """Return whether the verdict is a decision for a law that fits."""
-    return fits and odds >= DECIDED
-
-
 def odds_in_words(odds: float) -> str:
     """Return odds as N to 1."""
     if odds > 1e6:

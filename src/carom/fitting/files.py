@@ -15,6 +15,7 @@ import numpy as np
 from carom.bodies import inertia_number
 from carom.data.columns import as_rebounds, is_columns
 from carom.data.published import published_at
+from carom.data.rebound_files import read_rebounds
 from carom.data.rebounds import KINDS, STAGES, Rebounds
 from carom.data.where import Where
 from carom.errors import CaromError, Fault, FaultList, noting, suggestion
@@ -22,16 +23,19 @@ from carom.files import as_path, cannot_write, require_library, write_text
 from carom.fitting.laws import ALONG, INDEX, unknown_laws
 from carom.fitting.ranking import Ranking, RankingsBy, fit_by, fit_laws
 from carom.fitting.rows import FORM_PARAMETERS, Setting, require_error_bars, require_settings, spin_of_rows
-from carom.fitting.shots.fit import check_asked, fit_asked
+from carom.fitting.shots.fit import fit_shots
 from carom.fitting.shots.result import ShotsRanking
+from carom.fitting.shots.table import FREE
 from carom.fitting.tracks.ranking import TrackRanking, fit_tracks
 from carom.public.defaults import CUSHIONS
 from carom.public.progress import Progress
 from carom.scene.scene import Scene
+from carom.scene.toml import load_scene
 from carom.simulation.simulate import simulate
 from carom.tracks.contact import Settings
-from carom.tracks.films import MeasuredFilms, are_films, is_track, rebounds_of_files, tracks_of_films
+from carom.tracks.films import MeasuredFilms, are_films, is_track, measure_films, tracks_of_films
 from carom.tracks.formats.tables import Calibration
+from carom.tracks.measurement import measure
 
 TRACK_NUMBERS = ("rolling_resistance", "spin_loss", "wall_left", "wall_right", "wall_bottom", "wall_top")
 """Parameters of whole tracks that a table of rebounds does not have."""
@@ -40,6 +44,9 @@ OF_CONTACTS = (
     "forms", "scatter", "balls", "roll",
 )  # fmt: skip
 OF_FRAMES = ("noise", "cushions")
+OF_SHOTS = (
+    "files", "radius", "laws", "fit", "fix", "bound", "rate", "scale", "where", "seed", "shot", "table", "progress",
+)  # fmt: skip
 OF_FILMS = ("scale", "rate", "view", "balls")
 OF_TABLES = ("contact_height", "floor_friction", "floor_restitution", "roll")
 MEASURING = 0.4  # of the progress, until all contacts are measured
@@ -155,7 +162,7 @@ def fit(
     options = SimpleNamespace(**locals())
     require_library("scipy", "fit")
     if shot:
-        return fit_asked(options, _defaults())
+        return _fit_shot(options)
     if table is not None:
         raise CaromError("`table`: expected `shot` as well, which fits whole shots on a table; omit it")
     ready = _checked(options)
@@ -182,10 +189,8 @@ def check_fit(**options: Any) -> None:
     """Raise CaromError, one line per problem, for arguments of :func:`fit` that it refuses before it reads the data."""
     bound = inspect.signature(fit).bind(**options)
     bound.apply_defaults()
-    if bound.arguments["shot"]:
-        check_asked(SimpleNamespace(**bound.arguments), _defaults())
-    else:
-        _checked(SimpleNamespace(**bound.arguments))
+    asked = SimpleNamespace(**bound.arguments)
+    (_check_shot if asked.shot else _checked)(asked)
 
 
 def _defaults() -> dict[str, Any]:
@@ -259,7 +264,7 @@ def _checked(asked: SimpleNamespace) -> _Request:
             kind, stage = (
                 given if given in known else None for given, known in ((asked.kind, KINDS), (asked.stage, STAGES))
             )
-            faults.attempt(rebounds_of_files, paths, kind=kind, stage=stage)
+            faults.attempt(read_rebounds, paths[0], kind=kind, stage=stage)
         raise CaromError(*faults)
     return _Request(paths, asked.files if memory else None, ours, bool(films), names, setting)
 
@@ -319,14 +324,38 @@ def _rebounds(
         return ready.data.rebounds(stage or "best", balls=balls)
     if ready.data is not None:
         return as_rebounds(ready.data, kind, stage, (ready.setting.radius, ready.setting.kappa))
-    about = Settings(radius=ready.setting.radius, kappa=ready.setting.kappa, view=view)
-    return rebounds_of_files(ready.paths, film, about, kind=kind, stage=stage, balls=balls, progress=progress)
+    radius, kappa = ready.setting.radius, ready.setting.kappa
+    if not ready.films:
+        return read_rebounds(ready.paths[0], kind=kind, stage=stage, ball=(radius, kappa))
+    films = measure_films(ready.paths, film, Settings(radius=radius, kappa=kappa, view=view), progress=progress)
+    return films.rebounds(stage or "best", balls=balls)
 
 
 def _given(asked: SimpleNamespace, names: Sequence[str]) -> list[str]:
     """Return the arguments of :func:`fit` that were given, of some."""
     defaults = _defaults()
     return [name for name in names if getattr(asked, name) not in (defaults[name], "")]
+
+
+def _check_shot(asked: SimpleNamespace) -> None:
+    """Raise CaromError, one line per problem, for arguments without effect on whole shots, and without a radius."""
+    faults = FaultList()
+    for name in _given(asked, [name for name in _defaults() if name not in OF_SHOTS]):
+        faults.add("", "", advice=f"`{name}` has no effect with `shot`, which fits whole shots; omit it")
+    if asked.radius is None and asked.table is None:
+        faults.add("`radius`", "the balls' radius in m", "none", "a carom ball has `radius` 0.03075")
+    faults.raise_if_any()
+
+
+def _fit_shot(asked: SimpleNamespace) -> ShotsRanking:
+    _check_shot(asked)
+    table = load_scene(asked.table) if isinstance(asked.table, str | Path) else asked.table
+    if table is not None and not isinstance(table, Scene):
+        raise CaromError(f"`table`: expected a scene, or its file, got {type(table).__name__}")
+    return fit_shots(
+        asked.files, table, asked.radius, laws=asked.laws or None, free=(*FREE, *asked.fit), fix=asked.fix, bound=asked.bound,
+        rate=asked.rate, scale=asked.scale, where=asked.where, seed=asked.seed or 0, progress=asked.progress,
+    )  # fmt: skip
 
 
 def _require_effect(asked: SimpleNamespace, names: Sequence[str], expected: str, got: str) -> None:
@@ -345,9 +374,10 @@ def _fit_whole(ready: _Request, film: Calibration, where: Where, progress: Progr
             progress(share, 1.0, text)
 
     about = Settings(radius=setting.radius, kappa=setting.kappa, view="above", noise=setting.noise)
-    measured = tracks_of_films(
-        ready.paths, film, about, where=where, progress=lambda done, total, text: tell(MEASURING * done / total, text)
-    )
+    tracks, notes = tracks_of_films(ready.paths, film, where)
+    with noting(notes):
+        measured = measure(tracks, about, lambda done, total: tell(MEASURING * done / max(total, 1), "contacts"))
+    measured = replace(measured, notes=(*notes, *measured.notes))
     with noting(measured.notes):
         said = ready.laws or None
         return fit_tracks(

@@ -21,7 +21,6 @@ from carom.fitting.evidence import (
     Evidence,
     Ranked,
     RankedLaws,
-    decisive,
     odds_in_words,
     verdict_words,
     weigh,
@@ -237,7 +236,8 @@ class Ranking(RankedLaws[Fit]):
     @property
     def decisive(self) -> bool:
         """Whether the data decide for a law that fits, whatever the outliers, and not only for a small range of contacts."""
-        return decisive(self.fits, self.odds) and not (self.swayed or self.coverage.narrow or self.held_back)
+        held_back = self.swayed or self.coverage.narrow or self.held_back
+        return self.fits and self.odds >= DECIDED and not held_back
 
     def predict(self, before: Any) -> Prediction:
         """Return the predictions of the best law (:meth:`carom.fitting.Fit.predict`), with the chosen functions, if any."""

@@ -17,7 +17,16 @@ from numpy.typing import NDArray
 
 from carom.core.jit.dual.dual_records import float_count, float_places
 from carom.core.jit.dual.numbers import LANES
-from carom.fitting.evidence import DECIDED, LEANS, Evidence, OneFit, Ranked, RankedLaws
+from carom.fitting.evidence import (
+    DECIDED,
+    LEANS,
+    Evidence,
+    OneFit,
+    Ranked,
+    RankedLaws,
+    odds_in_words,
+    verdict_words,
+)
 from carom.fitting.spin_chains import Minimum, minimize
 from carom.formatting import format_length
 from carom.scene.scene import Scene
@@ -333,15 +342,15 @@ SURE, HINT = 0.01, 0.1
 class NearerShots(NamedTuple):
     """A law against another, shot by shot."""
 
-    closer: tuple[int, int]
-    """Shots in which it is nearer, and shots in all."""
+    closer: tuple[int, int] | None
+    """Shots in which it is nearer, and shots in all; None without a rival."""
     chance: float
     """Probability of such a difference between equally good laws."""
 
     @property
     def support(self) -> float:
         """Weight of this difference on the scale of odds."""
-        if self.chance > HINT or self.closer[0] <= self.closer[1] / 2:
+        if self.closer is None or self.chance > HINT or self.closer[0] <= self.closer[1] / 2:
             return 0.0
         return LEANS if self.chance > SURE else DECIDED
 
@@ -367,33 +376,32 @@ class RankedByShots(RankedLaws[OneFit]):
     """Whether the verdict is a decision."""
 
 
-class ComparedByShots(NamedTuple):
-    """Laws compared by shots."""
-
-    fields: dict[str, Any]
-    """Of :class:`RankedByShots`: ranked, against, closer, chance."""
-    support: float
-    """For the best law, on the scale of odds."""
-    reason: str
-    """In words; empty without a rival."""
-
-
 def compared_by_shots(
-    fits: Sequence[OneFit], evidence: Evidence, distances: Callable[[OneFit], Array]
-) -> ComparedByShots:
-    """Compare the best of fits with its rival; ``distances``: of a fit to each shot (N,), m."""
-    rival = evidence.rival
-    fields: dict[str, Any] = {
-        "ranked": tuple(map(Ranked, fits, evidence.weights.tolist())), "against": "", "closer": None, "chance": math.nan
+    fits: Sequence[OneFit], evidence: Evidence, distances: Callable[[OneFit], Array], subject: str, *, by_odds: bool = False,
+    before: str = "", more: str = "", alone: str = "",
+) -> dict[str, Any]:  # fmt: skip
+    """Return the fields of :class:`RankedByShots` but for the notes: all laws, and the verdict on the best and its rival.
+
+    ``distances``: of a fit to each shot (N,), m; ``subject``: the tracks, the shots; ``by_odds``: whether the best law follows the
+    frames, so that odds count; else shots do, ``before`` says so, and ``more`` is appended; ``alone``: a reason without a rival.
+    """
+    rival, best = evidence.rival, fits[0]
+    found, support, odds, reason = NearerShots(None, math.nan), evidence.odds, math.nan, alone
+    if rival is not None:
+        near, far = distances(best), distances(rival)
+        found, medians = nearer_shots(near, far), [format_length(float(np.median(one))) for one in (near, far)]
+        nearer = f"nearer than {rival.law.name} in {found.closer[0]} of {found.closer[1]} shots" if found.closer else ""
+        support, reason = found.support, f"{nearer} (median {' against '.join(medians)})"
+        if by_odds:
+            support = odds = evidence.odds
+            reason = f"{odds_in_words(odds)} over {rival.law.name}"
+    said = verdict_words(best.law.called, evidence, subject, support, reason)
+    if before and support < LEANS:
+        said += f"; {best.law.name} is {reason}"
+    return found._asdict() | {
+        "ranked": tuple(map(Ranked, fits, evidence.weights.tolist())), "against": rival.law.name if rival else "", "odds": odds,
+        "verdict": f"{before}{said[0].upper()}{said[1:]}{more}.", "decisive": rival is not None and support >= DECIDED,
     }  # fmt: skip
-    if rival is None:
-        return ComparedByShots(fields, evidence.odds, "")
-    near, far = distances(fits[0]), distances(rival)
-    found, medians = nearer_shots(near, far), [format_length(float(np.median(one))) for one in (near, far)]
-    reason = f"nearer than {rival.law.name} in {found.closer[0]} of {found.closer[1]} shots"
-    return ComparedByShots(
-        fields | found._asdict() | {"against": rival.law.name}, found.support, f"{reason} (median {' against '.join(medians)})"
-    )  # fmt: skip
 
 
 def covariance_by_shot(information: Array, scores: Array, by_shot: Array) -> Array:

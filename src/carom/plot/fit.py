@@ -303,12 +303,22 @@ def _laws(ranking: Ranking) -> str:
     return table_of_laws(ranking, ("ΔBIC", "weight", "chi² / dof", "CV log score"), cells)
 
 
-def write_page(path: str | Path, about: str, decisive: bool, body: Sequence[str]) -> Path:
-    """Write the HTML page of a fit atomically; its parts are HTML, and what it is about is text."""
+def write_page(
+    ranking: Ranking | TrackRanking | ShotsRanking, path: str | Path, source: str, title: str, parts: Sequence[str],
+    footer: str = "", films: Sequence[TrackedFilm] = (),
+) -> Path:  # fmt: skip
+    """Write the HTML page of a fit atomically: title, verdict, parts (HTML), unconstrained parameters, notes, sheets of films."""
+    from carom import __version__
     from carom.files import write_text
 
-    colour = "#009E73" if decisive else "#E69F00"
-    write_text(Path(path), PAGE.format(title=f"carom fit: {html.escape(about)}", colour=colour, body="\n".join(body)))
+    about = html.escape(Path(source).name)
+    body = [
+        f"<h1>{title.format(about)}</h1>", f'<p class="verdict">{html.escape(ranking.verdict)}</p>', *parts,
+        listed("Unconstrained parameters", ranking.degenerate), listed("Notes", list(ranking.notes)), *film_parts(films),
+        f"<footer>carom {__version__}. {footer or ranking.aicc_note}</footer>",
+    ]  # fmt: skip
+    colour = "#009E73" if ranking.decisive else "#E69F00"
+    write_text(Path(path), PAGE.format(title=f"carom fit: {about}", colour=colour, body="\n".join(body)))
     return Path(path)
 
 
@@ -335,26 +345,22 @@ def film_parts(films: Sequence[TrackedFilm]) -> list[str]:
 
 def write_report(ranking: Ranking, path: str | Path, films: Sequence[TrackedFilm] = ()) -> Path:
     """Write the HTML report atomically: verdict, figures, table, unconstrained parameters, outliers, sheets of the films."""
-    from carom import __version__
-
     setting, best = ranking.best.problem.setting, ranking.best
-    source = Path(best.problem.rebounds.source).name
-    body = [
-        f"<h1>Which law is right for {html.escape(source)}?</h1>",
-        f'<p class="verdict">{html.escape(ranking.verdict)}</p>',
+    parts = [
         f"<p>{len(best.problem.x)} rebounds ({best.law.kind}), {best.problem.count} measurements after the wall. Ball of"
         f" radius {setting.radius * 1e3:.4g} mm, moment of inertia {setting.kappa:.4g} m a²{_table(best)}.</p>",
         svg(plot_fit(ranking)), "<h2>The laws, best first</h2>", _laws(ranking),
         "<h2>Measured and predicted, law by law</h2>", svg(plot_laws(ranking)), "<h2>Residuals</h2>", svg(plot_residuals(ranking)),
-        listed("Unconstrained parameters", ranking.degenerate),
         listed("Outliers under the best law", [f"{o.row}: chi² {o.chi2:.1f}; {o.why}" for o in ranking.outliers]),
-        listed("Notes", list(ranking.notes)), *film_parts(films),
-        f"<footer>carom {__version__}. ΔAICc: how much higher the law's AICc"
+    ]  # fmt: skip
+    footer = (
+        f"ΔAICc: how much higher the law's AICc"
         f" ({'Hurvich and Tsai' if best.scatter else 'chi² + 2 k, error bars given'}) is than the lowest, {best.aicc:.1f}; ΔBIC:"
         f" the same of BIC, {min(one.fit.bic for one in ranking.ranked):.1f}. Lower is better; weight and CV log score"
-        " (cross-validation, per row left out): higher is better.</footer>",
-    ]  # fmt: skip
-    return write_page(path, source, ranking.decisive, body)
+        " (cross-validation, per row left out): higher is better."
+    )
+    source = best.problem.rebounds.source
+    return write_page(ranking, path, source, "Which law is right for {}?", parts, footer, films)
 
 
 def plot_design(plan: Plan) -> Figure:
@@ -544,21 +550,13 @@ def _laws_of_tracks(ranking: TrackRanking) -> str:
 
 def write_track_report(ranking: TrackRanking, source: str, path: str | Path) -> Path:
     """Write the HTML report atomically: verdict, figure, table, unconstrained parameters."""
-    from carom import __version__
-
-    best, name = ranking.best, Path(source).name
-    tracks = best.frames.segments
+    best, tracks = ranking.best, ranking.best.frames.segments
     contacts = sum(len(one.contacts) for one in tracks)
     ball = f"{1e3 * best.model.setting.radius:.4g} mm, moment of inertia {best.model.setting.kappa:.4g} m a²"
-    body = [
-        f"<h1>Which law follows {html.escape(name)}?</h1>",
-        f'<p class="verdict">{html.escape(ranking.verdict)}</p>',
+    parts = [
         f"<p>{len(tracks)} track segments, {contacts} contacts, {int(best.frames.count.sum()):,} frames; each segment is simulated"
         f" from its own start. Ball of radius {ball}.</p>",
         svg(plot_tracks(ranking)), "<h2>The laws, best first</h2>", _laws_of_tracks(ranking),
-        listed("Unconstrained parameters", ranking.degenerate),
-        listed("Notes", list(ranking.notes)),
-        f"<footer>carom {__version__}. {ranking.aicc_note} wall_left, ...: position at which"
-        " the ball's centre is reflected, m.</footer>",
     ]  # fmt: skip
-    return write_page(path, name, ranking.decisive, body)
+    footer = f"{ranking.aicc_note} wall_left, ...: position at which the ball's centre is reflected, m."
+    return write_page(ranking, path, source, "Which law follows {}?", parts, footer)

@@ -12,7 +12,7 @@ import numpy as np
 
 from carom.fitting.result import with_error_bar
 from carom.formatting import called_ball
-from carom.plot.fit import BALLS, SHOWN, listed, svg, table_of_laws, write_page
+from carom.plot.fit import BALLS, SHOWN, svg, table_of_laws, write_page
 from carom.plot.style import GREY, INK, literal, new_figure, style
 
 if TYPE_CHECKING:
@@ -290,17 +290,11 @@ def _legend_of_marks() -> str:
 
 def write_shots_report(ranking: ShotsRanking, source: str, path: str | Path) -> Path:
     """Write the HTML report atomically: verdict, sentences, all shots, each shot, the laws."""
-    from carom import __version__
-
-    best, name = ranking.best, Path(source).name
-    order = sorted(best.shots, key=lambda one: -one.rms)
-    body = [
-        f"<h1>Whole shots: {html.escape(name)}</h1>", f'<p class="verdict">{html.escape(ranking.verdict)}</p>',
+    best = ranking.best
+    parts = [
         *(f"<p>{html.escape(line)}</p>" for line in best.describe()), *_all_shots(best),
         "<h2>The laws, best first</h2>", _laws(ranking), "<h2>The table</h2>", _numbers(ranking),
         "<h2>The shots, the farthest from the film first</h2>",
-        _legend_of_marks(), *map(_shot, order),
-        listed("Unconstrained parameters", ranking.degenerate), listed("Notes", list(ranking.notes)),
-        f"<footer>carom {__version__}. {ranking.aicc_note}</footer>",
+        _legend_of_marks(), *map(_shot, sorted(best.shots, key=lambda one: -one.rms)),
     ]  # fmt: skip
-    return write_page(path, name, ranking.decisive, body)
+    return write_page(ranking, path, source, "Whole shots: {}", parts)

@@ -29,9 +29,9 @@ from carom.tracks.least_squares import (
     ContactFit,
     FittedFrames,
     Prior,
-    contact_fit,
     nearest_frames,
-    solve,
+    propagated,
+    solve_free,
     starting_values,
     unresolved_time,
 )
@@ -453,18 +453,11 @@ class _TableContact:
 
     def solve(self, start: Array, free: Free) -> tuple[Array, float]:
         """Minimise over the free parameters from a start: the parameters, and the sum of squares."""
-
-        def filled_in(part: Array) -> Array:
-            filled = start.copy()
-            filled[free] = part
-            return filled
-
-        found, cost = solve(
-            lambda part: self.residual(filled_in(part)), lambda part: self.slope(filled_in(part))[:, free],
-            start[free], self.scale[free], (self.low[free], self.high[free]),
-            1e-4 if not free[MU_G] else 1e-9,  # a first approximation need not be exact
+        # (a first approximation need not be exact)
+        return solve_free(
+            self.residual, lambda theta, columns: self.slope(theta)[:, columns], start, free, self.scale, (self.low, self.high),
+            1e-4 if not free[MU_G] else 1e-9,
         )  # fmt: skip
-        return filled_in(found), cost
 
     def rolling(self, old: ContactFit | None) -> tuple[Array, _Candidate]:
         """Fit a ball that rolls before the contact: the parameters with the floor as known, and the fit with the floor free.
@@ -631,22 +624,19 @@ def friction_excess(
 def _fitted(job: _TableContact, chosen: _Candidate) -> ContactFit:
     """Return a minimum with its covariances."""
     best, k, since, noise, time = chosen.theta, job.k, job.since, job.noise, job.time
-    fitted = contact_fit(
-        best, chosen.free, job.residual, job.slope(best), lambda theta: _table_outputs(theta, since, k),
-        partial(contact_path, best, since, k=k), scale=job.scale, time=time, noise=noise,
-        slid_before=bool(chosen.free[ANGLE]), slid_until_contact=chosen.slid_until_contact,
-    )  # fmt: skip
+    slopes = job.slope(best)
     rows = nearest_frames(job.single[0], best[TIME])
     t, x = job.single[0][rows], job.single[1][rows]
-    slope, known = contact_slopes(best, since, t, k), job.slope(best)[2 * len(time) :]
-    fitted = replace(
-        fitted,
-        theta=best,
-        residuals=(job.position - contact_path(best, since, time, k)) * job.weight.reshape(-1, 2),
-        fitted=FittedFrames(
-            t, x - contact_path(best, since, t, k), slope[:, :, chosen.free], known[:, chosen.free], noise
+    slope, known = contact_slopes(best, since, t, k)[:, :, chosen.free], slopes[2 * len(time) :, chosen.free]
+    fitted = ContactFit(
+        **propagated(
+            best, chosen.free, job.residual, slopes, lambda theta: _table_outputs(theta, since, k), job.scale, 2 * len(time)
         ),
-    )
+        noise=noise, time=time, slid_before=bool(chosen.free[ANGLE]), slid_until_contact=chosen.slid_until_contact, theta=best,
+        position=partial(contact_path, best, since, k=k),
+        residuals=(job.position - contact_path(best, since, time, k)) * job.weight.reshape(-1, 2),
+        fitted=FittedFrames(t, x - contact_path(best, since, t, k), slope, known, noise),
+    )  # fmt: skip
     if chosen.slid_until_contact:
         # it may have begun to roll so shortly before the wall that no frame shows it
         late = best[MU_G] * unresolved_time(best[MU_G], noise, time)

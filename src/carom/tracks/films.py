@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.bodies import inertia_number
-from carom.data.rebound_files import read_rebounds
-from carom.data.rebounds import Kind, Rebounds, make_rebounds
+from carom.data.rebounds import Rebounds, make_rebounds
 from carom.data.where import Where, rows_where
 from carom.errors import CaromError, FaultList, collected, noting, shortened_list
 from carom.files import open_regular, text_encoding
@@ -33,7 +32,6 @@ from carom.tracks.read import (
     format_of,
     got_instead,
     is_table_of_rebounds,
-    read_tracks,
     require_text,
     track_text,
 )
@@ -219,32 +217,36 @@ class MeasuredFilms:
         return tables
 
     def rebounds(self, stage: Stage = "best", *, sliding: bool = False, balls: bool = False) -> Rebounds:
-        """Return the rebounds of all films as one table, as :func:`carom.tracks.to_rebounds` does; of several, with a column film.
+        """Return the rebounds of all films as one table, as :func:`carom.tracks.to_rebounds` does, with the notes of all steps; of
+        several films, with a column film.
 
         With ``balls`` those of balls off each other, as :func:`carom.tracks.pair_rebounds` does. Raises CaromError, with a line per
         film, if none has a contact that can be measured.
         """
-        tables = self.tables(stage, sliding=sliding, balls=balls)
-        return combined_rebounds(tables) if len(self.files) > 1 else next(iter(tables.values()))
+        notes, count = self.notes, len(self.files)
+        with noting(notes):
+            tables = self.tables(stage, sliding=sliding, balls=balls)
+            rebounds = combined_rebounds(tables) if count > 1 else next(iter(tables.values()))
+        notes.append(f"{counted(len(rebounds), 'rebound')} measured (carom tracks shows them)")
+        if count > len(tables):
+            notes.append(f"{count - len(tables)} of {count} films have no contact that can be measured")
+        source = rebounds.source if count > 1 else str(self.files[0].path)
+        return replace(rebounds, source=source, notes=(*notes, *rebounds.notes))
 
 
-def read_films(
-    paths: Sequence[Path | TrackFile],
-    calibration: Calibration | None = None,
-    format: str | None = None,  # noqa: A002
-) -> tuple[TrackFile, ...]:
-    """Return the tracks in each file, and those that were read before. Raises CaromError with the faults of all of them."""
-    faults = FaultList()
-    found: list[TrackFile] = []
-    for path in paths:
+def read_films(files: Any, calibration: Calibration | None = None, format: str | None = None) -> tuple[TrackFile, ...]:  # noqa: A002
+    """Return the tracks in films as :func:`measure_tracks` takes them. Raises CaromError with the faults of all of them."""
+    several = isinstance(files, list | tuple) and not all(isinstance(one, Track) for one in files)
+    faults, found = FaultList(), list[TrackFile]()
+    for number, one in enumerate(files if several else [files], 1):
         with collected(faults):
-            found.append(path if isinstance(path, TrackFile) else read_tracks(path, format, calibration))
+            found.append(film_of(one, number, calibration, format))
     faults.raise_if_any()
     return tuple(found)
 
 
 def measure_films(
-    paths: Sequence[Path | TrackFile],
+    files: Any,
     calibration: Calibration | None = None,
     settings: Settings | None = None,
     *,
@@ -256,8 +258,8 @@ def measure_films(
 
     Parameters
     ----------
-    paths : sequence of paths, or of TrackFile
-        One or more track files, read before or not.
+    files
+        As for :func:`measure_tracks`; also those that were read before.
     calibration : Calibration, optional
         Scale and frame rate of all of them, if the files lack these.
     settings : Settings, optional
@@ -279,7 +281,7 @@ def measure_films(
         With the faults of all files; for settings as :func:`carom.tracks.measure`, with the notes of reading.
     """
     settings = settings or Settings()
-    found = read_films(paths, replace(calibration or Calibration(), view=settings.view), format)
+    found = read_films(files, replace(calibration or Calibration(), view=settings.view), format)
     walls = [tuple(wall_of_text(text, film.tracks) for text in wall) or settings.walls for film in found]
     known = [replace(settings, walls=lines) for lines in walls]
 
@@ -372,11 +374,8 @@ def measure_tracks(
         radius=radius, kappa=kappa, view=view, noise=noise, floor_friction=floor_friction,  # type: ignore[arg-type]
         rolling_resistance=rolling_resistance, gravity=gravity, window=window, blind=blind, hard=hard, drag=drag,
     )  # fmt: skip
-    several = isinstance(files, list | tuple) and not all(isinstance(one, Track) for one in files)
-    calibration = replace(film_calibration(scale, rate, down, radius=radius, gravity=gravity, film=film), view=view)
-    each: Any = files if several else [files]
-    films = [film_of(one, number + 1, calibration) for number, one in enumerate(each)]
-    return measure_films(films, calibration, settings, format=format, wall=wall, progress=progress)
+    calibration = film_calibration(scale, rate, down, radius=radius, gravity=gravity, film=film)
+    return measure_films(files, calibration, settings, format=format, wall=wall, progress=progress)
 
 
 def film_calibration(
@@ -390,153 +389,25 @@ def film_calibration(
     return Calibration(None if isinstance(scale, str) else scale, rate, down, film=more)
 
 
-def rebounds_of_films(
-    paths: Sequence[Path],
-    calibration: Calibration | None = None,
-    settings: Settings | None = None,
-    *,
-    format: str | None = None,  # noqa: A002
-    wall: Sequence[str] = (),
-    stage: Stage = "best",
-    sliding: bool = False,
-    balls: bool = False,
-    progress: Progress | None = None,
-) -> Rebounds:
-    """Read films, measure their contacts, and return one table of rebounds, with the notes of all these steps.
-
-    Parameters
-    ----------
-    paths, calibration, settings, format, wall, progress
-        As for :func:`measure_films`.
-    stage, sliding
-        As for :func:`carom.tracks.to_rebounds`.
-    balls : bool
-        Whether balls off each other are measured, in place of balls off walls.
-
-    Returns
-    -------
-    Rebounds
-        Of several films, the column ``film`` has their names.
-
-    Raises
-    ------
-    CaromError
-        As :func:`measure_films`, and if no film has a contact that can be measured.
-
-    Examples
-    --------
-    >>> import pathlib, tempfile
-    >>> import numpy as np
-    >>> from carom.tracks import Settings
-    >>> t = np.arange(40) / 200
-    >>> y = np.where(t < 0.1, 2 * (0.1 - t), 1.6 * (t - 0.1)) - 9.81 / 2 * (t - 0.1) ** 2
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     path = pathlib.Path(folder) / "throw.csv"
-    ...     np.savetxt(path, np.stack([t, 0.5 * t, y], axis=-1), delimiter=",", header="t [s],x [m],y [m]", comments="")
-    ...     table = rebounds_of_films([path], settings=Settings(view="side", noise=1e-4))
-    >>> len(table), table["v_n_in"].round(2)
-    (1, array([2.]))
-    """
-    films = measure_films(paths, calibration, settings, format=format, wall=wall, progress=progress)
-    notes = films.notes
-    with noting(notes):
-        tables = films.tables(stage, sliding=sliding, balls=balls)
-        rebounds = combined_rebounds(tables) if len(paths) > 1 else next(iter(tables.values()))
-    notes.append(f"{counted(len(rebounds), 'rebound')} measured (carom tracks shows them)")
-    if len(paths) > len(tables):
-        notes.append(f"{len(paths) - len(tables)} of {len(paths)} films have no contact that can be measured")
-    source = str(paths[0]) if len(paths) == 1 else rebounds.source
-    return replace(rebounds, source=source, notes=(*notes, *rebounds.notes))
-
-
 def tracks_of_films(
-    paths: Sequence[Path],
-    calibration: Calibration | None = None,
-    settings: Settings | None = None,
-    *,
-    where: Where = (),
-    progress: Progress | None = None,
-) -> Measured:
-    """Read films of one table and measure them as one, for fits of whole tracks: of several films, each is a shot.
+    files: Any, calibration: Calibration | None = None, where: Where = ()
+) -> tuple[list[Track], list[str]]:
+    """Return the tracks in films of one table, as :func:`measure_tracks` takes them, and notes of reading, for fits of whole tracks
+    and shots: each film is a shot, or has several.
 
-    Parameters
-    ----------
-    paths, calibration, settings, progress
-        As for :func:`measure_films`.
-    where : str, sequence of str or mapping
-        The tracks that enter, ``"shot=NAME"`` or ``"ball=NAME"``.
-
-    Returns
-    -------
-    Measured
-        With the notes of reading.
-
-    Raises
-    ------
-    CaromError
-        As :func:`measure_films`, and where no track has the given names.
+    ``where``: the tracks that enter, ``"shot=NAME"`` or ``"ball=NAME"``. Raises CaromError where no track has such a name.
     """
-    films = MeasuredFilms(read_films(paths, calibration), ())
-    with noting(films.reading_notes):
-        kept, notes = chosen_tracks(films, where)
-        measured = measure(
-            kept, settings, lambda done, total: progress(done, max(total, 1), "contacts") if progress else None
-        )
-    return replace(measured, notes=(*notes, *measured.notes))
-
-
-def chosen_tracks(films: MeasuredFilms, where: Where) -> tuple[list[Track], list[str]]:
-    """Return the tracks that enter, where each film is a shot or has several, and the notes of reading that concern them."""
-    tracks, said = [], []
+    films, tracks, said = MeasuredFilms(read_films(files, calibration), ()), list[Track](), list[str]()
     for name, film in zip(films.names, films.files, strict=True):
         for track in film.tracks:
             tracks.append(replace(track, group=f"{name} {track.group}".strip()))
             said.append(": ".join(filter(None, (name, f"{track.group} {track.name}".strip()))) + ": ")
     names = {"shot": [one.group for one in tracks], "ball": [one.name for one in tracks]}
-    chosen = rows_where(names, where, len(tracks), "the name of a shot or ball").tolist()
+    with noting(films.reading_notes):
+        chosen = rows_where(names, where, len(tracks), "the name of a shot or ball").tolist()
     left_out = tuple(start for start, keep in zip(said, chosen, strict=True) if not keep)
     notes = [note for note in films.reading_notes if not note.startswith(left_out)]
     return [track for track, keep in zip(tracks, chosen, strict=True) if keep], notes
-
-
-def rebounds_of_files(
-    paths: Sequence[Path],
-    calibration: Calibration | None = None,
-    settings: Settings | None = None,
-    *,
-    kind: Kind | None = None,
-    stage: Stage | None = None,
-    balls: bool = False,
-    progress: Progress | None = None,
-) -> Rebounds:
-    """Return the rebounds of a table, or of one or more films, which are measured.
-
-    Parameters
-    ----------
-    paths : sequence of paths
-        One table of rebounds (CSV, Parquet), or track files.
-    calibration, settings, progress
-        Of films, as for :func:`measure_films`.
-    kind : "planar" or "table", optional
-        Of a table, as for :func:`carom.data.read_rebounds`.
-    stage : "after_wall" or "rolling", optional
-        Of all rows of a table without that column; of films, the stage of the rebounds.
-    balls : bool
-        Of films, as for :func:`rebounds_of_films`.
-
-    Returns
-    -------
-    Rebounds
-
-    Raises
-    ------
-    CaromError
-        With all problems of the files.
-    """
-    if are_films(paths):
-        return rebounds_of_films(paths, calibration, settings, stage=stage or "best", balls=balls, progress=progress)
-    ball = None if settings is None or settings.radius is None else (settings.radius, settings.kappa)
-    return read_rebounds(paths[0], kind=kind, stage=stage, ball=ball)
 
 
 def are_films(paths: Sequence[Path]) -> bool:
@@ -579,20 +450,3 @@ def is_track(path: Path) -> bool:
             f" {HEADER_EXAMPLE!r} (carom tracks show)"
         )
     return True
-
-
-# ----------------------------------------------------------------------------------------------------
-# The tracks in films of one table, without a measurement of their contacts: for fits of whole shots.
-
-
-def films_of(
-    files: Any, *, scale: float | None = None, rate: float | None = None, where: Where = ()
-) -> tuple[list[Track], list[str]]:
-    """Return the tracks in films of one table, as :func:`measure_tracks` takes them, and notes of reading: each film is a shot."""
-    calibration = Calibration(scale, rate)
-    several = isinstance(files, list | tuple) and not all(isinstance(one, Track) for one in files)
-    each: Any = files if several else [files]
-    found = read_films([film_of(one, number + 1, calibration) for number, one in enumerate(each)], calibration)
-    films = MeasuredFilms(found, ())
-    with noting(films.reading_notes):
-        return chosen_tracks(films, where)

@@ -26,8 +26,8 @@ from carom.tracks.least_squares import (
     ContactFit,
     FittedFrames,
     central_differences,
-    contact_fit,
     nearest_frames,
+    propagated,
     solve,
     starting_values,
 )
@@ -729,10 +729,7 @@ def fit_flight(
         theta = np.concatenate([starting_values(time, position - fall, time < near, time >= near, near), gravity])
         best, _chi2 = solve(residual, slope, theta, scale)
     rates = slope(best)
-    fit = contact_fit(
-        best, np.ones(len(theta), bool), residual, rates, _outputs, partial(_position, best, drag=used),
-        scale=scale, time=time, noise=noise,
-    )  # fmt: skip
+    found = propagated(best, np.ones(len(theta), bool), residual, rates, _outputs, scale, 2 * len(time))
     rows = nearest_frames(time, best[TIME])
     t = time[rows]
     slopes = central_differences(lambda one: _position(one, t, used).ravel(), best, 1e-4 * scale)
@@ -740,19 +737,21 @@ def fit_flight(
     slopes = slopes.reshape(-1, 2, len(best))[:, measured]
     gaps = position - _position(best, time, used)
     fitted = FittedFrames(t, gaps[rows][:, measured], slopes, rates[2 * len(time) :], noise)
-    dof = fit.dof - (~measured).sum() * (len(time) - (PLACE.stop - PLACE.start) - 1)
-    fit = replace(fit, residuals=gaps, fitted=fitted, dof=float(dof))
+    found["dof"] -= float((~measured).sum() * (len(time) - (PLACE.stop - PLACE.start) - 1))
     # velocities in the frame of a wall that is turned counter-clockwise, per radian
     turn = np.nan_to_num(_outputs(np.concatenate([np.zeros(3), *(_turned(best[of]) for of in (V_IN, V_OUT, PULL))])))
     shifts = {"roll": turn * air.tilt_error} if air.tilt_error else {}
-    value = fit.value + turn * air.tilt
+    found["value"] = found["value"] + turn * air.tilt
     if air.drag_error:
         change = (residual(best, used + DRAG_STEP) - residual(best, used - DRAG_STEP)) / (2 * DRAG_STEP)
         by_drag = np.nan_to_num(_outputs(best - np.linalg.lstsq(rates, change, rcond=None)[0]) - _outputs(best))
-        value = value + by_drag * (air.drag - used)
+        found["value"] = found["value"] + by_drag * (air.drag - used)
         shifts["drag"] = (by_drag + turn * air.tilt_by_drag) * air.drag_error
-    covariance = fit.covariance + sum(np.outer(shift, shift) for shift in shifts.values())
-    return replace(fit, value=value, covariance=covariance, shifts=shifts)
+    found["covariance"] = found["covariance"] + sum(np.outer(shift, shift) for shift in shifts.values())
+    return ContactFit(
+        **found, noise=noise, time=time, residuals=gaps, fitted=fitted, shifts=shifts, slid_before=False,
+        position=partial(_position, best, drag=used),
+    )  # fmt: skip
 
 
 def _turned(v: Array) -> Array:

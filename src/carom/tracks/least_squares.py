@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -308,8 +308,29 @@ class Prior:
     c_g_between: float | None = None
 
 
+class NamedValues:
+    """Fitted values with their covariances, each by its name."""
+
+    NAMES: ClassVar[tuple[str, ...]]
+    value: Array
+    covariance: Array
+
+    def __getitem__(self, name: str) -> float:
+        """Return a value by its name."""
+        return float(self.value[self.NAMES.index(name)])
+
+    def error(self, name: str) -> float:
+        """Return the standard deviation of a value."""
+        i = self.NAMES.index(name)
+        return float(np.sqrt(max(self.covariance[i, i], 0.0)))
+
+    def covariance_of(self, name: str, other: str) -> float:
+        """Return the covariance of two values."""
+        return float(self.covariance[self.NAMES.index(name), self.NAMES.index(other)])
+
+
 @dataclass(frozen=True, eq=False)
-class ContactFit:
+class ContactFit(NamedValues):
     """A fitted contact: values, covariances and residuals.
 
     ``fit["vn_in"]`` is a value by its name in OUTPUTS: ``t`` (s); the place ``away`` from the wall's line and ``along`` it (m);
@@ -332,6 +353,7 @@ class ContactFit:
     True
     """
 
+    NAMES = OUTPUTS
     value: Array
     """(17,): the quantities of OUTPUTS."""
     covariance: Array
@@ -364,19 +386,6 @@ class ContactFit:
     shifts: Mapping[str, Array] = field(default_factory=dict)
     """By how much the values (17,) change with one standard deviation more of a quantity that all contacts of a film share: the
     air's ``drag``, the camera's ``roll``. Part of the covariance."""
-
-    def __getitem__(self, name: str) -> float:
-        """Return a value by its name in OUTPUTS."""
-        return float(self.value[OUTPUTS.index(name)])
-
-    def error(self, name: str) -> float:
-        """Return the standard deviation of a value."""
-        i = OUTPUTS.index(name)
-        return float(np.sqrt(max(self.covariance[i, i], 0.0)))
-
-    def covariance_of(self, name: str, other: str) -> float:
-        """Return the covariance of two values."""
-        return float(self.covariance[OUTPUTS.index(name), OUTPUTS.index(other)])
 
     @property
     def restitution(self) -> tuple[float, float]:
@@ -416,10 +425,11 @@ def unresolved_time(mu_g: float, noise: float, time: Array) -> float:
     return float(np.sqrt(5 * noise / mu_g) + np.median(np.diff(time)))
 
 
-def central_differences(f: Model, theta: Array, step: Array) -> Array:
-    """Return the derivatives (rows, parameters) of a function by central differences."""
+def central_differences(f: Model, theta: Array, step: Array, which: NDArray[np.bool_] | None = None) -> Array:
+    """Return the derivatives (rows, parameters) of a function by central differences; by ``which`` parameters, default: all."""
     columns = []
-    for j, h in enumerate(step):
+    for j in range(len(step)) if which is None else np.flatnonzero(which):
+        h = step[j]
         up, down = theta.copy(), theta.copy()
         up[j] += h
         down[j] -= h
@@ -457,32 +467,44 @@ def solve(
     return found.x, float(2 * found.cost)
 
 
-def contact_fit(
-    best: Array, free: NDArray[np.bool_], residual: Model, slope: Array, outputs: Model, position: Model, *,
-    scale: Array, time: Array, noise: float, slid_before: bool = False, slid_until_contact: bool = False,
-) -> ContactFit:  # fmt: skip
-    """Propagate the errors of the fitted parameters to OUTPUTS, by derivatives at the solution.
+def solve_free(
+    residual: Model, slope: Callable[[Array, NDArray[np.bool_]], Array], start: Array, free: NDArray[np.bool_], scale: Array,
+    bounds: tuple[Array, Array], tolerance: float,
+) -> tuple[Array, float]:  # fmt: skip
+    """Minimise over the free parameters from a start (p,): all parameters, and the minimum. ``slope`` has those columns alone."""
 
-    Parameters
-    ----------
-    best, free : the parameters at the minimum (p,), and which of them were fitted
-    residual, slope : the residuals, frames first, as a function; their derivatives (rows, p) at the minimum
-    outputs, position : parameters to OUTPUTS (17,); times (m,) to fitted positions (m, 2)
-    scale : (p,) typical sizes of the parameters
+    def filled(part: Array) -> Array:
+        theta = start.copy()
+        theta[free] = part
+        return theta
+
+    found, cost = solve(
+        lambda part: residual(filled(part)), lambda part: slope(filled(part), free), start[free], scale[free],
+        (bounds[0][free], bounds[1][free]), tolerance,
+    )  # fmt: skip
+    return filled(found), cost
+
+
+def propagated(
+    best: Array, free: NDArray[np.bool_], residual: Model, slope: Array, outputs: Model, scale: Array, rows: int
+) -> dict[str, Any]:
+    """Propagate the errors of the fitted parameters (p,) to the outputs, by derivatives at the solution.
+
+    ``free``: which were fitted; ``slope``: derivatives of the residuals (rows and prior knowledge, p); ``scale``: typical sizes of
+    the parameters. Return value, covariance, chi2, dof, and the outputs' derivatives, rate.
     """
-    step = 1e-4 * scale
     slope = slope[:, free]
     inverse = np.linalg.pinv(slope.T @ slope, rcond=1e-14, hermitian=True)
-    n = 2 * len(time)
-    spent = float(np.einsum("ij,jk,ik->", slope[:n], inverse, slope[:n]))
-    rate = central_differences(outputs, best, step)[:, free]
-    r = residual(best)
-    gap = r[:n].reshape(-1, 2) * noise
-    chi2 = float(r[:n] @ r[:n])
-    return ContactFit(
-        value=outputs(best), covariance=rate @ inverse @ rate.T, noise=noise, chi2=chi2, dof=n - spent, residuals=gap,
-        time=time, slid_before=slid_before, position=position, slid_until_contact=slid_until_contact, rate=rate,
-    )  # fmt: skip
+    spent = float(np.einsum("ij,jk,ik->", slope[:rows], inverse, slope[:rows]))
+    rate = central_differences(outputs, best, 1e-4 * scale)[:, free]
+    r = residual(best)[:rows]
+    return {
+        "value": outputs(best),
+        "covariance": rate @ inverse @ rate.T,
+        "chi2": float(r @ r),
+        "dof": rows - spent,
+        "rate": rate,
+    }
 
 
 def starting_values(

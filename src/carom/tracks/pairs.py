@@ -27,7 +27,17 @@ from carom.tracks.contact_fits import MIN_FRAMES_AFTER, MIN_FRAMES_BEFORE
 from carom.tracks.contact_models import hop_slide_roll, landed, slide_then_roll
 from carom.tracks.events import TrackEvent
 from carom.tracks.floor import WithError
-from carom.tracks.least_squares import WHITE, FrameGroups, Prior, averaged_frames, central_differences, solve, whitening
+from carom.tracks.least_squares import (
+    WHITE,
+    FrameGroups,
+    NamedValues,
+    Prior,
+    averaged_frames,
+    central_differences,
+    propagated,
+    solve_free,
+    whitening,
+)
 from carom.tracks.measurement import Measured
 from carom.tracks.track import Track
 
@@ -65,9 +75,10 @@ class BallFrames(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class PairFit:
+class PairFit(NamedValues):
     """A fitted contact of two balls: ``fit["jn"]`` is a value by its name in PAIR_OUTPUTS."""
 
+    NAMES = PAIR_OUTPUTS
     value: Array
     """(21,): the quantities of PAIR_OUTPUTS."""
     covariance: Array
@@ -78,15 +89,6 @@ class PairFit:
     """Whether the track shows that the striking ball slid at its first frame."""
     residuals: tuple[Array, Array]
     """(n, 2) and (m, 2) m: measured less fitted, of the striking ball and of the struck one."""
-
-    def __getitem__(self, name: str) -> float:
-        """Return a value by its name in PAIR_OUTPUTS."""
-        return float(self.value[PAIR_OUTPUTS.index(name)])
-
-    def error(self, name: str) -> float:
-        """Return the standard deviation of a value."""
-        i = PAIR_OUTPUTS.index(name)
-        return float(np.sqrt(max(self.covariance[i, i], 0.0)))
 
 
 def _after(v: Array, u: Array, up: float, t: Array, theta: Array, k: float, gravity: float) -> Array:
@@ -174,28 +176,16 @@ class _PairProblem:
     def solve(self, start: Array, free: NDArray[np.bool_]) -> tuple[float, Array]:
         """Minimise over the free parameters from a start: return the sum of squares, and the parameters."""
 
-        def filled(part: Array) -> Array:
-            theta = start.copy()
-            theta[free] = part
-            return theta
+        def slope(theta: Array, columns: NDArray[np.bool_]) -> Array:
+            return central_differences(self.residual, theta, 1e-4 * SCALE, columns)
 
-        def slope(part: Array) -> Array:
-            return central_differences(lambda some: self.residual(filled(some)), part, 1e-4 * SCALE[free])
-
-        found, cost, before = start[free], math.inf, math.inf
+        theta, cost, before = start, math.inf, math.inf
         for _ in range(MOST_TRIES):  # (each has a limited number of steps)
-            found, cost = solve(
-                lambda part: self.residual(filled(part)),
-                slope,
-                found,
-                SCALE[free],
-                (self.low[free], self.high[free]),
-                1e-7,
-            )
+            theta, cost = solve_free(self.residual, slope, theta, free, SCALE, (self.low, self.high), 1e-7)
             if not cost < 0.99 * before:
                 break
             before = cost
-        return cost, filled(found)
+        return cost, theta
 
     def outputs(self, theta: Array) -> Array:
         """Return the quantities of PAIR_OUTPUTS."""
@@ -257,21 +247,13 @@ def fit_pair(
     if slid:
         best, free = sliding, every
     theta = best[1]
-    slope = central_differences(job.residual, theta, 1e-4 * SCALE)[:, free]
-    inverse = np.linalg.pinv(slope.T @ slope, rcond=1e-14, hermitian=True)
-    rate = central_differences(job.outputs, theta, 1e-4 * SCALE)[:, free]
-    rows: int = 2 * (len(one.time) + len(two.time))
-    r = job.residual(theta)[:rows]
-    spent = float(np.einsum("ij,jk,ik->", slope[:rows], inverse, slope[:rows]))
-    first, second = job.places(theta)
-    return PairFit(
-        job.outputs(theta),
-        rate @ inverse @ rate.T,
-        float(r @ r),
-        rows - spent,
-        slid,
-        (one.position - first, two.position - second),
+    rows = 2 * (len(one.time) + len(two.time))
+    known = propagated(
+        theta, free, job.residual, central_differences(job.residual, theta, 1e-4 * SCALE), job.outputs, SCALE, rows
     )
+    del known["rate"]
+    first, second = job.places(theta)
+    return PairFit(**known, slid_before=slid, residuals=(one.position - first, two.position - second))
 
 
 # ----------------------------------------------------------------------------------------------------

@@ -200,26 +200,31 @@ def _of_film(film: TrackedFilm) -> TrackFile:
     return replace(found, notes=(*film.notes, *found.notes), film=film)
 
 
-def film_of(one: Any, number: int, calibration: Calibration) -> Path | TrackFile:
-    """Return a film as a file to read, or its tracks where it is given as columns or as tracks."""
+def film_of(
+    one: Any, number: int, calibration: Calibration | None = None, format: str | None = None,  # noqa: A002
+) -> TrackFile:  # fmt: skip
+    """Return the tracks of a film: a file, columns in memory, tracks, or a file that was read before."""
+    if isinstance(one, TrackFile):
+        return one
+    known = calibration or Calibration()
     if is_columns(one):
         rows = io.StringIO()
         columns = as_columns(one, "measure_tracks: files")
         csv.writer(rows).writerows(
             [list(columns), *zip(*(column.tolist() for column in columns.values()), strict=True)]
         )
-        return _tracks_of_text(Path(f"table {number}"), rows.getvalue(), "columns", calibration)
+        return _tracks_of_text(Path(f"table {number}"), rows.getvalue(), "columns", known)
     if isinstance(one, TrackedFilm):
         return _of_film(one)
     tracks = [one] if isinstance(one, Track) else one
     if isinstance(tracks, list | tuple) and tracks and all(isinstance(track, Track) for track in tracks):
-        if calibration.scale is not None:
+        if known.scale is not None:
             raise CaromError("measure_tracks: `scale` has no effect with Tracks, which are in m; omit it")
-        return _checked_tracks(Path(f"film {number}"), "tracks", tracks, calibration)
+        return _checked_tracks(Path(f"film {number}"), "tracks", tracks, known)
     if not isinstance(one, str | Path):
         wanted = "the name of a track file, columns t, x, y, or Tracks"
         raise CaromError(Fault("measure_tracks", "files", wanted, f"{type(one).__name__} {one!r:.60}"))
-    return as_path("measure_tracks", one)
+    return read_tracks(one, format, calibration)
 
 
 def require_text(path: Path, wanted: str) -> None:

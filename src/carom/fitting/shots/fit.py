@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import functools
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -15,7 +13,7 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError, FaultList, did_you_mean
 from carom.files import require_library
-from carom.fitting.evidence import DECIDED, verdict_words, weigh
+from carom.fitting.evidence import weigh
 from carom.fitting.identify import Identified
 from carom.fitting.laws import FittedLaw, track_laws_named
 from carom.fitting.shots.film import Films, filmed_shots, require_on_table
@@ -56,8 +54,8 @@ from carom.public.progress import Progress
 from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
 from carom.scene.schema import Model
-from carom.scene.toml import load_scene
-from carom.tracks.films import films_of
+from carom.tracks.films import tracks_of_films
+from carom.tracks.formats.tables import Calibration
 
 Array = NDArray[np.float64]
 DURATION = 60.0  # s: no shot takes longer
@@ -146,7 +144,7 @@ def fit_shots(
     names = one_or_several("fit_shots", laws) if laws else [LAW]
     chosen, notes = track_laws_named(names, False)
     ball = radius or (table.balls[0].radius if table is not None else 0.0)
-    found, reading = films_of(tracks, scale=scale, rate=rate, where=where)
+    found, reading = tracks_of_films(tracks, Calibration(scale, rate), where)
     films = filmed_shots(found, ball)
     balls = max(len(one.balls) for one in films.shots)
     scene = scene_of_films(table, films, radius, balls, DURATION, "fit_shots")
@@ -412,63 +410,14 @@ def _fitted(table: TableNumbers, model: TableModel, start: ShotStart) -> FittedS
 
 
 def _ranked(fits: list[ShotsFit], notes: list[str]) -> ShotsRanking:
-    best, evidence = fits[0], weigh(fits)
-    compared = compared_by_shots(fits, evidence, lambda fit: np.array([one.rms for one in fit.shots]))
-    only = f"the median distance of its shots from the films is {1e3 * best.median():.3g} mm to rest"
+    best = fits[0]
     if best.count <= best.k + 1:
         few = f"{counted(len(best.shots), 'shot')} with {best.count} independent numbers for {best.k} that are fitted"
         notes = [*notes, f"{few}: AIC instead of AICc; fit fewer numbers, or film more shots"]
-    words = verdict_words(best.law.called, evidence, "the shots", compared.support, compared.reason or only)
-    lost = [one for one in best.shots if not one.followed]
-    if lost:
-        words += f"; {len(lost)} of {len(best.shots)} shots are not followed to the end"
-    return ShotsRanking(
-        **compared.fields, verdict=f"{words[0].upper()}{words[1:]}.", odds=math.nan, notes=tuple(dict.fromkeys(notes)),
-        decisive=evidence.rival is not None and compared.support >= DECIDED,
+    lost = sum(not one.followed for one in best.shots)
+    compared = compared_by_shots(
+        fits, weigh(fits), lambda fit: np.array([one.rms for one in fit.shots]), "the shots",
+        more=f"; {lost} of {len(best.shots)} shots are not followed to the end" if lost else "",
+        alone=f"the median distance of its shots from the films is {1e3 * best.median():.3g} mm to rest",
     )  # fmt: skip
-
-
-# ----------------------------------------------------------------------------------------------------
-# Whole shots as :func:`carom.fit` is asked for them: its arguments, and those that have no effect.
-
-
-TAKEN = (
-    "files",
-    "radius",
-    "laws",
-    "fit",
-    "fix",
-    "bound",
-    "rate",
-    "scale",
-    "where",
-    "seed",
-    "shot",
-    "table",
-    "progress",
-)
-
-
-def check_asked(asked: SimpleNamespace, defaults: Mapping[str, Any]) -> None:
-    """Raise CaromError, one line per problem, for arguments of :func:`carom.fit` without effect on whole shots."""
-    faults = FaultList()
-    for name, default in defaults.items():
-        if name not in TAKEN and getattr(asked, name) != default:
-            faults.add("", "", advice=f"`{name}` has no effect with `shot`, which fits whole shots; omit it")
-    if asked.radius is None and asked.table is None:
-        faults.add("`radius`", "the balls' radius in m", "none", "a carom ball has `radius` 0.03075")
-    faults.raise_if_any()
-
-
-def fit_asked(asked: SimpleNamespace, defaults: Mapping[str, Any]) -> ShotsRanking:
-    """Fit whole shots with the arguments of :func:`carom.fit`."""
-    check_asked(asked, defaults)
-    table = asked.table
-    if isinstance(table, str | Path):
-        table = load_scene(table)
-    if table is not None and not isinstance(table, Scene):
-        raise CaromError(f"`table`: expected a scene, or its file, got {type(table).__name__}")
-    return fit_shots(
-        asked.files, table, asked.radius, laws=asked.laws or None, free=(*FREE, *asked.fit), fix=asked.fix, bound=asked.bound,
-        rate=asked.rate, scale=asked.scale, where=asked.where, seed=asked.seed or 0, progress=asked.progress,
-    )  # fmt: skip
+    return ShotsRanking(**compared, notes=tuple(dict.fromkeys(notes)))

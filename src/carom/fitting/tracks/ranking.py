@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.files import require_library
-from carom.fitting.evidence import DECIDED, LEANS, Evidence, odds_in_words, verdict_words, weigh
+from carom.fitting.evidence import weigh
 from carom.fitting.ranking import step_callback
 from carom.fitting.rows import Setting, require_settings
 from carom.fitting.table_numbers import RankedByShots, compared_by_shots
@@ -203,36 +203,24 @@ def _ranked(fits: list[TrackFit], notes: list[str]) -> TrackRanking:
     best = fits[0]
     poor = best.known and not best.follows
     evidence = weigh(fits, max(math.sqrt(best.chi2 / max(best.dof, 1)), 1.0) if poor else 1.0)
-    compared = compared_by_shots(fits, evidence, lambda fit: np.array([fit.rms(one) for one in best.frames.groups]))
-    support, reason, odds = compared.support, compared.reason, math.nan
-    if best.follows and evidence.rival is not None:
-        odds = support = evidence.odds
-        reason = f"{odds_in_words(odds)} over {evidence.rival.law.name}"
-    verdict, decisive = _verdict(best, evidence, support, reason)
+    compared = compared_by_shots(
+        fits, evidence, lambda fit: np.array([fit.rms(one) for one in best.frames.groups]), "the tracks",
+        by_odds=best.follows, before=_misfit(best),
+    )  # fmt: skip
     distances = np.zeros(0) if best.follows else distances_through_contacts(best)
     if failing := failing_part(distances, best.noise):
         notes.append(f"{best.law.name}: {failing}")
-    return TrackRanking(
-        **compared.fields, verdict=verdict, odds=odds, notes=tuple(notes), decisive=decisive, distances=distances
-    )
+    return TrackRanking(**compared, notes=tuple(notes), distances=distances)
 
 
-def _verdict(best: TrackFit, evidence: Evidence, support: float, reason: str) -> tuple[str, bool]:
-    """Return the verdict, and whether it is a decision. Where no law follows the frames, these are not independent, and the
-    verdict is by shots."""
-    from carom.formatting import format_length
-
-    first = ""
-    if not best.follows:
-        worst = best.frames.segments[int(np.argmax(best.scatter))].label
-        scatter, noise = (format_length(size) for size in (float(np.median(best.scatter)), best.noise))
-        first = f"No law fits: the best, {best.law.called}, leaves {scatter} where the noise is {noise}"
-        first += f", chi^2 {best.chi2:.0f} for {best.dof:.0f} degrees of freedom" if best.known else ""
-        first += f", most in {worst}" if len(best.scatter) > 1 else ""
-        loose = any(estimate.note == MISFIT_AS_NOISE for estimate in best.estimates.values())
-        first += "; its error bars take this as noise that is correlated from frame to frame. " if loose else ". "
-    said = verdict_words(best.law.called, evidence, "the tracks", support, reason)
-    if support < LEANS and not best.follows:
-        said += f"; {best.law.name} is {reason}"
-    decided = evidence.rival is not None and support >= DECIDED
-    return f"{first}{said[0].upper()}{said[1:]}.", decided
+def _misfit(best: TrackFit) -> str:
+    """Return why no law fits, as the beginning of the verdict; empty if the best one follows the frames."""
+    if best.follows:
+        return ""
+    worst = best.frames.segments[int(np.argmax(best.scatter))].label
+    scatter, noise = (format_length(size) for size in (float(np.median(best.scatter)), best.noise))
+    said = f"No law fits: the best, {best.law.called}, leaves {scatter} where the noise is {noise}"
+    said += f", chi^2 {best.chi2:.0f} for {best.dof:.0f} degrees of freedom" if best.known else ""
+    said += f", most in {worst}" if len(best.scatter) > 1 else ""
+    loose = any(estimate.note == MISFIT_AS_NOISE for estimate in best.estimates.values())
+    return f"{said}{'; its error bars take this as noise that is correlated from frame to frame' if loose else ''}. "
