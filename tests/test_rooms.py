@@ -220,7 +220,7 @@ def test_modules_are_short() -> None:
 def built(names: Iterable[str]) -> list[str]:
     """Files that a program made: in a folder of caches, of such an ending, or binary beside those that are shipped."""
     shipped = re.compile(
-        r"src/carom/(core/jit/native|explorer/assets)/|docs/images/.*png$|tests/interop/files/.*msgpack$"
+        r"src/carom/(core/jit/native|explorer/assets)/|docs/images/.*(png|gif)$|tests/interop/files/.*msgpack$"
     )
     made = re.compile(
         r"(^|/)(\S*cache\S*|build|dist|node_modules|_build|_generated|.*egg-info)/|\.(py[co]|nb[ic]|pkl|pickle|so|o|whl|log)$"

@@ -30,11 +30,11 @@ NUMBER = re.compile(r"\((\d+)[a-z]?\)(?:-\((\d+)\))?")
 HEAD = """# Equations
 
 The equations of the paper, and the functions of `src/carom` that compute them: the number of an equation stands in a
-comment above its lines. The last column has the function in `derive/paper` that derives the equation and judges the printed
-form; `carom derive --equation 31` prints its steps. `python docs/dev/equations.py` writes this page.
+comment above its lines. `carom derive --equation 31` derives an equation with all steps ([verdicts](../derive/verdicts.md)).
+`python docs/dev/equations.py` writes this page.
 
-| | what | computed by | derived by |
-|---|---|---|---|
+| | what | computed by |
+|---|---|---|
 """
 WHAT = (
     "angular velocity in Euler rates", "rolling on the floor", "kinetic energy of the rolling ball", "no slip at the wall",
@@ -115,9 +115,9 @@ def derived() -> dict[int, list[str]]:
 
 def page() -> str:
     """Return the page."""
-    left, right = computed(), derived()
+    found = computed()
     rows = [
-        f"| ({n}) | {what} | {', '.join(f'`{x}`' for x in left[n]) or ELSEWHERE[n]} | {', '.join(f'`{x}`' for x in right[n])} |\n"
+        f"| ({n}) | {what} | {', '.join(f'`{x}`' for x in found[n]) or ELSEWHERE[n]} |\n"
         for n, what in enumerate(WHAT, 1)
     ]
     return HEAD + "".join(rows)

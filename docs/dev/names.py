@@ -58,7 +58,8 @@ HEAD = """# Names
 
 One quantity, one name: in a scene, as a column of a table, as a parameter of a fit and as an argument in Python (options of the
 command line are the arguments, with hyphens). A part of a scene is the beginning of a name elsewhere: `floor.friction` is
-`floor_friction`. In brackets: other headers that are read. Where a quantity has several names, or two quantities look like one, the
+`floor_friction`. In brackets: where a name is used (a column of a table, a parameter of a fit, an argument in Python),
+and other headers that are read. Where a quantity has several names, or two quantities look like one, the
 last column says why. `python docs/dev/names.py` writes this page.
 
 """
@@ -226,18 +227,23 @@ def names_of(row: Quantity) -> list[str]:
 
 def page() -> str:
     """Return the page."""
-    sources, text = declared(), [HEAD]
+    scene, *others = declared().values()
+    text = [HEAD]
     for heading, rows in ROWS.items():
-        text.append(f"## {heading}\n\n| quantity | symbol | unit | {' | '.join(sources)} | remark |\n|{'---|' * 8}\n")
+        text.append(f"## {heading}\n\n| quantity | symbol | unit | in a scene | elsewhere | remark |\n|{'---|' * 6}\n")
         for row in rows:
-            cells = []
-            for of, known in sources.items():
-                found = [
-                    name for name in row.names.split() if name in known and (of != "in a scene" or _in_scene(name))
-                ]
-                cells.append(", ".join(f"`{name}`{f' ({known[name]})' if known[name] else ''}" for name in found) or "")
+            names = row.names.split()
+            placed = ", ".join(f"`{name}`" for name in names if name in scene and _in_scene(name))
+            found = []
+            for name in names:
+                kinds = [kind for kind, known in zip(("table", "fit", "Python"), others, strict=True) if name in known]
+                read = others[0].get(name, "")
+                if kinds:
+                    found.append(f"`{name}` ({', '.join(kinds)}{f'; {read}' if read else ''})")
             several = "**several names**: " if len(names_of(row)) > 1 else ""
-            text.append(f"| {row.title} | {row.symbol} | {row.unit} | {' | '.join(cells)} | {several}{row.remark} |\n")
+            text.append(
+                f"| {row.title} | {row.symbol} | {row.unit} | {placed} | {', '.join(found)} | {several}{row.remark} |\n"
+            )
         text.append("\n")
     return "".join(text).rstrip("\n") + "\n"
 
