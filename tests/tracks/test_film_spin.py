@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +10,8 @@ import pytest
 from reference.rendered_films import WHITE, Look, RenderedFilm, bouncing_film
 from reference.tracked_truth import as_tracked
 
-from carom.tracks.video.spin import flight_spins, spin_columns
+from carom.tracks import Track
+from carom.tracks.video.spin import flight_spins, with_spins
 
 
 def made(path: Path, pattern: str, spin: tuple[float, float, float], frames: int = 17) -> RenderedFilm:
@@ -29,10 +31,12 @@ def test_a_spin_of_one_radian_a_frame_is_measured_before_and_after_a_bounce(tmp_
         assert np.abs(one.spin - truth).max() < 0.5
         assert (np.abs(one.spin - truth) < 2.5 * one.error).all()
         assert one.error[2] < 1.0
-    spin, sigma, notes = spin_columns(found, flights)
-    assert spin[3] == flights[0].spin[2]
-    assert sigma[20] == flights[1].error[2]
-    assert len(notes) == 2
+    track = Track("ball", found.times[2:], found.places["ball"][2:], frame=np.arange(2.0, 34.0))
+    spun = with_spins(replace(found, tracks=(track,)))
+    columns = spun.table()
+    assert columns["spin [rad/s]"][1] == flights[0].spin[2]
+    assert columns["sigma_spin [rad/s]"][18] == flights[1].error[2]
+    assert len(spun.notes) == 2
 
 
 def test_of_a_spin_too_fast_for_the_frames_the_possible_ones_are_named(tmp_path: Path) -> None:

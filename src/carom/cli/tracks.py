@@ -18,7 +18,7 @@ from rich.text import Text
 
 from carom.cli.console import err, working
 from carom.cli.console import out as stdout
-from carom.cli.options import FLOOR, of_films, option, parse_length, parse_scale, require_outputs, shared, wrote
+from carom.cli.options import FILM, FLOOR, of_films, option, parse_length, parse_scale, require_outputs, shared, wrote
 from carom.cli.streams import say_json
 from carom.cli.verbs import App
 from carom.errors import CaromError, FaultList, shortened_list
@@ -500,6 +500,9 @@ def track(
     region: Annotated[str | None, shared("region")] = None,
     start: Annotated[float | None, shared("start")] = None,
     end: Annotated[float | None, shared("end")] = None,
+    spin: Annotated[
+        bool, option(FILM, "Measure the spin from marks on the ball.", "--spin", show_default=False)
+    ] = False,
 ) -> None:
     """Track balls in a film by their outlines, with the times of its container.
 
@@ -523,6 +526,10 @@ def track(
             film, balls, radius=radius, scale=size, length=length, readout=readout, rate=rate, ball=ball or (), colour=colour,
             region=region, start=start, end=end, gravity=gravity, progress=bar,
         )  # fmt: skip
+        if spin:
+            from carom.tracks.video.spin import with_spins
+
+            found = with_spins(found)
     if as_json:
         columns = {name: column.tolist() for name, column in found.table().items()}
         say_json({

@@ -87,9 +87,13 @@ class TrackedFilm:
     """s, from the first to the last row of the camera."""
 
     def table(self) -> dict[str, NDArray[Any]]:
-        """Return the columns ``t [s]``, ``x [m]``, ``y [m]``, ``ball`` of the tracks, a row per ball and frame."""
+        """Return the columns ``t [s]``, ``x [m]``, ``y [m]``, ``ball`` of the tracks, a row per ball and frame; and their spins."""
         rows = {"t [s]": [one.time for one in self.tracks]}
         rows |= {f"{axis} [m]": [one.position[:, k] for one in self.tracks] for k, axis in enumerate("xy")}
+        for name in ("spin", "sigma_spin"):
+            spins = [part for one in self.tracks if (part := getattr(one, name)) is not None]
+            if np.isfinite(np.concatenate([np.zeros(0), *spins])).any():
+                rows[f"{name} [rad/s]"] = spins
         found = {name: np.concatenate([np.zeros(0), *parts]) for name, parts in rows.items()}
         return found | {"ball": np.array([one.name for one in self.tracks for _ in range(len(one))], dtype=object)}
 

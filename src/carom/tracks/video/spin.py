@@ -9,6 +9,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -79,6 +80,18 @@ def spin_columns(film: TrackedFilm, flights: Sequence[FlightSpin]) -> tuple[Arra
         x, y = (f"{w:.3g} ± {e:.2g}" for w, e in zip(one.spin[:2], one.error[:2], strict=True))
         notes.append(f"{span}: about the axes of the picture {x} (right) and {y} (up) rad/s")
     return spin, sigma, notes
+
+
+def with_spins(film: TrackedFilm) -> TrackedFilm:
+    """Return a film whose tracks have the spin about the line of sight, where marks on the balls show it; notes say more."""
+    tracks, notes = [], list(film.notes)
+    for track in film.tracks:
+        assert track.frame is not None
+        rows = track.frame.astype(int)
+        spin, sigma, said = spin_columns(film, flight_spins(film, track.name))
+        tracks.append(replace(track, spin=spin[rows], sigma_spin=sigma[rows]))
+        notes += [f"{track.name}, {one}" for one in said]
+    return replace(film, tracks=tuple(tracks), notes=tuple(notes))
 
 
 def _flights(t: Array, x: Array, good: NDArray[np.bool_]) -> Iterator[tuple[int, int]]:
