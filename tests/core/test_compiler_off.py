@@ -12,7 +12,7 @@ import pytest
 
 import carom
 
-# What a browser's Python lacks (docs/howto/browser.md).
+# What a browser's Python lacks (docs/howto/explorer.md).
 ABSENT = "import sys; sys.modules.update(dict.fromkeys(('numba', 'llvmlite', 'lzma')))"
 REFUSED = """
 import json, sys, carom
