@@ -17,11 +17,13 @@ from carom.cli.options import (
     OUTPUT,
     REBOUNDS,
     comma_separated,
+    of_films,
     option,
     parse_assignments,
     parse_bounds,
     parse_length,
     parse_number,
+    parse_scale,
     require_outputs,
     shared,
     tell,
@@ -293,6 +295,26 @@ def fit(
     scale: Annotated[str | None, shared("scale")] = None,
     view: Annotated[str | None, shared("view", default="by the motion")] = None,
     balls: Annotated[bool, shared("balls")] = False,
+    format_: Annotated[str | None, option(DATA, "Format of the films; overrides detection.", "--format")] = None,
+    down: Annotated[bool | None, option(DATA, "The second axis points down, as in images.", "--down/--up")] = None,
+    wall: Annotated[list[str] | None, option(DATA, "Line of a wall, as in carom tracks show; may be repeated.")] = None,
+    hard: Annotated[bool | None, option(DATA, "The wall is rigid: both motions meet on its line.", "--hard")] = None,
+    rolling_resistance: Annotated[
+        float | None, option(DATA, "Deceleration / g of a rolling ball.", "--rolling-resistance")
+    ] = None,
+    gravity: Annotated[float | None, shared("gravity", default="9.80665", rich_help_panel=DATA)] = None,
+    drag: Annotated[float | None, option(DATA, "Air drag k, 1/m. Default: from the flights.")] = None,
+    window: Annotated[
+        float | None, option(DATA, "Time fitted before and after a contact, s.", "--window", unit="s")
+    ] = None,
+    blind: Annotated[float | None, option(DATA, "Time excluded beside a contact, s.", "--blind", unit="s")] = None,
+    length: Annotated[str | None, shared("length")] = None,
+    readout: Annotated[float | None, shared("readout")] = None,
+    ball: Annotated[list[str] | None, shared("ball")] = None,
+    colour: Annotated[str | None, shared("colour")] = None,
+    region: Annotated[str | None, shared("region")] = None,
+    start: Annotated[float | None, shared("start")] = None,
+    end: Annotated[float | None, shared("end")] = None,
     whole: Annotated[
         bool,
         option(DATA, "Fit whole tracks, each simulated from its own initial state, instead of contacts.", "--whole"),
@@ -405,13 +427,18 @@ def fit(
         "fit": [name for text in fit_ or [] for name in comma_separated(text)], "fix": fixed,
         "bound": bounds, "robust": robust, "contact_height": contact_height, "floor_friction": floor_friction,
         "floor_restitution": floor_restitution, "roll": roll, "kind": kind, "stage": stage, "rate": rate,
-        "scale": faults.attempt(parse_length, "scale", scale), "view": view, "balls": balls, "whole": whole,
+        "scale": faults.attempt(parse_scale, scale), "view": view, "balls": balls, "whole": whole,
         "cushions": cushions, "shot": shot, "table": table,
         "noise": faults.attempt(parse_length, "noise", noise), "where": where or (), "by": by,
         "sigma_v": sigma_v,
         "sigma_spin": sigma_spin, "spin": spin, "every_contact": every_contact, "scatter": scatter, "bootstrap": bootstrap,
         "profiles": profiles, "seed": seed,
     }  # fmt: skip
+    options["film"] = of_films(
+        format=format_, down=down, wall=wall, hard=hard, rolling_resistance=rolling_resistance, gravity=gravity, drag=drag,
+        window=window, blind=blind, length=length, readout=readout, ball=ball, colour=colour, region=region, start=start, end=end,
+        balls=len(ball) if ball else None,
+    ) or None  # fmt: skip
     if faults:
         found = FaultList()
         found.attempt(check_fit, files=files, **options)

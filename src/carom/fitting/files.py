@@ -33,7 +33,15 @@ from carom.scene.scene import Scene
 from carom.scene.toml import load_scene
 from carom.simulation.simulate import simulate
 from carom.tracks.contact import Settings
-from carom.tracks.films import MeasuredFilms, are_films, is_track, measure_films, tracks_of_films
+from carom.tracks.films import (
+    FilmOptions,
+    MeasuredFilms,
+    are_films,
+    film_options,
+    is_track,
+    measure_films,
+    tracks_of_films,
+)
 from carom.tracks.formats.tables import Calibration
 from carom.tracks.measurement import measure
 
@@ -47,7 +55,7 @@ OF_FRAMES = ("noise", "cushions")
 OF_SHOTS = (
     "files", "radius", "laws", "fit", "fix", "bound", "rate", "scale", "where", "seed", "shot", "table", "progress",
 )  # fmt: skip
-OF_FILMS = ("scale", "rate", "view", "balls")
+OF_FILMS = ("scale", "rate", "view", "balls", "film")
 OF_TABLES = ("contact_height", "floor_friction", "floor_restitution", "roll")
 MEASURING = 0.4  # of the progress, until all contacts are measured
 
@@ -74,9 +82,10 @@ def fit(
     kind: str | None = None,
     stage: str | None = None,
     rate: float | None = None,
-    scale: float | None = None,
+    scale: float | str | None = None,
     view: str | None = None,
     balls: bool = False,
+    film: Mapping[str, Any] | None = None,
     whole: bool = False,
     cushions: int = CUSHIONS,
     shot: bool = False,
@@ -123,6 +132,8 @@ def fit(
         Of a table of rebounds, as for :func:`carom.data.read_rebounds`.
     rate, scale, view : optional
         Of films: frames per second, metres per unit, "above" or "side".
+    film : mapping, optional
+        Of films: further arguments of :func:`carom.measure_tracks` and :func:`carom.track_film`, such as ``{"down": True}``.
     balls : bool
         Of films: whether the contacts of balls with each other are fitted, in place of those with walls.
     whole : bool
@@ -166,12 +177,12 @@ def fit(
     if table is not None:
         raise CaromError("`table`: expected `shot` as well, which fits whole shots on a table; omit it")
     ready = _checked(options)
-    film = Calibration(scale=scale, rate=rate)
+    known = film_options(scale, rate, ready.setting.radius, film)
     if whole:
-        return _fit_whole(ready, film, where, progress)
+        return _fit_whole(ready, known.calibration, where, progress)
     if not ready.films:
         _require_effect(options, OF_FILMS, "a track", "rebounds")
-    rebounds = _rebounds(ready, film, kind, stage, view, balls, progress)
+    rebounds = _rebounds(ready, known, kind, stage, view, balls, progress)
     if rebounds.kind == "planar":
         _require_effect(options, OF_TABLES, "rebounds of a ball on a table", "planar ones")
     how: dict[str, Any] = {
@@ -316,7 +327,7 @@ def _strange_words(asked: SimpleNamespace, names: list[str]) -> FaultList:
 
 
 def _rebounds(
-    ready: _Request, film: Calibration, kind: Any, stage: Any, view: Any, balls: bool, progress: Progress | None
+    ready: _Request, known: FilmOptions, kind: Any, stage: Any, view: Any, balls: bool, progress: Progress | None
 ) -> Rebounds:
     if ready.published is not None:
         return ready.published.rebounds  # type: ignore[no-any-return]
@@ -327,7 +338,8 @@ def _rebounds(
     radius, kappa = ready.setting.radius, ready.setting.kappa
     if not ready.films:
         return read_rebounds(ready.paths[0], kind=kind, stage=stage, ball=(radius, kappa))
-    films = measure_films(ready.paths, film, Settings(radius=radius, kappa=kappa, view=view), progress=progress)
+    about = Settings(radius=radius, kappa=kappa, view=view, **known.settings)
+    films = measure_films(ready.paths, known.calibration, about, progress=progress, **known.how)
     return films.rebounds(stage or "best", balls=balls)
 
 

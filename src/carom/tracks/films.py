@@ -6,7 +6,7 @@ import functools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from carom.bodies import inertia_number
 from carom.data.rebounds import Rebounds, make_rebounds
 from carom.data.where import Where, rows_where
-from carom.errors import CaromError, FaultList, collected, noting, shortened_list
+from carom.errors import CaromError, FaultList, collected, noting, shortened_list, suggestion
 from carom.files import open_regular, text_encoding
 from carom.formatting import counted
 from carom.public.defaults import GRAVITY, WINDOW
@@ -155,6 +155,7 @@ def air_together(films: Sequence[Measured]) -> tuple[list[Measured], list[str]]:
 # Films to one measurement and one table: track files are read, measured with what they share, and their rebounds joined.
 
 
+FILM_ARGUMENTS = ("balls", "length", "readout", "ball", "colour", "region", "start", "end")  # of carom.track_film
 START_BYTES = 4096  # in which the header of a table shows
 REBOUND_COLUMNS = (
     "v_n_in, v_t_in, v_n_out, v_t_out (m/s, toward the wall, along it, away from it, along it), and spin_in, spin_out if they were"
@@ -370,23 +371,45 @@ def measure_tracks(
     if view not in (None, "above", "side"):
         faults.add("`view`", "one of above, side", repr(view))
     faults.raise_if_any()
-    settings = Settings(
-        radius=radius, kappa=kappa, view=view, noise=noise, floor_friction=floor_friction,  # type: ignore[arg-type]
-        rolling_resistance=rolling_resistance, gravity=gravity, window=window, blind=blind, hard=hard, drag=drag,
-    )  # fmt: skip
-    calibration = film_calibration(scale, rate, down, radius=radius, gravity=gravity, film=film)
+    asked = {"hard": hard, "floor_friction": floor_friction, "rolling_resistance": rolling_resistance, "gravity": gravity,
+             "drag": drag, "noise": noise, "window": window, "blind": blind, "down": down}  # fmt: skip
+    calibration, numbers, _how = film_options(scale, rate, radius, {**(film or {}), **asked})
+    settings = Settings(radius=radius, kappa=kappa, view=view, **numbers)  # type: ignore[arg-type]
     return measure_films(files, calibration, settings, format=format, wall=wall, progress=progress)
 
 
-def film_calibration(
-    scale: float | str | None, rate: float | None, down: bool | None, *, radius: float | None, gravity: float,
-    film: Mapping[str, Any] | None = None,
-) -> Calibration:  # fmt: skip
-    """Return the calibration of track files and films; of films it has the ball's radius, and what else is known of them."""
-    more = {"radius": radius or None, "gravity": gravity, **(film or {})}
+OF_SETTINGS = ("hard", "floor_friction", "rolling_resistance", "gravity", "drag", "noise", "window", "blind")
+
+
+class FilmOptions(NamedTuple):
+    """What is known of films, by who asks for it."""
+
+    calibration: Calibration
+    settings: dict[str, Any]
+    """Of :class:`carom.tracks.Settings`."""
+    how: dict[str, Any]
+    """Of :func:`measure_films`: format and walls."""
+
+
+def film_options(
+    scale: float | str | None, rate: float | None, radius: float | None, more: Mapping[str, Any] | None
+) -> FilmOptions:
+    """Sort what is known of films: arguments of :func:`measure_tracks` and of :func:`carom.track_film` in ``more``.
+
+    Raises CaromError for names that neither has.
+    """
+    given = {name: value for name, value in (more or {}).items() if value is not None}
+    settings = {name: given.pop(name) for name in OF_SETTINGS if name in given}
+    how: dict[str, Any] = {name: given.pop(name) for name in ("format", "wall") if name in given}
+    down = given.pop("down", None)
+    faults, known = FaultList(), (*OF_SETTINGS, "format", "wall", "down", *FILM_ARGUMENTS)
+    for name in given.keys() - set(FILM_ARGUMENTS):
+        faults.add("`film`", f"arguments of films: {', '.join(known)}", repr(name), suggestion(name, known))
+    faults.raise_if_any()
+    film = {"radius": radius or None, "gravity": settings.get("gravity", GRAVITY), **given}
     if isinstance(scale, str):
-        more["scale"] = scale
-    return Calibration(None if isinstance(scale, str) else scale, rate, down, film=more)
+        film["scale"] = scale
+    return FilmOptions(Calibration(None if isinstance(scale, str) else scale, rate, down, film=film), settings, how)
 
 
 def tracks_of_films(

@@ -23,8 +23,9 @@ GHOST = 0.75  # of the gradient along a region's edge: what was seen at another 
 LOST = 6  # frames after which a ball is no longer followed
 REACH = 6.0  # radii that a ball moves at most between its first two frames
 ALIKE = 0.35  # by which radii of blobs of one ball differ, in a frame and the next (as a logarithm)
-COLOUR = 40.0  # levels
+COLOUR = 35.0  # levels
 CORE = 0.2, 0.9  # of a blob: what is no shadow
+SHADE = 0.45  # of the background's brightness: what is darker is no mere shadow
 
 
 class Background(NamedTuple):
@@ -55,6 +56,8 @@ class Blob(NamedTuple):
     """Whether it reaches the edge of the picture."""
     core: tuple[float, float, float] | None = None
     """x, y and radius, px, of the part that differs by more than a shadow does, if the rest is as a shadow."""
+    shade: float = 0.0
+    """Brightness over that of the background, of a blob that differs as a shadow does; 0 of others."""
 
     @property
     def radius(self) -> float:
@@ -83,6 +86,11 @@ class Path:
     def places(self) -> Array:
         """(n, 2) px."""
         return np.array([[one.x, one.y] for one in self.blobs])
+
+    @property
+    def colour(self) -> Array:
+        """(3,) y, u, v: of the last nine blobs, so that one blob of two balls that touch does not change it."""
+        return np.asarray(np.median([one.colour for one in self.blobs[-9:]], axis=0))
 
     @property
     def radius(self) -> float:
@@ -213,7 +221,9 @@ def find_blobs(frame: Frame, ground: Background, inside: Mask | None = None) -> 
     sizes = np.bincount(labels.ravel())
     boxes = find_objects(labels)
     order = [k for k in np.argsort(-sizes[1:])[:MOST_BLOBS] if sizes[k + 1] >= LEAST_AREA]
-    return [_blob(boxes[k], binary_fill_holes(labels[boxes[k]] == k + 1), low, halves, shade) for k in order], share
+    return [
+        _blob(boxes[k], binary_fill_holes(labels[boxes[k]] == k + 1), low, halves, shade, ground.half) for k in order
+    ], share
 
 
 def _opened(mask: Mask) -> Mask:
@@ -224,7 +234,9 @@ def _opened(mask: Mask) -> Mask:
     return np.asarray(padded[1:-1, 1:-1] | padded[:-2, 1:-1] | padded[2:, 1:-1] | padded[1:-1, :-2] | padded[1:-1, 2:])
 
 
-def _blob(box: tuple[slice, slice], mask: Mask, low: tuple[int, int], halves: Sequence[Bytes], shade: Mask) -> Blob:
+def _blob(
+    box: tuple[slice, slice], mask: Mask, low: tuple[int, int], halves: Sequence[Bytes], shade: Mask, still: Bytes
+) -> Blob:
     top, left = box[0].start + low[0], box[1].start + low[1]
     y, x = np.nonzero(mask)
     here = (slice(top, top + mask.shape[0]), slice(left, left + mask.shape[1]))
@@ -240,11 +252,12 @@ def _blob(box: tuple[slice, slice], mask: Mask, low: tuple[int, int], halves: Se
             2 * (top + float(down.mean())) + 0.5,
             2 * float(np.sqrt(len(down) / np.pi)),
         )
+    dark = colour[0] / max(float(still[here][mask].mean()), 1.0) if rest.sum() <= CORE[0] * len(x) else 0.0
     height, width = halves[0].shape
     cut = top <= 0 or left <= 0 or here[0].stop >= height or here[1].stop >= width
     return Blob(
         2 * (left + float(x.mean())) + 0.5, 2 * (top + float(y.mean())) + 0.5, 4.0 * len(x), large, small,
-        (colour[0], colour[1], colour[2]), cut, core,
+        (colour[0], colour[1], colour[2]), cut, core, dark,
     )  # fmt: skip
 
 
@@ -272,7 +285,7 @@ class Linker:
             for j, blob in enumerate(blobs):
                 off = float(np.hypot(blob.x - ahead[0], blob.y - ahead[1]))
                 size = abs(float(np.log(blob.radius / last.radius)))
-                tone = float(np.abs(np.subtract(blob.colour, last.colour)).max())
+                tone = float(np.abs(np.subtract(blob.colour, path.colour)).max())
                 if off < reach and (size < ALIKE or blob.cut or last.cut) and tone < COLOUR:
                     chances.append((off / max(last.radius, 1.0) + 2 * size + tone / 20 + gap - 1, i, j))
         taken: set[int] = set()
@@ -302,7 +315,8 @@ def likely_paths(paths: Sequence[Path], least: int) -> list[Path]:
         extent = float(np.ptp(path.places, axis=0).max())
         spread = float(np.std([np.log(one.radius) for one in whole]))
         fill = float(np.median([one.fill for one in whole]))
-        if extent < 1.5 * path.radius or path.radius < 2.0 or fill < 0.75:
+        shadow = float(np.median([one.shade for one in whole])) > SHADE
+        if shadow or extent < 1.5 * path.radius or path.radius < 2.0 or fill < 0.75:
             continue
         found.append(
             (len(path.frames) * fill**4 / (1 + (spread / 0.1) ** 2) * min(extent / path.radius / 6, 1.0), path)

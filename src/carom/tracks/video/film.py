@@ -165,9 +165,12 @@ SHARE, RIM = 0.75, 0.6  # of what a candidate's picture shows, explained by a di
 ALIKE_SIZE = 0.12  # scatter of a ball's radius in the frames, at most
 SHARPER = 0.85  # blur of a ball without its shadow, of that with it
 LIKE = 0.5  # of the frames of the best candidate: another one with as many is as likely
+ASTRAY = 0.6  # radii from where the frames before, and those after, have the ball
 FLAGGED = 8.0  # times the usual cost
 FAR = 25.0  # radii: the way of what surely moves
 GROWS = 0.03  # of the radius, that is said
+FAST = 0.2  # radii from frame to frame: a ball whose blur tells the exposure
+LONGEST, STRETCHED = 1.2, 0.7  # of the time from frame to frame, an exposure; of the radius, a blur that says so
 LONG_EXPOSURE = 0.5  # of the time from frame to frame
 
 
@@ -182,6 +185,8 @@ class Candidate(NamedTuple):
     """Of the radius, relative."""
     radii: Array
     """(n, 2): frame and radius, px."""
+    stretched: bool
+    """Whether it is longer than it can move in the time from frame to frame."""
 
     @property
     def score(self) -> float:
@@ -192,7 +197,13 @@ class Candidate(NamedTuple):
     @property
     def is_ball(self) -> bool:
         """Whether a disc explains what is seen."""
-        return self.share > SHARE and self.seen > RIM and self.scatter < ALIKE_SIZE and self.optics.radius > 2.5
+        outline = (
+            self.share > SHARE
+            and self.seen > RIM
+            and self.scatter < ALIKE_SIZE / 2 + 0.25 / self.optics.radius
+            and self.optics.radius > 2.5
+        )
+        return outline and not self.stretched
 
 
 def patches(
@@ -249,7 +260,7 @@ def _dense(path: Path, count: int, times: Array) -> Array:
         if len(frames) > 1
         else 1
     )
-    known = inner[gap <= LOST]
+    known = inner[(gap <= LOST) | np.isin(inner, frames)]
     for axis in (0, 1):
         found[known, axis] = np.interp(times[known], times[frames], places[:, axis])
     return found
@@ -257,9 +268,9 @@ def _dense(path: Path, count: int, times: Array) -> Array:
 
 def _usual_optics(film: FilmFile, ground: Background, paths: Sequence[Path], times: Array) -> list[Candidate]:
     """Return candidates with radius, blur of the lens, exposure and noise, each from some frames of its own."""
-    cores = [one for one in map(cores_of, paths) if one is not None]
+    cores, interval = [one for one in map(cores_of, paths) if one is not None], float(np.median(np.diff(times)))
     found = [
-        _candidate(path, mine, ground)
+        _candidate(path, mine, ground, interval)
         for path, mine in _some_patches(film, ground, [*paths, *cores], times)
         if len(mine) >= 3
     ]
@@ -294,23 +305,26 @@ def _some_patches(
             )
     rows: list[list[tuple[Patch, Blob, Array]]] = [[] for _ in paths]
     for (k, i), patch in patches(film, ground, wanted):
-        rows[k].append((patch, paths[k].blobs[i], speeds[k][patch.frame]))
+        rows[k].append((patch, paths[k].blobs[i], np.nan_to_num(speeds[k][patch.frame])))
     return list(zip(paths, rows, strict=True))
 
 
-def _candidate(path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Background) -> Candidate:
+def _candidate(path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Background, interval: float) -> Candidate:
     """Return a candidate from its pixels in some frames, with blobs and velocities."""
     noise = tuple(max(2 * one, least) for one, least in zip(ground.noise, (1.5, 0.8, 0.8), strict=True))
     start = Optics(0.95 * path.radius, 1.0, 0.0, noise)  # type: ignore[arg-type]
     outlines = []
     for patch, blob, speed in some:
-        fast = float(np.hypot(*speed))
-        way = speed / fast * max(blob.blur, 2.0) if fast > 0 else np.zeros(2)
+        size = float(np.hypot(*speed))
+        way = speed / size * max(blob.blur, 2.0) if size > 0 else np.zeros(2)
         outlines.append(fit_outline(patch, np.array([blob.x, blob.y]), way, start, free="xyrls", order=1))
     radius = float(np.median([one.radius for one in outlines]))
     good = [k for k, one in enumerate(outlines) if abs(one.radius / radius - 1) < ALIKE_SIZE]
     quick, blur = np.array([np.hypot(*some[k][2]) for k in good]), np.array([outlines[k].blur for k in good])
-    exposure = _weighted_median(blur / np.maximum(quick, 1e-9), quick) if good and quick.max() > 0 else 0.0
+    fast = quick * interval > FAST * radius
+    exposure = _weighted_median(blur[fast] / quick[fast], quick[fast]) if fast.any() else 0.0
+    stretched = exposure > LONGEST * interval and exposure * float(np.median(quick[fast])) > STRETCHED * radius
+    exposure = min(exposure, interval)
     optics = Optics(radius, float(np.median([one.psf for one in outlines])), exposure, noise)  # type: ignore[arg-type]
     optics = optics._replace(shift=_colour_shift([(some[k][0], outlines[k]) for k in good], optics))
     last = [
@@ -321,7 +335,7 @@ def _candidate(path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Ba
     return Candidate(
         path, optics._replace(radius=float(np.median(radii))), float(np.median([one.share for one in last])),
         float(np.median([one.seen for one in last])), float(1.4826 * np.median(np.abs(radii / np.median(radii) - 1))),
-        np.array([[patch.frame, radius] for (patch, _blob, _speed), radius in zip(some, radii, strict=True)]),
+        np.array([[patch.frame, radius] for (patch, _blob, _speed), radius in zip(some, radii, strict=True)]), stretched,
     )  # fmt: skip
 
 
@@ -378,6 +392,10 @@ def _followed(
             held = 0.0
         tell(patch.frame)
     finish()
+    for k in rows.tolist():
+        near = _from_beside(k, times, places, costs, np.inf)
+        if len(near) == 2 and min(float(np.hypot(*(at - places[k]))) for at, _speed in near) > ASTRAY * radii[k]:
+            costs[k] = 1e6  # (the outline of something else)
     return places, costs
 
 
