@@ -48,7 +48,7 @@ def test_a_verb_that_is_left_out(capsys: pytest.CaptureFixture[str]) -> None:
         ("compare --sped 3", "--sped: expected an option of carom compare; did you mean '--speed'?"),
         (
             "compare --rate 60",
-            "--rate: expected an option of carom compare; carom fit and carom tracks show have --rate",
+            "--rate: expected an option of carom compare; carom track, carom fit, carom judge and 1 more have --rate",
         ),
         ("compare --unheard", "--unheard: expected an option of carom compare"),
         ("fit --law x", "--law: expected an option of carom fit; did you mean '--laws'?"),

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from carom.cli.options import quantity, require_outputs, shared, wrote
+from carom.cli.options import of_films, parse_scale, quantity, require_outputs, shared, wrote
 from carom.errors import FaultList
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ def judge(
         Path,
         typer.Argument(
             metavar="FILE",
-            help="Columns t, x, y, maybe z, ball, wx, wy, wz, radius, mass: .csv, .parquet, or .json of saved frames.",
+            help="Columns t, x, y, maybe z, ball, wx, wy, wz, radius, mass (.csv, .parquet), .json of saved frames, or a film.",
         ),
     ],
     radius: Annotated[
@@ -41,6 +41,15 @@ def judge(
         float | None,
         typer.Option(help="Standard deviation of a coordinate, m. Default: estimated.", **quantity("--noise", "m")),
     ] = None,
+    scale: Annotated[str | None, shared("scale", default="of a film: by gravity, or the radius")] = None,
+    rate: Annotated[float | None, shared("rate", default="from the times")] = None,
+    length: Annotated[str | None, shared("length")] = None,
+    readout: Annotated[float | None, shared("readout")] = None,
+    ball: Annotated[list[str] | None, shared("ball")] = None,
+    colour: Annotated[str | None, shared("colour")] = None,
+    region: Annotated[str | None, shared("region")] = None,
+    start: Annotated[float | None, shared("start")] = None,
+    end: Annotated[float | None, shared("end")] = None,
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 where a law is violated.")] = False,
     plot: Annotated[Path | None, shared("plot")] = None,
     as_json: Annotated[bool, shared("json")] = False,
@@ -54,9 +63,14 @@ def judge(
     require_outputs(faults, {"--plot": plot}, source=table)
     faults.raise_if_any()
     falls = (0.0, 0.0) if slope is None else parse_pair("--slope", slope)
+    film = of_films(
+        length=length, readout=readout, ball=ball, colour=colour, region=region, start=start, end=end,
+        balls=len(ball) if ball else None,
+    )  # fmt: skip
     found = find(
-        table, radius=radius, mass=mass, friction=friction, floor_friction=floor_friction, slope=falls, noise=noise
-    )
+        table, radius=radius, mass=mass, friction=friction, floor_friction=floor_friction, slope=falls, noise=noise,
+        scale=parse_scale(scale), rate=rate, film=film,
+    )  # fmt: skip
     if as_json:
         say_json(vars(found) | {"violations": [vars(one) | {"sigmas": one.sigmas} for one in found.violations]})
     else:

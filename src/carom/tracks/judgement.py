@@ -9,7 +9,7 @@ within a frame is not seen.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import product
 from pathlib import Path
@@ -27,6 +27,10 @@ from carom.formatting import counted
 from carom.public.defaults import GRAVITY
 from carom.scene.floor import gravity_on_slope
 from carom.tracks.clock import times_behind_rounding
+from carom.tracks.films import film_options
+from carom.tracks.preprocess import guess_view
+from carom.tracks.read import TrackFile, read_tracks
+from carom.tracks.video.reading import is_film
 
 Array = NDArray[np.float64]
 FEW = 4  # frames: three numbers of a parabola, and one to spare
@@ -211,8 +215,6 @@ def _columns(path: Path, notes: list[str]) -> Columns:
 
 def _of_tracks(path: Path, columns: Columns, notes: list[str]) -> Columns:
     """Return the columns of a file that a tracking program wrote, with headers that have units, too."""
-    from carom.tracks.read import read_tracks
-
     try:
         file = read_tracks(path)
     except CaromError:
@@ -238,6 +240,24 @@ def _of_tracks(path: Path, columns: Columns, notes: list[str]) -> Columns:
             found[name].append(where.get(name, np.zeros(len(track.time))))
     flat = plane and not side
     return {name: np.concatenate(values) for name, values in found.items() if not (flat and name == "z")}
+
+
+def _of_film(file: TrackFile, gravity: float, notes: list[str]) -> Columns:
+    """Return the columns of a film that carom tracked; of one from the side, heights above the lowest place of a ball."""
+    side = file.film is not None and guess_view(file.tracks, gravity)[0] == "side"
+    size = file.film.radius_px * file.film.scale if file.film is not None else POOL_BALL
+    x, y = np.concatenate([track.position for track in file.tracks]).T
+    found: Columns = {
+        "t": np.concatenate([track.time for track in file.tracks]), "x": x, "y": 0 * y if side else y,
+        "ball": np.concatenate([np.full(len(track), track.name) for track in file.tracks]), "radius": np.full(len(x), size),
+    }  # fmt: skip
+    if side:
+        found["z"] = y - y.min() + size
+    notes += [
+        *file.notes,
+        f"filmed from {'the side: the floor is taken at the lowest place of a ball' if side else 'above'}",
+    ]
+    return found
 
 
 def _known_rows(faults: FaultList, numbers: dict[str, Array], notes: list[str]) -> NDArray[np.bool_]:
@@ -425,6 +445,9 @@ def judge(
     gravity: float = GRAVITY,
     slope: tuple[float, float] = (0.0, 0.0),
     noise: float | None = None,
+    scale: float | str | None = None,
+    rate: float | None = None,
+    film: Mapping[str, Any] | None = None,
 ) -> Judgement:
     """Find which laws of mechanics a trajectory of balls violates, when, and by how many standard errors.
 
@@ -433,7 +456,7 @@ def judge(
     table : path, or columns
         A row per ball and frame: ``t`` (s), ``x``, ``y``, ``z`` (m), where there are several balls ``ball``; where they are known
         ``wx``, ``wy``, ``wz`` (rad/s), ``radius`` (m), ``mass`` (kg). ``Trajectory.save_frames`` writes these, as CSV,
-        Parquet or JSON. Without ``z`` the balls lie on the floor.
+        Parquet or JSON. Without ``z`` the balls lie on the floor. Or a film, whose balls are tracked.
     radius, mass, kappa : float
         Of balls without a column for them, m, kg; the moment of inertia is kappa m R^2. Default of the radius: the least height of
         the ball's own centre, so that it is never in the floor.
@@ -445,6 +468,8 @@ def judge(
         How far the floor falls per metre of its own along x and y (the sine of the angle, as in ``Floor``); z is normal to it.
     noise : float, optional
         Standard deviation of a coordinate, m. Default: estimated from third differences.
+    scale, rate, film
+        Of a film, as for :func:`carom.measure_tracks`.
 
     Returns
     -------
@@ -477,7 +502,11 @@ def judge(
         faults.add("slope", "two sines, of a floor that is less steep than upright", f"{slope}")
     faults.raise_if_any()
     pull = np.array(gravity_on_slope(gravity, slope))
+    said: list[str] = []
+    if not is_columns(table) and is_film(path := as_path("judge", table)):
+        table = _of_film(read_tracks(path, None, film_options(scale, rate, radius, film).calibration), gravity, said)
     balls, sigma, notes = read_paths(table, radius, mass, noise)
+    notes += said
     times = np.concatenate([ball.t for ball in balls])
     found = Judgement(sigma, notes, (float(times.min()), float(times.max())))
     rubs = 0.0  # what the floor's friction does at most, m/s^2
