@@ -244,15 +244,15 @@ def test_no_build_product_is_tracked() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10320,
+    "fitting": 10330,
     "gas": 7330,
     "billiards": 5570,
-    "tracks": 8595,
+    "tracks": 8650,
     "simulation": 5890,
     "core": 5260,
     "laws": 4840,
     "scene": 4460,
-    "cli": 4715,
+    "cli": 4750,
     "plot": 3640,
     "derive": 3165,
     "sweeps": 2800,
