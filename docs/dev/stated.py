@@ -1,4 +1,4 @@
-"""List every number that README.md, docs/index.md, paper.md and the pages of docs/theory state, with the line that made it.
+"""List every number that README, paper, theory and most how-tos state, with the line that made it.
 
     python docs/dev/stated.py           # counts by kind and page, and the numbers without a source
     python docs/dev/stated.py --all     # every number: page, line, kind, source
@@ -14,7 +14,7 @@ A number is made by one of these, tried in this order:
 - said: its paragraph, or the table with the paragraph before it, names the test, script or page that gives it;
 - given: how many were counted, at which angle, or which share of an interval: a condition of a result, in its own words;
 - count: a whole number up to 12 in a sentence (an order, an index, a number of contacts): an argument, no measurement;
-- record: the same number stands in a record of a run (campaigns/results.md; benchmarks.md, validation, datasets and howto in docs).
+- record: the same number stands in a record of a run (campaigns/results.md; benchmarks.md, validation and datasets in docs).
 
 Whatever is left is printed as without a source: a constant in an argument, or a result that no cell, script or record gives.
 """
@@ -54,6 +54,24 @@ PAGES = (
     "paper.md",
     "docs/comparison.md",
     "docs/faq.md",
+    "docs/design.md",
+    "docs/tutorials/from_pooltool.md",
+    "docs/tutorials/gallery.md",
+    *(
+        f"docs/howto/{name}.md"
+        for name in [
+            "choose",
+            "explorer",
+            "gradients",
+            "judge",
+            "orbits",
+            "own_law",
+            "own_loop",
+            "published_tables",
+            "simulate",
+            "sweeps",
+        ]
+    ),
     *sorted(f"docs/theory/{p.name}" for p in (ROOT / "docs/theory").glob("*.md")),
 )
 RECORDS = (
@@ -61,7 +79,6 @@ RECORDS = (
     "campaigns/results.md",
     "docs/validation/*.md",
     "docs/datasets.md",
-    "docs/howto/*.md",
 )
 KINDS = ("cell", "code", "checked", "formula", "name", "said", "given", "record", "count", "no source")
 NOUNS = "(?:tables|rows|bounces|balls|shots|spins|draws|directions|films|spheres|orbits|layouts|racks|windows|neighbours|frames)"
