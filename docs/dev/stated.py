@@ -67,7 +67,6 @@ PAGES = (
             "orbits",
             "own_law",
             "own_loop",
-            "published_tables",
             "simulate",
             "sweeps",
         ]
