@@ -1,6 +1,6 @@
 """Contacts that overlap in time, beside an integration by small steps: rows of balls, and layouts of balls at walls.
 
-    python campaigns/clusters.py [N]
+    python campaigns/clusters.py [N] [--first SEED]
 
 N rows (300) of three to five balls of any size and mass, and N layouts of two to four equal balls at one or two walls, hard or
 soft (0.3 or 3 ms): gaps of 0 to 0.1 mm, restitutions of 0.6 to 1, a third of them without loss; half with friction (0.05 to 0.3)
@@ -129,9 +129,11 @@ def one(kind: str, seed: int) -> Row:
 
 def main(words: Sequence[str] | None = None) -> None:
     """A line for each kind."""
-    with campaign("clusters", __doc__, words, count=300, small=1) as run:
+    first = {"type": int, "default": 0, "help": "the first seed (default: 0)"}
+    with campaign("clusters", __doc__, words, count=300, small=1, first=first) as run:
         counts = {"rows": run.count, "hard walls": (run.count + 1) // 2, "soft walls": run.count // 2}
-        found = run.go_through([(kind, k) for kind, count in counts.items() for k in range(count)], one)
+        seeds = {kind: range(run.given.first, run.given.first + count) for kind, count in counts.items()}
+        found = run.go_through([(kind, k) for kind in KINDS for k in seeds[kind]], one)
         for kind in KINDS:
             off = np.array([row["off"] for row in found if row["kind"] == kind])
             if len(off):

@@ -248,7 +248,7 @@ CAPS = {
     "gas": 7330,
     "billiards": 5570,
     "tracks": 8650,
-    "simulation": 5890,
+    "simulation": 5980,
     "core": 5260,
     "laws": 4840,
     "scene": 4460,

@@ -172,9 +172,6 @@ def test_friction_that_falls_with_the_slip_in_a_scene() -> None:
         scene("contact", friction={"at_rest": 0.1, "at_speed": 0.2, "speed": 1.0})
 
 
-@pytest.mark.xfail(
-    reason="the direction of a slip is read at the step's end: 6.3e-4 of the speed, spins 1.6e-3", strict=True
-)
 def test_a_cluster_with_friction_that_falls_against_an_integration_in_time() -> None:
     x = np.array([(0.0, 0.0, RADIUS), (0.05, 0.0277, RADIUS), (0.04874, -0.02987, RADIUS)])
     v, w = np.zeros((3, 3)), np.zeros((3, 3))

@@ -113,6 +113,28 @@ def test_a_ball_frozen_to_a_hard_wall(angles: Any, spin: float, e: float, mu: An
         assert [RADIUS * ball.w[2] for ball in found] == pytest.approx([1.2040, -0.3333], abs=5e-4)
 
 
+def test_a_ball_that_a_cushion_sends_back_meets_one_that_has_moved_on() -> None:
+    # it leaves the cushion 3 ms later, and meets the other one once more (right: tests/reference/contacts_followed.py)
+    x, y = 2 * RADIUS * math.cos(math.radians(-10)), 2 * RADIUS * math.sin(math.radians(-10))
+    ball = {"radius": RADIUS, "mass": MASS}
+    balls = [
+        {**ball, "position": (0, 0, 0)},
+        {**ball, "position": (x, y, 0)},
+        {**ball, "position": (x, y - 2 * RADIUS, 0), "velocity": (0.4, 0.9, 0)},
+    ]
+    wall = {"shape": "plane", "normal": (1, 0, 0), "restitution": 1, "friction": 0, "contact_time": 3e-3}
+    scene = carom.Scene(
+        gravity=0, walls=[{**wall, "point": (-RADIUS - 9e-5, 0, 0)}], balls=balls,
+        ball_contact={"restitution": 1, "friction": 0}, run={"duration": 0.02, "law": "contact"},
+    )  # fmt: skip
+    done = carom.simulate(scene)
+    right = np.array([(0.0710, 0.0322), (0.2230, 0.8679), (0.4013, -0.0001)])
+    assert done.final.velocity[:, :2] == pytest.approx(right, abs=3e-4)
+    # (one event after the other is 0.05 off)
+    alone = carom.simulate(carom.replaced(scene, {"walls.0.contact_time": 0.0})).final.velocity[:, :2]
+    assert np.abs(alone - right).max() > 0.05
+
+
 def test_a_ball_between_jaws_goes_straight_whatever_the_numbers() -> None:
     for walls in (JAWS["walls"], JAWS["walls"][::-1]):
         _rows, balls = by_python(with_walls({**JAWS, "walls": walls}))
@@ -178,13 +200,13 @@ def near_a_wall(gap: float, **wall: Any) -> carom.Scene:
 
 
 def test_in_the_open_nothing_changes() -> None:
-    # the wall is touched after the balls have parted: the law of the wall, with the same bits as one after the other
-    scene = near_a_wall(5e-4)
-    alone = carom.simulate(carom.replaced(scene, {"ball_contact.overlap": False})).log
-    assert carom.simulate(scene).log.tobytes() == alone.tobytes()
-    # so do walls whose contacts take no time, and walls of laws without one
-    for wall in ({"contact_time": 0.0}, {"law": "no-slip"}):
-        scene = near_a_wall(0.0, **wall)
+    # the wall is touched after the balls have parted: the law of the wall, with the same bits as one after the other; so do walls
+    # whose contacts take no time, and walls of laws without one
+    walls: list[tuple[float, dict[str, Any]]] = [
+        (5e-3, {}), (5e-4, {"law": "two-step"}), (0.0, {"contact_time": 0.0}), (0.0, {"law": "no-slip"})
+    ]  # fmt: skip
+    for gap, wall in walls:
+        scene = near_a_wall(gap, **wall)
         alone = carom.simulate(carom.replaced(scene, {"ball_contact.overlap": False})).log
         assert carom.simulate(scene).log.tobytes() == alone.tobytes()
     assert (carom.simulate(near_a_wall(0.0)).log["kind"] == WALL_IN_CLUSTER).any()

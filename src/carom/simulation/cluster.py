@@ -5,10 +5,11 @@ time is over, one pair at a time is not right, in whatever order. So at a meetin
 contact's duration tau is compared with the gaps to all other balls: where a gap is at most tau times the larger speed at which it
 closes, before the contact or after it, all balls nearby are taken together. Their contacts (carom.laws.pair, with Coulomb's
 friction) are integrated in the event's own time until all have opened (carom.simulation.cluster_steps). Velocities and spins
-are kept and the places are put back, so that the event takes no time, as any other; where balls that have passed each other would
-meet once more there, they are put where the last contact has opened. So it is where one of the two comes to touch a wall, and at a
-meeting of a ball and a wall where another ball, or another wall, touches the ball before the wall's contact time is over
-(carom.simulation.cluster_steps).
+are kept and the places are put back, so that the event takes no time, as any other. Where balls that have passed each other would
+meet once more there, or a wall was touched, they are put on the ways on which they leave, as far back as the event has lasted, or
+less where they would be in each other's way or in that wall. So it is where one of the two comes to touch a wall, and at a meeting
+of a ball and a wall where another ball, or another wall, touches the ball before the wall's contact time is over; or where the
+ball is sent back to another one, if the wall's law is the contact's, so that nothing of the law is lost.
 
 Neglected are the floor's forces meanwhile (they come after, as for a pair), the time itself and the places that change with it
 (some 0.1 mm; the loop's balls are rigid wherever they meet), and the spring of the tangent: whatever the law of the pair, friction
@@ -25,6 +26,7 @@ from carom.core.jit.kernel import Vec, dot, kernel, vector
 from carom.core.motion.phases import CONSTANT, HELD
 from carom.laws.pair import LEAST_RESTITUTION, lasts_longer, stiffness
 from carom.simulation.cluster_steps import (
+    AHEAD_AT_WALL,
     LAST_BIT,
     LEAST_DEPTH,
     NO_BALL,
@@ -40,6 +42,7 @@ from carom.simulation.cluster_steps import (
     loses_nothing_at_walls,
     settle_wall,
     share_momentum,
+    since_wall,
     wall_in_time,
     walls_in_time,
 )
@@ -117,7 +120,7 @@ def overlaps_at_wall(world: Any, features: Any, balls: Any, i: int, k: int, n: V
         third = balls[j]
         if third.phase < HELD and j != i and _are_near(ball, third, 1 + NEAR / 2):
             time = _time_to_touch(ball, v, third, u)
-            if time <= f.contact_time:
+            if time <= AHEAD_AT_WALL * f.contact_time:
                 return True
     return walls_in_time(world, features, ball, f, n, v, u)
 
@@ -210,8 +213,37 @@ def _have_turned(balls: Any, count: int, slow: float) -> bool:
 
 
 @kernel
-def _is_room(world: Any, features: Any, balls: Any, touched: int) -> bool:
-    """Return whether the balls that were touched can be put where they have come to, across the pull and along the floor.
+def _since_walls(one: Any, time: float) -> float:
+    """Return the time, or less: for how long a ball, which is at dx, has been on its way from the walls that it has touched."""
+    for s in range(one.walls):
+        time = min(time, since_wall(one, s)) if has_hit(one, s) else time
+    return time
+
+
+@kernel
+def _time_back(balls: Any, touched: int, time: float) -> tuple[float, float]:
+    """Return how far back on their ways after a cluster, at most its time, all balls, which are at dx, leave each other and their
+    walls; and how far they leave each other.
+    """
+    back = time
+    for p in range(touched):
+        one = balls[balls[p].touched]
+        x, v = vector(one.dx), one.cv
+        back = _since_walls(one, back)
+        for q in range(p):
+            other = balls[balls[q].touched]
+            y, u = other.dx, other.cv
+            r, u = (x[0] - y[0], x[1] - y[1], x[2] - y[2]), (v[0] - u[0], v[1] - u[1], v[2] - u[2])
+            b, square, reach = dot(r, u), dot(u, u), one.radius + other.radius
+            if b > 0 and dot(r, r) - b * b / square < reach * reach:
+                time = min(time, b / (2 * square))
+    return min(back, time), time
+
+
+@kernel
+def _is_room(world: Any, features: Any, balls: Any, touched: int, back: float) -> bool:
+    """Return whether the balls that were touched can be put a time back on their ways after it, but not into walls that they have
+    touched; across the pull and along the floor.
 
     They can go a little way, where nothing else is; near a pocket they stay.
     """
@@ -219,11 +251,12 @@ def _is_room(world: Any, features: Any, balls: Any, touched: int) -> bool:
     square = dot(pull, pull)
     for p in range(touched):
         one = balls[balls[p].touched]
-        d, a = (one.dx[0] - one.x[0], one.dx[1] - one.x[1], one.dx[2] - one.x[2]), one.radius
+        x, v, a, ago = one.x, one.cv, one.radius, _since_walls(one, back)
+        d = (one.dx[0] - ago * v[0] - x[0], one.dx[1] - ago * v[1] - x[1], one.dx[2] - ago * v[2] - x[2])
         c = dot(d, pull) / square if square > 0 else 0 * square
         d = (d[0] - c * pull[0], d[1] - c * pull[1], d[2] - c * pull[2])
         x = (one.x[0] + d[0], one.x[1] + d[1], one.x[2] + (d[2] if world.floor == 0 else 0 * d[2]))
-        write_vector(one.dx, x)
+        write_vector(one.cx, x)
         if dot(d, d) > LEAP * LEAP * a * a:
             return False
         for k in range(features.shape[0]):
@@ -235,15 +268,16 @@ def _is_room(world: Any, features: Any, balls: Any, touched: int) -> bool:
     t = balls[balls[0].touched].clock
     for p in range(touched):
         i = balls[p].touched
-        one, x = balls[i], vector(balls[i].dx)
+        one, x = balls[i], vector(balls[i].cx)
         for j in range(balls.shape[0]):
             other = balls[j]
             if other.phase < HELD and j != i:
                 is_beside = other.met in (NO_BALL, OUTSIDE)
-                y = state_after(world, other, t - other.clock)[0] if is_beside else vector(other.dx)
-                r = (x[0] - y[0], x[1] - y[1], x[2] - y[2])
+                y = state_after(world, other, t - other.clock)[0] if is_beside else vector(other.cx)
+                r, v, u = (x[0] - y[0], x[1] - y[1], x[2] - y[2]), one.cv, other.cv
                 reach = (1 - LEAST_DEPTH) * (one.radius + other.radius)
-                if dot(r, r) < reach * reach:
+                leaves = not is_beside and dot(r, (v[0] - u[0], v[1] - u[1], v[2] - u[2])) > 0
+                if dot(r, r) < reach * reach and not leaves:
                     return False
     return True
 
@@ -358,26 +392,27 @@ def collide_cluster(world: Any, features: Any, balls: Any, i: int, k: int, f: in
     """
     count = _gather(balls, i, k, 1 + NEAR / 2)
     find_walls(world, features, balls, count, i, f)
-    touched, fastest = follow(world, features, balls, count, i, f >= 0)
+    touched, fastest, time, later = follow(world, features, balls, count, i, f >= 0)
     hits = coupled = 0
     for p in range(touched):
         one = balls[balls[p].touched]
         hits |= one.hits
-        coupled |= one.coupled
+        coupled |= one.coupled & 1
     if f >= 0:
-        if balls[i].coupled == 0 or not has_hit(balls[i], 0):
+        if balls[i].coupled & 1 == 0 or not has_hit(balls[i], 0):
             return 0
     else:
-        if (touched <= 2 and coupled == 0) or balls[i].met == NO_BALL or balls[k].met == NO_BALL:
+        if ((touched <= 2 or later) and coupled == 0) or balls[i].met == NO_BALL or balls[k].met == NO_BALL:
             return 0
         if hits != 0 and coupled == 0:
+            hits = 0
             # (walls that are touched once the others have parted come after the event, with their own laws)
             place_all(world, balls, i, k)
             count = _gather(balls, i, k, 1 + NEAR / 2)
             for p in range(count):
                 balls[balls[p].member].walls = balls[balls[p].member].hits = 0
-            touched, fastest = follow(world, features, balls, count, i, False)
-            if touched <= 2 or balls[i].met == NO_BALL or balls[k].met == NO_BALL:
+            touched, fastest, time, later = follow(world, features, balls, count, i, False)
+            if touched <= 2 or later or balls[i].met == NO_BALL or balls[k].met == NO_BALL:
                 return 0
     plastic = world.pair_form == CONSTANT and world.pair_p[0] < LEAST_RESTITUTION
     _join(balls, count, 2 * LEAST_RESTITUTION * fastest if plastic else -1)
@@ -396,11 +431,16 @@ def collide_cluster(world: Any, features: Any, balls: Any, i: int, k: int, f: in
         one.was = one.phase
         write_vector(one.dx, vector(one.cx))
         write_vector(one.cx, vector(one.x))
-    if _have_turned(balls, count, TURNS * fastest) and _is_room(world, features, balls, touched):
+    back, time = _time_back(balls, touched, time)
+    if (hits != 0 or _have_turned(balls, count, TURNS * fastest)) and (
+        _is_room(world, features, balls, touched, back)
+        or _is_room(world, features, balls, touched, time)
+        or _is_room(world, features, balls, touched, 0 * time)
+    ):
         for p in range(touched):
-            one = balls[balls[p].touched]
-            write_vector(one.x, vector(one.dx))
-            write_vector(one.cx, vector(one.dx))
+            write_vector(balls[balls[p].touched].x, vector(balls[balls[p].touched].cx))
+    for p in range(touched):
+        write_vector(balls[balls[p].touched].cx, vector(balls[balls[p].touched].x))
     _settle(balls, count, fastest)
     _restore(world, features, balls, touched)
     return touched

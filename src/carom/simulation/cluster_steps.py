@@ -17,9 +17,22 @@ from carom.core.jit.kernel import Vec, cross, dot, kernel, vector
 from carom.core.motion.phases import CONSTANT, restitution
 from carom.laws.law import CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL, ROLLING_WALL, TWO_STEP_WALL
 from carom.laws.pair import contact_time, damping, stiffness
-from carom.simulation.cluster_friction import SLOTS, across, friction_before, friction_of_step, rubbed, write_friction
+from carom.simulation.cluster_friction import (
+    SLOTS,
+    across,
+    begins,
+    friction_before,
+    friction_of_step,
+    mean_slip,
+    rubbed,
+    write_friction,
+    write_slip,
+)
 from carom.simulation.motion import accelerations_of, is_on_floor, write_vector
 
+SPRINGS = (
+    2  # bit of a ball that has touched a wall whose own law is that of a spring: what it touches after that counts
+)
 MOST_WALLS = 3  # that one ball can touch at once
 BITS = 20  # of a feature's number
 LEAST_TIME = 1e-6  # s: a shorter contact takes no time
@@ -230,6 +243,16 @@ def until_clear_of_wall(ball: Any, s: int) -> float:
 
 
 @kernel
+def since_wall(ball: Any, s: int) -> float:
+    """Return for how long a ball of a cluster, which is at dx, has been on its way from its wall s; infinity if it is not."""
+    n = _normal(ball, s)
+    rate = dot(vector(ball.cv), n)
+    if not rate > 0:
+        return math.inf + 0 * rate
+    return max(dot(vector(ball.dx), n) - ball.wall_at[s], 0 * rate) / rate
+
+
+@kernel
 def push_of_wall(features: Any, ball: Any, s: int, h: float, share: float, least: float) -> bool:
     """Add the force of wall s on a ball, and its share of a step h to the impulse; return whether the contact goes on."""
     f, n = features[wall_of(ball, s)], _normal(ball, s)
@@ -257,9 +280,13 @@ def push_of_wall(features: Any, ball: Any, s: int, h: float, share: float, least
     ball.hits |= 1 << s
     ball.pushes += 1
     if ball.pushes > 1:
-        ball.coupled = 1
+        ball.coupled |= 1
+    if f.law == CONTACT_WALL and not f.beta > 0:
+        ball.coupled |= SPRINGS
     force = (push * n[0], push * n[1], push * n[2])
     if _mu(f) > 0:
+        if begins(ball.wall_rub, s):
+            write_slip(ball.wall_rub, s, _slip_at_wall(ball, n))
         g = friction_before(ball.wall_rub, s, share, push)
         force = (force[0] + g[0], force[1] + g[1], force[2] + g[2])
         twist = cross(n, g)
@@ -286,15 +313,23 @@ def _give(ball: Any, s: int, force: Vec, time: float, borne: bool) -> None:
 
 
 @kernel
+def _slip_at_wall(ball: Any, n: Vec) -> Vec:
+    """Return the slip of a ball at a wall of normal n."""
+    v, a, w = ball.cv, ball.radius, ball.cw
+    turn = cross((a * w[0], a * w[1], a * w[2]), n)
+    return across((v[0] - turn[0], v[1] - turn[1], v[2] - turn[2]), n)
+
+
+@kernel
 def rub_wall(features: Any, ball: Any, s: int, h: float, last: bool) -> None:
     """Add the change of the impulse of friction of wall s at the end of a step h."""
     if not rubbed(ball.wall_rub, s):
         return
-    n, v, a, w = _normal(ball, s), ball.cv, ball.radius, ball.cw
-    turn = cross((a * w[0], a * w[1], a * w[2]), n)
-    t = across((v[0] - turn[0], v[1] - turn[1], v[2] - turn[2]), n)
+    n = _normal(ball, s)
+    t = _slip_at_wall(ball, n)
     mt = ball.mass / (ball.parts * (1 + 1 / ball.kappa))
-    f = friction_of_step(ball.wall_rub, s, n, t, mt, _mu(features[wall_of(ball, s)]), h, last)
+    mean, mu = mean_slip(ball.wall_rub, s, t), _mu(features[wall_of(ball, s)])
+    f = friction_of_step(ball.wall_rub, s, n, t, mean, mt, mu, h, last)
     twist = cross(n, f)
     for k in range(3):
         ball.twist[k] += twist[k]
@@ -369,6 +404,7 @@ SWEEPS = 3
 RETURNS = 1e-3  # of that speed: slower balls do not come back
 # In durations of a contact: balls that touch again so soon are followed; the longest that all are, and four more for each of them
 AHEAD, MOST = 5, 40
+AHEAD_AT_WALL = 3  # in durations of a wall's contact: a ball that is sent back by it is followed so long
 LAST_BIT = 62  # of a whole number: for all members from the 62nd on
 NO_BALL, AT_WALL = -1, -3
 SHARES = (
@@ -437,6 +473,8 @@ def _touch(balls: Any, i: int, k: int, touched: int) -> int:
     """Note that ball k pushes ball i; return how many balls have been touched."""
     ball = balls[i]
     ball.pushes += 1
+    if ball.coupled & SPRINGS != 0:
+        ball.coupled |= 1
     if ball.met == NO_BALL:
         balls[touched].touched = i
         touched += 1
@@ -484,6 +522,8 @@ def _push(
     touched = _touch(balls, i, k, touched)
     f = (push * n[0], push * n[1], push * n[2])
     if world.pair_mu > 0 or world.pair_drop > 0:
+        if begins(one.rub, slot):
+            write_slip(one.rub, slot, _slip(one, other, n))
         g = friction_before(one.rub, slot, share, push)
         f = (f[0] + g[0], f[1] + g[1], f[2] + g[2])
         twist = cross(n, g)
@@ -495,18 +535,26 @@ def _push(
 
 
 @kernel
+def _slip(one: Any, other: Any, n: Vec) -> Vec:
+    """Return the slip of a ball on another one, along whose line of centres n is."""
+    v, v2, w, w2, a, a2 = one.cv, other.cv, one.cw, other.cw, one.radius, other.radius
+    s = cross((a * w[0] + a2 * w2[0], a * w[1] + a2 * w2[1], a * w[2] + a2 * w2[2]), n)
+    return across((v[0] - v2[0] - s[0], v[1] - v2[1] - s[1], v[2] - v2[2] - s[2]), n)
+
+
+@kernel
 def _rub(world: Any, one: Any, other: Any, slot: int, h: float, last: bool) -> None:
     """Add the changes of the impulse of friction between two balls at the end of a step h."""
     if not rubbed(one.rub, slot):
         return
-    r, v, v2, w, w2 = apart(other, one), one.cv, other.cv, one.cw, other.cw
-    far, a, a2 = math.sqrt(dot(r, r)), one.radius, other.radius
+    r = apart(other, one)
+    far = math.sqrt(dot(r, r))
     n = (r[0] / far, r[1] / far, r[2] / far)
-    s = cross((a * w[0] + a2 * w2[0], a * w[1] + a2 * w2[1], a * w[2] + a2 * w2[2]), n)
-    t = across((v[0] - v2[0] - s[0], v[1] - v2[1] - s[1], v[2] - v2[2] - s[2]), n)
+    t = _slip(one, other, n)
+    mean = mean_slip(one.rub, slot, t)
     mt = 1 / (one.parts * (1 + 1 / one.kappa) / one.mass + other.parts * (1 + 1 / other.kappa) / other.mass)
-    mu = friction_at_slip(world.pair_mu, world.pair_drop, world.pair_rate, math.sqrt(dot(t, t)))
-    f = friction_of_step(one.rub, slot, n, t, mt, mu, h, last)
+    mu = friction_at_slip(world.pair_mu, world.pair_drop, world.pair_rate, math.sqrt(dot(mean, mean)))
+    f = friction_of_step(one.rub, slot, n, t, mean, mt, mu, h, last)
     twist = cross(n, f)
     add(one.push, f, 1)
     add(other.push, f, -1)
@@ -614,7 +662,7 @@ def _step(
 
 
 @kernel
-def _until_contact(balls: Any, count: int, touched: int, lasts: float, ahead: float, slow: float) -> float:
+def _until_contact(balls: Any, count: int, lasts: float, ahead: float, slow: float) -> float:
     """Return how soon at the soonest anything touches again, now that all contacts are open; infinity where the cluster is over.
 
     It goes on where balls that have touched something will touch within the time ``ahead``, or a ball and a wall that it has
@@ -627,8 +675,7 @@ def _until_contact(balls: Any, count: int, touched: int, lasts: float, ahead: fl
         one = balls[balls[p].member]
         for s in range(one.walls):
             time, rate = until_wall(one, s)
-            again = one.met != NO_BALL and has_hit(one, s) and rate > slow
-            goes_on = goes_on or (again and time <= ahead)
+            goes_on = goes_on or (one.met != NO_BALL and rate > slow and time <= ahead)
             soonest = min(soonest, time)
         for q in range(p):
             other = balls[balls[q].member]
@@ -639,10 +686,11 @@ def _until_contact(balls: Any, count: int, touched: int, lasts: float, ahead: fl
                 if c > 0:
                     time = max(far - one.radius - other.radius, 0 * far) / c
                     soonest = min(soonest, time)
-                    if one.met >= 0 and other.met >= 0:
+                    known, unknown = one.met != NO_BALL, other.met != NO_BALL
+                    if (known and unknown) or one.hits != 0 or other.hits != 0:
                         goes_on = goes_on or (c > slow and time <= ahead)
-                    elif one.met >= 0 or other.met >= 0:
-                        goes_on = goes_on or (c > slow and time <= lasts and touched > 2)
+                    elif known or unknown:
+                        goes_on = goes_on or (c > slow and time <= lasts)
     return soonest if goes_on else never
 
 
@@ -678,8 +726,9 @@ def _move(balls: Any, count: int, time: float) -> None:
 
 
 @kernel
-def follow(world: Any, features: Any, balls: Any, count: int, i: int, alone: bool) -> tuple[int, float]:
-    """Integrate the contacts of members until all have opened; return how many balls were touched, and the largest speed.
+def follow(world: Any, features: Any, balls: Any, count: int, i: int, alone: bool) -> tuple[int, float, float, bool]:
+    """Integrate the contacts of members until all have opened; return how many balls were touched, the largest speed, the time, and
+    whether others were touched only after the first two had parted.
 
     ``alone``: it is a wall that ball i meets, not another ball.
     """
@@ -703,7 +752,7 @@ def follow(world: Any, features: Any, balls: Any, count: int, i: int, alone: boo
         has_friction(world, features, balls, count),
     )
     open_for = 0 * h
-    ahead = max(longest, AHEAD * STEPS * h)
+    ahead, waits, later = max(AHEAD_AT_WALL * longest, AHEAD * STEPS * h), 0 * h, False
     if alone:
         balls[i].met, balls[0].touched = AT_WALL, i
         touched = 1
@@ -714,10 +763,13 @@ def follow(world: Any, features: Any, balls: Any, count: int, i: int, alone: boo
         lasts += h
         open_for = 0 * h if on else open_for + h
         if not on:
-            wait = _until_contact(balls, count, touched, STEPS * h, ahead, RETURNS * fastest)
+            wait = _until_contact(balls, count, STEPS * h, ahead, RETURNS * fastest)
             if wait < math.inf:
                 on = True
                 open_for += wait
+                waits += wait
+                later = later or touched <= 2
                 _move(balls, count, wait)
-    _move(balls, count, _until_clear(balls, count, open_for, STEPS * h))
-    return touched, fastest
+    clear = _until_clear(balls, count, open_for, STEPS * h)
+    _move(balls, count, clear)
+    return touched, fastest, lasts + waits + clear, later

@@ -123,9 +123,9 @@ BALLS = np.dtype(
         (
             "rub",
             _NUMBER,
-            (60,),
+            (96,),
         ),  # friction at the members before it that are near (carom.simulation.cluster_friction), and walls
-        ("wall_rub", _NUMBER, (15,)),
+        ("wall_rub", _NUMBER, (24,)),
     ]
 )
 

@@ -251,7 +251,10 @@ def _set_to_log(ball: Any, row: Any) -> None:
 
 @kernel
 def _set_to_log_before(ball: Any, row: Any) -> None:
-    _revalued(ball.x, vector(row.x))
+    x, y = vector(row.x), (value_of(ball.x[0]), value_of(ball.x[1]), value_of(ball.x[2]))
+    off = max(abs(x[0] - y[0]), abs(x[1] - y[1]), abs(x[2] - y[2]))
+    if off <= IN_TOUCH * value_of(ball.radius):  # (else a cluster has put it there; it was met where it has come to)
+        _revalued(ball.x, x)
     _revalued(ball.v, vector(row.v_before))
     _revalued(ball.w, vector(row.w_before))
 
