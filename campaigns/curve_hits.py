@@ -67,10 +67,14 @@ def launches(kind: str, seed: int, count: int) -> tuple[np.ndarray, np.ndarray, 
     name, path = kind.removeprefix(SCENE).split(", ")
     curve, a = CURVES[name]
     rng = np.random.default_rng([seed, KINDS.index(kind)])
-    made, ball = table(name)
-    shape = made.shape(float(ball.radius))
     half = count // 2
-    _k, x, n = shape.place(rng.uniform(0, shape.lengths.sum(), half))
+    x, n = np.empty((0, 2)), np.empty((0, 2))
+    while len(x) < half:  # (where a ball touches that is larger than a radius of curvature elsewhere)
+        y, d, _dd = curve.at(rng.uniform(*curve.span(), 2 * half))
+        m = np.stack([-d[:, 1], d[:, 0]], -1) / np.hypot(*d.T)[:, None]
+        on = depth(curve, y + a * m) > a - 1e-13
+        x, n = np.concatenate([x, (y + a * m)[on]]), np.concatenate([n, m[on]])
+    x, n = x[:half], n[:half]
     angle = np.pi / 2 * (1 - 10 ** rng.uniform(-3, 0, half)) * rng.choice([-1, 1], half)
     v = np.cos(angle)[:, None] * n + np.sin(angle)[:, None] * np.stack([-n[:, 1], n[:, 0]], -1)
     inner = np.empty((0, 2))

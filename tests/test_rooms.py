@@ -245,11 +245,11 @@ def test_no_build_product_is_tracked() -> None:
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
     "fitting": 10330,
-    "gas": 7330,
+    "gas": 7335,
     "billiards": 5570,
     "tracks": 8650,
     "simulation": 5980,
-    "core": 5260,
+    "core": 5265,
     "laws": 4840,
     "scene": 4460,
     "cli": 4750,

@@ -337,6 +337,11 @@ class Container:
         return least
 
     @property
+    def widest_radius(self) -> float:
+        """Below this a ball fits into an ellipse that bounds its surface: the smaller half axis, m; infinity for others."""
+        return min(self.size[:2]) / 2 if self.shape == "ellipse" and self.faces[0].form == CURVE else math.inf
+
+    @property
     def curves(self) -> Array:
         """The tables of all arcs of smooth curves, one after the other."""
         return np.concatenate([np.empty((0, ROW)), *(face.table for face in self.faces)])

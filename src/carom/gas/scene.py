@@ -18,6 +18,7 @@ from carom.files import require_memory
 from carom.formatting import counted, format_bytes, format_number
 from carom.gas.containers import (
     BOXES,
+    JOINT_OVERLAP,
     WALLS,
     Container,
     container,
@@ -630,6 +631,11 @@ def _density_faults(scene: GasScene) -> list[Fault]:
             expected = f"{width}at most {LONGEST_SIDE:g} radii of the smallest ball, {format_number(longest, 6)}"
             why = "positions would be rounded by more than such a ball can be off"
             found.add(where, expected, shown(length), why)
+    narrow = container.widest_radius
+    if not found and widest / 2 > narrow * (1 - JOINT_OVERLAP):
+        i = int(np.argmax([one.radii.max() for one in scene.species]))
+        expected = f"a radius below the ellipse's smaller half axis, {format_number(narrow, 6)}"
+        found.add(f"species[{i}].radius", expected, shown(float(scene.species[i].radii.max())))
     if found or scene.container.bounds == "centre":  # (balls may then overlap the walls)
         return found
     several = len({radius for one in scene.species for radius in (one.radii.min(), one.radii.max())}) > 1

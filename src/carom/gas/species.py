@@ -13,7 +13,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, PlainSerializer, mo
 
 from carom.bodies import Ball, Surface
 from carom.errors import Fault, FaultList, require_type, suggestion
-from carom.gas.containers import WALLS, Container, ContainerFace, wall_name
+from carom.gas.containers import JOINT_OVERLAP, WALLS, Container, ContainerFace, wall_name
 from carom.gas.drives import Drive, Thermostat, face_records
 from carom.gas.edmd.driver import SystemRecords
 from carom.gas.edmd.gas_records import (
@@ -416,6 +416,8 @@ def system_records(
     widest = max(float(one.ball.radius) for one in species)
     longest = LONGEST_SIDE * min(float(one.ball.radius) for one in species)
     _set_cells(faults, system[0], container, 2 * widest, longest, count)
+    if (most := container.widest_radius) * (1 - JOINT_OVERLAP) <= widest:
+        faults.add("species", f"radii below {most:g}, the ellipse's smaller half axis", f"{widest:g}")
     faces = face_records(faults, container, drives, widest)
     fastest = max(math.sqrt(one.temperature / one.ball.mass) for one in species)
     shear = _shear_record(faults, container, pull, shear_rate, fastest)

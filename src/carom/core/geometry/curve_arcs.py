@@ -466,15 +466,21 @@ def arc_hit(
     pull, speed = math.sqrt(gx * gx + gy * gy), math.sqrt(vx * vx + vy * vy)
     if speed == 0.0 and pull == 0.0 and dd == 0.0:
         return NEVER
-    if pull == 0.0 and dd == 0.0:
-        return _line_hit(table, ends, d, x, y, vx, vy, until, slow)
     near, large = NOISE * table[ends[4], SIZE], max(d, POINT * table[ends[4], SIZE])
     path = (table, ends, d, dd, x, y, vx, vy, gx, gy)
+    straight = pull == 0.0 and dd == 0.0
+    if straight:
+        s = _line_hit(table, ends, d, x, y, vx, vy, until, slow)
+        if s < NEVER or table[ends[4], SENSE] < 0.0:
+            return s
     g, u, _half, bend, beyond = _gap_and_bend(path, 0.0)
+    # (on a line that rounding put behind a wall that bends round it, a ball comes back to that, or to the next arc)
+    if straight and not -BEHIND * large <= g <= BEHIND * large:
+        return NEVER
     touches = -BEHIND * large <= g <= near and beyond <= SEAM * large
     if touches and (u < -slow or (u <= 0.0 and bend < 0.0)):
         return 0.0
-    return _parabola_hit(path, until, touches, g)
+    return _parabola_hit(path, until, touches or (straight and g <= near), g)
 
 
 @kernel
