@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path as FilePath
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,7 +46,11 @@ from carom.tracks.video.scale import (
     row_phase,
 )
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 Mask = NDArray[np.bool_]
+NUMBER = r"\d+(?:\.\d*)?"
 AROUND = 1.6  # radii that a crop shows around the middle of the ball
 
 
@@ -105,9 +109,9 @@ class TrackedFilm:
         write_text(file, "\n".join(lines))
         return file
 
-    def sheet(self, file: str | PathLike[str]) -> Any:
+    def sheet(self, file: str | PathLike[str]) -> Figure:
         """Draw the contact sheet, to look at what was tracked: .png, .svg or .pdf."""
-        return figure_maker("plot_film")(self, file)
+        return figure_maker("plot_film")(self, file)  # type: ignore[no-any-return]
 
     def __repr__(self) -> str:
         """Return one line: the number of balls and frames."""
@@ -165,7 +169,7 @@ SHARE, RIM = 0.75, 0.6  # of what a candidate's picture shows, explained by a di
 ALIKE_SIZE = 0.12  # scatter of a ball's radius in the frames, at most
 SHARPER = 0.85  # blur of a ball without its shadow, of that with it
 LIKE = 0.5  # of the frames of the best candidate: another one with as many is as likely
-ASTRAY = 0.6  # radii from where the frames before, and those after, have the ball
+ASTRAY = 5.0, 0.06  # from where frames before, and those after, have the ball: times the usual, and radii
 FLAGGED = 8.0  # times the usual cost
 FAR = 25.0  # radii: the way of what surely moves
 GROWS = 0.03  # of the radius, that is said
@@ -392,10 +396,13 @@ def _followed(
             held = 0.0
         tell(patch.frame)
     finish()
+    off = np.full(count, np.nan)
     for k in rows.tolist():
         near = _from_beside(k, times, places, costs, np.inf)
-        if len(near) == 2 and min(float(np.hypot(*(at - places[k]))) for at, _speed in near) > ASTRAY * radii[k]:
-            costs[k] = 1e6  # (the outline of something else)
+        if len(near) == 2:
+            off[k] = min(float(np.hypot(*(at - places[k]))) for at, _speed in near)
+    usual = float(np.nanmedian(off)) if np.isfinite(off).any() else 0.0
+    costs[off > np.maximum(ASTRAY[0] * usual, ASTRAY[1] * radii)] = 1e6  # (the outline of something else)
     return places, costs
 
 
@@ -573,12 +580,12 @@ def _checked(
         faults.add("`balls`", "1 to 30 balls", repr(balls))
     for name, value, low in (
         ("radius", radius, 0),
-        ("readout", readout, -1),
+        ("readout", readout, -1e-9),
         ("rate", rate, 0),
         ("end", end, start or 0),
     ):
         if value is not None and not low < value < 1e6:
-            faults.add(f"`{name}`", f"a number above {max(low, 0):g}", repr(value))
+            faults.add(f"`{name}`", f"a number {'of at least 0' if low < 0 else f'above {low:g}'}", repr(value))
     if isinstance(scale, str) and scale != "gravity":
         faults.add("`scale`", "metres per pixel, or gravity", repr(scale))
     if isinstance(scale, float | int) and not 0 < scale < 1e3:
@@ -587,7 +594,7 @@ def _checked(
         faults.attempt(parse_length, length)
     seeds = []
     for text in [ball] if isinstance(ball, str) else ball:
-        numbers = re.fullmatch(r"\s*(-?[\d.]+)\s*,\s*(-?[\d.]+)\s*@\s*([\d.]+)\s*s?\s*", text)
+        numbers = re.fullmatch(rf"\s*(-?{NUMBER})\s*,\s*(-?{NUMBER})\s*@\s*({NUMBER})\s*s?\s*", text)
         if numbers is None:
             faults.add("`ball`", "a place and a time, x,y@t (px, s)", repr(text))
         else:
@@ -602,7 +609,7 @@ def _checked(
             faults.add("`colour`", "red, green, blue as in '#e0b020'", repr(colour))
     corners = None
     if region is not None:
-        numbers_of = re.fullmatch(r"\s*([\d.]+),\s*([\d.]+),\s*([\d.]+),\s*([\d.]+)\s*", region)
+        numbers_of = re.fullmatch(rf"\s*({NUMBER}),\s*({NUMBER}),\s*({NUMBER}),\s*({NUMBER})\s*", region)
         x0, y0, x1, y1 = (float(one) for one in numbers_of.groups()) if numbers_of else (0.0, 0.0, 0.0, 0.0)
         if x1 > x0 and y1 > y0:
             corners = (x0, y0, x1, y1)
