@@ -328,7 +328,7 @@ def _step(terms: Terms) -> Array:
 
 
 def _error(spin: Array, terms: Terms, frames: list[int]) -> Array:
-    """Return the standard errors (3,): by leaving out one frame after the other, and one per cent for the radius."""
+    """Return the standard errors (3,): by leaving out one frame after the other, and 1.5 % for radius, centre and light."""
     moves = []
     for frame in frames:
         rest = [term for term in terms if frame not in term[:2]]
@@ -338,7 +338,7 @@ def _error(spin: Array, terms: Terms, frames: list[int]) -> Array:
         return np.full(3, np.nan)
     gap = np.array(moves) - np.mean(moves, axis=0)
     return np.asarray(
-        np.hypot(np.sqrt((len(moves) - 1) / len(moves) * np.square(gap).sum(axis=0)), 0.01 * np.linalg.norm(spin))
+        np.hypot(np.sqrt((len(moves) - 1) / len(moves) * np.square(gap).sum(axis=0)), 0.015 * np.linalg.norm(spin))
     )
 
 
