@@ -249,7 +249,7 @@ def since_wall(ball: Any, s: int) -> float:
     rate = dot(vector(ball.cv), n)
     if not rate > 0:
         return math.inf + 0 * rate
-    return max(dot(vector(ball.dx), n) - ball.wall_at[s], 0 * rate) / rate
+    return max(dot(vector(ball.dx), n) - ball.wall_at[s], 0 * rate) / rate  # type: ignore[no-any-return]
 
 
 @kernel
