@@ -122,6 +122,15 @@ def test_a_height_alone(tmp_path: Path) -> None:
         np.testing.assert_allclose(track.position, one.place * [0, 1], atol=1e-6)
 
 
+@pytest.mark.parametrize("head", ["x [m],Track n°,y [m]", "Track n°,x [m],y [m]"])
+def test_rows_of_one_ball_are_counted_beside_its_number(tmp_path: Path, head: str) -> None:
+    one = film()
+    columns = {"x": cells(one.place[:, 0]), "y": cells(one.place[:, 1]), "T": ["1"] * len(one.time)}
+    (tmp_path / "film.csv").write_text(table(head, [columns[name[0]] for name in head.split(",")]))
+    (track,) = read_tracks(tmp_path / "film.csv", calibration=Calibration(rate=RATE)).tracks
+    np.testing.assert_allclose(track.position, one.place, atol=1e-6)
+
+
 def test_a_single_coordinate_from_above_is_no_height(tmp_path: Path) -> None:
     """The view that is given decides: the wall is the one that the same film with both coordinates has."""
     t, rng = np.arange(0, 1.0, 1 / 120), np.random.default_rng(3)

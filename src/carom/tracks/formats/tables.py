@@ -609,7 +609,7 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
         for one in without:
             one.columns["frame"] = clock, NAMED.parse("frame")
     for one in balls:
-        _require_clock(table, header, one, bool(labels), calibration)
+        _require_clock(table, header, one, len(set(zip(*labels.values(), strict=True))) > 1, calibration)
     table.raise_faults()
     columns = [column for one in balls for column in one.columns.items()]
     pixels = any(meaning is None for _quantity, (_i, meaning) in columns)
