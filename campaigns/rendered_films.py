@@ -195,7 +195,7 @@ def report(run: Campaign, kind: str) -> None:
     if strange := len(rows) - len(good) - len(refused):
         said += f"; other frames than the film has: {strange}"
     if kind == NAMES:
-        names = sum(row["exchanged"] for row in good)
+        names = sum(row["exchanged"] > 0 for row in good)
         run.say(f"{kind}: names exchanged in {names} of {len(good)} films; 95 % of the places within"
                 f" {middle([row['most'] for row in good])} px{said}")  # fmt: skip
         return
