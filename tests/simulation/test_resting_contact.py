@@ -57,5 +57,5 @@ def test_balls_that_slide_pressed_against_each_other_stay_on_the_floor(pressed_b
     # (else most rows are hops of 1e-18 m between the low bounces, with the ends of the slides that follow)
     kinds = pressed_balls.log["kind"]
     meetings = (kinds == BALL).sum()
-    assert (kinds == FLOOR).sum() < 0.01 * meetings
-    assert meetings < len(kinds) < 1.1 * meetings < 5000
+    assert (kinds == FLOOR).sum() < 5
+    assert meetings < len(kinds) < 1.05 * meetings < 2100

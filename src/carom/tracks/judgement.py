@@ -35,6 +35,7 @@ from carom.tracks.video.reading import is_film
 Array = NDArray[np.float64]
 FEW = 4  # frames: three numbers of a parabola, and one to spare
 UNEVEN = 10.0  # times the noise, squared: more is no noise
+CUBIC = 5.25  # times: (12 sqrt(7))^2 / 192, by which a cubic is worse than noise at the ends
 EXACT = 1e-12  # m: with less noise the numbers are a program's
 POOL_BALL = 0.028575  # m
 LARGEST = 1e30  # in SI units: no squares of squares overflow
@@ -333,8 +334,9 @@ def _pieces(t: Array, x: Array, w: Array | None, sigma: float) -> Iterator[PathP
         design = np.stack([np.ones_like(tau), tau, tau * tau], axis=-1)
         numbers = np.linalg.lstsq(design, x[first : last + 1], rcond=None)[0]
         misfit = float(np.square(design @ numbers - x[first : last + 1]).sum()) / (3 * max(len(tau) - 3, 1))
-        # (more than noise is a path that is no parabola: it does not average out)
-        misfit *= len(tau) if misfit > UNEVEN * sigma**2 else 1
+        # (more than noise is a path that is no parabola: it does not average out, and the slope at the ends of a cubic is off by
+        # 12 sqrt(7) r/T, r the rest and T the time, where noise of that size would make sqrt(192) r/T)
+        misfit *= CUBIC * len(tau) if misfit > UNEVEN * sigma**2 else 1
         covariance = np.linalg.inv(design.T @ design) * max(sigma**2, misfit)
         turns = w is not None and bool(np.isfinite(w[first : last + 1]).all())
         spins = None if w is None or not turns else np.linalg.lstsq(design[:, :2], w[first : last + 1], rcond=None)[0]
@@ -789,6 +791,7 @@ def _energy(t: float, late: float, event: _Event, kappa: float, pull: Array, fou
             if piece.spins is not None:
                 w = piece.spin(t)
                 energy, power = energy + moment * float(w @ w) / 2, power + moment * float(w @ piece.spins[1])
+                variance += (moment * float(np.linalg.norm(w)) * piece.spin_error) ** 2
             elif k == 0:
                 hidden += kappa * ball.mass * float(v @ v) / 2
             sums[k] += energy
