@@ -179,7 +179,6 @@ def test_the_restitution_of_a_film_with_marks(tmp_path: Path) -> None:
         ("a.pkl", b"\x80\x04\x95", "pickle", "to_csv"),
         ("a.cmbl", b"<?xml version='1.0'?><Document>", "Logger Pro", "File > Export As > CSV"),
         ("a.xlsx", b"PK\x03\x04", "a spreadsheet", "save the sheet as CSV"),
-        ("a.mp4", b"\0\0\0\x18ftypmp42", "a film", "track the ball first"),
     ],
 )
 def test_projects_are_refused_with_the_menu_that_exports(

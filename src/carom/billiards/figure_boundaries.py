@@ -65,7 +65,8 @@ def _outline(name: str, figure: PlaneFigure, inset: float) -> Boundary:
             raise ball_too_large(name, inset)
     for loop in inner:
         one: Any = loop[0]
-        found.outside.append(Circle(*one.center, one.radius + inset))
+        x, y = one.center
+        found.outside.append(Circle(x, y, one.radius + inset))
     return found
 
 

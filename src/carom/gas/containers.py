@@ -185,7 +185,7 @@ def _curved(figure: PlaneFigure, loop: Loop, names: Sequence[str], bounds: str) 
         ContainerFace(name, CURVE, (1.0, 1.0, 0.0), (x, y, 0.0), arc_length(table), part=True, table=table)
         for name, table in zip(owner, tables, strict=True)
     ]
-    for k in np.flatnonzero((turn < -STRAIGHT) & (bounds == "surface")):
+    for k in np.flatnonzero((turn < -STRAIGHT) & (bounds == "surface")).tolist():
         tip = (*(ends[k, 1] + shift).tolist(), 0.0)
         faces.append(ContainerFace(names[k], OUTSIDE, (1.0, 1.0, 0.0), tip, 0.0, part=True))
     return FigureFaces(faces, tuple((high + shift + margin).tolist()), outline + shift)

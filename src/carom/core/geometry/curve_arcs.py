@@ -514,7 +514,7 @@ def _parabola_hit(path: Path, until: float, touches: bool, g: float) -> float:
             s, _g, _u, out = _leave(path, s, last, tiny, near, 1.0)
             if not out and s <= last:
                 if _beyond_end(path, s) <= seam:
-                    return s
+                    return s  # type: ignore[no-any-return]
                 touches = False
                 continue
         if not s < last:
