@@ -10,9 +10,7 @@ import math
 import os
 import re
 import threading
-import time
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -260,23 +258,6 @@ def test_machine_code_is_kept_and_what_is_not_whole_is_made_again(
     assert len(made) == 2
     assert machine_code._object(code) == first
     assert len(made) == 2
-
-
-def test_of_two_first_runs_at_once_one_makes_the_machine_code(
-    built: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    code, made = _bitcode(built, tmp_path), list[Any]()
-
-    def finish(code: Any) -> bytes:
-        made.append(code)
-        time.sleep(0.1)  # (the other one comes meanwhile)
-        return b"code"
-
-    monkeypatch.setattr(machine_code, "_objects", lambda _index: tmp_path)
-    monkeypatch.setattr(machine_code, "finished_code", finish)
-    with ThreadPoolExecutor(2) as pool:
-        assert list(pool.map(machine_code._object, [code, code])) == [b"code", b"code"]
-    assert len(made) == 1
 
 
 def _vectors(code: Any) -> set[str]:
