@@ -15,7 +15,7 @@ from rows import compare, report, run_script, seconds, usually
 
 import carom
 from carom.core.jit.threads import limit_threads, thread_count
-from carom.scene.paths import replaced
+from carom.scene.toml import replaced
 
 SCENE = Path(__file__).parents[1] / "docs" / "scenes" / "three_balls.toml"
 WRT = {

@@ -18,7 +18,7 @@ from campaign import campaign, counting_errors, held
 import carom
 from carom.errors import CaromError
 from carom.fitting.shots import drawn_films
-from carom.scene.paths import path_match
+from carom.scene.toml import path_match
 
 KINDS = ("two-step", "two-step-after", "two-step, scatter", "two-step-after, scatter")
 NOISE, RADIUS = 1.5e-3, 0.03075

@@ -110,7 +110,7 @@ def pytest_sessionstart(session: pytest.Session) -> None:
     config = session.config
     if hasattr(config, "workerinput") or not _all_tests(config):
         return
-    from carom.cli.warm import compile_all
+    from carom.cli.doctor import compile_all
 
     begin = time.monotonic()
 

@@ -12,9 +12,8 @@ from typer import Option
 from typer.main import get_command
 
 import carom
-from carom.cli import option_names
-from carom.cli.option_names import as_option, in_options
-from carom.cli.verbs import App
+from carom.cli import verbs
+from carom.cli.verbs import App, as_option, in_options
 from carom.errors import Fault, FaultList, near_name
 
 
@@ -60,7 +59,7 @@ def test_the_command_names_its_options(monkeypatch: pytest.MonkeyPatch) -> None:
         view: Annotated[str, Option("--view")] = "",
     ) -> None: ...
 
-    monkeypatch.setattr(option_names, "_running", [])
+    monkeypatch.setattr(verbs, "_running", [])
     get_command(imagined)(["imagined"], standalone_mode=False)
     assert in_options("`rate` or `view='side'`, not `nothing`") == "--rate or --view side, not nothing"
     assert in_options("allow more with `max_bytes`") == "allow more with --max-size"

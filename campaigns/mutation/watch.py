@@ -84,7 +84,7 @@ def pytest_configure(config: pytest.Config) -> None:
         # (the mutant cannot even be imported)
         pytest.exit(f"{type(error).__name__}: {error}", returncode=NOT_IMPORTED)
     if TASK.record and TASK.reach:
-        from carom.core.jit.progress import watch_compiling
+        from carom.core.jit.threads import watch_compiling
 
         stack.enter_context(watch_compiling(while_compiling))
         threading.setprofile(note)

@@ -61,13 +61,13 @@ from .laws.two_step_batch import two_step_into as two_step_into
 from .scene.ball import BallContact as BallContact
 from .scene.ball import SceneBall as SceneBall
 from .scene.floor import Floor as Floor
-from .scene.paths import replaced as replaced
 from .scene.rack import Rack as Rack
 from .scene.scene import Run as Run
 from .scene.scene import Scene as Scene
 from .scene.shapes.table import Table as Table
 from .scene.toml import load_scene as load_scene
 from .scene.toml import new_scene as new_scene
+from .scene.toml import replaced as replaced
 from .scene.toml import save_scene as save_scene
 from .scene.toml import scene_text as scene_text
 from .simulation.load import load_trajectory as load_trajectory

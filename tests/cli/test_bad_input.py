@@ -7,7 +7,7 @@ import pytest
 from reference.commands import fails
 
 import carom
-from carom.cli.option_names import as_option
+from carom.cli.verbs import as_option
 from carom.errors import Fault
 
 NAN, INF = math.nan, math.inf

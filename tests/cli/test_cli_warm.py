@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from carom.cli.warm import COMPILE_JOBS
-from carom.core.jit import workers
+from carom.cli.doctor import COMPILE_JOBS
+from carom.core.jit import threads as workers
 
 
 def test_every_job_exists() -> None:

@@ -14,7 +14,7 @@ from reference.commands import command
 from reference.thrown_ball import KAPPA, RADIUS, as_csv, film, table, thrown
 
 import carom
-from carom.cli.option_names import with_options
+from carom.cli.verbs import with_options
 from carom.data import make_rebounds, published_rebounds, read_rebounds
 from carom.data.datasets import load
 from carom.fitting import Ranking, Setting, fit_laws, ranking

@@ -12,7 +12,7 @@ import pytest
 
 from carom.core.jit.cache import hash_of_files, use_folder, version_folders
 from carom.core.jit.compile import is_cached
-from carom.core.jit.progress import watch_compiling
+from carom.core.jit.threads import watch_compiling
 
 DAY = 86_400.0
 OWN = "00000000000000ff"

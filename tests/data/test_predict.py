@@ -696,7 +696,7 @@ def test_compiling_is_told_and_loading_is_not(tmp_path):
     from rich.console import Console
 
     from carom.cli.console import working
-    from carom.core.jit.progress import watch_compiling
+    from carom.core.jit.threads import watch_compiling
 
     text = "velocity_x,velocity_y\n" + "-1,1\n" * 500
     (tmp_path / "own.py").write_text(

@@ -16,7 +16,7 @@ from reference.pair_springs import collide as integrate
 import carom
 from carom.laws.law import contact_kernel
 from carom.laws.registry import laws_of_pairs
-from carom.scene.paths import replaced
+from carom.scene.toml import replaced
 from carom.simulation.records import IN_CLUSTER
 from carom.simulation.simulate import law_notes
 

@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import carom
-from carom.scene.paths import replaced
 from carom.scene.presets import presets
 from carom.scene.restitution import Constant
+from carom.scene.toml import replaced
 from carom.simulation.records import WALL
 
 __all__ = ["FLOOR", "LIMIT", "ShotCase", "compare_shot", "shot_at_nose"]
@@ -154,7 +154,7 @@ def compare_shot(seed: int, whole: bool = False) -> list[ShotCase]:
 
 
 def _value(scene: Any, path: str) -> Any:
-    from carom.scene.paths import path_match
+    from carom.scene.toml import path_match
 
     value = path_match(scene, path).values[0]
     return value.value if isinstance(value, Constant) else value

@@ -11,7 +11,7 @@ from reference.scenes_of_all_laws import scene_of_all_laws
 from reference.trips import leaves
 
 import carom
-from carom.scene.paths import path_match, replaced
+from carom.scene.toml import path_match, replaced
 
 EVENTS = 50
 LEVELS = 6

@@ -13,9 +13,9 @@ import numpy as np
 
 import carom
 from carom.gas import GasScene, Session, gas_text, load_checkpoint, load_gas, save_checkpoint
-from carom.scene.paths import path_match
 from carom.scene.scene import plain_model
 from carom.scene.schema import Model
+from carom.scene.toml import path_match
 from carom.simulation.setup import set_up
 from carom.sweeps import ImpactCase, OrbitCase
 

@@ -8,7 +8,7 @@ import pytest
 
 import carom
 from carom.errors import CaromError
-from carom.scene.paths import overlapping_paths, path_match, replaced
+from carom.scene.toml import overlapping_paths, path_match, replaced
 
 
 def scene() -> carom.Scene:

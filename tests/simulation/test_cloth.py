@@ -13,7 +13,7 @@ from reference.exploring import tried
 
 import carom
 from carom.core.motion.phases import ROLLING, SLIDING, decay_integrals, time_of_integral, time_of_path
-from carom.scene.paths import path_match
+from carom.scene.toml import path_match
 from carom.simulation.motion import begin_phase
 from carom.simulation.predict import pair_hit
 

@@ -13,7 +13,7 @@ from reference.curves import CURVES, depth
 import carom
 from carom import billiards
 from carom.laws.registry import laws
-from carom.scene.paths import replaced
+from carom.scene.toml import replaced
 
 MIRROR = {"restitution": 1.0, "friction": 0.0}
 BALL = {"radius": 0.03, "mass": 0.2, "position": (0.1, 0.2), "velocity": (1.0, 0.6)}

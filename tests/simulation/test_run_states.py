@@ -11,7 +11,7 @@ from reference.drawn_options import random_scene
 import carom
 from carom.core.jit.threads import limit_threads, thread_count
 from carom.core.motion.phases import REST, SLIDING
-from carom.scene.paths import replaced
+from carom.scene.toml import replaced
 from carom.simulation.loop import FULL
 from carom.simulation.sensitivity.at_times import Limits, RunSlopes, kept_states
 from carom.simulation.sensitivity.follow import dual_users

@@ -371,7 +371,7 @@ def test_a_struck_ball_is_aimed_by_its_strike_and_a_name_of_digits_is_a_name(tmp
     )[0]
     assert json.loads(played.stdout)["final"][1]["position"] == best.run.final.position[1].tolist()
     scene = carom.load_scene(tmp_path / "scene.toml")
-    assert carom.scene.paths.path_match(scene, "balls.8.mass").places == (("balls", 1, "mass"),)
+    assert carom.scene.toml.path_match(scene, "balls.8.mass").places == (("balls", 1, "mass"),)
 
 
 def test_a_pocket_of_another_name_is_refused_with_the_nearest() -> None:

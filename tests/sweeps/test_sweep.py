@@ -17,7 +17,7 @@ import carom
 from carom import plot, sweeps
 from carom.cli import app
 from carom.core.jit.threads import limit_threads, thread_count
-from carom.scene.paths import replaced
+from carom.scene.toml import replaced
 from carom.simulation.records import BALL, FLOOR, PHASE, WALL
 
 KEEP = [

@@ -65,8 +65,7 @@ def _outline(name: str, figure: PlaneFigure, inset: float) -> Boundary:
             raise ball_too_large(name, inset)
     for loop in inner:
         one: Any = loop[0]
-        x, y = one.center
-        found.outside.append(Circle(x, y, one.radius + inset))
+        found.outside.append(Circle(one.center[0], one.center[1], one.radius + inset))
     return found
 
 

@@ -115,8 +115,8 @@ def _interrupted() -> int:
 
 
 def _report(error: CaromError) -> int:
-    from carom.cli.option_names import as_option
     from carom.cli.streams import say_notes
+    from carom.cli.verbs import as_option
 
     _print_errors(*(str(as_option(fault)) for fault in error.records))
     say_notes(getattr(error, "__notes__", ()))
@@ -124,7 +124,7 @@ def _report(error: CaromError) -> int:
 
 
 def _print_errors(*faults: str) -> None:
-    from carom.cli.option_names import in_options
+    from carom.cli.verbs import in_options
     from carom.formatting import escape_controls
 
     colour = sys.stderr.isatty() and "NO_COLOR" not in os.environ

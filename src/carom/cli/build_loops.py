@@ -9,10 +9,10 @@ import os
 import sys
 import time
 
-from carom.cli.warm import COMPILE_JOBS
+from carom.cli.doctor import COMPILE_JOBS
 from carom.core.jit.lowering import LoweringError
 from carom.core.jit.native_build import NativeBuild
-from carom.core.jit.workers import do_job
+from carom.core.jit.threads import do_job
 
 
 def main() -> int:

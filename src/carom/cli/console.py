@@ -14,7 +14,7 @@ from rich.segment import Segment
 from rich.table import Column, Table
 from rich.text import Text
 
-from carom.cli.option_names import in_options
+from carom.cli.verbs import in_options
 from carom.formatting import escape_controls
 
 LONGEST_WORD = 16  # columns of the screen; a longer word, such as a path, is folded where a table has to be narrow
@@ -136,7 +136,7 @@ def working(
     While loops are compiled, ``compiling`` is shown in place of ``what``. With a unit, such as "points", their number and how
     many of them are done in a second are shown, too.
     """
-    from carom.core.jit.progress import watch_compiling
+    from carom.core.jit.threads import watch_compiling
 
     console = console or err()
     if quiet or not console.is_terminal:

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.console import working
-from carom.cli.option_names import with_options
 from carom.cli.options import (
     OUTPUT,
     REBOUNDS,
@@ -30,6 +29,7 @@ from carom.cli.options import (
     write_report_page,
     wrote,
 )
+from carom.cli.verbs import with_options
 from carom.errors import CaromError, FaultList, shortened_list
 from carom.formatting import counted
 from carom.public.defaults import CUSHIONS

@@ -11,9 +11,9 @@ from rich.text import Text
 
 from carom.cli.catalog import datasets
 from carom.cli.console import err, working
-from carom.cli.option_names import in_options
 from carom.cli.options import WALL, option, require_outputs, shared, wrote
 from carom.cli.streams import say_json
+from carom.cli.verbs import in_options
 from carom.errors import CaromError, FaultList
 from carom.public.defaults import CONTACT_HEIGHT, FLOOR_CONTACT, GRAVITY
 from carom.public.own_laws import with_own_laws

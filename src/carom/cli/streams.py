@@ -18,7 +18,7 @@ from typing import Any
 
 import typer
 
-from carom.cli.option_names import in_options, with_options
+from carom.cli.verbs import in_options, with_options
 from carom.files import cannot_write
 from carom.formatting import escape_controls, json_value
 from carom.public.interrupts import LINE

@@ -45,7 +45,7 @@ def new(
 ) -> None:
     """Write a commented sweep that runs as it stands: where the balls of a carom table end, over speed and angle."""
     from carom.files import write_text
-    from carom.sweeps.toml import new_sweep
+    from carom.sweeps.sweep import new_sweep
 
     if file is None:
         sys.stdout.write(new_sweep())
@@ -189,7 +189,7 @@ def plot(
 
 def _sweep(file: str, store: str | None, allow_own_laws: bool) -> Sweep:
     """Return the sweep of a file, or of a store."""
-    from carom.sweeps.toml import load_sweep
+    from carom.sweeps.sweep import load_sweep
 
     if "://" in file or Path(file).is_dir():
         return _stored(file, allow_own_laws)

@@ -32,7 +32,7 @@ from carom.formatting import json_value
 from carom.laws.law import CALLED_WALL, Card, Law
 from carom.laws.registry import law_named
 from carom.scene import Floor, Plane, Run, Scene, SceneBall, Table
-from carom.scene.paths import replaced
+from carom.scene.toml import replaced
 
 ON_SURFACE = {"restitution": 0.0, "friction": 0.0, "tangential_restitution": -1.0}  # with the least value of a surface
 TABLE = (2.84, 1.42)  # m, of a scene for balls on a table: a carom table's

@@ -17,9 +17,8 @@ from carom.gas.edmd.driver import SystemRecords
 from carom.gas.gas import Gas
 from carom.gas.initial import dense
 from carom.gas.scene import GasScene
-from carom.gas.size_distributions import SizeClasses
 from carom.gas.snapshots import InitialState, read_initial_state
-from carom.gas.species import system_records
+from carom.gas.species import SizeClasses, system_records
 from carom.public.progress import Progress
 from carom.scene.presets import parse_toml, read_toml
 from carom.scene.schema import from_file

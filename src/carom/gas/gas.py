@@ -34,8 +34,7 @@ from carom.gas.results import (
     ShearRun,
     collapse_of,
 )
-from carom.gas.size_distributions import SizeClasses
-from carom.gas.species import BYTES_PER_BALL, Contacts, Species, system_records
+from carom.gas.species import BYTES_PER_BALL, Contacts, SizeClasses, Species, system_records
 from carom.public.progress import Progress, loop_callback
 
 Array = NDArray[np.float64]

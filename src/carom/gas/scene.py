@@ -29,8 +29,19 @@ from carom.gas.containers import (
 from carom.gas.drives import Drive, Thermostat, drive_faults
 from carom.gas.edmd.gas_records import MAX_BALLS
 from carom.gas.initial import DENSEST
-from carom.gas.size_distributions import LognormalRadii, SpeciesRadius, in_classes, size_moments
-from carom.gas.species import ANY, BYTES_PER_BALL, LONGEST_SIDE, GasSurface, Species, best_contact, shear_faults
+from carom.gas.species import (
+    ANY,
+    BYTES_PER_BALL,
+    LONGEST_SIDE,
+    GasSurface,
+    LognormalRadii,
+    Species,
+    SpeciesRadius,
+    best_contact,
+    in_classes,
+    shear_faults,
+    size_moments,
+)
 from carom.scene.figures import FIGURES, Figure, PlaneFigure
 from carom.scene.figures.rounds import SectorFigure
 from carom.scene.figures.solids import CylinderFigure, SphereFigure

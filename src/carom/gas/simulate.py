@@ -31,7 +31,7 @@ from carom.gas.session import Session
 from carom.gas.snapshots import read_initial_state
 from carom.gas.species import Species
 from carom.public.progress import Progress, loop_callback
-from carom.scene.paths import replaced
+from carom.scene.toml import replaced
 
 Array = NDArray[np.float64]
 POLL_SECONDS = 0.1  # between two looks for members that are done, progress, and interrupts

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError, Fault, require_type, suggestion
-from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
+from carom.scene.toml import path_match, replaced
 from carom.simulation.sensitivity.at_times import ManySensitivities, first_phases, run_all
 from carom.simulation.sensitivity.seeds import Column, parameters_of
 from carom.simulation.setup import SceneArrays, set_up, starts_of

@@ -17,7 +17,7 @@ from carom.errors import CaromError
 from carom.formatting import format_number, format_time
 from carom.plot.style import GREY, INK, PALE, drawn, literal, new_figure, spread_apart
 from carom.scene.feature_builders import circle
-from carom.scene.paths import ball_index
+from carom.scene.toml import ball_index
 from carom.scene.wall import WallShape
 from carom.simulation.motion import states
 from carom.simulation.records import (

@@ -25,9 +25,8 @@ from carom.formatting import counted, format_number
 from carom.laws.law import Law
 from carom.laws.registry import laws
 from carom.public.progress import Progress, loop_callback
-from carom.scene.paths import replaced
 from carom.scene.scene import Run, Scene
-from carom.scene.toml import load_scene
+from carom.scene.toml import load_scene, replaced
 from carom.scene.wall import law_name
 from carom.simulation.contact_kinds import ALL_REFUSALS, DONE, wall_normal
 from carom.simulation.files import kinetic_energy, many_events_table

@@ -20,8 +20,8 @@ from carom.files import as_path
 from carom.formatting import html_table
 from carom.laws.landing import REGIME_NAMES as NAMES
 from carom.public.other_rooms import figure_maker
-from carom.scene.paths import ball_index
 from carom.scene.scene import Scene
+from carom.scene.toml import ball_index
 from carom.simulation.contact_kinds import partner_names
 from carom.simulation.files import (
     FRAME_RATE,

@@ -8,6 +8,6 @@ from .impacts import ImpactCase as ImpactCase
 from .orbits import OrbitCase as OrbitCase
 from .space import Space as Space
 from .sweep import Sweep as Sweep
+from .sweep import load_sweep as load_sweep
+from .sweep import new_sweep as new_sweep
 from .sweep import sweep as sweep
-from .toml import load_sweep as load_sweep
-from .toml import new_sweep as new_sweep

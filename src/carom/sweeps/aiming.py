@@ -18,8 +18,8 @@ from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, float_or_nan, req
 from carom.files import import_optional
 from carom.formatting import format_number, html_table
 from carom.public.progress import Progress, loop_callback
-from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
+from carom.scene.toml import path_match, replaced
 from carom.simulation.contact_kinds import partner_names
 from carom.simulation.records import START
 from carom.simulation.setup import set_up

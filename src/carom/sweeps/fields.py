@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError, Fault, FaultList, did_you_mean, shown
-from carom.scene.paths import PathMatch, overlapping_paths, path_match, replaced
 from carom.scene.schema import Model
+from carom.scene.toml import PathMatch, overlapping_paths, path_match, replaced
 from carom.sweeps.axes import Axis, Design, Draw, Polar, Values
 from carom.sweeps.draws import polar_rows
 

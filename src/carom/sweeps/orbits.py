@@ -26,9 +26,8 @@ from carom.gas.scene import GasScene
 from carom.gas.session import Session
 from carom.laws.registry import laws
 from carom.scene.figures import AnyFigure
-from carom.scene.paths import replaced
 from carom.scene.schema import Count, Friction, Model, Number, Share, Spring, refused
-from carom.scene.toml import stored_model
+from carom.scene.toml import replaced, stored_model
 from carom.scene.wall import permitted_law
 from carom.sweeps.axes import Axis
 from carom.sweeps.fields import FAILURES, Outcome, blank, check_paths, plain_value, require_outcomes, unit_of

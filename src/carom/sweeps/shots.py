@@ -19,9 +19,8 @@ from carom.core.motion.phases import PHASES
 from carom.errors import MAX_MAGNITUDE, MIN_MAGNITUDE, CaromError, Fault, did_you_mean, shown
 from carom.laws.strike import Cue, strike
 from carom.scene.ball import SceneBall
-from carom.scene.paths import PathMatch, path_match, replaced
 from carom.scene.scene import Scene
-from carom.scene.toml import stored_model
+from carom.scene.toml import PathMatch, path_match, replaced, stored_model
 from carom.simulation.contact_kinds import REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
 from carom.simulation.loop import LIMIT, PHASES_FROM, run_limits, run_scene
 from carom.simulation.records import BALL, KINDS, LOG, POCKETED_EVENT

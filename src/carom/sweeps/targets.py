@@ -22,9 +22,9 @@ from pydantic import BeforeValidator, PlainValidator, Strict, model_validator
 from carom.bodies import holds_arrays
 from carom.core.motion.phases import HELD, PHASES, PIVOTING, REST
 from carom.errors import CaromError, Fault, FaultList, did_you_mean, shown
-from carom.scene.paths import ball_index
 from carom.scene.scene import Scene
 from carom.scene.schema import Model, Number, Place, Size, refused
+from carom.scene.toml import ball_index
 from carom.simulation.records import BALL, IN_CLUSTER, MEETINGS, POCKETED_EVENT, WALLS
 
 Array = NDArray[np.float64]

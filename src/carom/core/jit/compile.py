@@ -28,8 +28,7 @@ import numpy as np
 from carom.core.jit.cache import cache_folder
 from carom.core.jit.kernel import DERIVED, HOT, KERNELS, PLAIN
 from carom.core.jit.native import LoopSource, is_shipped, kinds_text, shipped_loop
-from carom.core.jit.progress import listen
-from carom.core.jit.threads import thread_count
+from carom.core.jit.threads import listen, thread_count
 from carom.errors import CaromError
 
 _registered: set[Callable[..., Any]] = set()

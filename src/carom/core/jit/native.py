@@ -1,6 +1,6 @@
 """Loops that lie ready in the package: nothing is compiled by Numba, which is not even imported, on a user's machine.
 
-`make native` has Numba type and lower every loop that carom.cli.warm names, and keeps each as LLVM's bitcode, optimised, for any
+`make native` has Numba type and lower every loop that carom.cli.doctor names, and keeps each as LLVM's bitcode, optimised, for any
 processor (:mod:`carom.core.jit.native_build`). Here llvmlite alone finishes it for this processor, when it is first called, in a
 fraction of a second; the machine code is kept in the user's cache, from where it is loaded in a millisecond.
 
@@ -353,7 +353,7 @@ def finished_code(code: Bitcode) -> bytes:
 # ----------------------------------------------------------------------------------------------------
 # Loops that lie ready in the package: nothing is compiled by Numba, which is not even imported, on a user's machine.
 #
-# `make native` has Numba type and lower every loop that carom.cli.warm names, and keeps each as LLVM's bitcode, optimised, for
+# `make native` has Numba type and lower every loop that carom.cli.doctor names, and keeps each as LLVM's bitcode, optimised, for
 # any processor (:mod:`carom.core.jit.native_build`). Here llvmlite alone finishes it for this processor, when it is first called,
 # in a fraction of a second; the machine code is kept in the user's cache, from where it is loaded in a millisecond.
 #

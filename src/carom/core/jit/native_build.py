@@ -1,7 +1,7 @@
-"""Build the package's loops: what `make native` does for each loop that carom.cli.warm names (:mod:`carom.core.jit.native`).
+"""Build the package's loops: what `make native` does for each loop that carom.cli.doctor names (:mod:`carom.core.jit.native`).
 
 A loop is typed and lowered by Numba (:mod:`carom.core.jit.lowering`), optimised for any processor, and kept as bitcode beside an
-index that says what it takes and returns. The jobs of carom.cli.warm are run here with these very loops, so that the list is the
+index that says what it takes and returns. The jobs of carom.cli.doctor are run here with these very loops, so that the list is the
 same and each loop has run before it is kept. What is current is left as it lies.
 """
 

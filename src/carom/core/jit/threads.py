@@ -3,17 +3,49 @@
 from __future__ import annotations
 
 import functools
+import importlib
+import multiprocessing
 import os
 import sys
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor, wait
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor, as_completed, wait
+from contextlib import contextmanager
 from typing import Any, TypeVar
 
 import numpy as np
 
-from carom.core.jit.workers import core_count
+
+def core_count() -> int:
+    """Return how many cores this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def run_in_workers(
+    jobs: Sequence[str], workers: int | None = None, report: Callable[[str, str], None] | None = None
+) -> None:
+    """Call every job, ``module:function``, in one of so many processes (default: one for each core), in about the given order.
+
+    ``report(job, error)`` is called as each is done; ``error`` is empty if it succeeded.
+    """
+    with ProcessPoolExecutor(workers or core_count(), multiprocessing.get_context("spawn")) as pool:
+        running = {pool.submit(do_job, job): job for job in jobs}
+        for done in as_completed(running):
+            error = done.exception()
+            if report is not None:
+                report(running[done], "" if error is None else " ".join(f"{type(error).__name__}: {error}".split()))
+
+
+def do_job(job: str) -> None:
+    """Call a job, ``module:function``."""
+    module, _, name = job.partition(":")
+    getattr(importlib.import_module(module), name)()
+
+
+# ----------------------------------------------------------------------------------------------------
+# Threads for compiled loops that leave Python's lock (``nogil``): how many, and pools for all of them.
+
 
 Part = TypeVar("Part")
 Answer = TypeVar("Answer")
@@ -150,3 +182,49 @@ def sliced(loop: Callable[..., Any], count: int, first: int = 1 << 12) -> Callab
             )
 
     return run
+
+
+# ----------------------------------------------------------------------------------------------------
+# Progress of compiling: which function is being compiled at this moment.
+
+
+Report = Callable[[str, bool], None]
+_reports: list[Report] = []
+
+
+@contextmanager
+def watch_compiling(report: Report) -> Iterator[None]:
+    """While inside, call ``report(name, finished)`` when a function begins to be compiled (not loaded), and when it is done.
+
+    ``name`` is ``module:name``. Functions that a function calls are compiled while it is.
+    """
+    _reports.append(report)
+    try:
+        yield
+    finally:
+        _reports.remove(report)
+
+
+def announce(name: str, finished: bool) -> None:
+    """Report to all watchers."""
+    for report in tuple(_reports):
+        report(name, finished)
+
+
+@functools.cache
+def listen() -> None:
+    """Have Numba announce what it compiles. (Its import is slow: call this only where something is compiled or loaded.)"""
+    from numba.core import event
+
+    def name_of(event: Any) -> str:
+        function = event.data["dispatcher"].py_func
+        return f"{function.__module__}:{function.__name__}"
+
+    class Compiling(event.Listener):  # type: ignore[misc]
+        def on_start(self, event: Any) -> None:
+            announce(name_of(event), False)
+
+        def on_end(self, event: Any) -> None:
+            announce(name_of(event), True)
+
+    event.register("numba:compile", Compiling())

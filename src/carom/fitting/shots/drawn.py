@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
+from carom.scene.toml import path_match, replaced
 from carom.simulation.simulate import simulate
 from carom.tracks.track import Track
 

@@ -51,9 +51,9 @@ from carom.fitting.table_numbers import TableNumbers, compared_by_shots
 from carom.formatting import counted
 from carom.laws.registry import one_or_several
 from carom.public.progress import Progress
-from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
 from carom.scene.schema import Model
+from carom.scene.toml import path_match, replaced
 from carom.tracks.films import tracks_of_films
 from carom.tracks.formats.tables import Calibration
 

@@ -16,9 +16,9 @@ from carom.errors import CaromError
 from carom.fitting.shots.film import Films
 from carom.fitting.table_numbers import MOVED, SharedNumber, TableNumbers, cushions_between, reach_of
 from carom.scene.floor import Floor
-from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Run, Scene
 from carom.scene.shapes import Table
+from carom.scene.toml import path_match, replaced
 from carom.simulation.sensitivity.seeds import Parameters, parameters_of
 from carom.simulation.setup import SceneArrays, set_up
 

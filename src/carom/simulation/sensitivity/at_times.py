@@ -27,8 +27,8 @@ from carom.core.jit.kernel import kernel, vector
 from carom.core.jit.threads import block_slices, call_in_threads, thread_count
 from carom.core.motion.phases import HELD, PHASES
 from carom.errors import CaromError, require_type
-from carom.scene.paths import replaced
 from carom.scene.scene import Scene
+from carom.scene.toml import replaced
 from carom.simulation.contact_kinds import ALL_REFUSALS, DONE
 from carom.simulation.loop import (
     ALL,

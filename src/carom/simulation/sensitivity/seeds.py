@@ -19,8 +19,8 @@ from carom.core.jit.dual.dual_records import float_count, float_places
 from carom.core.jit.dual.numbers import LANES
 from carom.core.motion.phases import FLIGHT, PIVOTING, REST
 from carom.errors import CaromError
-from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
+from carom.scene.toml import path_match, replaced
 from carom.simulation.setup import SceneArrays, set_up
 
 Array = NDArray[np.float64]
