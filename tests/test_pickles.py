@@ -134,6 +134,15 @@ def a_whole_shot() -> Any:
     return [ranking, ranking.best.shots[0].events()]
 
 
+def a_tracked_film() -> carom.TrackedFilm:
+    """Three frames of a ball that falls."""
+    places, seen = np.array([[5.0, 1.0], [5.0, 2.0], [5.0, 5.0]]), np.ones(3, bool)
+    return carom.TrackedFilm(
+        Path("fall.mp4"), np.arange(3) / 60, {"ball": places}, 2.0, np.ones(3), ~seen, 0.002, 1.0,
+        np.zeros((8, 12, 3), np.uint8), {"ball": 60 * places}, used={"ball": seen},
+    )  # fmt: skip
+
+
 EXAMPLES: dict[str, Callable[[], list[Any]]] = {
     "rolling": lambda: [
         run := billiards.roll(billiards.surfaces.bowl(1.0), (0, 0, -0.9), (1.0, 0, 0), ball=carom.Ball(0.1, 1.0)),
@@ -250,6 +259,7 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
         tracks.Settings(radius=0.02),
         tracks.Calibration(),
         tracks.measure([a_film()], tracks.Settings(radius=0.02)),
+        a_tracked_film(),
     ],
     "derivations": a_derivation,
     "gases": lambda: [

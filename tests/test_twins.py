@@ -29,6 +29,9 @@ OUTPUT = {
     "no_report",
     "explore",
 }
+# How a film is tracked: `film={...}` of Python; and how its balls are measured, which `measure_tracks` takes by name.
+FILM = {"ball", "colour", "end", "length", "readout", "region", "start"}
+MEASURED = {"blind", "down", "drag", "format_", "gravity", "hard", "rolling_resistance", "wall", "window"}
 TWINS: dict[str, tuple[Callable[..., Any], set[str], set[str]]] = {
     # verb: its function; parameters of the command alone; parameters of the function alone
     "predict": (carom.predict, OUTPUT, {"progress", "say"}),
@@ -38,17 +41,18 @@ TWINS: dict[str, tuple[Callable[..., Any], set[str], set[str]]] = {
         {"progress", "sizes"},
     ),  # (a figure from a file is carom.billiards.table)
     "design": (carom.design, OUTPUT, {"fine"}),
-    "fit": (carom.fit, OUTPUT, {"progress"}),
+    "fit": (carom.fit, OUTPUT | FILM | MEASURED, {"progress", "film"}),
+    "track": (carom.track_film, OUTPUT | {"film", "out", "sheet", "overlay", "spin"}, {"path", "progress"}),
     "tracks show": (
         carom.measure_tracks,
-        OUTPUT | {"out", "stage", "sliding", "balls"},
-        {"progress"},
+        OUTPUT | FILM | {"out", "stage", "sliding", "balls"},
+        {"progress", "film"},
     ),  # (of its table: found.rebounds())
     "fit gas": (carom.fit_gas, OUTPUT, set()),
     "judge": (
         carom.tracks.judge,
-        OUTPUT | {"slope", "strict"},
-        {"kappa", "gravity", "slope"},
+        OUTPUT | FILM | {"slope", "strict"},
+        {"kappa", "gravity", "slope", "film"},
     ),  # (two numbers, a text X,Y)
     "compare": (carom.incoming, OUTPUT | {"law"}, set()),  # (carom.compare(laws, ...) hands its numbers on)
 }

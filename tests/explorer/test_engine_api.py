@@ -12,7 +12,7 @@ import pytest
 from reference.scenes_of_all_laws import may_call_libm, scene_of_all_laws
 
 import carom
-from carom.cli.simulate import as_json
+from carom.cli.trajectory_output import as_json
 from carom.core.motion.phases import PHASES
 from carom.explorer.module import version
 from carom.laws.landing import REGIME_NAMES as NAMES

@@ -148,7 +148,7 @@ def test_a_law_of_the_users_own_has_its_derivative() -> None:
 
 def test_a_law_that_leaves_pythons_numbers_is_refused() -> None:
     law = carom.wall_law(carom.Card("arrays", "A test.", (), "", "", ""), _arrays)
-    with pytest.raises(carom.CaromError, match="expected a wall's law made of"):
+    with pytest.raises(carom.CaromError, match="expected a function that Numba compiles"):
         _meets(law).sensitivity(["balls.0.velocity.x"])
 
 

@@ -10,7 +10,7 @@ import pytest
 from reference.sensitivity_differences import sequence
 
 import carom
-from carom.cli.simulate import show_sensitivity
+from carom.cli.trajectory_output import show_sensitivity
 from carom.scene.toml import replaced
 from carom.simulation.records import BALL, FLOOR, SETTLED, WALL
 from carom.simulation.sensitivity.margins import _first_change
