@@ -49,7 +49,7 @@ WHAT = (
     "example, after the wall", "example, after the floor",
 )  # fmt: skip
 ELSEWHERE = {
-    6: "`derive/system.py: wall_rates`, without the pole",
+    6: "`derive/euler.py: wall_rates`, without the pole",
     **dict.fromkeys((7, 10), "[the integrals](../theory/conventional.md#the-integrals-7-to-11)"),
     9: "(8) with c = 0",
     **dict.fromkeys(

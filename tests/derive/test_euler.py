@@ -8,7 +8,7 @@ from reference.identities import ROUNDING
 from scipy.integrate import solve_ivp
 
 import carom
-from carom.derive import system as euler
+from carom.derive import euler
 
 # The paper's attitude at the moment of collision: theta = pi/2, phi = psi = 0.
 PAPER = np.array([math.pi / 2, 0.0, 0.0])

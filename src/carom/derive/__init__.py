@@ -1,7 +1,7 @@
 """Impulsive motion derived from a Lagrangian and its constraints, symbolically; the paper, equation by equation (needs SymPy).
 
 Of the other packages only `carom.errors`, `carom.bodies`, `carom.files` and the compiler of `carom.core` are imported, so that
-the numeric laws can be tested against what is derived here. :mod:`carom.derive.system` needs no SymPy.
+the numeric laws can be tested against what is derived here. :mod:`carom.derive.euler` needs no SymPy.
 """
 
 from typing import Any
