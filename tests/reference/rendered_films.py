@@ -593,7 +593,9 @@ class _Encoder:
         self.stream.codec_context.thread_count = 1
         self.stream.codec_context.time_base = Fraction(1, TICKS)
         if codec in ("libx264", "libx265"):
-            self.stream.options = {"preset": "veryfast", **lossless, **(options or {})}
+            # (what x264 looks ahead depends on more than the pictures: from one process to the next it writes other bits)
+            ahead = {"mbtree": "0", "rc-lookahead": "0"} if codec == "libx264" else {}
+            self.stream.options = {"preset": "veryfast", **ahead, **lossless, **(options or {})}
         if bit_rate is not None:
             self.stream.codec_context.bit_rate = int(bit_rate)
         if self.turns:

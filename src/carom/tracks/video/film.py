@@ -166,6 +166,7 @@ LEAST_FRAMES = 6
 SAMPLED = 10  # frames of a candidate from which the optics are found
 MOST_BYTES = 150e6  # of patches that are kept at once
 SHARE, RIM = 0.75, 0.6  # of what a candidate's picture shows, explained by a disc; of its rim, seen
+WHOLE_RIM, SHIFT = 0.85, 0.25  # of the rim, seen in brightness and in colour; px between these two, usually
 ALIKE_SIZE = 0.12  # scatter of a ball's radius in the frames, at most
 SHARPER = 0.85  # blur of a ball without its shadow, of that with it
 LIKE = 0.5  # of the frames of the best candidate: another one with as many is as likely
@@ -356,10 +357,14 @@ def _colour_shift(fitted: Sequence[tuple[Patch, Outline]], optics: Optics) -> tu
         for blind in ((1, 1e3, 1e3), (1e3, 1, 1)):
             alone = optics._replace(noise=tuple(np.multiply(optics.noise, blind)))
             sides.append(fit_outline(patch, outline.place, np.zeros(2), alone, coarse=False, order=2))
-        if min(one.seen for one in sides) > RIM:
+        if min(one.seen for one in sides) > WHOLE_RIM:
             off.append(sides[0].place - sides[1].place)
-    found = np.clip(np.median(off, axis=0), -1, 1) if len(off) >= 3 else np.zeros(2)
-    return float(found[0]), float(found[1])
+    if len(off) < 3:
+        return 0.0, 0.0
+    found = np.median(off, axis=0)
+    doubt = 1.4826 * np.median(np.abs(off - found), axis=0) / np.sqrt(len(off)) / SHIFT
+    x, y = np.clip(found / (1 + doubt**2), -2 * SHIFT, 2 * SHIFT)
+    return float(x), float(y)
 
 
 def _followed(
