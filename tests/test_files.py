@@ -149,7 +149,7 @@ def test_an_extra_is_installed_from_the_clone_that_carom_runs_from():
 
 def test_fit_without_scipy_is_one_line(monkeypatch, capsys):
     monkeypatch.setitem(sys.modules, "scipy", None)
-    monkeypatch.setattr(sys, "argv", ["carom", "fit", "kharaz2001", "--no-report"])
+    monkeypatch.setattr(sys, "argv", ["carom", "fit", "kharaz2001"])
     with pytest.raises(SystemExit) as ended:
         main()
     lines = [line for line in capsys.readouterr().err.splitlines() if not line.startswith("note: ")]

@@ -179,7 +179,7 @@ def test_files_that_are_named_are_opened_by_one_function() -> None:
     own = {
         "carom.files", "carom.laws.maw", "carom.public.interrupts", "carom.cli.doctor", "carom.cli.catalog", "carom.cli.explore",
         "carom.scene.presets", "carom.scene.toml", "carom.gas.build", "carom.sweeps.sweep", "carom.explorer.page",
-        "carom.explorer.module",
+        "carom.explorer.module", "carom.cli.parameters",
     }  # fmt: skip
     opened = {
         f"{name}:{node.lineno}"
@@ -247,20 +247,20 @@ CAPS = {
     "fitting": 10330,
     "gas": 7330,
     "billiards": 5570,
-    "tracks": 8670,
+    "tracks": 8676,
     "simulation": 5975,
     "core": 5255,
     "laws": 4840,
     "scene": 4450,
-    "cli": 4745,
+    "cli": 4371,
     "plot": 3640,
     "derive": 3165,
     "sweeps": 2790,
     "data": 2675,
     "interop": 1070,
     "explorer": 940,
-    "public": 330,
-    "top": 780,
+    "public": 328,
+    "top": 790,
 }
 MOST_MODULES = 351
 NO_CODE = {

@@ -11,10 +11,16 @@ The public names stand in ``__init__.pyi``; each is imported when it is first us
 from carom.public.interrupts import end_at_once_while_starting as _end_at_once_while_starting
 
 _end_at_once_while_starting()
-
-from carom.public.guard import attach_public as _attach_public  # noqa: E402
-from carom.public.other_rooms import find_functions_with as _find_functions_with  # noqa: E402
-
-__getattr__, __dir__, __all__ = _attach_public(__name__, __file__)
-_find_functions_with(lambda room, name: getattr(__getattr__(room), name))
 __version__ = "0.2.0"
+
+
+def __getattr__(name: str) -> object:
+    """Return a public name; the first that is asked for loads what finds them (the command's help needs none)."""
+    from carom.public.guard import attach_public
+
+    globals().update(zip(("__getattr__", "__dir__", "__all__"), attach_public(__name__, __file__), strict=True))
+    return globals()[name] if name == "__all__" else globals()["__getattr__"](name)
+
+
+def __dir__() -> list[str]:
+    return list(globals().get("__all__") or __getattr__("__all__"))  # type: ignore[call-overload]

@@ -12,9 +12,22 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from numbers import Real
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
+if TYPE_CHECKING:
+    import numpy as np
+else:
+
+    class _Numpy:
+        """NumPy, from its first use on: the command's help needs none."""
+
+        def __getattr__(self, name: str) -> Any:
+            import numpy
+
+            globals()["np"] = numpy
+            return getattr(numpy, name)
+
+    np = _Numpy()
 
 # Squares of all inputs must be finite and not zero: no ball is faster, heavier or larger than the one, or moves more slowly
 # without being at rest, is lighter or smaller than the other.

@@ -10,8 +10,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import is_dataclass
 from typing import Any, SupportsFloat
 
-import numpy as np
-
 # What steers a terminal and is no text: C0 without tab and new line, C1, line separators, changes of the writing direction, and
 # the halves of characters that stand for bytes of a file's name.
 _CONTROLS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
@@ -34,10 +32,11 @@ def json_value(value: Any, *, infinite: bool = False) -> Any:
 
     With ``infinite``, infinities are the texts "inf" and "-inf".
 
+    >>> import numpy as np
     >>> json_value({"size": np.array([1.0, np.nan]), "friction": np.inf}, infinite=True)
     {'size': [1.0, None], 'friction': 'inf'}
     """
-    if isinstance(value, np.ndarray | np.generic):
+    if hasattr(value, "tolist"):  # an array, or a number of NumPy
         value = value.tolist()
     if isinstance(value, float):
         if math.isfinite(value):

@@ -176,7 +176,6 @@ def test_a_byte_order_mark_is_no_trouble(here, monkeypatch, capsys):
         "--laws",
         "contact",
         "--json",
-        "--no-report",
         "--bootstrap",
         "0",
     )
@@ -306,7 +305,6 @@ def test_fit_tells_misspelt_laws_with_all_other_faults(here, monkeypatch, capsys
     [
         (("--seed", "-1"), "--seed: expected a whole number >= 0"),
         (("--report", "bounces.csv"), "--report bounces.csv: expected a name that ends with .html"),
-        (("--report", "page.html", "--no-report"), "--no-report has no effect with --report; omit one of them"),
         (("--contact-height", "1.3"), "--contact-height: expected rebounds of a ball on a table"),
         (("--roll", "0.5"), "--roll: expected rebounds of a ball on a table"),
         (("--cushions", "2"), "--cushions: expected --whole as well"),
@@ -334,7 +332,7 @@ def test_a_table_in_utf_16_is_read_as_one_in_utf_8(here, monkeypatch, capsys):
     (here / "unicode.csv").write_bytes(file.read_text().encode("utf-16"))
     answers = []
     for name in ("bounces.csv", "unicode.csv"):
-        words = ("--radius", "0.02", "--no-report", "--laws", "sticking", "--bootstrap", "0", "--json")
+        words = ("--radius", "0.02", "--laws", "sticking", "--bootstrap", "0", "--json")
         code, out, _err = run(monkeypatch, capsys, "fit", name, *words)
         assert code == 0
         answers.append(json.loads(out)["ranking"])
@@ -344,7 +342,7 @@ def test_a_table_in_utf_16_is_read_as_one_in_utf_8(here, monkeypatch, capsys):
 def test_rows_of_one_kind_by_a_column_of_the_tables_own(here, monkeypatch, capsys):
     file, quick = (
         load("tt_rackets").path,
-        ("--inertia", "hollow", "--no-report", "--laws", "sticking,maw", "--bootstrap", "0"),
+        ("--inertia", "hollow", "--laws", "sticking,maw", "--bootstrap", "0"),
     )
     options = (str(file), "--radius", "0.02", *quick)
     code, out, err = run(monkeypatch, capsys, "fit", *options, "--where", "racket=01_inverted", "--json")
@@ -368,7 +366,7 @@ def test_a_column_of_numbers_is_no_kind_of_rows(here, monkeypatch, capsys):
     batch, slip = np.repeat([1.0, 2.0], 30), np.repeat([0.5, np.nan], 30)  # (an empty cell is no name)
     file = write(here / "bounces.csv", bounces(1, 60) | {"batch": batch, "slip": slip})
     code, _out, err = run(monkeypatch, capsys, "fit", str(file), "--radius", "0.02", "--laws", "contact", "--json",
-                          "--bootstrap", "0", "--no-report")  # fmt: skip
+                          "--bootstrap", "0")  # fmt: skip
     assert (code, "kinds of rows" in err) == (0, False)
 
 
@@ -382,12 +380,12 @@ def test_sets_that_come_with_carom_are_fitted_by_name(here, monkeypatch, capsys)
     assert best["parameters"]["restitution"]["value"] == pytest.approx(0.995, abs=0.002)
     assert best["parameters"]["restitution"]["shared_stderr"] == pytest.approx(0.015, abs=0.002)
     assert "0.25 degrees of all incidences" in err
-    options = ("--laws", "mirror", "--restitution", "line", "--json", "--no-report")
+    options = ("--laws", "mirror", "--restitution", "line", "--json")
     found = json.loads(run(monkeypatch, capsys, "fit", "mathavan", *options)[1])["ranking"][0]["parameters"]
     assert found["restitution_slope"]["value"] == pytest.approx(0.8165, abs=5e-4)
     assert found["restitution_offset"]["value"] == pytest.approx(0.0870, abs=5e-4)
     # directions alone: tan(out) = 5/(7 e) tan(in) where the ball sticks
-    code, out, err = run(monkeypatch, capsys, "fit", "alciatore", "--json", "--laws", "sticking,mirror", "--no-report")
+    code, out, err = run(monkeypatch, capsys, "fit", "alciatore", "--json", "--laws", "sticking,mirror")
     best = json.loads(out)["ranking"][0]
     assert (code, best["law"]) == (0, "sticking")
     columns = published_rebounds("alciatore_tpb28").rebounds
@@ -440,7 +438,7 @@ def test_what_was_noted_of_a_file_goes_with_its_fault(here, monkeypatch, capsys,
     t = np.arange(40) / 60
     rows = "".join(f"{a:.4f},{900 + 1200 * a:.1f},{500 + 300 * a:.1f}\n" for a in t)
     (here / "far.csv").write_text(f"t,x,y\n{rows}")
-    code, out, err = run(monkeypatch, capsys, "fit", "far.csv", "--radius", "0.03", "--no-report", *whole)
+    code, out, err = run(monkeypatch, capsys, "fit", "far.csv", "--radius", "0.03", *whole)
     assert (code, out) == (2, "")
     fault, *notes = err.splitlines()
     assert fault.startswith("carom: ")
@@ -453,7 +451,7 @@ def test_what_was_noted_of_a_file_goes_with_its_fault(here, monkeypatch, capsys,
 def test_notes_go_with_faults_of_the_table_too(here, monkeypatch, capsys):
     """Two rows of numbers without error bars: the fault is that they are two, and what was noted stays."""
     (here / "two.csv").write_text("v_n_in,v_t_in,spin_in,v_n_out,v_t_out\n1,1,0,0.8,0.7\n2,1,0,1.6,0.7\n")
-    code, out, err = run(monkeypatch, capsys, "fit", "two.csv", "--radius", "0.03", "--no-report")
+    code, out, err = run(monkeypatch, capsys, "fit", "two.csv", "--radius", "0.03")
     assert (code, out) == (2, "")
     fault, *notes = err.splitlines()
     assert "expected at least 3 rebounds" in fault

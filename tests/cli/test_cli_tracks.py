@@ -114,7 +114,7 @@ def test_walls_that_are_given(
     [
         ((str(HERE / "trackpy.csv"),), ["expected the scale", "expected the frame rate"]),
         (("--scale", "big", "--view", "below", "--inertia", "soft", str(HERE / "trackpy.csv")),
-         ["--scale: expected a length", "--inertia", "--view: expected one of above, side"]),
+         ["--inertia", "--view: expected one of above, side", "--scale: expected a length"]),
         ((str(HERE / "columns.csv"),), ["expected the balls' radius"]),
         ((str(HERE / "tracker_single.txt"), "--wall", "here"), ["--wall: expected x=0.03"]),
         ((str(HERE / "tracker_single.txt"), "--plot", "picture.gif"), ["expected a name that ends with"]),

@@ -54,7 +54,7 @@ def test_a_verb_that_is_left_out(capsys: pytest.CaptureFixture[str]) -> None:
         ("fit --law x", "--law: expected an option of carom fit; did you mean '--laws'?"),
         ("compare --rakc", "--rakc: expected an option of carom compare; carom scene new has --rack"),
         ("gas --no-ball", "--no-ball: expected an option of carom gas"),
-        ("fit --no-ball", "--no-ball: expected an option of carom fit; did you mean '--no-balls'?"),
+        ("fit --no-profile", "--no-profile: expected an option of carom fit; did you mean '--no-profiles'?"),
         ("fit --scatter kharaz2001", "--scatter: expected share or absolute, got 'kharaz2001'"),
         ("predict", "Missing argument 'table'."),
         ("sweep rum", "sweep: expected one of new, explain, run, status, verify, plot, got 'rum'; did you mean 'run'?"),
@@ -100,8 +100,10 @@ def test_help(
             assert len(number.replace(".", "").lstrip("0")) <= 6, f"{default} in carom {' '.join(words)} --help"
 
 
-def test_help_is_in_panels_where_they_fit(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_texts_stand_beside_the_names_or_below_them(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("COLUMNS", "80")
-    assert "╭─ Run" in command(capsys, "gas", "--help")[1]
+    assert "\nRun:\n  --max-events N        Number of collisions" in command(capsys, "gas", "--help")[1]
     monkeypatch.setenv("COLUMNS", "40")
-    assert "\nRun:\n  --max-events N\n" in command(capsys, "gas", "--help")[1]
+    assert "\nRun:\n  --max-events N\n    Number of" in command(capsys, "gas", "--help")[1]

@@ -93,34 +93,45 @@ def orbit(
     bounds : "centre" or "surface"
         Whether the table bounds the ball's centre or its surface.
     acceleration : 2 or 3 numbers, or one, optional
-        Constant acceleration, m/s^2; one number: along a strip (x), plates or a cylinder (z).
+        Constant acceleration, m/s^2: x,y or x,y,z; one number: along a strip (x), plates or a cylinder (z).
     magnetic_field : float, optional
-        Cyclotron frequency of a field perpendicular to the plane, rad/s (:func:`carom.billiards.in_magnetic_field`).
-    kappa, ball_radius : float, optional
-        Of the ball: I/(m a^2), default 0.5, in space 0.4; radius, m, default 1, or 0.1 where the table bounds the surface.
+        Magnetic field perpendicular to the plane, as the cyclotron frequency, rad/s: the centre moves on circles of the Larmor
+        radius speed/|this|, counterclockwise where it is positive (:func:`carom.billiards.in_magnetic_field`).
+    kappa : float, optional
+        Moment of inertia, I/(m a^2); any in the plane. Default: 0.5; in space 0.4.
+    ball_radius : float, optional
+        Radius, m. Default: 1; 0.1 where the table bounds the surface.
     law : str, Law or kernel
-        As for :func:`carom.billiards.orbit`.
-    restitution, friction, tangential_restitution : float, optional
-        Of the wall, for laws that have them. Default: 1, inf, 0.
+        no-slip, mirror, contact, rolling, another law that answers at a wall alone (of two-step the part at the wall: there is no
+        floor), or a custom law, my_law.py:law.
+    restitution : float, optional
+        Coefficient of restitution, 0 to 1. Default: 1.
+    friction : float, optional
+        Friction coefficient; inf: never slips. Default: inf.
+    tangential_restitution : float, optional
+        Tangential restitution, -1 to 1: 0 stops the slip, 1 reverses it. Default: 0.
     corners : "end" or "pass"
         At a corner: end the orbit, or pass (one side, then the other).
-    position, velocity, spin : array (..., d), (..., d), and (...) in the plane or (..., 3) in space, optional
-        States at the beginning, m, m/s, rad/s. Default: sampled from the invariant measure.
+    position : array (..., d), optional
+        Of the centre at the beginning: x,y or x,y,z; m. Default: sampled.
+    velocity : array (..., d), optional
+        At the beginning: x,y or x,y,z; m/s. Default: sampled.
+    spin : array (...) in the plane or (..., 3) in space, optional
+        At the beginning, rad/s; in space x,y,z. Default: sampled, or 0.
     orbits : int
-        How many orbits are sampled.
+        Number of orbits, sampled from the invariant measure.
     seed : int
         Seed of the random numbers.
     lyapunov : bool
-        Whether the Lyapunov spectrum is computed too: ``found.spectrum``.
+        Compute the Lyapunov spectrum.
     reverse : bool
-        Whether the orbits are run backwards too: ``found.reversal_error``, (..., B), m.
+        Run the orbits backwards, too, and measure the error.
     periodic : int, several, or text such as "2-6", optional
-        Numbers of bounces after which periodic orbits close, which are found too: ``found.periodic``
-        (:func:`carom.billiards.periodic_orbits`).
+        Find the periodic orbits with these numbers of bounces, such as 4, 2-6 or 3,5 (:func:`carom.billiards.periodic_orbits`).
     itinerary : str or several, optional
-        In place of ``periodic`` the walls that periodic orbits meet, such as "ABC".
+        Find the periodic orbits that meet these walls in turn, such as ABC or AB,ABC; A is the boundary's first piece.
     starts : int
-        Number of starts of that search, for each period.
+        Starts of the search for periodic orbits, for each period.
     progress : callable(done, total, text), optional
         Called with the number of bounces done, and of all.
     **sizes : optional

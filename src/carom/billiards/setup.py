@@ -29,7 +29,6 @@ from carom.laws.callbacks import user_address
 from carom.laws.law import (
     CALLED_WALL,
     CONTACT_WALL,
-    LIKE_SOLIDS,
     MIRROR_WALL,
     NO_SLIP_WALL,
     ON_WALL,
@@ -40,6 +39,7 @@ from carom.laws.law import (
     wall_law,
 )
 from carom.laws.registry import find_law, laws
+from carom.public.defaults import LIKE_SOLIDS
 
 Array = NDArray[np.float64]
 LAWS = tuple(law.name for law in laws().values() if law.kernel is not None)

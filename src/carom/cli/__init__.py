@@ -6,7 +6,7 @@ import functools
 import importlib
 import os
 import sys
-from typing import Annotated, Any
+from typing import Any
 
 import typer
 
@@ -15,43 +15,73 @@ from carom.cli.verbs import App, help_of, usage_fault
 from carom.errors import CaromError
 from carom.public.interrupts import INTERRUPTED
 
-app = App(name="carom")
-
-# Each module has a function `register(app)`, and imports heavy libraries inside its commands; by heading of the help.
+# The verbs by heading of the help: each a function of a module, which imports heavy libraries when it is called.
 # fmt: off
-MODULES: dict[str, tuple[str, ...]] = {
-    "Laws": ("compare", "catalog"),
-    "Shots": ("scene", "simulate", "aim", "explore", "sweep"),
-    "Billiards": ("orbit",),
-    "Gases": ("gas",),
-    "Measurements": ("tracks", "fit", "fit_gas", "predict", "design", "judge"),
-    "Installation": ("doctor",),
-    "The paper": ("paper",),
+VERBS: dict[str, dict[str, str]] = {
+    "Laws": {"compare": "compare:compare", "laws": "catalog:laws"},
+    "Shots": {
+        "simulate": "simulate:simulate", "aim": "aim:aim", "explore": "explore:explore", "scene new": "scene:new",
+        "scene check": "scene:check", "sweep new": "sweep:new", "sweep explain": "sweep:explain", "sweep run": "sweep:run",
+        "sweep status": "sweep:status", "sweep verify": "sweep:verify", "sweep plot": "sweep:plot",
+    },
+    "Billiards": {"orbit": "orbit:orbit"},
+    "Gases": {"gas": "gas:gas"},
+    "Measurements": {
+        "track": "tracks:track", "tracks show": "tracks:show", "tracks example": "tracks:example", "fit": "fit:fit",
+        "fit gas": "fit:fit_gas", "datasets": "catalog:datasets", "predict": "predict:predict", "design": "design:design",
+        "judge": "judge:judge",
+    },
+    "Installation": {"doctor": "doctor:doctor"},
+    "The paper": {"derive": "paper:derive", "figures": "paper:figures"},
+}
+GROUPS = {
+    "scene": "Write a first scene file, or validate one.",
+    "sweep": "Compute maps over parameters of a scene, an impact, an orbit or a gas.",
+    "tracks": "Tracks of filmed balls: summarise a file, and measure its rebounds.",
 }
 # fmt: on
-
-for app.panel, modules in MODULES.items():
-    for module in modules:
-        importlib.import_module(f"carom.cli.{module}").register(app)
+FIRST = {name.partition(" ")[0] for verbs in VERBS.values() for name in verbs}
 
 
-def _version(wanted: bool) -> None:
-    if wanted:
-        from carom import __version__
-        from carom.cli.doctor import commit
+def app_of(first: str | None) -> App:
+    """Return the command with the verbs that begin with this word; all of them for None."""
+    app, groups = App(name="carom", add_completion=first is None), {}
+    app.callback()(root)
+    for panel, verbs in VERBS.items():
+        for name, place in verbs.items():
+            group, _, inner = name.partition(" ")
+            if first not in (None, group):
+                continue
+            module, _, function = place.partition(":")
+            verb = getattr(importlib.import_module(f"carom.cli.{module}"), function)
+            if group not in GROUPS:
+                app.command(name, rich_help_panel=panel)(verb)
+                continue
+            if group not in groups:
+                groups[group] = App(help=GROUPS[group])
+                app.add_typer(groups[group], name=group, rich_help_panel=panel)
+            groups[group].command(inner)(verb)
+    return app
 
-        found = commit()
-        sys.stdout.write(f"carom {__version__}{f' (commit {found})' if found else ''}\n")
-        raise typer.Exit
 
-
-@app.callback()
-def root(
-    version: Annotated[
-        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
-    ] = False,
-) -> None:
+def root() -> None:
     """Balls that meet walls: impact laws, trajectories, billiards, gases, and laws fitted to measurements."""
+
+
+def __getattr__(name: str) -> App:
+    """Return the command with all its verbs, ``app``, when it is asked for."""
+    if name != "app":
+        raise AttributeError(name)
+    found: App = globals().setdefault(name, app_of(None))
+    return found
+
+
+@functools.cache
+def _command(first: str | None) -> Any:
+    """Return the command, which takes longer to make than most verbs to run (a process may run several)."""
+    found: Any = typer.main.get_command(app_of(first))
+    found.whole = functools.partial(_command, None)
+    return found
 
 
 def main() -> None:
@@ -79,15 +109,13 @@ def _guarded(asked: list[bool]) -> int:
     return code
 
 
-@functools.cache
-def _command() -> Any:
-    """Return the whole command, which takes longer to make than most verbs to run (a process may run several)."""
-    return typer.main.get_command(app)
-
-
 def _run(asked: list[bool]) -> int:
     try:
-        code = int(_command()(standalone_mode=False) or 0)
+        words = sys.argv[1:]
+        if words == ["--version"]:
+            return _version()
+        first = words[0] if words and "_CAROM_COMPLETE" not in os.environ else None
+        code = int(_command(first if first in FIRST else None)(prog_name="carom", standalone_mode=False) or 0)
         return _interrupted() if asked and code == INTERRUPTED else code  # (some versions of Typer end by themselves)
     except CaromError as error:
         return _interrupted() if asked else _report(error)
@@ -107,6 +135,15 @@ def _run(asked: list[bool]) -> int:
         else:
             _print_errors(f"{usage_fault(error)} ({help_of(error)})")
     return 2
+
+
+def _version() -> int:
+    from carom import __version__
+    from carom.cli.doctor import commit
+
+    found = commit()
+    sys.stdout.write(f"carom {__version__}{f' (commit {found})' if found else ''}\n")
+    return 0
 
 
 def _interrupted() -> int:

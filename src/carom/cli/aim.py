@@ -19,11 +19,6 @@ if TYPE_CHECKING:
 TARGET, START = "Target", "Start"
 
 
-def register(app: typer.Typer) -> None:
-    """Add the verb to the command."""
-    app.command()(aim)
-
-
 def aim(
     scene: Annotated[Path, typer.Argument(metavar="SCENE.toml", help="A scene file; carom scene new FILE writes one.")],
     ball: Annotated[

@@ -20,11 +20,6 @@ if TYPE_CHECKING:
     from carom.laws.law import Card
 
 
-def register(app: typer.Typer) -> None:
-    """Add the verbs to the command."""
-    app.command("laws")(laws)
-
-
 def laws(
     name: Annotated[str | None, typer.Argument(metavar="NAME", help="Name of a law, to print its full card.")] = None,
     as_json: Annotated[bool, shared("json")] = False,

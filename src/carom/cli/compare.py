@@ -5,18 +5,17 @@ from __future__ import annotations
 import math
 import textwrap
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated
 
-import typer
 from rich import box
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
 from carom.cli.console import out
-from carom.cli.options import BALL, OUTPUT, comma_separated, option, require_outputs, shared, tick, wrote
+from carom.cli.options import OUTPUT, comma_separated, option, require_outputs, shared, tick, wrote
+from carom.cli.parameters import Given, of_library
 from carom.cli.streams import say_json, say_notes
-from carom.errors import FaultList
 from carom.formatting import format_length, format_number
 from carom.public.own_laws import with_own_laws
 
@@ -26,42 +25,10 @@ if TYPE_CHECKING:
 MIN_WIDTH_WITH_SPIN = 116  # columns of the terminal from which the table has room for the spin
 
 
-def register(app: typer.Typer) -> None:
-    """Add the command."""
-    app.command("compare")(compare)
-
-
+@of_library("laws.comparison:incoming")
 def compare(
-    speed: Annotated[float, option(BALL, "Speed along the floor, m/s.", "--speed", unit="m/s")] = 1.0,
-    angle_deg: Annotated[
-        float, option(BALL, "Angle of incidence, from the wall's normal, degrees.", "--angle", unit="degree")
-    ] = 45.0,
-    spin_z: Annotated[float, option(BALL, "Spin about the vertical, rad/s.", "--spin-z", unit="rad/s")] = 0.0,
-    spin_x: Annotated[
-        float | None, option(BALL, "Spin about x, rad/s.", "--spin-x", unit="rad/s", show_default="rolling")
-    ] = None,
-    spin_y: Annotated[
-        float | None, option(BALL, "Spin about y, rad/s.", "--spin-y", unit="rad/s", show_default="rolling")
-    ] = None,
-    sliding: Annotated[
-        bool, option(BALL, "The ball slides: --spin-x and --spin-y are 0 by default.", "--sliding")
-    ] = False,
-    vertical_speed: Annotated[
-        float, option(BALL, "Upward speed at the wall, m/s.", "--vertical-speed", unit="m/s")
-    ] = 0.0,
-    height: Annotated[float, shared("height")] = 0.0,
-    inertia: Annotated[str, shared("inertia")] = "solid",
-    radius: Annotated[float, shared("radius")] = 0.02625,
-    mass: Annotated[float, shared("mass")] = 0.1406,
-    restitution: Annotated[float, shared("restitution")] = 1.0,
-    friction: Annotated[float, shared("friction")] = math.inf,
-    tangential_restitution: Annotated[float, shared("tangential_restitution")] = 0.0,
-    stiffness_ratio: Annotated[float, shared("stiffness_ratio", default="14/17: same material")] = 14 / 17,
-    contact_height: Annotated[float | None, shared("contact_height", default="1")] = None,
-    floor_restitution: Annotated[float, shared("floor_restitution")] = 0.0,
-    floor_friction: Annotated[float, shared("floor_friction")] = math.inf,
-    gravity: Annotated[float, shared("gravity")] = 9.80665,
-    floor_contact: Annotated[str, shared("floor_contact")] = "with",
+    *,
+    given: Given,
     law: Annotated[
         list[str] | None,
         option(OUTPUT, "Compare only these laws, or custom ones, my_law.py:law; may be repeated.", metavar="NAME,NAME"),
@@ -77,24 +44,18 @@ def compare(
     from carom.laws.registry import find_law
     from carom.scene.openings import ball_notes
 
-    contact: Literal["with", "after"] = floor_contact  # type: ignore[assignment]  # checked by the library
-    settings: dict[str, Any] = {
-        "speed": speed, "angle_deg": angle_deg, "spin_x": spin_x, "spin_y": spin_y, "spin_z": spin_z, "sliding": sliding,
-        "vertical_speed": vertical_speed, "height": height, "inertia": _inertia(inertia), "radius": radius,
-        "mass": mass, "restitution": restitution, "friction": friction, "tangential_restitution": tangential_restitution,
-        "contact_height": contact_height, "floor_restitution": floor_restitution, "floor_friction": floor_friction,
-        "gravity": gravity, "floor_contact": contact, "stiffness_ratio": stiffness_ratio,
-    }  # fmt: skip
     # all errors at once, before anything is written
-    found = FaultList()
+    found = given.faults
     require_outputs(found, {"--plot": plot})
     names = [name for text in law or [] for name in comma_separated(text)]
     if law and not names:
         found.add("--law", "names of laws, NAME,NAME", "none", "omit the option to compare all laws")
     laws = [found.attempt(find_law, with_own_laws(name)) for name in names] or None
-    meeting = found.attempt(library.incoming, **settings)
+    meeting = found.attempt(lambda: library.incoming(**given))
     found.raise_if_any()
-    say_notes(ball_notes("ball", radius, mass, speed, gravity))
+    assert meeting is not None
+    ball, speed = meeting.ball, math.hypot(*meeting.state.velocity[:2])
+    say_notes(ball_notes("ball", ball.radius, ball.mass, speed, meeting.gravity))
     comparison = library.compare(meeting, laws)
     if plot is not None:
         from carom import plot as pictures
@@ -105,13 +66,6 @@ def compare(
         say_json(comparison.as_dict())
     else:
         show(comparison)
-
-
-def _inertia(text: str) -> str | float:
-    try:
-        return float(text)
-    except ValueError:
-        return text
 
 
 def show(comparison: Comparison) -> None:

@@ -25,11 +25,6 @@ BASE = ("numpy", "numba", "llvmlite", "pydantic", "pint", "rich", "typer", "lazy
 PACKAGES = {"imageio_ffmpeg": "imageio-ffmpeg"}
 
 
-def register(app: typer.Typer) -> None:
-    """Add the command."""
-    app.command("doctor")(doctor)
-
-
 def doctor(
     warm: Annotated[
         bool,

@@ -11,11 +11,6 @@ from carom.cli.options import OUTPUT, RUN, comma_separated, option, require_outp
 from carom.errors import FaultList
 
 
-def register(app: typer.Typer) -> None:
-    """Add the verb to the command."""
-    app.command()(explore)
-
-
 def explore(
     scene: Annotated[
         Path | None, typer.Argument(metavar="SCENE.toml", help="A scene file. Default: the paper's example.")

@@ -11,28 +11,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.console import working
-from carom.cli.options import (
-    OUTPUT,
-    REBOUNDS,
-    comma_separated,
-    of_films,
-    option,
-    parse_assignments,
-    parse_bounds,
-    parse_length,
-    parse_number,
-    parse_scale,
-    require_outputs,
-    shared,
-    tell,
-    write_report_page,
-    wrote,
-)
+from carom.cli.options import OUTPUT, TRACK, option, require_outputs, shared, tell, write_report_page, wrote
+from carom.cli.parameters import Given, of_library
 from carom.cli.verbs import with_options
-from carom.errors import CaromError, FaultList, shortened_list
+from carom.errors import shortened_list
 from carom.formatting import counted
-from carom.public.defaults import CUSHIONS
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -223,14 +206,17 @@ def print_ranking(
 # ``carom fit``: fit the laws to measured rebounds or whole tracks, rank them, and write a report.
 
 
-DATA, LAWS = REBOUNDS, "Laws"
+LAWS = (
+    "laws restitution friction tangential_restitution stiffness_ratio forms fit fix bound robust contact_height floor_friction"
+    " floor_restitution roll"
+)
+DATA = "format rate scale view balls down wall hard rolling_resistance gravity drag window blind whole cushions shot table noise"
 
 
-def register(app: typer.Typer) -> None:
-    """Add the verb."""
-    app.command()(fit)
-
-
+@of_library(
+    "fitting.files:fit", "tracks.films:measure_tracks", "tracks.video.film:track_film",
+    panels={"Laws": LAWS, TRACK: DATA, OUTPUT: "bootstrap profiles seed"},
+)  # fmt: skip
 def fit(
     files: Annotated[
         list[Path],
@@ -238,166 +224,18 @@ def fit(
             metavar="FILE", help="A table of rebounds (CSV, Parquet), one or more tracks, or a set of carom datasets."
         ),
     ],
-    radius: Annotated[float | None, shared("radius", default="the radius of a set that comes with carom")] = None,
-    inertia: Annotated[str | None, shared("inertia", default="solid")] = None,
-    laws: Annotated[
-        list[str] | None, option(LAWS, "Fit only these laws; may be repeated.", metavar="NAME,NAME")
-    ] = None,
-    restitution: Annotated[
-        str,
-        option(
-            LAWS, "Restitution as a function of speed: constant, line, polynomial, power, viscoelastic, exponential."
-        ),
-    ] = "constant",
-    friction: Annotated[
-        str,
-        option(
-            LAWS,
-            "Friction: constant, or linear or exponential in the slip, or in v_n, slip/v_n, speed after a colon.",
-            metavar="FORM[:VARIABLE]",
-        ),
-    ] = "constant",
-    tangential_restitution: Annotated[
-        str, option(LAWS, "Tangential restitution: the same, by default in slip/v_n.", metavar="FORM[:VARIABLE]")
-    ] = "constant",
-    stiffness_ratio: Annotated[
-        str, option(LAWS, "Stiffness ratio: the same, by default in slip/v_n.", metavar="FORM[:VARIABLE]")
-    ] = "constant",
-    forms: Annotated[
-        bool,
-        option(
-            LAWS,
-            "Choose a form or a spline for each parameter of the best law, and the tails of errors, by rows held out.",
-            "--forms",
-        ),
-    ] = False,
-    fit_: Annotated[
-        list[str] | None,
-        option(LAWS, "Fit this as well: kappa, contact_height, floor_friction, roll.", "--fit", metavar="NAME"),
-    ] = None,
-    fix: Annotated[
-        list[str] | None,
-        option(LAWS, "Hold a parameter of the laws at a value; may be repeated.", metavar="NAME=VALUE"),
-    ] = None,
-    bound: Annotated[
-        list[str] | None, option(LAWS, "Bounds of a fitted parameter; may be repeated.", metavar="NAME=LOW:HIGH")
-    ] = None,
-    robust: Annotated[bool, option(LAWS, "Assume errors with heavy tails (Student's t).", "--robust")] = False,
-    contact_height: Annotated[float | None, shared("contact_height", default="1")] = None,
-    floor_friction: Annotated[float | None, shared("floor_friction", default="what the film says, else 0.2")] = None,
-    floor_restitution: Annotated[float, shared("floor_restitution")] = 0.0,
-    roll: Annotated[
-        float, option(LAWS, "Spin before the wall, in units of a rolling ball's spin: 1 rolling, 0 without spin.")
-    ] = 1.0,
-    kind: Annotated[str | None, shared("kind", default="by the columns")] = None,
-    stage: Annotated[str | None, option(DATA, "Stage of all rows: after_wall or rolling.")] = None,
-    rate: Annotated[float | None, shared("rate", default="from the times")] = None,
-    scale: Annotated[str | None, shared("scale")] = None,
-    view: Annotated[str | None, shared("view", default="by the motion")] = None,
-    balls: Annotated[bool, shared("balls")] = False,
-    format_: Annotated[str | None, option(DATA, "Format of the films; overrides detection.", "--format")] = None,
-    down: Annotated[bool | None, option(DATA, "The second axis points down, as in images.", "--down/--up")] = None,
-    wall: Annotated[list[str] | None, option(DATA, "Line of a wall, as in carom tracks show; may be repeated.")] = None,
-    hard: Annotated[bool | None, option(DATA, "The wall is rigid: both motions meet on its line.", "--hard")] = None,
-    rolling_resistance: Annotated[
-        float | None, option(DATA, "Deceleration / g of a rolling ball.", "--rolling-resistance")
-    ] = None,
-    gravity: Annotated[float | None, shared("gravity", default="9.80665", rich_help_panel=DATA)] = None,
-    drag: Annotated[float | None, option(DATA, "Air drag k, 1/m. Default: from the flights.")] = None,
-    window: Annotated[
-        float | None, option(DATA, "Time fitted before and after a contact, s.", "--window", unit="s")
-    ] = None,
-    blind: Annotated[float | None, option(DATA, "Time excluded beside a contact, s.", "--blind", unit="s")] = None,
-    length: Annotated[str | None, shared("length")] = None,
-    readout: Annotated[float | None, shared("readout")] = None,
-    ball: Annotated[list[str] | None, shared("ball")] = None,
-    colour: Annotated[str | None, shared("colour")] = None,
-    region: Annotated[str | None, shared("region")] = None,
-    start: Annotated[float | None, shared("start")] = None,
-    end: Annotated[float | None, shared("end")] = None,
-    whole: Annotated[
-        bool,
-        option(DATA, "Fit whole tracks, each simulated from its own initial state, instead of contacts.", "--whole"),
-    ] = False,
-    cushions: Annotated[int, option(DATA, "With --whole: largest number of contacts followed per ball.")] = CUSHIONS,
-    shot: Annotated[
-        bool,
-        option(
-            DATA,
-            "Fit whole shots from the stroke to rest, all balls and cushions; --fit, --fix and --bound take paths of a scene.",
-            "--shot",
-        ),
-    ] = False,
-    table: Annotated[
-        Path | None,
-        option(
-            DATA,
-            "With --shot: the table with which the fit begins.",
-            metavar="SCENE.toml",
-            show_default="a carom table between the cushions of the films",
-        ),
-    ] = None,
-    noise: Annotated[str | None, shared("noise", default="estimated; only with --whole")] = None,
-    where: Annotated[
-        list[str] | None,
-        option(DATA, "Use only rows with this value in the column; may be repeated.", metavar="COLUMN=VALUE"),
-    ] = None,
-    by: Annotated[
-        str | None, option(DATA, "Fit the rows of each value of this column, such as surface.", metavar="COLUMN")
-    ] = None,
-    sigma_v: Annotated[float | None, shared("sigma_v", default="of the table")] = None,
-    sigma_spin: Annotated[float | None, shared("sigma_spin", default="of the table")] = None,
-    spin: Annotated[
-        str | None,
-        option(
-            DATA,
-            "Unmeasured spins before the wall: rad/s at the first contact of each ball (0: thrown without spin), or a prior:"
-            " normal, normal:WIDTH, uniform:WIDTH (in v/a, about 0).",
-            show_default="normal, mean along v_t and width fitted",
-        ),
-    ] = None,
-    every_contact: Annotated[
-        bool,
-        option(
-            DATA,
-            "Take unmeasured spins of a ball's later contacts as independent; by default each contact sets the next one's.",
-            "--every-contact",
-        ),
-    ] = False,
-    scatter: Annotated[
-        str | None,
-        option(
-            DATA,
-            "Fit what contacts scatter beyond the error bars: a share of the speed before the wall, or m/s.",
-            metavar="share|absolute",
-            show_default="none",
-        ),
-    ] = None,
-    bootstrap: Annotated[
-        int | None, option(OUTPUT, "Number of bootstrap fits.", show_default="200 where quick")
-    ] = None,
-    profiles: Annotated[
-        bool | None,
-        option(
-            OUTPUT, "Compute intervals by profile likelihood.", "--profiles/--no-profiles", show_default="where quick"
-        ),
-    ] = None,
-    seed: Annotated[
-        int | None, shared("seed", default="0", help="Seed of the bootstrap.", rich_help_panel=OUTPUT)
-    ] = None,
+    *,
+    given: Given,
     report: Annotated[
         Path | None, option(OUTPUT, "Write a report with figures to this file.", metavar="FILE.html")
     ] = None,
     plot: Annotated[Path | None, shared("plot", help="Draw what was measured and what the best laws predict.")] = None,
     explore: Annotated[
         Path | None,
-        typer.Option(
-            metavar="FILE.html",
-            help="With --shot: write a page that plays the fitted shots beside their films.",
-            rich_help_panel=OUTPUT,
+        option(
+            OUTPUT, "With --shot: write a page that plays the fitted shots beside their films.", metavar="FILE.html"
         ),
     ] = None,
-    no_report: Annotated[bool, typer.Option("--no-report", help="The default.", hidden=True)] = False,
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
     """Fit the laws of impact to measured rebounds, and report which of them the data favour.
@@ -411,43 +249,23 @@ def fit(
     from carom.fitting.files import check_fit
     from carom.fitting.files import fit as fit_laws_to
 
-    faults = FaultList()
-    fixed, bounds = _held(faults, fix, bound)
-    _pages(faults, report, no_report, plot, explore)
-    if by is not None and (report is not None or plot is not None):
+    faults, shot = given.faults, given.get("shot")
+    pages = (".html", ".htm")
+    require_outputs(
+        faults, {"--report": report, "--plot": plot, "--explore": explore}, {"--report": pages, "--explore": pages}
+    )
+    if "by" in given and (report is not None or plot is not None):
         faults.add(
             "", "", advice=f"--{'plot' if report is None else 'report'} has no effect with --by; omit one of them"
         )
     if explore is not None and not shot:
         faults.add("", "", advice="--explore has no effect without --shot; omit it, or add --shot")
-    options: dict[str, Any] = {
-        "radius": radius, "inertia": inertia, "laws": [name for text in laws for name in comma_separated(text)] if laws else None,
-        "restitution": restitution, "friction": friction, "tangential_restitution": tangential_restitution,
-        "stiffness_ratio": stiffness_ratio, "forms": forms,
-        "fit": [name for text in fit_ or [] for name in comma_separated(text)], "fix": fixed,
-        "bound": bounds, "robust": robust, "contact_height": contact_height, "floor_friction": floor_friction,
-        "floor_restitution": floor_restitution, "roll": roll, "kind": kind, "stage": stage, "rate": rate,
-        "scale": faults.attempt(parse_scale, scale), "view": view, "balls": balls, "whole": whole,
-        "cushions": cushions, "shot": shot, "table": table,
-        "noise": faults.attempt(parse_length, "noise", noise), "where": where or (), "by": by,
-        "sigma_v": sigma_v,
-        "sigma_spin": sigma_spin, "spin": spin, "every_contact": every_contact, "scatter": scatter, "bootstrap": bootstrap,
-        "profiles": profiles, "seed": seed,
-    }  # fmt: skip
-    options["film"] = of_films(
-        format=format_, down=down, wall=wall, hard=hard, rolling_resistance=rolling_resistance, gravity=gravity, drag=drag,
-        window=window, blind=blind, length=length, readout=readout, ball=ball, colour=colour, region=region, start=start, end=end,
-        balls=len(ball) if ball else None,
-    ) or None  # fmt: skip
-    if faults:
-        found = FaultList()
-        found.attempt(check_fit, files=files, **options)
-        raise CaromError(*found, *faults)
+    given.raise_if_any(lambda: check_fit(files=files, **given))
     console = err()
     with _bar(console) as progress:
-        ranking = fit_laws_to(files, progress=progress, **options)
-    shows: list[tuple[bool, Any]] = [(shot, show_shots), (whole, show_whole), (by is not None, show_each)]
-    tell(ranking, next((one for wanted, one in shows if wanted), show), as_json, console, ())
+        ranking = fit_laws_to(files, progress=progress, **given)
+    shows: dict[str, Any] = {"shot": show_shots, "whole": show_whole, "by": show_each}
+    tell(ranking, next((one for name, one in shows.items() if name in given), show), as_json, console, ())
     with _bar(console) as progress:  # (what was computed is shown, whatever becomes of the files)
         if report is not None:
             write_report_page(
@@ -466,33 +284,11 @@ def fit(
             wrote(explore)
 
 
-def _held(
-    faults: FaultList, fix: list[str] | None, bound: list[str] | None
-) -> tuple[dict[str, float], dict[str, tuple[float, float]]]:
-    """Return the parameters that are held, and the bounds of others."""
-    fixed = {
-        name: faults.attempt(parse_number, "--fix", name, text)
-        for name, text in parse_assignments(faults, "--fix", fix)
-    }
-    bounds = {
-        name: faults.attempt(parse_bounds, name, text) for name, text in parse_assignments(faults, "--bound", bound)
-    }
-    return ({name: x for name, x in fixed.items() if x is not None},
-            {name: x for name, x in bounds.items() if x is not None})  # fmt: skip
-
-
-def _pages(faults: FaultList, report: Path | None, no_report: bool, plot: Path | None, explore: Path | None) -> None:
-    pages = (".html", ".htm")
-    require_outputs(
-        faults, {"--report": report, "--plot": plot, "--explore": explore}, {"--report": pages, "--explore": pages}
-    )
-    if report is not None and no_report:
-        faults.add("", "", advice="--no-report has no effect with --report; omit one of them")
-
-
 @contextmanager
 def _bar(console: Console) -> Iterator[Any]:
     """Show a progress bar on standard error, where that is a terminal."""
+    from carom.cli.console import working
+
     with working("fit", console) as update:
         yield update or (lambda _done, _total, _text: None)
 
@@ -519,3 +315,34 @@ def _page(ranking: Any, files: list[Path], path: Path) -> Path:
     if isinstance(ranking, ShotsRanking):
         return write_shots_report(ranking, source, path)
     return write_report(ranking, path) if isinstance(ranking, Ranking) else write_track_report(ranking, source, path)
+
+
+def fit_gas(
+    file: Annotated[
+        Path,
+        typer.Argument(
+            metavar="FILE",
+            help="Tracks: columns t, ball, x, y, z, wx, wy, wz.",
+        ),
+    ],
+    scene: Annotated[Path, typer.Option(metavar="SCENE.toml", help="The gas: container and balls.")],
+    as_json: Annotated[bool, shared("json", rich_help_panel=OUTPUT)] = False,
+) -> None:
+    """Infer restitution, friction and tangential restitution of a gas from tracks of its balls.
+
+    Example: carom fit gas tracks.csv --scene gas.toml.
+    """
+    from carom.cli.streams import say, say_json, say_notes
+    from carom.files import require_library
+
+    require_library("scipy", "fit")
+    from carom.fitting.gas import fit_gas as infer
+    from carom.fitting.result import with_error_bar
+
+    found = infer(file, scene)
+    if as_json:
+        say_json(found.to_dict())
+        return
+    say_notes(found.notes)
+    for name, one in found.estimates().items():
+        say(f"{name.replace('_', ' ')}  {with_error_bar(one)}")

@@ -11,9 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from rich.text import Text
 
-from carom.cli.console import out
 from carom.cli.options import GAS_FILMS, OUTPUT, RUN, of_option, option, require_outputs, shared, write_files, wrote
 from carom.cli.streams import json_text, note, say_interrupted, say_json, say_notes, stop_requests
 from carom.errors import CaromError, FaultList, collected
@@ -48,6 +46,7 @@ def run_ensemble(
     quiet: bool,
 ) -> None:
     """Simulate an ensemble; print it, plot it, and write its measures."""
+    from carom.cli.console import out
     from carom.cli.gas_output import no_diffusion, print_tables
     from carom.gas.results import EndedEarlyError
     from carom.gas.simulate import simulate_ensemble
@@ -75,7 +74,7 @@ def run_ensemble(
         if ensemble.ended_early:
             notes.append(f"{len(ensemble.ended_early)} of {members} gases ended early; each counts up to its end.")
         print_tables(scene, f"{members} gases: {scene.describe()}", ensemble.mean, ensemble.error, notes)
-        out().print(Text("In brackets: standard error of the mean, in units of the last digits."), soft_wrap=True)
+        out().print("In brackets: standard error of the mean, in units of the last digits.", soft_wrap=True)
     wrote(*(() if quiet else written))
     found.raise_if_any()
 
@@ -182,11 +181,6 @@ RESUME = "Stop and resume"
 CHECKPOINT_INTERVAL = "10 min"
 OPTIONS = {"max_events": "--max-events", "duration": "--duration", "from_time": "--from", "seed": "--seed"}
 SNAPSHOTS = 100  # per run, without --every
-
-
-def register(app: typer.Typer) -> None:
-    """Add the command ``gas``."""
-    app.command()(gas)
 
 
 def gas(

@@ -7,18 +7,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from carom.cli.options import of_films, parse_scale, quantity, require_outputs, shared, wrote
-from carom.errors import FaultList
+from carom.cli.options import require_outputs, shared, wrote
+from carom.cli.parameters import Given, of_library
 
 if TYPE_CHECKING:
     from carom.tracks.judgement import Judgement
 
 
-def register(app: typer.Typer) -> None:
-    """Add the verb to the command."""
-    app.command()(judge)
-
-
+@of_library("tracks.judgement:judge", "tracks.video.film:track_film", without=("kappa", "gravity"))
 def judge(
     table: Annotated[
         Path,
@@ -27,50 +23,19 @@ def judge(
             help="Columns t, x, y, maybe z, ball, wx, wy, wz, radius, mass (.csv, .parquet), .json of saved frames, or a film.",
         ),
     ],
-    radius: Annotated[
-        float | None,
-        typer.Option(help="Of the balls, m. Default: each ball's least height.", **quantity("--radius", "m")),
-    ] = None,
-    mass: Annotated[float, typer.Option(help="Of the balls, kg.", **quantity("--mass", "kg"))] = 0.17,
-    friction: Annotated[float, typer.Option(help="Largest friction between balls that counts as possible.")] = 1.0,
-    floor_friction: Annotated[float, typer.Option(help="Largest friction of the floor that counts as possible.")] = 1.0,
-    slope: Annotated[
-        str | None, typer.Option(metavar="X,Y", help="How far the floor falls per metre along x and y. Default: level.")
-    ] = None,
-    noise: Annotated[
-        float | None,
-        typer.Option(help="Standard deviation of a coordinate, m. Default: estimated.", **quantity("--noise", "m")),
-    ] = None,
-    scale: Annotated[str | None, shared("scale", default="of a film: by gravity, or the radius")] = None,
-    rate: Annotated[float | None, shared("rate", default="from the times")] = None,
-    length: Annotated[str | None, shared("length")] = None,
-    readout: Annotated[float | None, shared("readout")] = None,
-    ball: Annotated[list[str] | None, shared("ball")] = None,
-    colour: Annotated[str | None, shared("colour")] = None,
-    region: Annotated[str | None, shared("region")] = None,
-    start: Annotated[float | None, shared("start")] = None,
-    end: Annotated[float | None, shared("end")] = None,
+    *,
+    given: Given,
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 where a law is violated.")] = False,
     plot: Annotated[Path | None, shared("plot")] = None,
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
     """Find which laws of mechanics a trajectory violates, when, and by how many error bars: of an engine, a film, a video model."""
-    from carom.cli.options import parse_pair
     from carom.cli.streams import say_json, say_notes
     from carom.tracks.judgement import judge as find
 
-    faults = FaultList()
-    require_outputs(faults, {"--plot": plot}, source=table)
-    faults.raise_if_any()
-    falls = (0.0, 0.0) if slope is None else parse_pair("--slope", slope)
-    film = of_films(
-        length=length, readout=readout, ball=ball, colour=colour, region=region, start=start, end=end,
-        balls=len(ball) if ball else None,
-    )  # fmt: skip
-    found = find(
-        table, radius=radius, mass=mass, friction=friction, floor_friction=floor_friction, slope=falls, noise=noise,
-        scale=parse_scale(scale), rate=rate, film=film,
-    )  # fmt: skip
+    require_outputs(given.faults, {"--plot": plot}, source=table)
+    given.faults.raise_if_any()
+    found = find(table, **given)
     if as_json:
         say_json(vars(found) | {"violations": [vars(one) | {"sigmas": one.sigmas} for one in found.violations]})
     else:

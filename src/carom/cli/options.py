@@ -43,58 +43,78 @@ def in_radii(text: str | float) -> float:
         ) from None
 
 
-# Each shared option by its parameter's name: heading, help, and further arguments of typer.Option; ``unit`` is the SI unit of a
-# value that may be given with another.
+def parse_whole(option: str, text: str | int) -> int:
+    """Return a whole number, which may be written as 20000, 20_000 or 2e4."""
+    if isinstance(text, int):
+        return text
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not (math.isfinite(value) and value == math.floor(value)):
+        raise CaromError(f"{option}: expected a whole number, such as 20000 or 2e4, got {text!r:.60}")
+    return int(text) if text.lstrip("+-").isdecimal() else int(value)
+
+
+# Options that several verbs declare: heading, help, and further arguments of typer.Option.
 _SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
-    "radius": (BALL, "Radius, m.", {"unit": "m"}),
-    "mass": (BALL, "Mass, kg.", {"unit": "kg"}),
-    "inertia": (BALL, "solid, hollow, or kappa = I/(m a^2).", {"metavar": "solid|hollow|KAPPA"}),
-    "height": (BALL, "Height of the ball above the floor when it meets the wall, m.", {"unit": "m"}),
-    "restitution": (WALL, "Coefficient of restitution, 0 to 1.", {}),
-    "friction": (WALL, "Friction coefficient; inf: never slips.", {}),
-    "tangential_restitution": (WALL, "Tangential restitution, -1 to 1: 0 stops the slip, 1 reverses it.", {}),
-    "stiffness_ratio": (WALL, "Tangential over normal stiffness, for laws with tangential compliance.", {}),
-    "contact_height": (
-        WALL,
-        "Height of the contact above the floor, in ball radii; billiard cushions: 1.25 to 1.4.",
-        {"flags": ("--contact-height", "--cushion-height"), "parser": in_radii, "metavar": "RADII"},
-    ),
-    "floor_restitution": (FLOOR, "Coefficient of restitution, 0 to 1.", {}),
-    "floor_friction": (FLOOR, "Friction coefficient; inf: never slips.", {}),
-    "floor_tangential_restitution": (FLOOR, "Tangential restitution, -1 to 1: 0 stops the slip, 1 reverses it.", {}),
-    "floor_contact": (
-        FLOOR,
-        "Whether a ball that the wall presses down meets the floor with the wall or after it.",
-        {"metavar": "with|after"},
-    ),
-    "gravity": (FLOOR, "Gravity, m/s^2.", {"unit": "m/s^2"}),
     "duration": (RUN, "Duration; overrides the scene's.", {"metavar": "T"}),
     "max_events": (RUN, "Largest number of events; overrides the scene's.", {"metavar": "N", "whole": True}),
     "seed": (RUN, "Seed of the random numbers.", {"metavar": "N"}),
-    "rate": (TRACK, "Frames per second; overrides the times of the file.", {"flags": ("--rate", "--fps")}),
-    "scale": (TRACK, "Metres per unit of the file: 0.0005, or 0.5mm; of a film also gravity.", {}),
-    "balls": (TRACK, "Measure balls that strike balls at rest, not balls at walls.", {}),
-    "view": (TRACK, "above (balls on a table) or side (balls in flight).", {"metavar": "above|side"}),
-    "noise": (TRACK, "Error of one coordinate in one frame: 0.0003 (m), or 0.3mm.", {}),
-    "length": (FILM, "Two points of the picture, px, and their distance.", {"metavar": "X1,Y1,X2,Y2=1m"}),
-    "readout": (
-        FILM,
-        "Time from the camera's first row to its last, s.",
-        {"unit": "s", "show_default": "from the flights"},
-    ),
-    "ball": (FILM, "A place of the ball, px, at a time, s; once for each ball.", {"metavar": "X,Y@T"}),
-    "colour": (FILM, "Colour of the balls, such as '#e0b020'.", {"metavar": "#RRGGBB"}),
-    "region": (FILM, "Part of the picture in which balls move, px.", {"metavar": "X0,Y0,X1,Y1"}),
-    "start": (FILM, "Begin at this time of the film, s.", {"flags": ("--from",), "unit": "s"}),
-    "end": (FILM, "End at this time of the film, s.", {"flags": ("--to",), "unit": "s"}),
-    "kind": (REBOUNDS, "planar (ball in flight) or table (ball on a table).", {"metavar": "planar|table"}),
-    "sigma_v": (REBOUNDS, "Standard error of speeds, m/s.", {"unit": "m/s"}),
-    "sigma_spin": (REBOUNDS, "Standard error of spins, rad/s.", {"unit": "rad/s"}),
     "allow_own_laws": (RUN, "Execute the Python files that the scene names as laws.", {"flags": ("--allow-own-laws",)}),
     "json": (OUTPUT, "Print JSON on standard output, and nothing else.", {"flags": ("--json",)}),
     "quiet": (OUTPUT, "Print nothing but errors.", {"flags": ("--quiet",)}),
     "force": (OUTPUT, "Overwrite a file that exists.", {"flags": ("--force",)}),
     "plot": (OUTPUT, "Draw a figure: .svg, .pdf or .png.", {"metavar": "FILE"}),
+}
+
+# What only the command line has of the library's parameters (carom.cli.parameters): their headings in the help ...
+_NAMES = {
+    BALL: "radius mass inertia kappa height speed angle_deg spin_x spin_y spin_z sliding vertical_speed",
+    WALL: "restitution friction tangential_restitution stiffness_ratio contact_height normal truth",
+    FLOOR: "floor_restitution floor_friction floor_tangential_restitution floor_contact gravity rolling_resistance slope",
+    RUN: "seed starts law",
+    TRACK: "format scale rate down view balls noise wall hard drag window blind",
+    FILM: "length readout ball colour region start end",
+    REBOUNDS: "kind stage where by sigma_v sigma_spin spin every_contact scatter suffix strict",
+}
+SPLIT = ("laws", "fit", "itinerary")  # at commas
+PANELS = {name: panel for panel, names in _NAMES.items() for name in names.split()}
+
+# ... and further arguments of typer.Option.
+OPTIONS: dict[str, dict[str, Any]] = {
+    "inertia": {"metavar": "solid|hollow|KAPPA"},
+    "contact_height": {"flags": ("--contact-height", "--cushion-height"), "parser": in_radii, "metavar": "RADII"},
+    "floor_contact": {"metavar": "with|after"},
+    "floor_friction": {"flags": ("--floor-friction", "--cloth")},
+    "rolling_resistance": {"flags": ("--rolling-resistance", "--rolling")},
+    "rate": {"flags": ("--rate", "--fps")},
+    "view": {"metavar": "above|side"},
+    "down": {"flags": ("--down/--up",)},
+    "hard": {"flags": ("--hard",)},
+    "slope": {"metavar": "X,Y"},
+    "length": {"metavar": "X1,Y1,X2,Y2=1m"},
+    "ball": {"metavar": "X,Y@T"},
+    "colour": {"metavar": "#RRGGBB"},
+    "region": {"metavar": "X0,Y0,X1,Y1"},
+    "start": {"flags": ("--from",)},
+    "end": {"flags": ("--to",)},
+    "kind": {"metavar": "planar|table"},
+    "scatter": {"metavar": "share|absolute"},
+    "laws": {"metavar": "NAME,NAME"},
+    "fit": {"metavar": "NAME,NAME"},
+    "itinerary": {"metavar": "AB,ABC"},
+    "bounces": {"metavar": "N", "parser": functools.partial(parse_whole, "--bounces")},
+    "fix": {"metavar": "NAME=VALUE"},
+    "truth": {"metavar": "NAME=VALUE"},
+    "bound": {"metavar": "NAME=LOW:HIGH"},
+    "where": {"metavar": "COLUMN=VALUE"},
+    "by": {"metavar": "COLUMN"},
+    "table": {"metavar": "SCENE.toml"},
+    "angles_deg": {"metavar": "LOW:HIGH"},
+    "speeds": {"metavar": "LOW:HIGH"},
+    "spins": {"metavar": "LOW:HIGH|unknown"},
+    "seed": {"metavar": "N"},
 }
 
 
@@ -122,16 +142,6 @@ def shared(name: str, default: str | None = None, **changes: Any) -> Any:
     if default is not None:
         settings["show_default"] = default
     return option(settings.pop("rich_help_panel", panel), settings.pop("help", text), *flags, **settings)
-
-
-def parse_scale(text: str | None) -> float | str | None:
-    """Return a length in m from a text with or without a unit, or "gravity"."""
-    return text if text == "gravity" else parse_length("scale", text)
-
-
-def of_films(**given: Any) -> dict[str, Any]:
-    """Return the options of films that were given, as arguments of ``carom.track_film``."""
-    return {name: value for name, value in given.items() if value not in (None, [], ())}
 
 
 def comma_separated(text: str) -> list[str]:
@@ -172,19 +182,6 @@ def quantity(option: str, unit: str) -> dict[str, Any]:
     """Return the arguments of typer.Option for a value that may have a unit: ``--radius 0.0286`` or ``--radius 28.6mm``."""
     what = _QUANTITIES[unit][0].partition(" ")[2]
     return {"parser": functools.partial(parse_with_unit, option, unit), "metavar": what.replace(" ", "_").upper()}
-
-
-def parse_whole(option: str, text: str | int) -> int:
-    """Return a whole number, which may be written as 20000, 20_000 or 2e4."""
-    if isinstance(text, int):
-        return text
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not (math.isfinite(value) and value == math.floor(value)):
-        raise CaromError(f"{option}: expected a whole number, such as 20000 or 2e4, got {text!r:.60}")
-    return int(text) if text.lstrip("+-").isdecimal() else int(value)
 
 
 def parse_assignments(faults: FaultList, option: str, texts: list[str] | None) -> Iterator[tuple[str, str]]:

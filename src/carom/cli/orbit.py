@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import math
 from pathlib import Path
 from statistics import median
@@ -11,12 +10,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.console import working
-from carom.cli.options import BALL, OUTPUT, option, parse_whole, require_outputs, shared, wrote
+from carom.cli.options import OUTPUT, option, require_outputs, shared, wrote
+from carom.cli.parameters import Given, of_library
 from carom.cli.streams import note, say_json
-from carom.errors import CaromError, FaultList
+from carom.errors import CaromError
 from carom.formatting import counted, json_value
-from carom.public.defaults import BOUNCES, PERIODIC_STARTS
-from carom.public.own_laws import with_own_laws
 
 if TYPE_CHECKING:
     from carom.billiards import Lyapunov, Orbit, OrbitResult, PeriodicOrbits
@@ -281,11 +279,13 @@ def _first_bounces(found: Orbit) -> Any:
 TABLE, LAW, START = "Table", "Law", "Initial state"
 
 
-def register(app: typer.Typer) -> None:
-    """Add the command."""
-    app.command()(orbit)
-
-
+@of_library(
+    "billiards.orbit_by_name:orbit",
+    panels={
+        TABLE: "bounds acceleration magnetic_field", LAW: "law restitution friction tangential_restitution corners",
+        START: "position velocity spin orbits seed", OUTPUT: "lyapunov reverse periodic itinerary starts",
+    },
+)  # fmt: skip
 def orbit(
     table: Annotated[
         str | None,
@@ -294,91 +294,23 @@ def orbit(
             " or cylinder:NAME, a cylinder along z over a figure in the plane. An unknown name is answered with all names."
         ),
     ] = None,
-    bounces: Annotated[
-        int, typer.Option(help="Number of bounces.", metavar="N", parser=functools.partial(parse_whole, "--bounces"))
-    ] = BOUNCES,
+    *,
     table_file: Annotated[
         Path | None,
         option(
             TABLE,
             "The table from a file: TOML with a shape and sizes, or JSON, such as a list of points.",
             "--table",
-            show_default=False,
             metavar="FILE",
         ),
     ] = None,
-    bounds: Annotated[str, option(TABLE, "Whether the table bounds the ball's centre or its surface.")] = "centre",
-    acceleration: Annotated[
-        str | None,
-        option(
-            TABLE,
-            "Constant acceleration, m/s^2: x,y or x,y,z; or a number: along a strip (x), plates or a cylinder (z).",
-            show_default=False,
-        ),
-    ] = None,
-    magnetic_field: Annotated[
-        float | None,
-        option(
-            TABLE,
-            "Magnetic field perpendicular to the plane, as the cyclotron frequency, rad/s: the centre moves on circles of"
-            " the Larmor radius speed/|this|, counterclockwise where it is positive.",
-            show_default=False,
-        ),
-    ] = None,
-    kappa: Annotated[
-        float | None, option(BALL, "Moment of inertia, I/(m a^2); any in the plane.", show_default="0.5; in space 0.4")
-    ] = None,
-    ball_radius: Annotated[
-        float | None, option(BALL, "Radius, m.", "--ball-radius", unit="m", show_default="1; 0.1 with --bounds surface")
-    ] = None,
-    law: Annotated[
-        str,
-        option(
-            LAW,
-            "no-slip, mirror, contact, rolling, another law of carom laws that answers at a wall alone (of two-step the"
-            " part at the wall: there is no floor), or a custom law: my_law.py:law.",
-        ),
-    ] = "no-slip",
-    restitution: Annotated[float | None, shared("restitution", default="1", rich_help_panel=LAW)] = None,
-    friction: Annotated[float | None, shared("friction", default="inf", rich_help_panel=LAW)] = None,
-    tangential_restitution: Annotated[
-        float | None, shared("tangential_restitution", default="0", rich_help_panel=LAW)
-    ] = None,
-    corners: Annotated[str, option(LAW, "At a corner: end the orbit, or pass (one side, then the other).")] = "end",
-    position: Annotated[str | None, option(START, "Of the centre: x,y or x,y,z; m.", show_default="sampled")] = None,
-    velocity: Annotated[str | None, option(START, "x,y or x,y,z; m/s.", show_default="sampled")] = None,
-    spin: Annotated[str | None, option(START, "rad/s; in space x,y,z.", show_default="sampled, or 0")] = None,
-    orbits: Annotated[int, option(START, "Number of orbits, sampled from the invariant measure.")] = 1,
-    seed: Annotated[int, shared("seed", rich_help_panel=START)] = 0,
+    given: Given,
     plot: Annotated[Path | None, shared("plot", help="Draw the first orbit in the table: .svg, .pdf or .png.")] = None,
     portrait: Annotated[Path | None, shared("plot", help="Draw the velocity phase portrait.")] = None,
     boundary: Annotated[Path | None, shared("plot", help="Draw the boundary map.")] = None,
-    lyapunov: Annotated[bool, option(OUTPUT, "Compute the Lyapunov spectrum.", "--lyapunov")] = False,
     lyapunov_plot: Annotated[
         Path | None, shared("plot", help="Draw how the Lyapunov exponents converge; computes them.")
     ] = None,
-    reverse: Annotated[
-        bool, option(OUTPUT, "Run the orbits backwards, too, and print the error.", "--reverse")
-    ] = False,
-    periodic: Annotated[
-        str | None,
-        option(
-            OUTPUT,
-            "Find the periodic orbits with these numbers of bounces, such as 4, 2-6 or 3,5; --plot draws them.",
-            show_default=False,
-        ),
-    ] = None,
-    itinerary: Annotated[
-        str | None,
-        option(
-            OUTPUT,
-            "Find the periodic orbits that meet these walls in turn, such as ABC or AB,ABC; A is the boundary's first piece.",
-            show_default=False,
-        ),
-    ] = None,
-    starts: Annotated[
-        int, option(OUTPUT, "Starts of the search for periodic orbits, for each period.")
-    ] = PERIODIC_STARTS,
     json_: Annotated[bool, shared("json", help="Print JSON on standard output, with every bounce.")] = False,
 ) -> None:
     """Single-particle billiards: follow one ball in a table from bounce to bounce, with the no-slip law or another.
@@ -389,42 +321,26 @@ def orbit(
     from carom.billiards.orbit_by_name import check_orbit
     from carom.billiards.orbit_by_name import orbit as follow
 
-    faults = FaultList()
+    faults = given.faults
     require_outputs(
         faults, {"--plot": plot, "--portrait": portrait, "--boundary": boundary, "--lyapunov-plot": lyapunov_plot}
     )
     what = faults.attempt(_table, table, table_file)
-    options = {
-        "bounds": bounds, "magnetic_field": magnetic_field,
-        "kappa": kappa, "ball_radius": ball_radius, "law": with_own_laws(law), "restitution": restitution,
-        "friction": friction, "tangential_restitution": tangential_restitution, "corners": corners, "orbits": orbits,
-        "seed": seed, "reverse": reverse,
-    }  # fmt: skip
-    for name, text in (("acceleration", acceleration), ("position", position), ("velocity", velocity), ("spin", spin)):
-        options[name] = None if text is None else faults.attempt(_numbers, f"--{name}", text)
     if faults:
-        faults.attempt(check_orbit, table=what, bounces=bounces, **options)
+        searched = ("lyapunov", "periodic", "itinerary", "starts")
+        faults.attempt(lambda: check_orbit(table=what, **{k: x for k, x in given.items() if k not in searched}))
         raise CaromError(*faults)
+    if lyapunov_plot is not None:
+        given["lyapunov"] = True
     with working("orbits") as report:
-        exponents = lyapunov or lyapunov_plot is not None
-        codes = None if itinerary is None else itinerary.split(",")
-        found = follow(
-            what,
-            bounces,
-            lyapunov=exponents,
-            periodic=periodic,
-            itinerary=codes,
-            starts=starts,
-            progress=report,
-            **options,
-        )
+        found = follow(what, progress=report, **given)
         facts = orbit_facts(found)
     if json_:
         facts["bounces"] = every_bounce(found)
         say_json(facts)
     else:
         print_orbit(facts, found)
-        if found.periodic is not None and not len(found.periodic) and itinerary is None:
+        if found.periodic is not None and not len(found.periodic) and "itinerary" not in given:
             note(
                 "note: random starts seldom lead to unstable orbits between obstacles or through openings;"
                 " --itinerary AB,ABC seeks those that meet given walls"
@@ -444,17 +360,6 @@ def _table(table: str | None, file: Path | None) -> Any:
             f"TABLE: expected a table such as circle, or --table FILE, got {'both' if file else 'neither'}"
         )
     return table if file is None else file
-
-
-def _numbers(option: str, text: str) -> float | list[float]:
-    """Return the numbers between commas; a number where there is but one."""
-    try:
-        found = [float(part) for part in text.replace(",", " ").split()]
-    except ValueError:
-        found = []
-    if not found:
-        raise CaromError(f"{option}: expected numbers, such as 0.1,0.2, got {text!r}")
-    return found[0] if len(found) == 1 and "," not in text else found
 
 
 def _draw(found: OrbitResult, plot: Path | None, portrait: Path | None, boundary: Path | None) -> None:

@@ -24,12 +24,6 @@ if TYPE_CHECKING:
 _STYLE = {"holds": "green", "conditional": "yellow", "misprint": "bold red"}
 
 
-def register(app: typer.Typer) -> None:
-    """Add the commands."""
-    app.command("derive")(derive)
-    app.command("figures")(figures)
-
-
 def derive(
     destination: Annotated[
         Path | None,

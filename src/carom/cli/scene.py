@@ -10,15 +10,6 @@ import typer
 
 from carom.cli.options import quantity, shared
 from carom.cli.streams import say_json
-from carom.cli.verbs import App
-
-
-def register(app: typer.Typer) -> None:
-    """Add the verbs to the command."""
-    scene = App(help="Write a first scene file, or validate one.")
-    scene.command("new")(new)
-    scene.command("check")(check)
-    app.add_typer(scene, name="scene")
 
 
 def new(

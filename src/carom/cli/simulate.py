@@ -25,11 +25,6 @@ if TYPE_CHECKING:
 ANIMATIONS, TABLES = (".mp4", ".gif", ".html"), (".csv", ".parquet")
 
 
-def register(app: typer.Typer) -> None:
-    """Add the verb to the command."""
-    app.command()(simulate)
-
-
 def simulate(
     scene: Annotated[Path, typer.Argument(metavar="SCENE.toml", help="A scene file; carom scene new FILE writes one.")],
     law: Annotated[

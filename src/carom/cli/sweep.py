@@ -11,7 +11,6 @@ import typer
 from carom.cli.console import working
 from carom.cli.options import OUTPUT, RUN, option, require_outputs, shared, wrote
 from carom.cli.streams import say_json
-from carom.cli.verbs import App
 from carom.errors import CaromError, FaultList
 from carom.formatting import counted
 
@@ -27,14 +26,6 @@ STORE = Annotated[
 SHOWN_FAILURES = 5  # points without an outcome
 OWN_LAWS = Annotated[bool, shared("allow_own_laws")]
 JSON = Annotated[bool, shared("json")]
-
-
-def register(app: typer.Typer) -> None:
-    """Add the verbs to the command."""
-    verbs = App(help="Compute maps over parameters of a scene, an impact, an orbit or a gas.")
-    for verb in (new, explain, run, status, verify, plot):
-        verbs.command(verb.__name__)(verb)
-    app.add_typer(verbs, name="sweep")
 
 
 def new(

@@ -18,12 +18,11 @@ from rich.text import Text
 
 from carom.cli.console import err, working
 from carom.cli.console import out as stdout
-from carom.cli.options import FILM, FLOOR, of_films, option, parse_length, parse_scale, require_outputs, shared, wrote
+from carom.cli.options import FILM, FLOOR, option, require_outputs, shared, wrote
+from carom.cli.parameters import Given, of_library
 from carom.cli.streams import say_json
-from carom.cli.verbs import App
 from carom.errors import CaromError, FaultList, shortened_list
 from carom.formatting import called_ball, counted, format_length, format_number, json_value
-from carom.public.defaults import GRAVITY, WINDOW
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -341,17 +340,11 @@ def tell_pairs(console: Console, films: Sequence[tuple[str, Sequence[PairContact
 TABLES = (".csv", ".txt", ".parquet", ".pq")
 FILE, FIT = "Track file", "Contact fits"
 
-tracks = App(help="Tracks of filmed balls: summarise a file, and measure its rebounds.")
 
-
-def register(app: typer.Typer) -> None:
-    """Add the verb."""
-    tracks.command()(show)
-    tracks.command()(example)
-    app.add_typer(tracks, name="tracks")
-    app.command()(track)
-
-
+@of_library(
+    "tracks.films:measure_tracks", "tracks.video.film:track_film",
+    panels={FILE: "format scale rate down view", FLOOR: "wall hard drag", FIT: "noise window blind"},
+)  # fmt: skip
 def show(
     files: Annotated[
         list[Path],
@@ -360,6 +353,7 @@ def show(
             help="Films, files from Tracker, Kinovea, trackpy ..., or columns t, x, y; several films make one table.",
         ),
     ],
+    *,
     out: Annotated[Path | None, typer.Option(help="Write the rebounds: .csv or .parquet.")] = None,
     plot: Annotated[Path | None, shared("plot")] = None,
     json_: Annotated[bool, shared("json")] = False,
@@ -367,84 +361,28 @@ def show(
     sliding: Annotated[
         bool, typer.Option("--sliding", help="Keep balls that are still sliding when they meet the wall.")
     ] = False,
-    balls: Annotated[bool, shared("balls")] = False,
-    format_: Annotated[str | None, option(FILE, "Format of the file; overrides detection.", "--format")] = None,
-    scale: Annotated[str | None, shared("scale", rich_help_panel=FILE)] = None,
-    rate: Annotated[float | None, shared("rate", rich_help_panel=FILE)] = None,
-    down: Annotated[bool | None, option(FILE, "The second axis points down, as in images.", "--down/--up")] = None,
-    view: Annotated[str | None, shared("view", default="by the motion", rich_help_panel=FILE)] = None,
-    radius: Annotated[
-        float | None,
-        shared(
-            "radius", help="Radius, 0.03075 (m) or 30.75mm; needed where several balls are filmed; 0: they cannot meet."
-        ),
-    ] = None,
-    inertia: Annotated[str, shared("inertia")] = "solid",
-    wall: Annotated[
-        list[str] | None,
-        option(
-            FLOOR, "Line at which the ball's centre is reflected: x=0.03, y=1.4 or x1,y1,x2,y2 (m); may be repeated."
-        ),
-    ] = None,
-    hard: Annotated[bool, option(FLOOR, "The wall is rigid: both motions meet on its line.", "--hard")] = False,
-    floor_friction: Annotated[
-        float | None, option(FLOOR, "Coulomb friction of the floor. Default: fitted.", "--floor-friction", "--cloth")
-    ] = None,
-    rolling_resistance: Annotated[
-        float | None,
-        option(FLOOR, "Deceleration / g of a rolling ball. Default: fitted.", "--rolling-resistance", "--rolling"),
-    ] = None,
-    gravity: Annotated[float, shared("gravity")] = GRAVITY,
-    drag: Annotated[
-        float | None,
-        option(FLOOR, "Air drag k, 1/m: it slows a ball of speed v down by k v^2. Default: from the flights."),
-    ] = None,
-    noise: Annotated[str | None, shared("noise", default="estimated", rich_help_panel=FIT)] = None,
-    window: Annotated[float, option(FIT, "Time fitted before and after a contact, s.", "--window", unit="s")] = WINDOW,
-    blind: Annotated[
-        float | None,
-        option(FIT, "Time excluded before and after a contact, s. Default: from the frames.", "--blind", unit="s"),
-    ] = None,
-    length: Annotated[str | None, shared("length")] = None,
-    readout: Annotated[float | None, shared("readout")] = None,
-    ball: Annotated[list[str] | None, shared("ball")] = None,
-    colour: Annotated[str | None, shared("colour")] = None,
-    region: Annotated[str | None, shared("region")] = None,
-    start: Annotated[float | None, shared("start")] = None,
-    end: Annotated[float | None, shared("end")] = None,
+    balls: Annotated[
+        bool, option(FILE, "Measure balls that strike balls at rest, not balls at walls.", "--balls")
+    ] = False,
+    given: Given,
 ) -> None:
     """Summarise track files (format, tracks, frame rate, noise), and measure their contacts by fitting the physics.
 
     carom tracks show films/*.txt --out rebounds.csv
     """
-    from carom.bodies import inertia_number
-    from carom.tracks.films import measure_tracks
+    from carom.tracks.films import check_tracks, measure_tracks
 
-    faults = FaultList()
-    sizes = faults.attempt(parse_scale, scale), faults.attempt(parse_length, "noise", noise)
-    faults.attempt(inertia_number, inertia)
-    for name, value, known in (
-        ("stage", stage, ("best", "after_wall", "rolling", "both")),
-        ("view", view, ("above", "side")),
-    ):
-        if value is not None and value not in known:
-            faults.add(f"--{name}", f"one of {', '.join(known)}", repr(value))
+    faults = given.faults
+    if stage not in ("best", "after_wall", "rolling", "both"):
+        faults.add("--stage", "one of best, after_wall, rolling, both", repr(stage))
     for file in files:
         require_outputs(faults, {"--plot": plot, "--out": out}, {"--out": TABLES}, source=file)
     if plot is not None and len(files) > 1:
         faults.add("--plot", "one film", str(len(files)), "name one file")
-    faults.raise_if_any()
+    given.raise_if_any(lambda: check_tracks(**given))
     console = err()
     with working("contacts", console) as bar:
-        films = measure_tracks(
-            files, format=format_, scale=sizes[0], rate=rate, down=down, view=view, radius=radius, inertia=inertia,
-            wall=wall or (), hard=hard, floor_friction=floor_friction, rolling_resistance=rolling_resistance, gravity=gravity,
-            drag=drag, noise=sizes[1], window=window, blind=blind, progress=bar,
-            film=of_films(
-                length=length, readout=readout, ball=ball, colour=colour, region=region, start=start, end=end,
-                balls=len(ball or [0]),
-            ),
-        )  # fmt: skip
+        films = measure_tracks(files, progress=bar, **given)
     names, found, measured = films.names, films.files, films.measured
     written = None
     lacking = FaultList()
@@ -476,10 +414,12 @@ def show(
         wrote(plot)
 
 
+@of_library("tracks.video.film:track_film", without=("path",), panels={FILM: "balls scale rate gravity"})
 def track(
     film: Annotated[
         Path, typer.Argument(metavar="FILM", help="A film, from a camera at rest: .mp4, .mov, .webm, .avi ...")
     ],
+    *,
     out: Annotated[
         Path | None, typer.Option(help="Write the track: .csv, t, x, y upward in m; its sheet beside it.")
     ] = None,
@@ -488,21 +428,8 @@ def track(
     ] = None,
     overlay: Annotated[Path | None, typer.Option(help="Write the film with the outlines: .mp4.")] = None,
     as_json: Annotated[bool, shared("json")] = False,
-    balls: Annotated[int, typer.Option(help="How many balls to track.", metavar="N")] = 1,
-    radius: Annotated[float | None, shared("radius")] = None,
-    scale: Annotated[str | None, shared("scale", help="Metres per pixel: 0.0005, or 0.5mm; or gravity.")] = None,
-    rate: Annotated[float | None, shared("rate", help="True frames per second of a film in slow motion.")] = None,
-    gravity: Annotated[float, shared("gravity")] = GRAVITY,
-    length: Annotated[str | None, shared("length")] = None,
-    readout: Annotated[float | None, shared("readout")] = None,
-    ball: Annotated[list[str] | None, shared("ball")] = None,
-    colour: Annotated[str | None, shared("colour")] = None,
-    region: Annotated[str | None, shared("region")] = None,
-    start: Annotated[float | None, shared("start")] = None,
-    end: Annotated[float | None, shared("end")] = None,
-    spin: Annotated[
-        bool, option(FILM, "Measure the spin from marks on the ball.", "--spin", show_default=False)
-    ] = False,
+    given: Given,
+    spin: Annotated[bool, option(FILM, "Measure the spin from marks on the ball.", "--spin")] = False,
 ) -> None:
     """Track balls in a film by their outlines, with the times of its container.
 
@@ -510,8 +437,7 @@ def track(
     """
     from carom.tracks.video.film import track_film
 
-    faults = FaultList()
-    size = faults.attempt(parse_scale, scale)
+    faults = given.faults
     if out is not None and sheet is None:
         sheet = out.with_suffix(".png")
     require_outputs(
@@ -522,10 +448,7 @@ def track(
     )
     faults.raise_if_any()
     with working("balls", err()) as bar:
-        found = track_film(
-            film, balls, radius=radius, scale=size, length=length, readout=readout, rate=rate, ball=ball or (), colour=colour,
-            region=region, start=start, end=end, gravity=gravity, progress=bar,
-        )  # fmt: skip
+        found = track_film(film, progress=bar, **given)
         if spin:
             from carom.tracks.video.spin import with_spins
 

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import contextlib
 import functools
 import inspect
-import io
 import os
 import re
 import shutil
@@ -69,7 +67,8 @@ def _options(root: Any) -> dict[str, dict[str, str]]:
 
 
 def _verbs() -> dict[str, dict[str, str]]:
-    return _options(_running[0].find_root().command) if _running else {}
+    root = _running[0].find_root().command if _running else None
+    return _options(getattr(root, "whole", lambda: root)()) if root else {}
 
 
 def parameter_of(option: Any) -> str:
@@ -85,7 +84,7 @@ def option_of(parameter: str) -> str:
 
 
 def _own(parameter: str) -> str | None:
-    own = _verbs().get(" ".join(path_of(_running[0])), {}) if _running else {}
+    own = _options(_running[0].find_root().command).get(" ".join(path_of(_running[0])), {}) if _running else {}
     parameter = SYNONYMS.get(parameter, parameter)
     return own.get(parameter, own.get(parameter.removesuffix("_deg")))
 
@@ -146,28 +145,22 @@ def with_options(found: Any) -> Any:
 
 
 NEARLY = 0.83  # of an option of another verb (difflib's ratio): one letter of a short word
-INDENT = 4
+BESIDE = 72  # columns of the terminal from which texts stand beside the names, not below them
+TYPES = {"float": " NUMBER", "int": " N", "str": " TEXT", "path": " FILE", "list[str]": " TEXT", "list[Path]": " FILE"}
+LEFT = 30  # columns for names, at most
 
 
 class _Word:
     """What verbs and groups share."""
 
-    def get_params(self, context: Any) -> Any:
-        """Return the parameters as the help shows them: no type of a flag, one of a list, one pair of brackets."""
-        found = super().get_params(context)  # type: ignore[misc]
-        for one in found:
-            if hasattr(one, "display_type_rich"):
-                one.display_type_rich = functools.partial(_type_of_one, type(one).display_type_rich, one)
-            if getattr(one, "is_flag", False):
-                one.metavar = one.metavar or ""
-            if isinstance(getattr(one, "show_default", None), str):
-                one.help, one.show_default = f"{one.help} [default: {one.show_default}]", False
-        return found
-
     def parse_args(self, context: Any, given: list[str]) -> Any:
-        """Refuse an option without its value: it is the last word, or another option follows."""
+        """Show the help; or refuse an option without its value: it is the last word, or another option follows."""
         begin(context)
-        _require_values(self, given)
+        words = given[: given.index("--")] if "--" in given else given
+        if "--help" in (words[:1] if isinstance(self, TyperGroup) else words):
+            sys.stdout.write(f"{context.get_help()}\n")
+            raise typer.Exit
+        _require_values(self, words)
         return super().parse_args(context, given)  # type: ignore[misc]
 
     def invoke(self, context: Any) -> Any:
@@ -176,14 +169,8 @@ class _Word:
         return super().invoke(context)  # type: ignore[misc]
 
     def format_help(self, context: Any, formatter: Any) -> None:
-        """Print the help in panels; as plain text if the terminal is so narrow that Rich ends a name with an ellipsis."""
-        drawn = io.StringIO()
-        with contextlib.redirect_stdout(drawn):
-            super().format_help(context, formatter)  # type: ignore[misc]
-        if "…" in drawn.getvalue():
-            formatter.write(_plain_help(self, context, shutil.get_terminal_size().columns))
-        else:
-            super().format_help(context, formatter)  # type: ignore[misc]  # (again: to the terminal, in its colours)
+        """Write the help in lines of the terminal's width: names, and their texts beside or below them."""
+        formatter.write(_help(self, context, shutil.get_terminal_size().columns))
 
 
 class Verb(_Word, TyperCommand):
@@ -204,39 +191,45 @@ class App(typer.Typer):
     """A group of verbs to which functions are added."""
 
     def __init__(self, **settings: Any) -> None:
-        super().__init__(cls=VerbGroup, no_args_is_help=True, pretty_exceptions_enable=False, **settings)
-
-    panel: str | None = None  # the heading of the help under which verbs are added
+        super().__init__(
+            cls=VerbGroup, no_args_is_help=True, pretty_exceptions_enable=False, add_help_option=False, **settings
+        )
 
     def command(self, name: str | None = None, **settings: Any) -> Any:
         """Add a function as a verb."""
-        return super().command(name, cls=Verb, **{"rich_help_panel": self.panel, **settings})
-
-    def add_typer(self, typer_instance: typer.Typer, **settings: Any) -> None:
-        """Add a group of verbs."""
-        super().add_typer(typer_instance, **{"rich_help_panel": self.panel, **settings})
+        return super().command(name, cls=Verb, add_help_option=False, **settings)
 
 
-def _type_of_one(display_type: Any, of: Any, ctx: Any) -> str | None:
-    """Return the type of one value where a parameter may be repeated: <str>, not <list[str]>."""
-    text = display_type(of, ctx)
-    return text and re.sub(r"<list\[(\w+)\]>", lambda found: f"<{found[1].lower()}>", text)
-
-
-def _plain_help(command: Any, context: Any, width: int) -> str:
-    """Return the help as lines of at most this width: names, and below each its text."""
+def _help(command: Any, context: Any, width: int) -> str:
+    """Return the help as lines of at most this width."""
     lines = [*_wrap(context.get_usage(), width, 0), "", *_wrap(inspect.cleandoc(command.help or ""), width, 0)]
     panels: dict[str, list[tuple[str, str]]] = {}
     for option in command.get_params(context):
+        if isinstance(shown := getattr(option, "show_default", None), str):  # (else Typer adds brackets to it)
+            option.help, option.show_default = f"{option.help} [default: {shown}]", False
         if record := option.get_help_record(context):
-            default = "Arguments" if option.param_type_name == "argument" else "Options"
-            panels.setdefault(option.rich_help_panel or default, []).append(record)
+            argument = option.param_type_name == "argument"
+            name, text = record
+            for kind, word in TYPES.items():
+                name = name.replace(f" <{kind}>", "" if argument else word)
+            panel = option.rich_help_panel or ("Arguments" if argument else "Options")
+            panels.setdefault(panel, []).append((name, text))
     for name, inner in getattr(command, "commands", {}).items():
         panels.setdefault(inner.rich_help_panel or "Commands", []).append((name, inner.get_short_help_str(1000)))
+    version = [] if context.parent else [("--version", "Print the version.")]
+    panels["Options"] = [*panels.pop("Options", []), *version, ("--help", "Show this message and exit.")]
+    names = [len(name) for records in panels.values() for name, _text in records]
+    left = min(max(names), LEFT) + 2
+    bold = sys.stdout.isatty() and "NO_COLOR" not in os.environ
     for panel, records in panels.items():
-        lines += ["", f"{panel}:"]
-        for names, text in records:
-            lines += [*_wrap(names, width, INDENT // 2), *_wrap(text, width, INDENT)]
+        lines += ["", f"\033[1m{panel}:\033[0m" if bold else f"{panel}:"]
+        for name, text in records:
+            inside = _wrap(text, width, left + 2 if width >= BESIDE else 4)
+            if width >= BESIDE and len(name) < left:
+                inside = [f"  {name:{left}}{line.strip()}" if k == 0 else line for k, line in enumerate(inside or [""])]
+                lines += [line.rstrip() for line in inside]
+            else:
+                lines += [*_wrap(name, width, 2), *inside]
     return "\n".join(lines) + "\n"
 
 
@@ -295,9 +288,8 @@ def _require_values(command: Any, given: list[str]) -> None:
     options = [one for one in command.params if one.param_type_name == "option"]
     takes = {name for one in options if not one.is_flag for name in one.opts}
     known = {name for one in options for name in (*one.opts, *one.secondary_opts)}
-    words = given[: given.index("--")] if "--" in given else given
-    for k, word in enumerate(words):
-        after = words[k + 1] if k + 1 < len(words) else None
+    for k, word in enumerate(given):
+        after = given[k + 1] if k + 1 < len(given) else None
         if word in takes and (after is None or (after.startswith("--") and after.partition("=")[0] in known)):
             got = f"the next option, {after}" if after is not None else "none"
             raise CaromError(Fault("", word, _values(word, command), got))

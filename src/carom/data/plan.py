@@ -22,7 +22,8 @@ from carom.data.headers import (
 from carom.data.limits import bad_numbers
 from carom.data.rebounds import PASSED_ON, not_used
 from carom.errors import CaromError, Fault, FaultList, did_you_mean, near_name, require_type
-from carom.laws.law import LIKE_SOLIDS, SURFACES, Law, Meeting
+from carom.laws.law import SURFACES, Law, Meeting
+from carom.public.defaults import LIKE_SOLIDS
 
 SpinRule = Literal["rolling", "none"]
 

@@ -462,33 +462,49 @@ def predict(
         A CSV or Parquet file; or a mapping of names to arrays (N,), a DataFrame, a structured array, an Arrow table, or Rebounds.
         The names of the columns say what they are, and in which unit if it is not the SI one: see the guide, "Predict a table".
     law : str or Law
-        A name of :data:`carom.LAWS`, "my_law.py:law", or a Law.
+        Name of a law (:data:`carom.LAWS`), or a custom one, my_law.py:law.
     out : path, optional
         A new file of the same kind as the table, written completely or not at all; "-": standard output. Default: the columns
         are in the result.
     strict : bool
-        Whether a row without a prediction is an error. Otherwise its new cells are empty (NaN), and the note column says why.
-    spin : "rolling" or "none", optional
-        The spin of rows without one. Default: rolling, for laws of a ball in flight none.
+        Fail, and write nothing, if there is no prediction for a row. Otherwise its new cells are empty (NaN), and the note column
+        says why.
+    spin : str, optional
+        Spin of rows without one: rolling or none. Default: rolling; none for laws of a ball in flight.
     suffix : str, optional
-        Of the names of the added columns. Default: ``_predicted`` where a name is taken.
+        Suffix of the names of added columns. Default: _predicted where a name is taken.
     speed : float, optional
-        Of all rows, m/s, for tables with ``incidence_deg``.
-    radius, mass, inertia, height : optional
-        The ball: m, kg, "solid", "hollow" or I/(m a^2); height above the floor when it meets the wall, m. Like all numbers that
-        follow, they have precedence over columns of the same name. Default: 0.02625, 0.1406, "solid", 0.
-    restitution, friction, tangential_restitution, stiffness_ratio : float, optional
-        The wall. Default: 1, inf, 0, and 14/17 (the same material).
+        Speed of every row, m/s, for tables with incidence_deg.
+    radius : float, optional
+        Radius, m. Default: 0.02625.
+    mass : float, optional
+        Mass, kg. Default: 0.1406.
+    inertia : str or float, optional
+        "solid", "hollow" or I/(m a^2). Default: solid.
+    height : float, optional
+        Height of the ball above the floor when it meets the wall, m. Default: 0.
+    restitution : float, optional
+        Coefficient of restitution, 0 to 1. Default: 1.
+    friction : float, optional
+        Friction coefficient; inf: never slips. Default: inf.
+    tangential_restitution : float, optional
+        Tangential restitution, -1 to 1: 0 stops the slip, 1 reverses it. Default: 0.
+    stiffness_ratio : float, optional
+        Tangential over normal stiffness, for laws with tangential compliance. Default: 14/17, the same material.
     normal : 3 numbers, optional
-        From the wall to the ball, for states as vectors. Default: (1, 0, 0).
+        Normal from wall to ball, for states as vectors. Default: 1,0,0.
     contact_height : float
-        Height of the contact above the floor, in radii of the ball.
-    floor_restitution, floor_friction, floor_tangential_restitution : float, optional
-        The floor. Default: 0, inf, 0.
+        Height of the contact above the floor, in ball radii; billiard cushions: 1.25 to 1.4.
+    floor_restitution : float, optional
+        Coefficient of restitution, 0 to 1. Default: 0.
+    floor_friction : float, optional
+        Friction coefficient; inf: never slips. Default: inf.
+    floor_tangential_restitution : float, optional
+        Tangential restitution, -1 to 1: 0 stops the slip, 1 reverses it. Default: 0.
     floor_contact : "with" or "after"
         Whether a ball that the wall presses down meets the floor with the wall or after it.
     gravity : float
-        m/s^2.
+        Gravity, m/s^2.
     progress : callable(done, total, text), optional
         Called after every chunk of rows.
     say : callable(text), optional

@@ -47,27 +47,36 @@ def design(
     file : path, columns or Rebounds, optional
         Rebounds measured so far; their evidence counts.
     laws : two names, or "TRUE,OTHER"
-        The first is assumed to be true.
-    radius, inertia
-        Of the ball: m; "solid", "hollow" or I/(m a^2).
-    kind : "planar" or "table", optional
-        Default: that of ``file``, else planar.
-    stage : "after_wall" or "rolling"
-        At which a ball on a table is measured.
+        Two laws; the first is assumed to be true.
+    radius : float
+        Radius, m.
+    inertia : str or float
+        "solid", "hollow" or I/(m a^2).
+    kind : str, optional
+        "planar" (ball in flight) or "table" (ball on a table). Default: that of the file, else planar.
+    stage : str
+        Stage at which a ball on a table is measured: after_wall or rolling.
     truth : mapping, optional
-        Parameters of the first law by name. Default: fitted to ``file``.
-    contact_height, floor_friction : float, optional
-        As in :class:`carom.fitting.Setting`.
+        Parameters of the first law by name. Default: fitted to the file.
+    contact_height : float, optional
+        Height of the contact above the floor, in ball radii; billiard cushions: 1.25 to 1.4. Default: 1.
+    floor_friction : float, optional
+        Friction of the floor. Default: what the file says, else 0.2.
     angles_deg : pair
-        Range of the shots' angles of incidence from the normal, degrees.
-    speeds, spins : pairs
-        Ranges of their speeds, m/s, and of their spins before the wall, rad/s, or "unknown".
+        Angles of incidence, degrees from the normal.
+    speeds : pair
+        Speeds, m/s.
+    spins : pair
+        Spin before the wall, rad/s; unknown if not measured.
     spin : float or str, optional
-        Unmeasured spins in ``file``, as for :func:`carom.fitting.rows`.
-    sigma_v, sigma_spin : float
-        Error bars of the shots to come, m/s and rad/s. Default of ``sigma_spin``: spin is not measured.
+        Unmeasured spins before the wall in the file: rad/s at the first contact of each ball, or a prior, as for
+        :func:`carom.fit`. Default: normal, mean along v_t and width fitted.
+    sigma_v : float
+        Standard error of speeds, m/s.
+    sigma_spin : float, optional
+        Standard error of spins, rad/s. Default: spin is not measured.
     odds : float
-        To reach, N to 1.
+        Target odds, N to 1.
     fine : bool
         Whether the gain is computed on a finer grid too, for a picture.
 

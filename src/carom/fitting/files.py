@@ -108,48 +108,86 @@ def fit(
     Parameters
     ----------
     files : path, sequence of paths, columns, Rebounds, or films that were measured
-        A table of rebounds, one or more track files, or the name of a published set; or a dict of arrays, a DataFrame, a structured
-        array with the columns of such a table; or what :func:`carom.measure_tracks` returns.
-    radius : float
-        Of the ball, m; a published set has its own.
-    inertia : "solid", "hollow" or I/(m a^2), optional
+        A table of rebounds, one or more track files or films, or the name of a published set; or a dict of arrays, a DataFrame, a
+        structured array with the columns of such a table; or what :func:`carom.measure_tracks` returns.
+    radius : float, optional
+        Radius, m. Default: the radius of a set that comes with carom.
+    inertia : str or float, optional
+        "solid", "hollow" or I/(m a^2). Default: solid.
     laws : str or sequence of str, optional
-        Names. Default: all laws for this kind of rebound.
+        Fit only these laws. Default: all laws for this kind of rebound.
     restitution : str
-        As a function of speed: constant, line, polynomial, power, viscoelastic, exponential.
-    friction, tangential_restitution, stiffness_ratio : str
-        Constant, linear or exponential in the slip (the last two: in slip/v_n), or in what a colon precedes: v_n, slip, slip/v_n,
-        speed.
+        Restitution as a function of speed: constant, line, polynomial, power, viscoelastic, exponential.
+    friction : str
+        Friction: constant, or linear or exponential in the slip, or in v_n, slip/v_n, speed after a colon.
+    tangential_restitution : str
+        Tangential restitution: the same, by default in slip/v_n.
+    stiffness_ratio : str
+        Stiffness ratio: the same, by default in slip/v_n.
     forms : bool
-        Whether to choose a form, or a spline, for each parameter, and heavy tails, by the score of rows held out.
-    fit, fix, bound : optional
-        Parameters to fit as well; held ones with their values; bounds of fitted ones.
+        Choose a form or a spline for each parameter of the best law, and the tails of errors, by rows held out.
+    fit : sequence of str
+        Fit this as well: kappa, contact_height, floor_friction, roll.
+    fix : mapping, optional
+        Hold a parameter of the laws at a value.
+    bound : mapping, optional
+        Bounds of a fitted parameter.
     robust : bool
-        Whether errors have heavy tails (Student's t).
-    contact_height, floor_friction, floor_restitution, roll
-        As in :class:`carom.fitting.Setting`.
-    kind, stage : optional
-        Of a table of rebounds, as for :func:`carom.data.read_rebounds`.
-    rate, scale, view : optional
-        Of films: frames per second, metres per unit, "above" or "side".
-    film : mapping, optional
-        Of films: further arguments of :func:`carom.measure_tracks` and :func:`carom.track_film`, such as ``{"down": True}``.
+        Assume errors with heavy tails (Student's t).
+    contact_height : float, optional
+        Height of the contact above the floor, in ball radii; billiard cushions: 1.25 to 1.4. Default: 1.
+    floor_friction : float, optional
+        Friction of the floor. Default: what the film says, else 0.2.
+    floor_restitution : float
+        Restitution at the floor, 0 to 1.
+    roll : float
+        Spin before the wall, in units of a rolling ball's spin: 1 rolling, 0 without spin.
+    kind : str, optional
+        "planar" (ball in flight) or "table" (ball on a table). Default: by the columns.
+    stage : str, optional
+        Stage of all rows: after_wall or rolling.
+    rate : float, optional
+        Frames per second; overrides the times of the file. Default: from the times.
+    scale : float or str, optional
+        Metres per unit of the file, 0.0005 or 0.5mm; of a film also gravity.
+    view : str, optional
+        Filmed from "above" (balls on a table) or the "side" (balls in flight). Default: by the motion.
     balls : bool
-        Of films: whether the contacts of balls with each other are fitted, in place of those with walls.
+        Measure balls that strike balls at rest, not balls at walls.
+    film : mapping, optional
+        Further arguments of :func:`carom.measure_tracks` and :func:`carom.track_film`, such as ``{"down": True}``.
     whole : bool
-        Whether whole tracks are fitted, each simulated from its own initial state, with at most ``cushions`` contacts per ball and
-        the ``noise`` of one coordinate, m.
-    shot, table : bool, and a Scene or its file, optional
-        Whether whole shots are fitted, from the stroke to rest, with all balls: :func:`carom.fit_shots`. ``fit``, ``fix`` and
-        ``bound`` then take paths of the scene.
-    where, sigma_v, sigma_spin, spin, every_contact
-        As for :func:`carom.fitting.rows`.
+        Fit whole tracks, each simulated from its own initial state, instead of contacts.
+    cushions : int
+        With ``whole``: largest number of contacts followed per ball.
+    shot : bool
+        Fit whole shots from the stroke to rest, all balls and cushions (:func:`carom.fit_shots`); ``fit``, ``fix`` and ``bound``
+        take paths of a scene.
+    table : path or Scene, optional
+        With ``shot``: the table with which the fit begins. Default: a carom table between the cushions of the films.
+    noise : float, optional
+        With ``whole``: error of one coordinate in one frame, m. Default: estimated.
+    where : optional
+        Use only rows with this value in the column.
     by : str, optional
-        A column of the table, such as surface: laws are fitted to the rows of each of its values.
-    scatter : "share" or "absolute", optional
-        Of contacts beyond the error bars.
-    bootstrap, profiles, seed
-        As for :func:`carom.fitting.fit_laws`.
+        Fit the rows of each value of this column, such as surface.
+    sigma_v : float, optional
+        Standard error of speeds, m/s. Default: of the table.
+    sigma_spin : float, optional
+        Standard error of spins, rad/s. Default: of the table.
+    spin : float or str, optional
+        Unmeasured spins before the wall: rad/s at the first contact of each ball (0: thrown without spin), or a prior: normal,
+        normal:WIDTH, uniform:WIDTH (in v/a, about 0). Default: normal, mean along v_t and width fitted.
+    every_contact : bool
+        Take unmeasured spins of a ball's later contacts as independent; by default each contact sets the next one's.
+    scatter : str, optional
+        Fit what contacts scatter beyond the error bars: "share" of the speed before the wall, or "absolute", m/s. Default: none.
+    bootstrap : int, optional
+        Number of bootstrap fits. Default: 200 where quick.
+    profiles : bool, optional
+        Compute intervals by profile likelihood. Default: where quick.
+    seed : int, optional
+        Seed of the bootstrap. Default: 0.
     progress : callable(done, total, text), optional
 
     Returns

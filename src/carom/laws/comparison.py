@@ -20,10 +20,10 @@ from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, checked_number, r
 from carom.formatting import format_length, format_number, format_time, html_table, json_value
 from carom.laws.arrays import require_approach
 from carom.laws.landing import FloorContact, Settled, TwoStep, angle_from
-from carom.laws.law import LIKE_SOLIDS, Answer, Law, Meeting, holds_everywhere
+from carom.laws.law import Answer, Law, Meeting, holds_everywhere
 from carom.laws.registry import law_named, one_or_several
 from carom.laws.registry import laws as all_laws
-from carom.public.defaults import GRAVITY
+from carom.public.defaults import GRAVITY, LIKE_SOLIDS, MASS, RADIUS
 
 
 def remarks_on(meeting: Meeting, answer: Answer, final: State | None) -> Iterator[str]:
@@ -114,9 +114,9 @@ def incoming(
     sliding: bool = False,
     vertical_speed: float = 0.0,
     height: float = 0.0,
-    inertia: Any = "solid",
-    radius: float = 0.02625,
-    mass: float = 0.1406,
+    inertia: str | float = "solid",
+    radius: float = RADIUS,
+    mass: float = MASS,
     restitution: float = 1.0,
     friction: float = math.inf,
     tangential_restitution: float = 0.0,
@@ -132,34 +132,45 @@ def incoming(
     Parameters
     ----------
     speed : float
-        Along the floor, m/s, > 0.
+        Speed along the floor, m/s.
     angle_deg : float
-        Angle of incidence, from the wall's normal, degrees, 0 <= angle_deg < 90: the ball moves along -x and +y.
-    spin_z, spin_x, spin_y : float
-        Angular velocity in the fixed frame, rad/s. Default of spin_x and spin_y: the spin of a rolling ball (27), or zero
-        with ``sliding``.
+        Angle of incidence, from the wall's normal, degrees, below 90: the ball moves along -x and +y.
+    spin_z : float
+        Spin about the vertical, rad/s.
+    spin_x : float, optional
+        Spin about x, in the fixed frame, rad/s. Default: that of a rolling ball (27), or 0 with ``sliding``.
+    spin_y : float, optional
+        Spin about y, rad/s. Default: the same.
     sliding : bool
-        Whether spin_x and spin_y default to zero.
+        The ball slides: ``spin_x`` and ``spin_y`` are 0 by default.
     vertical_speed : float
-        Upwards, just before the wall, m/s.
+        Upward speed at the wall, m/s.
     height : float
-        Of the centre above its position when the ball rests on the floor, just before the wall, m.
-    inertia, radius, mass
-        As in :class:`carom.Ball`.
-    restitution, friction, tangential_restitution
-        The wall, as in :class:`carom.Surface`.
-    floor_restitution, floor_friction
-        The floor, as in :class:`carom.Surface`.
+        Height of the ball above the floor when it meets the wall, m.
+    inertia : str or float
+        "solid", "hollow" or I/(m a^2).
+    radius : float
+        Radius, m.
+    mass : float
+        Mass, kg.
+    restitution : float
+        Coefficient of restitution, 0 to 1.
+    friction : float
+        Friction coefficient; inf: never slips.
+    tangential_restitution : float
+        Tangential restitution, -1 to 1: 0 stops the slip, 1 reverses it.
+    floor_restitution : float
+        Coefficient of restitution, 0 to 1.
+    floor_friction : float
+        Friction coefficient; inf: never slips.
     gravity : float
-        m/s^2.
+        Gravity, m/s^2.
     contact_height : float, optional
-        Height of the contact point above the floor, in ball radii: 1.2 to 1.4 for the nose of a billiard cushion.
-        Default: the wall is a vertical plane and touches the ball at the height of its centre.
+        Height of the contact above the floor, in ball radii; billiard cushions: 1.25 to 1.4. Default: 1, a vertical wall.
     floor_contact : "with" or "after"
-        As in :func:`carom.two_step`.
+        Whether a ball that the wall presses down meets the floor with the wall or after it (:func:`carom.two_step`).
     stiffness_ratio : float
-        Tangential over normal stiffness of the wall contact, > 0, for laws with tangential compliance. Default: that of
-        two solids of the same material with Poisson's ratio 0.3.
+        Tangential over normal stiffness, for laws with tangential compliance; 14/17: solids of the same material.
 
     Returns
     -------

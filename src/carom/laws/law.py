@@ -22,7 +22,7 @@ from carom.core.motion.phases import ROUNDING
 from carom.errors import MIN_MAGNITUDE, CaromError, require_type
 from carom.laws.arrays import RESOLVED, WallKernel, answer_rows, bad_row, require_approach, unit_normal, wall_law_rows
 from carom.laws.landing import PAPER_FLOOR, PAPER_WALL, FloorContact, Settled, landing_settings, settle
-from carom.public.defaults import GRAVITY
+from carom.public.defaults import GRAVITY, LIKE_SOLIDS
 
 Said = tuple[Any, float, float]
 UP: Vec = (0.0, 0.0, 1.0)
@@ -234,8 +234,6 @@ ON_FLOOR = ("floor_restitution", "floor_friction", "floor_tangential_restitution
 SURFACES = (*ON_WALL, "stiffness_ratio", *ON_FLOOR)
 """Parameters of wall and floor that a law may read."""
 LastNumber = Literal["tangential_restitution", "stiffness_ratio", "floor_friction"]
-LIKE_SOLIDS = 14 / 17
-"""Tangential over normal contact stiffness of two solids of the same material, 2 (1 - nu)/(2 - nu), at nu = 0.3."""
 
 # How compiled loops (the event engine, billiards, fits) evaluate a law. TWO_STEP_WALL: one contact, or wall and floor at once
 # where the wall presses the ball on the floor; CONTACT_WALL: one contact, regardless of the floor; ROLLING_WALL: the

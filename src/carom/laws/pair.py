@@ -22,8 +22,9 @@ from carom.core.motion.phases import ROUNDING
 from carom.errors import CaromError, FaultList, broadcast_shape, checked_number, require_type
 from carom.laws.arrays import WallKernel, answer_rows, bad_row, fresh_unless_own, require_resolved, unit_normal
 from carom.laws.landing import Names, name_codes
-from carom.laws.law import LIKE_SOLIDS, ON_WALL, Law, Meeting, approaches
+from carom.laws.law import ON_WALL, Law, Meeting, approaches
 from carom.laws.registry import find_law, law_for_pairs
+from carom.public.defaults import LIKE_SOLIDS
 
 Array = NDArray[np.float64]
 

@@ -10,6 +10,7 @@ RADIUS, MASS = 0.02625, 0.1406  # m, kg: a snooker ball
 GRAVITY = 9.80665  # m/s^2
 CONTACT_HEIGHT = 1.0  # radii above the floor: a vertical wall
 FLOOR_CONTACT = "with"
+LIKE_SOLIDS = 14 / 17  # kt/kn of two solids of the same material with Poisson's ratio 0.3
 BOUNCES = 200  # of an orbit
 PERIODIC_STARTS = 1000  # for each period, of the search for periodic orbits
 DESIGNED_LAWS = ("contact", "sliding")

@@ -14,8 +14,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
-
 
 class OwnLaw(str):
     """The name of a custom law, "file.py:name", whose file may be run."""
@@ -27,8 +25,9 @@ def with_own_laws(value: Any) -> Any:
     """Return a text, or lists, tables and arrays of texts, with each text that names a Python file as an OwnLaw."""
     if isinstance(value, str):
         return OwnLaw(value) if ".py" in value else value
-    if isinstance(value, np.ndarray) and value.dtype.kind == "U":
-        return with_own_laws(value.tolist()) if np.char.find(value, ".py").max(initial=-1) >= 0 else value
+    if getattr(getattr(value, "dtype", None), "kind", "") == "U":
+        listed = value.tolist()
+        return with_own_laws(listed) if ".py" in repr(listed) else value
     if type(value) in (list, tuple) and any(isinstance(one, str | list | tuple | Mapping) for one in value):
         return type(value)(map(with_own_laws, value))
     if isinstance(value, Mapping):

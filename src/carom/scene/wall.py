@@ -18,8 +18,9 @@ from pydantic_core.core_schema import ValidationInfo
 from carom.core.jit.kernel import kernel
 from carom.core.motion.phases import CONSTANT
 from carom.errors import CaromError, shown, suggestion
-from carom.laws.law import CONTACT_WALL, LIKE_SOLIDS, Law
+from carom.laws.law import CONTACT_WALL, Law
 from carom.laws.registry import FORBIDDEN, find_law, law_for_pairs, laws, laws_of_pairs
+from carom.public.defaults import LIKE_SOLIDS
 from carom.public.own_laws import OwnLaw
 from carom.scene.feature_builders import Feature, Flat, built
 from carom.scene.restitution import Bounce, Constant, Restitution

@@ -14,9 +14,9 @@ from carom.bodies import Ball, State, Surface, kinetic_energy
 from carom.core.geometry.angles import direction
 from carom.errors import CaromError
 from carom.laws.landing import angle_from
-from carom.laws.law import LIKE_SOLIDS, Law, Meeting
+from carom.laws.law import Law, Meeting
 from carom.laws.registry import find_law
-from carom.public.defaults import GRAVITY
+from carom.public.defaults import GRAVITY, LIKE_SOLIDS
 from carom.scene.ball import Inertia
 from carom.scene.schema import Friction, Mass, Model, NotNegative, Number, Share, Size, Spin, Spring
 from carom.scene.toml import stored_model

@@ -327,24 +327,42 @@ def measure_tracks(
     ----------
     files : path, columns or Track, or a sequence of these
         Films of one table, or of one kind of throw: films, which carom tracks itself; track files; what :func:`carom.track_film`
-        returns; tables in memory (a dict of arrays, a DataFrame, a structured
-        array) with the columns of such a file, ``t``, ``x``, ``y``, and ``ball`` where there are several; or :class:`Track`. A
-        list of Track is one film.
+        returns; tables in memory (a dict of arrays, a DataFrame, a structured array) with the columns of such a file, ``t``, ``x``,
+        ``y``, and ``ball`` where there are several; or :class:`Track`. A list of Track is one film.
     format : str, optional
-        A key of FORMATS; default: recognised from the content.
-    scale, rate, down : optional
-        Metres per unit of the files (of films also "gravity"), frames per second, and whether the second axis points down.
-    view : "above" or "side", optional
-        Default: by the motion.
-    radius, inertia
-        Of the ball, m; "solid", "hollow" or I/(m a^2).
-    wall, hard
-        Lines at which the balls' centres are reflected, ``"x=0.03"``, ``"y=1.4"`` or ``"x1,y1,x2,y2"`` (m), default: found; and
-        whether the walls are rigid.
-    floor_friction, rolling_resistance, gravity, drag, noise, window, blind
-        As in :class:`carom.tracks.Settings`.
+        Format of the files, a key of FORMATS; overrides detection.
+    scale : float or str, optional
+        Metres per unit of the file, 0.0005 or 0.5mm; of a film also gravity.
+    rate : float, optional
+        Frames per second; overrides the times of the file. Default: from the times.
+    down : bool, optional
+        The second axis points down, as in images.
+    view : str, optional
+        Filmed from "above" (balls on a table) or the "side" (balls in flight). Default: by the motion.
+    radius : float, optional
+        Radius, m; needed where several balls are filmed; 0: they cannot meet.
+    inertia : str or float
+        "solid", "hollow" or I/(m a^2).
+    wall : sequence of str
+        Line at which the balls' centres are reflected: x=0.03, y=1.4 or x1,y1,x2,y2 (m). Default: found.
+    hard : bool
+        The wall is rigid: both motions meet on its line.
+    floor_friction : float, optional
+        Coulomb friction of the floor. Default: fitted.
+    rolling_resistance : float, optional
+        Deceleration / g of a rolling ball. Default: fitted.
+    gravity : float
+        Gravity, m/s^2.
+    drag : float, optional
+        Air drag k, 1/m: it slows a ball of speed v down by k v^2. Default: from the flights.
+    noise : float, optional
+        Error of one coordinate in one frame, m. Default: estimated.
+    window : float
+        Time fitted before and after a contact, s.
+    blind : float, optional
+        Time excluded before and after a contact, s. Default: from the frames.
     film : mapping, optional
-        Of films: further arguments of :func:`carom.track_film`, such as ``{"length": "102,655,1180,650=1m"}``.
+        Further arguments of :func:`carom.track_film`, such as ``{"length": "102,655,1180,650=1m"}``.
     progress : callable(done, total, text), optional
 
     Returns
@@ -366,16 +384,22 @@ def measure_tracks(
     >>> found
     <MeasuredFilms: 1 film, 1 contact>
     """
-    faults = FaultList()
-    kappa = faults.attempt(inertia_number, inertia)
-    if view not in (None, "above", "side"):
-        faults.add("`view`", "one of above, side", repr(view))
-    faults.raise_if_any()
+    kappa = check_tracks(inertia, view)
     asked = {"hard": hard, "floor_friction": floor_friction, "rolling_resistance": rolling_resistance, "gravity": gravity,
              "drag": drag, "noise": noise, "window": window, "blind": blind, "down": down}  # fmt: skip
     calibration, numbers, _how = film_options(scale, rate, radius, {**(film or {}), **asked})
     settings = Settings(radius=radius, kappa=kappa, view=view, **numbers)  # type: ignore[arg-type]
     return measure_films(files, calibration, settings, format=format, wall=wall, progress=progress)
+
+
+def check_tracks(inertia: str | float = "solid", view: str | None = None, **_others: Any) -> float | None:
+    """Return kappa; CaromError for arguments of :func:`measure_tracks` that are refused before a file is read."""
+    faults = FaultList()
+    kappa: float | None = faults.attempt(inertia_number, inertia)
+    if view not in (None, "above", "side"):
+        faults.add("`view`", "one of above, side", repr(view))
+    faults.raise_if_any()
+    return kappa
 
 
 OF_SETTINGS = ("hard", "floor_friction", "rolling_resistance", "gravity", "drag", "noise", "window", "blind")

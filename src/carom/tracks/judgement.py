@@ -459,19 +459,28 @@ def judge(
         A row per ball and frame: ``t`` (s), ``x``, ``y``, ``z`` (m), where there are several balls ``ball``; where they are known
         ``wx``, ``wy``, ``wz`` (rad/s), ``radius`` (m), ``mass`` (kg). ``Trajectory.save_frames`` writes these, as CSV,
         Parquet or JSON. Without ``z`` the balls lie on the floor. Or a film, whose balls are tracked.
-    radius, mass, kappa : float
-        Of balls without a column for them, m, kg; the moment of inertia is kappa m R^2. Default of the radius: the least height of
-        the ball's own centre, so that it is never in the floor.
-    friction, floor_friction : float
-        The largest coefficients that count as possible, between balls and at the floor.
+    radius : float, optional
+        Of balls without a column for it, m. Default: the least height of the ball's own centre, so that it is never in the floor.
+    mass : float
+        Of balls without a column for it, kg.
+    kappa : float
+        Moment of inertia, I/(m a^2).
+    friction : float
+        Largest friction between balls that counts as possible.
+    floor_friction : float
+        Largest friction of the floor that counts as possible.
     gravity : float
-        m/s^2, downwards.
+        Gravity, m/s^2.
     slope : (x, y)
         How far the floor falls per metre of its own along x and y (the sine of the angle, as in ``Floor``); z is normal to it.
     noise : float, optional
         Standard deviation of a coordinate, m. Default: estimated from third differences.
-    scale, rate, film
-        Of a film, as for :func:`carom.measure_tracks`.
+    scale : float or str, optional
+        Metres per unit of the file, 0.0005 or 0.5mm; of a film also gravity. Default of a film: by gravity, or the radius.
+    rate : float, optional
+        Frames per second; overrides the times of the file. Default: from the times.
+    film : mapping, optional
+        Further arguments of :func:`carom.track_film`.
 
     Returns
     -------

@@ -15,7 +15,7 @@ from carom.errors import CaromError
 from carom.fitting.laws import FORMS, PARAMETERS, FittedLaw, Parameter, track_laws_named
 from carom.fitting.rows import Setting, assumed_height, decided, forms_of, require_settings
 from carom.fitting.table_numbers import SharedNumber, TableNumbers, affine_table, cushions_between
-from carom.laws.law import LIKE_SOLIDS
+from carom.public.defaults import LIKE_SOLIDS
 from carom.scene.ball import SceneBall
 from carom.scene.floor import Floor
 from carom.scene.restitution import Constant

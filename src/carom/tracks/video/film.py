@@ -475,7 +475,7 @@ def _from_beside(k: int, times: Array, places: Array, costs: Array, most: float)
 
 def track_film(
     path: str | FilePath,
-    balls: int = 1,
+    balls: int | None = None,
     *,
     radius: float | None = None,
     scale: float | str | None = None,
@@ -496,26 +496,30 @@ def track_film(
     ----------
     path : path
         A film that FFmpeg can read, taken with a camera at rest.
-    balls : int
-        How many are tracked.
+    balls : int, optional
+        How many balls to track. Default: one, or as many as have a place.
     radius : float, optional
-        Of the balls, m; gives the scale to some 2 % where nothing else does.
+        Radius, m; gives the scale to some 2 % where nothing else does.
     scale : float or "gravity", optional
-        Metres per pixel; or from free flight.
+        Metres per pixel, 0.0005 or 0.5mm; or gravity: from free flight.
     length : str, optional
-        Two points in px and their distance, ``"x1,y1,x2,y2=1m"``.
+        Two points of the picture, px, and their distance: x1,y1,x2,y2=1m.
     readout : float, optional
-        Time from the first to the last row of the camera, s. Default: from the flights, if they show it.
+        Time from the camera's first row to its last, s. Default: from the flights, if they show it.
     rate : float, optional
-        True frames per second of a film in slow motion; default: the container's times.
+        True frames per second of a film in slow motion. Default: the container's times.
     ball : sequence of str, optional
-        A place of each ball at a time of the film, ``"x,y@t"`` (px, s). Default: the things that move and are round.
-    colour, region : str, optional
-        Of the balls, ``"#e0b020"``; and where they are, ``"x0,y0,x1,y1"`` in px.
-    start, end : float, optional
-        Part of the film, s.
+        A place of the ball, px, at a time, s: x,y@t; once for each ball. Default: the things that move and are round.
+    colour : str, optional
+        Colour of the balls, such as '#e0b020'.
+    region : str, optional
+        Part of the picture in which balls move, px: x0,y0,x1,y1.
+    start : float, optional
+        Begin at this time of the film, s.
+    end : float, optional
+        End at this time of the film, s.
     gravity : float
-        m/s^2.
+        Gravity, m/s^2.
     progress : callable(done, total, text), optional
 
     Returns
@@ -535,6 +539,8 @@ def track_film(
     >>> film.tracks[0].position.shape  # doctest: +SKIP
     (112, 2)
     """
+    if balls is None:
+        balls = 1 if isinstance(ball, str) else max(len(ball), 1)
     asked = _checked(balls, radius, scale, length, readout, rate, ball, colour, region, start, end)
     file = open_film(as_path("track_film", path))
     notes = list(file.notes)
