@@ -50,10 +50,14 @@ def write_dynamo(
     ET.SubElement(contact, "IDPairRange", Type="All")
     diameter = []
     for one in species:
-        known = {"Name": one.name, "Mass": repr(float(one.ball.mass)), "Type": "SphericalTop" if rough else "Point"}
-        radius, first = float(one.ball.radius), len(diameter)
+        known = {
+            "Name": one.name,
+            "Mass": repr(float(one.nominal_mass(3))),
+            "Type": "SphericalTop" if rough else "Point",
+        }
+        radius, first = float(one.nominal), len(diameter)
         if rough:
-            known["InertiaConstant"] = repr(float(one.ball.kappa) * radius**2)
+            known["InertiaConstant"] = repr(float(one.kappa(3)) * radius**2)
         diameter += [2 * radius] * one.count
         those = {"Type": "Ranged", "Start": str(first), "End": str(len(diameter) - 1)}
         ET.SubElement(ET.SubElement(genus, "Species", known), "IDRange", those)

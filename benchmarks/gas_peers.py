@@ -52,7 +52,7 @@ class Programs:
     def __init__(self, name: str, balls: int, kind: str, folder: str | None, at: Path) -> None:
         """Make the gas, bring it to equilibrium, and hand it over."""
         species = species_of(name, balls)
-        filled = sum(one.count * float(2 * one.ball.radius) ** 3 for one in species)
+        filled = sum(one.count * float(2 * one.nominal) ** 3 for one in species)
         size = ((filled / DENSITY) ** (1 / 3),) * 3
         self.gas = Gas(species, size, periodic=name != "walls", contacts=SURFACES[kind])
         self.gas.run(WARM * balls)

@@ -245,7 +245,7 @@ def test_no_build_product_is_tracked() -> None:
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
     "fitting": 10330,
-    "gas": 7330,
+    "gas": 7226,
     "billiards": 5570,
     "tracks": 8676,
     "simulation": 5975,

@@ -12,9 +12,8 @@ from reference.trips import lost_trips, same
 
 import carom
 from carom.gas import GasScene, Session, save_checkpoint
-from carom.gas.containers import container
+from carom.gas.containers import CONTAINERS, container
 from carom.gas.files import RunFiles, run_with_files
-from carom.gas.scene import CONTAINERS
 from carom.scene.schema import from_file
 from carom.scene.shapes import SHAPES
 

@@ -111,7 +111,7 @@ def test_wildcards_stand_for_what_no_other_contact_names():
         {"between": ("a", "*"), "restitution": 0.7, "friction": 0.1},
         {"between": ("b", "left"), "restitution": 0.8, "friction": 0.1},
     )
-    gas = Gas([one.species(2) for one in scene.species], scene.container.geometry, contacts=scene.surfaces)
+    gas = Gas(scene.species, scene.container.geometry, contacts=scene.contacts)
     pairs, walls = gas.arrays.materials.pairs["e"], gas.arrays.walls.contacts["e"].reshape(-1, 2)
     assert pairs.tolist() == [0.7, 0.7, 0.7, 0.5]
     left = gas.faces.index("left")

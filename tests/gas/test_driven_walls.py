@@ -139,14 +139,14 @@ def test_balls_out_of_a_hopper_are_counted(tmp_path):
         (
             "scatterer",
             {"mass": 1.0},
-            "drives['scatterer'].mass: expected a plane wall, got 'scatterer', which is round",
+            "drives[0].mass: expected a plane wall, got 'scatterer', which is round",
         ),
         (
             "right",
             {"surface_velocity": (1.0, 0.0)},
-            "drives['right'].surface_velocity: expected a velocity along the wall",
+            "drives[0].surface_velocity: expected a velocity along the wall",
         ),
-        ("plate1", {"mass": 1.0}, "drives['plate1'].mass: expected a plane wall, got 'plate1', a plate"),
+        ("plate1", {"mass": 1.0}, "drives[0].mass: expected a plane wall, got 'plate1', a plate"),
         (
             "right",
             {},

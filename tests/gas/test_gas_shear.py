@@ -99,7 +99,7 @@ def test_bad_input_is_one_line():
     for options, said in (
         ({"periodic": (True, False, True)}, "Gas: shear_rate: expected a box that is periodic along all axes"),
         ({"gravity": (0, 0, -1)}, "Gas: shear_rate: expected no gravity"),
-        ({"shear_rate": math.nan}, "Gas: shear_rate: expected a finite rate"),
+        ({"shear_rate": math.nan}, "Gas: shear_rate: expected a rate, got nan"),
         (
             {"shear_rate": -1e8},
             "Gas: shear_rate: expected at most 1e.06 thermal speeds across the box, 1.67e.05, got -1e.08",

@@ -115,7 +115,7 @@ def test_a_gas_that_has_no_room_on_a_lattice_starts_from_a_packing():
 def test_discs_are_refused_in_three_dimensions():
     """A disc has one spin, about z; spheres in a plane, a monolayer, are a model that people use."""
     with pytest.raises(
-        CaromError, match=r"^Gas: species: expected carom\.Ball in three dimensions, got a Disc, .*: a$"
+        CaromError, match=r"^Gas: species\[0\]: expected carom\.Ball in three dimensions, got a Disc, .*: a$"
     ):
         Gas([Species(Disc(0.5, 1.0), 10)], (9.0, 9.0, 9.0), contacts=SMOOTH)
     assert Gas([Species(Ball(0.5, 1.0), 10)], (9.0, 9.0), contacts=SMOOTH).run(10).pair_collisions == 10

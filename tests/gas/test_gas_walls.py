@@ -608,7 +608,7 @@ def test_saved_and_restored_with_everything_on():
         ({"shape": "polygon", "points": [(0, 0), (4, 0)]}, "3 or more"),
         ({"shape": "circle", "radius": 2.0, "periodic": True}, "periodic"),
         ({"shape": "periodic", "size": (4.0, 4.0), "obstacles": [(1, 1)]}, "x, y, radius"),
-        ({"shape": "box", "size": (4.0, -1.0)}, "lengths > 0"),
+        ({"shape": "box", "size": (4.0, -1.0)}, r"size\[1\]: expected a length in m, > 0"),
     ],
 )
 def test_rooms_that_cannot_be(given, said):

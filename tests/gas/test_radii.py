@@ -31,11 +31,11 @@ def test_drawn_radii_and_their_classes_have_the_moments_of_the_distribution():
     skewness = (growth + 2) * math.sqrt(growth - 1)
     form = {"distribution": "lognormal", "median": 0.5, "sigma": sigma}
     count = 4000
-    kept = scene({**form, "seed": 4}, count, (400.0, 400.0)).species[0].radii
+    kept = scene({**form, "seed": 4}, count, (400.0, 400.0)).species[0].all_radii
     assert kept.mean() == pytest.approx(mean, abs=4 * deviation / math.sqrt(count))
     assert kept.std() == pytest.approx(deviation, rel=4 / math.sqrt(count))
     assert ((kept - kept.mean()) ** 3).mean() / kept.std() ** 3 == pytest.approx(skewness, abs=0.25)
-    same, other = (scene({**form, "seed": k}, count, (400.0, 400.0)).species[0].radii for k in (4, 5))
+    same, other = (scene({**form, "seed": k}, count, (400.0, 400.0)).species[0].all_radii for k in (4, 5))
     assert np.array_equal(same, kept)
     assert not np.array_equal(other, kept)
 
@@ -66,7 +66,7 @@ def test_a_gas_of_given_radii_is_the_gas_of_as_many_species_with_the_same_bits()
 
 def test_the_packing_fraction_and_g_of_r_are_those_of_the_radii():
     one = scene({"distribution": "lognormal", "median": 0.5, "sigma": 0.2}, density=2.0)
-    radii = one.species[0].radii
+    radii = one.species[0].all_radii
     assert one.packing_fraction == pytest.approx(math.pi * (radii**2).sum() / 3600, rel=1e-12)
     assert one.species[0].total_mass(2) == pytest.approx(2.0 * math.pi * (radii**2).sum(), rel=1e-12)
     session = Session(one)

@@ -14,8 +14,8 @@ import numpy as np
 
 import carom
 from carom.gas import GasScene
+from carom.gas.containers import CONTAINERS
 from carom.gas.drives import Thermostat
-from carom.gas.scene import CONTAINERS
 from carom.laws.registry import laws, laws_of_pairs
 from carom.scene.figures.figure import FIGURES, CellFigure, Figure, PlaneFigure
 from carom.scene.presets import presets

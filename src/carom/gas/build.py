@@ -13,12 +13,10 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError, Fault, require_type, suggestion
 from carom.files import as_path
-from carom.gas.edmd.driver import SystemRecords
 from carom.gas.gas import Gas
 from carom.gas.initial import dense
 from carom.gas.scene import GasScene
 from carom.gas.snapshots import InitialState, read_initial_state
-from carom.gas.species import SizeClasses, system_records
 from carom.public.progress import Progress
 from carom.scene.presets import parse_toml, read_toml
 from carom.scene.schema import from_file
@@ -38,7 +36,7 @@ def build(scene: GasScene, progress: Progress | None = None) -> Gas:
     run, container = scene.run, scene.container.geometry
     options: dict[str, Any] = {}
     if run.start == "random":
-        radii = np.concatenate([one.radii for one in scene.species])
+        radii = np.concatenate([one.all_radii for one in scene.species])
         # (velocities are drawn from the seed itself)
         seed = int(np.random.SeedSequence([run.seed, 1]).generate_state(1)[0])
         with _faults_of(scene):
@@ -46,34 +44,7 @@ def build(scene: GasScene, progress: Progress | None = None) -> Gas:
     elif run.start != "lattice":
         options = _from_file(scene)
     with _faults_of(scene):
-        species, *rest = _inputs(scene)
-        names = ("side", "contacts", "gravity", "contact_time", "drives", "thermostat", "seed", "shear_rate")
-        return Gas(species, **dict(zip(names, rest, strict=True)), **options)
-
-
-def _inputs(scene: GasScene) -> tuple[Any, ...]:
-    """Return the species of a gas, its container, contacts, gravity, contact time, drives, thermostat, seed and shear rate."""
-    return (
-        [one.species(scene.container.dimensions) for one in scene.species],
-        scene.container.geometry,
-        scene.surfaces,
-        scene.gravity_vector,
-        scene.contact_time,
-        {one.wall: one for one in scene.drives},
-        scene.thermostat,
-        scene.run.seed,
-        scene.shear_rate,
-    )
-
-
-def records_of(scene: GasScene) -> tuple[SystemRecords, Array]:
-    """Return the records of the gas of a scene without its balls, and the species of each of the engine's."""
-    species, container, contacts, gravity, contact_time, drives, thermostat, seed, rate = _inputs(scene)
-    sizes = SizeClasses(species)
-    records = system_records(
-        sizes.kinds, container, contacts, gravity, contact_time, drives, thermostat, seed, sizes.groups.tolist(), rate
-    )
-    return records, sizes.groups
+        return Gas.of_scene(scene, **options)
 
 
 def _from_file(scene: GasScene) -> dict[str, Any]:

@@ -1,7 +1,8 @@
 """Containers of gases: periodic boxes, boxes with walls, and whatever planes and round walls enclose.
 
 A container has faces, each of a named wall: several faces may be one wall. A plane figure holds discs or, upright between flat
-ends, balls; its faces have lengths in place of areas until they are given a height.
+ends, balls; its faces have lengths in place of areas until they are given a height. :class:`GasContainer` declares one, and
+:class:`Container` is what it declares.
 """
 
 from __future__ import annotations
@@ -10,20 +11,25 @@ import functools
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple, cast
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, Union, cast
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import BeforeValidator, Field, model_validator
 
 from carom.bodies import holds_arrays
 from carom.core.geometry.curve import ROW
 from carom.core.geometry.curve_arcs import arc_gap, arc_length, arc_tables, join_ends
 from carom.core.geometry.outlines import outline_faults, polygon_depth
-from carom.errors import CaromError, Fault, FaultList, did_you_mean
+from carom.errors import CaromError, Fault, FaultList, did_you_mean, shown
+from carom.formatting import counted, format_number
 from carom.gas.edmd.gas_records import CURVE, INSIDE, OUTSIDE, PLANE
-from carom.scene.figures import FIGURES, ArcPiece, EllipsePiece, Figure, PlaneFigure, SegmentPiece, figure
+from carom.scene.figures import FIGURES, ArcPiece, EllipsePiece, Figure, PlaneFigure, SegmentPiece
+from carom.scene.figures.by_text import figure_table
 from carom.scene.figures.figure import Loop, joints
+from carom.scene.figures.rounds import SectorFigure
 from carom.scene.figures.solids import CylinderFigure, SphereFigure
+from carom.scene.schema import Components, Length, Model, Size, from_file, refused, with_faults_of_part
 
 Array = NDArray[np.float64]
 Floats = tuple[float, ...]
@@ -316,6 +322,8 @@ class Container:
     """Volume of the space that the walls bound; for discs the area."""
     outline: Array | None = None
     """The corners (N, 2) of a polygon that is not convex, or of one along a curve: a point behind a side may be inside."""
+    declared: Any = field(default=None, repr=False, compare=False)
+    """The :class:`GasContainer` that it is made of."""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -379,19 +387,17 @@ def _planes(size: Floats, periodic: Sequence[bool], area: float | None = None) -
 
 
 def _obstacles(
-    faults: FaultList, given: Any, size: Floats, periodic: Sequence[bool]
+    faults: FaultList, given: Sequence[Floats], size: Floats, periodic: Sequence[bool]
 ) -> tuple[list[ContainerFace], float]:
     """Return round obstacles, with the images that reach into the box, and the volume that they take."""
     faces, taken = [], 0.0
     for k, row in enumerate(given):
-        numbers = [float(v) for v in row]
-        axes = len(numbers) - 1
-        if axes not in {2, len(size)} or not numbers[-1] > 0 or not np.isfinite(numbers).all():
+        axes, r = len(row) - 1, row[-1]
+        if axes not in {2, len(size)} or r <= 0:
             faults.add(f"obstacles[{k}]", "x, y, radius; or x, y, z, radius", f"{row!r}")
             continue
-        r = numbers[-1]
         q, centre = [0.0] * 3, [0.0] * 3
-        q[:axes], centre[:axes] = [1.0] * axes, numbers[:-1]
+        q[:axes], centre[:axes] = [1.0] * axes, row[:-1]
         height = size[2] if axes < len(size) else 1.0
         taken += math.pi * r * r * height if axes == 2 else 4 / 3 * math.pi * r**3
         area = 2 * math.pi * r * height if axes == 2 else 4 * math.pi * r * r
@@ -406,12 +412,11 @@ def _obstacles(
     return faces, taken
 
 
-def _plates(faults: FaultList, given: Any, size: Floats, bounds: str) -> list[ContainerFace]:
+def _plates(faults: FaultList, given: Sequence[Floats], size: Floats, bounds: str) -> list[ContainerFace]:
     """Return both sides and both edges of thin straight walls."""
     faces: list[ContainerFace] = []
     for k, row in enumerate(given):
-        numbers = [float(v) for v in row]
-        if len(numbers) != 4 or not np.isfinite(numbers).all() or numbers[:2] == numbers[2:]:
+        if row[:2] == row[2:]:
             faults.add(f"plates[{k}]", "x1, y1, x2, y2 of two places", f"{row!r}")
             continue
         if bounds != "surface":
@@ -419,7 +424,7 @@ def _plates(faults: FaultList, given: Any, size: Floats, bounds: str) -> list[Co
                 f"plates[{k}]", "none where walls bound the centres", f"{row!r}", "plates need bounds = 'surface'"
             )
             continue
-        (x, y), end, name = numbers[:2], numbers[2:], f"plate{k + 1}"
+        (x, y), end, name = row[:2], row[2:], f"plate{k + 1}"
         length = math.dist((x, y), end)
         u, v = (end[0] - x) / length, (end[1] - y) / length
         low = u * x + v * y
@@ -431,6 +436,187 @@ def _plates(faults: FaultList, given: Any, size: Floats, bounds: str) -> list[Co
             faces.append(side)
         faces += [ContainerFace(name, OUTSIDE, (1.0, 1.0, 0.0), (*tip, 0.0), 0.0) for tip in ((x, y), end)]
     return faces
+
+
+def container_figures() -> list[str]:
+    """Return the names of the figures in which a gas can be."""
+    return [name for name, kind in FIGURES.items() if issubclass(kind, PlaneFigure | SphereFigure | CylinderFigure)]
+
+
+# --- as they are declared ------------------------------------------------------------------------------------------
+
+
+_OBSTACLE = Components("x, y, radius; or x, y, z, radius", (3, 4))
+_PLATE = Components("x1, y1, x2, y2 of two places", (4,))
+_SIZE = Components("2 or 3 lengths > 0: along x, y (discs), and z (balls)", (2, 3))
+
+
+def _axes(value: Any) -> Any:
+    if not isinstance(value, list | tuple):
+        raise refused("a list of the axes without walls, such as ['x']", shown(value))
+    return value
+
+
+class GasContainer(Model):
+    """The container, with the parameters of :func:`carom.gas.container`: a class for each shape, chosen by ``shape``.
+
+    Parameters
+    ----------
+    shape : one of carom.gas.SHAPES: "box" or "periodic", or a figure
+    size : of a box, along x, y and z; two lengths: discs in a plane
+    straight, radius, half_axes, points, ... : sizes of the figure
+    height : of a plane figure that stands upright along z, with balls
+    periodic : axes without walls, such as ["x", "y"]; default: none, or all for "periodic"
+    obstacles : round obstacles, rows of x, y, radius or x, y, z, radius
+    plates : thin straight walls with gas on both sides, rows of x1, y1, x2, y2
+    bounds : "surface" or "centre" of the balls: which of them the walls bound
+    """
+
+    tag: ClassVar[str] = "shape"
+    periodic: Annotated[tuple[Literal["x", "y", "z"], ...], BeforeValidator(_axes)] = ()
+    obstacles: tuple[Annotated[tuple[Length, ...], BeforeValidator(_OBSTACLE)], ...] = ()
+    plates: tuple[Annotated[tuple[Length, ...], BeforeValidator(_PLATE)], ...] = ()
+    bounds: Literal["surface", "centre"] = "surface"
+
+    def __new__(cls, *_unnamed: Any, **fields: Any) -> Any:
+        """Return a container of the class of its shape."""
+        kind = CONTAINERS.get(str(fields.get("shape"))) if cls is GasContainer and fields else cls
+        return super().__new__(kind or cls)
+
+    @model_validator(mode="after")
+    def _check(self) -> GasContainer:
+        with_faults_of_part(lambda: self.geometry)
+        return self
+
+    @functools.cached_property
+    def geometry(self) -> Container:
+        """The container of :class:`carom.gas.Gas`: its walls, with round obstacles and plates."""
+        faults, made = FaultList("container"), self._room()
+        walls, taken = _obstacles(faults, self.obstacles, made.size, made.periodic)
+        walls += _plates(faults, self.plates, made.size, self.bounds)
+        faults.raise_if_any()
+        every = tuple(
+            replace(face, name=wall_name(face.name, len(made.size)), bounds_surfaces=self.bounds == "surface")
+            for face in (*made.faces, *walls)
+        )
+        return replace(made, faces=every, volume=made.volume - taken, declared=self)
+
+    def _room(self) -> Container:
+        """Return the walls without obstacles and plates."""
+        raise refused(f"one of {', '.join(CONTAINERS)}", "nothing", field="shape")
+
+    def _open(self, count: int) -> tuple[bool, ...]:
+        return tuple(axis in self.periodic for axis in "xyz"[:count])
+
+    @property
+    def dimensions(self) -> int:
+        """3, or 2: discs."""
+        return len(self.geometry.size)
+
+    def describe(self) -> str:
+        """Return one phrase."""
+        made = self.geometry
+        sides = " x ".join(format_number(x, 6) for x in made.size)
+        what = {"periodic": "periodic"}.get(made.shape, f"{'an' if made.shape == 'ellipse' else 'a'} {made.shape}")
+        if isinstance(self, SectorFigure):
+            what += f" of {format_number(self.opening, 4)}°,"
+        along = f", periodic along {' and '.join(self.periodic)}" if self.periodic else ""
+        count = len(self.obstacles)
+        around = f" with {count} obstacle{'s' if count > 1 else ''}" if count else ""
+        plates = f" and {counted(len(self.plates), 'plate')}" if self.plates else ""
+        return f"{what} {sides}{along}{around}{plates}"
+
+
+class BoxContainer(GasContainer):
+    """A box, with walls where it is not periodic."""
+
+    shape: Literal["box"] = "box"
+    size: Annotated[tuple[Size, ...], BeforeValidator(_SIZE)]
+
+    def _room(self) -> Container:
+        around = self._open(len(self.size))
+        return Container("box", self.size, around, tuple(_planes(self.size, around)), math.prod(self.size))
+
+
+class PeriodicContainer(GasContainer):
+    """A box without walls."""
+
+    shape: Literal["periodic"] = "periodic"
+    size: Annotated[tuple[Size, ...], BeforeValidator(_SIZE)]
+
+    def _room(self) -> Container:
+        return Container("periodic", self.size, (True,) * len(self.size), (), math.prod(self.size))
+
+
+class FigureContainer(GasContainer):
+    """A container in a figure, whose class is the other base."""
+
+    def _room(self) -> Container:
+        """Return the walls of a sphere, a cylinder, or a plane figure, upright where it has a height."""
+        own: Any = self
+        faults, shape = FaultList("container"), own.kind()
+        height: float | None = getattr(self, "height", None)
+        corners, size = None, cast(Floats, ())
+        if isinstance(own, CylinderFigure):
+            own = own.over
+            if height is None:
+                faults.add("height", "a length > 0 for a cylinder", "none")
+                faults.raise_if_any()
+        if isinstance(own, SphereFigure):
+            r = own.radius
+            walls = [ContainerFace("side", INSIDE, (1.0, 1.0, 1.0), (r, r, r), 4 * math.pi * r * r, r)]
+            volume, size = 4 / 3 * math.pi * r**3, (2 * r, 2 * r, 2 * r)
+        else:
+            walls, size, corners = faces_of(own, self.bounds)
+            volume = own.area
+        if height is not None:
+            size = (*size, height)
+        around = self._open(len(size))
+        if any(around[:2]) or (isinstance(own, SphereFigure) and any(around)):
+            faults.add("periodic", "false, except along z for an upright shape", f"{self.periodic!r}")
+            faults.raise_if_any()
+        if height is not None:
+            walls = [replace(face, area=face.area * height) for face in walls] + _planes(size, around, volume)
+            volume *= height
+        return Container(shape, size, around, tuple(walls), volume, corners)
+
+
+class UprightContainer(FigureContainer):
+    """A plane figure, for discs; with a height, for balls."""
+
+    height: Size | None = None
+
+
+def _container_of(kind: type[Figure]) -> type[GasContainer]:
+    """Return the class of containers in a figure: it has the fields of the figure and of a container."""
+    base = UprightContainer if issubclass(kind, PlaneFigure) else FigureContainer
+    name = f"{kind.__name__.removesuffix('Figure')}Container"
+    metaclass: Any = type(base)
+    made = metaclass(name, (base, kind), {"__module__": __name__, "__doc__": kind.__doc__})
+    globals()[name] = made  # (where a pickle looks for it)
+    return made  # type: ignore[no-any-return]
+
+
+CONTAINERS: dict[str, type[GasContainer]] = {"periodic": PeriodicContainer, "box": BoxContainer}
+CONTAINERS |= {name: _container_of(FIGURES[name]) for name in container_figures()}
+SHAPES = tuple(CONTAINERS)
+
+
+def _declared(value: Any) -> Any:
+    """Return a container that is made already as it was declared, and lengths as a periodic box."""
+    if isinstance(value, Container):
+        return value.declared
+    return {"shape": "periodic", "size": value} if isinstance(value, list | tuple | np.ndarray) else value
+
+
+if TYPE_CHECKING:
+    AnyContainer = GasContainer
+else:
+    # (made at run time)
+    AnyContainer = Annotated[
+        Annotated[Union[tuple(CONTAINERS.values())], Field(discriminator="shape")],  # noqa: UP007
+        BeforeValidator(_declared),
+    ]
 
 
 def container(
@@ -489,119 +675,27 @@ def container(
     >>> round(lorentz.volume, 6)
     0.80365
     """
-    faults = FaultList("container")
-    if bounds not in {"surface", "centre"}:
-        faults.add("bounds", "'surface' or 'centre'", f"{bounds!r}")
-    faults.raise_if_any()
-    if shape in BOXES:
-        return _box(faults, str(shape), size, periodic, obstacles, plates, bounds, sizes)
-    if isinstance(shape, str) and shape.partition(":")[0] not in container_figures():
-        known = [*BOXES, *container_figures()]
-        faults.add("shape", f"one of {', '.join(known)}", f"{shape!r}", did_you_mean(shape, known))
-        faults.raise_if_any()
-    if size is not None:
-        sizes["size"] = size
+    given = {"size": size, "height": height, "obstacles": tuple(obstacles), "plates": tuple(plates), "bounds": bounds}
     # (sizes that are left out are about 1 m for a billiard; a gas is asked for all)
-    named = {"shape": shape, **sizes} if isinstance(shape, str) and ":" not in shape else None
-    if shape == "cylinder" and height is not None:
-        named = {**(named or {}), "height": height}
-    made = figure(named) if named else figure(shape, **sizes)
-    return in_figure(made, height, periodic, obstacles, bounds, plates)
-
-
-def container_figures() -> list[str]:
-    """Return the names of the figures in which a gas can be."""
-    return [name for name, kind in FIGURES.items() if issubclass(kind, PlaneFigure | SphereFigure | CylinderFigure)]
-
-
-def in_figure(
-    made: Figure, height: float | None, periodic: Any, obstacles: Sequence[Sequence[float]], bounds: str,
-    plates: Sequence[Sequence[float]] = (),
-) -> Container:  # fmt: skip
-    """Return the container in a figure: a sphere, a cylinder, or a plane figure, upright where it has a height."""
-    faults, shape = FaultList("container"), made.kind()
-    corners, walls, size = None, [], cast(Floats, ())
-    volume = 0.0
-    if isinstance(made, CylinderFigure):
-        height = made.height if height is None else height
-        made = made.over
-        if height is None:
-            faults.add("height", "a length > 0 for a cylinder", "none")
-            faults.raise_if_any()
-    if isinstance(made, SphereFigure):
-        r = made.radius
-        walls = [ContainerFace("side", INSIDE, (1.0, 1.0, 1.0), (r, r, r), 4 * math.pi * r * r, r)]
-        volume, size = 4 / 3 * math.pi * r**3, (2 * r, 2 * r, 2 * r)
-    elif isinstance(made, PlaneFigure):
-        walls, size, corners = faces_of(made, bounds)
-        volume = made.area
-    else:
-        faults.add("shape", f"one of {', '.join((*BOXES, *container_figures()))}", f"{shape!r}")
-        faults.raise_if_any()
-    if height is not None:
-        size = (*size, height)
-    closed = _periodic(faults, periodic, len(size))
-    if any(closed[:2]) or (isinstance(made, SphereFigure) and any(closed)):
-        faults.add("periodic", "false, except along z for an upright shape", f"{periodic!r}")
-    if height is not None:
-        walls = [replace(face, area=face.area * height) for face in walls] + _planes(size, closed, volume)
-        volume *= height
-    made_of = Container(shape, size, closed, tuple(walls), volume, corners)
-    return _with_obstacles(faults, made_of, obstacles, plates, bounds)
-
-
-def _periodic(faults: FaultList, periodic: Any, axes: int) -> tuple[bool, ...]:
-    """Return along which axes a container is periodic."""
-    try:
-        return tuple(
-            bool(v) for v in np.broadcast_to(np.array(bool(periodic) if periodic is None else periodic), (axes,))
-        )
-    except ValueError:
-        faults.add("periodic", f"one of true and false, or {axes}", f"{periodic!r}")
-        return (False,) * axes
-
-
-def _box(
-    faults: FaultList,
-    shape: str,
-    size: Any,
-    periodic: Any,
-    obstacles: Any,
-    plates: Any,
-    bounds: str,
-    sizes: Mapping[str, Any],
-) -> Container:
-    """Return a box, or a periodic one."""
-    for name, value in sizes.items():
-        faults.add(name, "a field that is known here", f"{value!r:.60}", f"a {shape} has a size")
-    given = tuple(float(v) for v in size) if size is not None else ()
-    if len(given) not in {2, 3} or not all(0 < v < math.inf for v in given):
-        faults.add("size", "two lengths > 0 for discs, or three for balls", f"{size!r}")
-    faults.raise_if_any()
-    closed = _periodic(faults, shape == "periodic" if periodic is None else periodic, len(given))
-    if shape == "periodic" and not all(closed):
-        faults.add("periodic", "true for shape 'periodic', or shape 'box'", f"{periodic!r}")
-    made = Container(shape, given, closed, tuple(_planes(given, closed)), math.prod(given))
-    return _with_obstacles(faults, made, obstacles, plates, bounds)
-
-
-def _with_obstacles(faults: FaultList, made: Container, obstacles: Any, plates: Any, bounds: str) -> Container:
-    """Return a container with round obstacles and plates, whose faces know whether they bound surfaces; raise its faults."""
-    walls, taken = _obstacles(faults, obstacles, made.size, made.periodic)
-    walls += _plates(faults, plates, made.size, bounds)
-    faults.raise_if_any()
-    every = tuple(
-        replace(face, name=wall_name(face.name, len(made.size)), bounds_surfaces=bounds == "surface")
-        for face in (*made.faces, *walls)
-    )
-    return replace(made, faces=every, volume=made.volume - taken)
+    named = isinstance(shape, str) and ":" not in shape
+    table = {"shape": shape, **sizes} if named else figure_table(cast(Any, shape), sizes)
+    table |= {name: value for name, value in given.items() if value is not None}
+    if (name := table.get("shape")) not in CONTAINERS:
+        advice = did_you_mean(str(name), SHAPES)
+        raise CaromError(Fault("container", "shape", f"one of {', '.join(SHAPES)}", repr(name), advice))
+    if periodic is not None:
+        around = [bool(one) for one in np.ravel(periodic)] * (1 if np.ndim(periodic) else 3)
+        table["periodic"] = [axis for axis, yes in zip("xyz", around, strict=False) if yes]
+        if name == "periodic" and not np.all(periodic):
+            raise CaromError(
+                Fault("container", "periodic", "true for shape 'periodic', or shape 'box'", repr(periodic))
+            )
+    made = from_file("container", CONTAINERS[name], table).geometry
+    if periodic is not None and np.ndim(periodic) and np.shape(periodic) != (len(made.size),):
+        raise CaromError(Fault("container", "periodic", f"one of true and false, or {len(made.size)}", repr(periodic)))
+    return made
 
 
 def as_container(side: Sequence[float] | Container, periodic: bool | Sequence[bool]) -> Container:
     """Return a container as it is, or the box with these lengths."""
-    if isinstance(side, Container):
-        return side
-    return container("box", side, periodic=periodic)
-
-
-SHAPES = (*BOXES, *container_figures())
+    return side if isinstance(side, Container) else container("box", side, periodic=periodic)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, model_validator
 
-from carom.errors import FaultList, suggestion
+from carom.errors import FaultList
 from carom.gas.containers import Container
 from carom.gas.edmd.gas_records import CURVE, FACE
 from carom.gas.edmd.walls import oscillation, place
@@ -117,6 +117,22 @@ class Drive(Model):
         return self.amplitude * (self.frequency or 0.0) + abs(self.speed or 0.0) + drag
 
 
+class GasDrive(Drive):
+    """The wall of a name that moves or is heated, with the parameters of :class:`carom.gas.Drive`."""
+
+    wall: str
+
+
+def _each(value: Any) -> Any:
+    """Return drives by the names of their walls as a list."""
+    if not isinstance(value, Mapping) or not all(isinstance(one, Drive) for one in value.values()):
+        return value
+    return [{"wall": wall} | {name: getattr(one, name) for name in Drive.model_fields} for wall, one in value.items()]
+
+
+AnyDrives = Annotated[tuple[GasDrive, ...], BeforeValidator(_each)]
+
+
 class Thermostat(Model):
     """Andersen's thermostat: each ball, at random instants, gets a new velocity and spin from a Maxwellian.
 
@@ -196,17 +212,9 @@ def drive_faults(drive: Drive, name: str, container: Container) -> list[tuple[st
     return found
 
 
-def face_records(
-    faults: FaultList, container: Container, drives: Mapping[str, Drive], widest: float
-) -> NDArray[np.void]:
+def face_records(container: Container, drives: Mapping[str, Drive], widest: float) -> NDArray[np.void]:
     """Return the records of the faces, with the drives of their walls; ``widest`` is the largest radius."""
     faces, rows = np.zeros(len(container.faces), FACE), 0  # (of the tables of curves so far)
-    for name in sorted(set(drives) - set(container.names)):
-        faults.add("drives", "names of walls", f"{name!r}; {suggestion(name, list(container.names))}")
-    for name in sorted(set(drives) & set(container.names)):
-        for field, expected, got in drive_faults(drives[name], name, container):
-            faults.add(f"drives[{name!r}].{field}", expected, got)
-    faults.raise_if_any()
     for record, face in zip(faces, container.faces, strict=True):
         record["form"], record["area"], record["temperature"] = face.form, face.area, -1.0
         record["stop"], record["rotor"] = math.inf, -1

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError, FaultList, collected
 from carom.files import as_path, atomic_file, open_regular
-from carom.gas.results import Every
+from carom.gas.results import EndedEarlyError, Every
 from carom.gas.scene import GasScene
 from carom.gas.session import Session, course_as_arrays
 from carom.gas.snapshots import MAX_BYTES, Snapshots, npz_headers, require_npz_size
@@ -335,14 +335,19 @@ def run_with_files(
     frames = None if files.snapshots is None else _Frames(files, session, faults, say)
     checkpoints = _Checkpoints(files, session, frames, say)
 
-    def between(*_progress: Any) -> None:
-        progress(session)
-        checkpoints.save_if_due()
-
+    early = None
     try:
-        finished, early = session.run_until_early(
-            stop=stop, progress=between, every=files.every, snapshot=None if frames is None else frames.write
-        )
+        try:
+            for due in session.pieces(None if frames is None else files.every, stop=stop):
+                if due and frames is not None:
+                    frames.write(session)
+                progress(session)
+                checkpoints.save_if_due()
+        except EndedEarlyError as error:
+            if not session.measuring:
+                raise
+            early = error
+        finished = session.finished or early is not None
         path, saved = files.checkpoint or (None if finished else files.when_stopped), None
         if path is not None:
             with collected(faults):

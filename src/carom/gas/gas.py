@@ -12,7 +12,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.core.sums import added
 from carom.errors import CaromError, FaultList, float_or_nan
-from carom.files import require_memory
 from carom.formatting import counted, format_number
 from carom.gas.containers import Container, as_container
 from carom.gas.drives import Drive, Thermostat, WallMotion, motion_of_walls
@@ -34,7 +33,8 @@ from carom.gas.results import (
     ShearRun,
     collapse_of,
 )
-from carom.gas.species import BYTES_PER_BALL, Contacts, SizeClasses, Species, system_records
+from carom.gas.scene import GasScene, scene_of_parts
+from carom.gas.species import Contacts, Kind, SizeClasses, Species, system_records
 from carom.public.progress import Progress, loop_callback
 
 Array = NDArray[np.float64]
@@ -87,26 +87,39 @@ def require_no_overlap(container: Container, records: SystemRecords, radius: Arr
 
 
 def draw_thermal(
-    memory: Mapping[str, NDArray[Any]], species: Sequence[Species], kinds: Any, which: Any, axes: int, rng: Any,
-    velocities: bool, spins: bool,
-) -> None:  # fmt: skip
-    """Draw what is asked for, velocities or spins or both, species by species, into the records of a gas."""
+    memory: Mapping[str, NDArray[Any]],
+    kinds: Sequence[Kind],
+    which: Any,
+    axes: int,
+    rng: Any,
+    velocities: bool,
+    spins: bool,
+) -> None:
+    """Draw what is asked for, velocities or spins or both, kind by kind, into the records of a gas."""
     about = (0, 1, 2) if axes == 3 else (2,)
-    for k, one in enumerate(species):
-        those: Any = slice(None) if len(species) == 1 else which == k
-        kind = kinds[k]
-        moment = kind["kappa"] * kind["mass"] * kind["radius"] ** 2
-        rotational = one.temperature if one.temperature_rotational is None else one.temperature_rotational
+    for k, one in enumerate(kinds):
+        those: Any = slice(None) if len(kinds) == 1 else which == k
         if velocities:
-            v = thermal(np.full(one.count, kind["mass"]), tuple(range(axes)), one.temperature, rng)
+            v = thermal(np.full(one.count, one.mass), tuple(range(axes)), one.temperature, rng)
             for axis, name in enumerate(("vx", "vy", "vz")):
                 memory["motions"][name][those] = v[:, axis]
             del v  # (of many balls it is large)
         if spins:
-            w = thermal(np.full(one.count, moment), about, rotational, rng)
+            moment = one.kappa * one.mass * one.radius**2
+            w = thermal(np.full(one.count, moment), about, one.temperature_rotational, rng)
             for axis, name in enumerate(("wx", "wy", "wz")):
                 memory["bodies"][name][those] = w[:, axis]
             del w
+
+
+def records_of(scene: GasScene) -> tuple[SystemRecords, SizeClasses]:
+    """Return the records of the gas of a scene without its balls, and its kinds of balls."""
+    container = scene.container.geometry
+    sizes, drives = SizeClasses.of(scene.species, len(container.size)), {one.wall: one for one in scene.drives}
+    return system_records(
+        sizes.kinds, container, scene.contacts, scene.gravity_vector, scene.contact_time, drives, scene.thermostat,
+        scene.run.seed, scene.shear_rate,
+    ), sizes  # fmt: skip
 
 
 # ----------------------------------------------------------------------------------------------------
@@ -183,21 +196,24 @@ class Gas:
         seed: int = 0,
         touch: float = TOUCH,
     ) -> None:
-        container = as_container(side, periodic)
-        require_memory("Gas", "species", sum(one.count for one in species), BYTES_PER_BALL, "take fewer balls")
-        sizes = SizeClasses(species)
-        records = system_records(
-            sizes.kinds,
-            container,
-            contacts,
-            gravity,
-            contact_time,
-            drives or {},
-            thermostat,
-            seed,
-            sizes.groups.tolist(),
-            shear_rate,
-        )
+        parts = {
+            "container": as_container(side, periodic), "species": species, "contacts": contacts, "gravity": gravity,
+            "contact_time": contact_time, "drives": drives or {}, "thermostat": thermostat, "shear_rate": shear_rate,
+        }  # fmt: skip
+        self._start(scene_of_parts("Gas", parts, {"seed": seed}), position, velocity, spin, touch)
+
+    @classmethod
+    def of_scene(cls, scene: GasScene, **start: Any) -> Gas:
+        """Return the gas of a scene at its start, from the positions, velocities and spins that are given, if there are any."""
+        gas = object.__new__(cls)
+        gas._start(scene, **start)
+        return gas
+
+    def _start(
+        self, scene: GasScene, position: Any = None, velocity: Any = None, spin: Any = None, touch: float = TOUCH
+    ) -> None:
+        container, seed, shear_rate = scene.container.geometry, scene.run.seed, scene.shear_rate
+        records, sizes = records_of(scene)
         kinds, axes, which = records.species, len(container.size), sizes.which
         faults = FaultList("Gas")
         rng = np.random.default_rng(seed)
@@ -212,7 +228,7 @@ class Gas:
         require_no_overlap(container, records, kinds["radius"][which], x, touch)
         memory = engine.put_in_place(records, which, x)
         del x
-        draw_thermal(memory, sizes.kinds, kinds, which, axes, rng, velocity is None, spin is None)
+        draw_thermal(memory, sizes.kinds, which, axes, rng, velocity is None, spin is None)
         if shear_rate != 0 and velocity is None:
             memory["motions"]["vx"] += shear_rate * (memory["motions"]["y"] - container.size[1] / 2)
         self._names = tuple(face.name for face in container.faces)
@@ -413,6 +429,21 @@ class Gas:
 
         The result does not depend on how a run is divided into pieces.
         """
+        total = math.nan if collisions is None else float_or_nan(collisions)
+        tell = loop_callback(progress, lambda now: lambda done: now(done, total, "collisions"))
+        for done in self.pieces(collisions, until, chunk=chunk, stop=stop):
+            if tell is not None:
+                tell(done)
+
+    def pieces(
+        self,
+        collisions: int | None = None,
+        until: float = math.inf,
+        *,
+        chunk: int = CHUNK,
+        stop: Callable[[], bool] = lambda: False,
+    ) -> Iterator[int]:
+        """Advance as :meth:`advance` does, piece by piece of so many collisions; yield after each how many there have been."""
         faults = FaultList("Gas.run")
         if isinstance(until, bool) or math.isnan(end := float_or_nan(until)):
             faults.add("until", "a time, or inf", f"{until!r}")
@@ -425,8 +456,6 @@ class Gas:
                 faults.add(name, f"a whole number >= {least}", f"{count!r}")
         faults.raise_if_any()
         most = 1 << 62 if collisions is None else int(collisions)
-        total = math.nan if collisions is None else float(collisions)
-        tell = loop_callback(progress, lambda now: lambda gas, done: now(done, total, "collisions"))
         before, done, self.ended_early = self.collisions, 0, None
         if not self._compiled:  # (nothing happens before that time: this compiles the loop, whose time is not measured)
             engine.advance(self.arrays, -1.0, 1, stop)
@@ -438,8 +467,7 @@ class Gas:
             self.cpu_seconds += clocks.thread_time() - begin
             self._time = max(self._time, engine.time_of_last_event(self.arrays))
             done = self.collisions - before
-            if tell is not None:
-                tell(self, done)
+            yield done
             status = int(self.arrays.system[0]["status"])
             self._raise_if_ended(status, until)
             if status == DONE:

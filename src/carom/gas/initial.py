@@ -10,19 +10,19 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.bodies import Ball, Surface
 from carom.core.jit.threads import block_slices, row_slices
 from carom.errors import CaromError, FaultList
 from carom.gas.containers import Container, as_container
 from carom.gas.edmd.driver import advance, arrays_at_start, put_in_place, synchronized, time_of_last_event
 from carom.gas.edmd.gas_records import DONE, PLANE
 from carom.gas.overlaps import neighbour_cell
-from carom.gas.species import Species, cells_at_most, lattice_steps, system_records
+from carom.gas.species import ANY, GasContact, Kind, cells_at_most, lattice_steps, side_faults, system_records
 from carom.public.progress import Progress, loop_callback
 
 Array = NDArray[np.float64]
@@ -331,13 +331,13 @@ def dense(
         return x
     sizes, which = np.unique(radii, return_inverse=True)
     counts = np.bincount(which)
-    species = [
-        Species(Ball(float(a), 1.0, 0.4), int(n), str(k)) for k, (a, n) in enumerate(zip(sizes, counts, strict=True))
-    ]
+    pairs = enumerate(zip(sizes.tolist(), counts.tolist(), strict=True))
+    kinds = [Kind(str(k), n, a, 1.0, 0.4) for k, (a, n) in pairs]
+    smooth = [GasContact(between=(ANY, ANY), restitution=1.0, friction=0.0, tangential_restitution=-1.0)]
     rate = GROWTH / (2 * sizes[-1])
     v = thermal(np.ones(len(x)), tuple(range(axes)), 1.0, rng)
     for _ in range(MAX_STAGES):
-        records = system_records(species, container, Surface(1.0, 0.0, -1.0), (0.0,) * axes, 0.0, {}, None, seed)
+        records = system_records(kinds, container, smooth, (0.0,) * axes, seed=seed)
         one = records.system[0]
         one["scale"], one["growth"] = scale, rate
         arrays = arrays_at_start(records, put_in_place(records, which, x), v, np.zeros_like(x))
@@ -371,6 +371,8 @@ def _packing_fraction(container: Container, radii: Array) -> float:
         faults.add("radius", "a number > 0 for each ball", f"{radii!r:.60}")
     elif len(np.unique(radii)) > MAX_RADII:
         faults.add("radius", f"at most {MAX_RADII} different radii", f"{len(np.unique(radii))}")
+    faults.raise_if_any()
+    faults += [replace(one, where="dense") for one in side_faults(container, float(radii.max()), float(radii.min()))]
     faults.raise_if_any()
     fraction = float((radii**axes).sum()) * (math.pi if axes == 2 else 4 / 3 * math.pi) / container.volume
     # (walls that bound the centres leave the balls more space than the volume says)

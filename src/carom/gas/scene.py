@@ -2,333 +2,49 @@
 
 from __future__ import annotations
 
-import functools
 import itertools
 import math
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Union, cast
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import BeforeValidator, model_validator
 
-from carom.bodies import DISC_INERTIAS, INERTIAS, Ball, Disc, Surface
 from carom.core.sums import added
 from carom.errors import CaromError, Fault, FaultList, shown, suggestion
 from carom.files import require_memory
 from carom.formatting import counted, format_bytes, format_number
-from carom.gas.containers import (
-    BOXES,
-    JOINT_OVERLAP,
-    WALLS,
-    Container,
-    container,
-    container_figures,
-    in_figure,
-    wall_name,
-)
-from carom.gas.drives import Drive, Thermostat, drive_faults
+from carom.gas.containers import JOINT_OVERLAP, WALLS, AnyContainer, wall_name
+from carom.gas.drives import AnyDrives, Thermostat, drive_faults
 from carom.gas.edmd.gas_records import MAX_BALLS
 from carom.gas.initial import DENSEST
 from carom.gas.species import (
     ANY,
     BYTES_PER_BALL,
-    LONGEST_SIDE,
-    GasSurface,
-    LognormalRadii,
+    AnyContacts,
+    SizeClasses,
     Species,
-    SpeciesRadius,
     best_contact,
-    in_classes,
     shear_faults,
-    size_moments,
+    side_faults,
+    thermostat_faults,
+    volume_of_balls,
 )
-from carom.scene.figures import FIGURES, Figure, PlaneFigure
-from carom.scene.figures.rounds import SectorFigure
-from carom.scene.figures.solids import CylinderFigure, SphereFigure
 from carom.scene.openings import FAST
 from carom.scene.schema import (
     Components,
     Count,
     CountOrZero,
-    Length,
-    Mass,
     Model,
     Number,
-    Size,
     Time,
+    from_file,
     raise_faults,
     refused,
-    with_faults_of_part,
 )
 
-_OBSTACLE = Components("x, y, radius; or x, y, z, radius", (3, 4))
-_PLATE = Components("x1, y1, x2, y2 of two places", (4,))
-_SIZE = Components("2 or 3 lengths > 0: along x, y (discs), and z (balls)", (2, 3))
-_KAPPA = Number("kappa = I/(m a^2) in (0, 1], or one of 'solid', 'hollow', 'disc', 'ring'", least=0, most=1, above=True)
-_TEMPERATURE = Number("a temperature k_B T >= 0", "J", least=0)
-_DENSITY = Number("a density > 0 in kg/m^3 (discs: kg/m^2)", "", least=0, above=True)
+MOST_EVENTS = 1 << 62  # of a gas that is run by hand
 _ENDINGS = (".csv", ".npz", ".gsd")
-
-
-# --- the container -------------------------------------------------------------------------------------------------
-
-
-def _axes(value: Any) -> Any:
-    if not isinstance(value, list | tuple):
-        raise refused("a list of the axes without walls, such as ['x']", shown(value))
-    return value
-
-
-class GasContainer(Model):
-    """The container, with the parameters of :func:`carom.gas.container`: a class for each shape, chosen by ``shape``.
-
-    Parameters
-    ----------
-    shape : one of carom.gas.SHAPES: "box" or "periodic", or a figure
-    size : of a box, along x, y and z; two lengths: discs in a plane
-    straight, radius, half_axes, points, ... : sizes of the figure
-    height : of a plane figure that stands upright along z, with balls
-    periodic : axes without walls, such as ["x", "y"]; default: none, or all for "periodic"
-    obstacles : round obstacles, rows of x, y, radius or x, y, z, radius
-    plates : thin straight walls with gas on both sides, rows of x1, y1, x2, y2
-    bounds : "surface" or "centre" of the balls: which of them the walls bound
-    """
-
-    tag: ClassVar[str] = "shape"
-    periodic: Annotated[tuple[Literal["x", "y", "z"], ...], BeforeValidator(_axes)] = ()
-    obstacles: tuple[Annotated[tuple[Length, ...], BeforeValidator(_OBSTACLE)], ...] = ()
-    plates: tuple[Annotated[tuple[Length, ...], BeforeValidator(_PLATE)], ...] = ()
-    bounds: Literal["surface", "centre"] = "surface"
-
-    def __new__(cls, *_unnamed: Any, **fields: Any) -> Any:
-        """Return a container of the class of its shape."""
-        kind = CONTAINERS.get(str(fields.get("shape"))) if cls is GasContainer and fields else cls
-        return super().__new__(kind or cls)
-
-    @model_validator(mode="after")
-    def _check(self) -> GasContainer:
-        with_faults_of_part(lambda: self.geometry)
-        return self
-
-    @functools.cached_property
-    def geometry(self) -> Container:
-        """The container of :class:`carom.gas.Gas`."""
-        raise refused(f"one of {', '.join(CONTAINERS)}", "nothing", field="shape")
-
-    @property
-    def dimensions(self) -> int:
-        """3, or 2: discs."""
-        return len(self.geometry.size)
-
-    def describe(self) -> str:
-        """Return one phrase."""
-        made = self.geometry
-        sides = " x ".join(format_number(x, 6) for x in made.size)
-        what = {"periodic": "periodic"}.get(made.shape, f"{'an' if made.shape == 'ellipse' else 'a'} {made.shape}")
-        if isinstance(self, SectorFigure):
-            what += f" of {format_number(self.opening, 4)}°,"
-        along = f", periodic along {' and '.join(self.periodic)}" if self.periodic else ""
-        count = len(self.obstacles)
-        around = f" with {count} obstacle{'s' if count > 1 else ''}" if count else ""
-        plates = f" and {counted(len(self.plates), 'plate')}" if self.plates else ""
-        return f"{what} {sides}{along}{around}{plates}"
-
-
-class BoxContainer(GasContainer):
-    """A box, with walls where it is not periodic."""
-
-    shape: Literal["box"] = "box"
-    size: Annotated[tuple[Size, ...], BeforeValidator(_SIZE)]
-
-    @functools.cached_property
-    def geometry(self) -> Container:
-        """The container of :class:`carom.gas.Gas`."""
-        closed = [axis in self.periodic for axis in "xyz"[: len(self.size)]]
-        return container(
-            "box", self.size, periodic=closed, obstacles=self.obstacles, plates=self.plates, bounds=self.bounds
-        )
-
-
-class PeriodicContainer(GasContainer):
-    """A box without walls."""
-
-    shape: Literal["periodic"] = "periodic"
-    size: Annotated[tuple[Size, ...], BeforeValidator(_SIZE)]
-
-    @functools.cached_property
-    def geometry(self) -> Container:
-        """The container of :class:`carom.gas.Gas`."""
-        return container("periodic", self.size, obstacles=self.obstacles, plates=self.plates, bounds=self.bounds)
-
-
-class FigureContainer(GasContainer):
-    """A container in a figure, whose class is the other base."""
-
-    @functools.cached_property
-    def geometry(self) -> Container:
-        """The container of :class:`carom.gas.Gas`."""
-        height = getattr(self, "height", None)
-        upright = height is not None or isinstance(self, SphereFigure | CylinderFigure)
-        closed = [axis in self.periodic for axis in "xyz"[: 3 if upright else 2]]
-        own: Any = self
-        return in_figure(own, height, closed, self.obstacles, self.bounds, self.plates)
-
-
-class UprightContainer(FigureContainer):
-    """A plane figure, for discs; with a height, for balls."""
-
-    height: Size | None = None
-
-
-def _container_of(kind: type[Figure]) -> type[GasContainer]:
-    """Return the class of containers in a figure: it has the fields of the figure and of a container."""
-    base = UprightContainer if issubclass(kind, PlaneFigure) else FigureContainer
-    name = f"{kind.__name__.removesuffix('Figure')}Container"
-    metaclass: Any = type(base)
-    made = metaclass(name, (base, kind), {"__module__": __name__, "__doc__": kind.__doc__})
-    globals()[name] = made  # (where a pickle looks for it)
-    return made  # type: ignore[no-any-return]
-
-
-CONTAINERS: dict[str, type[GasContainer]] = {"periodic": PeriodicContainer, "box": BoxContainer}
-CONTAINERS |= {name: _container_of(FIGURES[name]) for name in container_figures()}
-
-
-if TYPE_CHECKING:
-    AnyContainer = GasContainer
-else:
-    # (made at run time)
-    AnyContainer = Annotated[Union[tuple(CONTAINERS.values())], Field(discriminator="shape")]  # noqa: UP007
-
-
-# --- species and contacts ------------------------------------------------------------------------------------------
-
-
-def _inertia(value: Any) -> str | float:
-    if not isinstance(value, str):
-        return _KAPPA(value)
-    names = {**INERTIAS, **DISC_INERTIAS}
-    if value not in names:
-        raise refused(_KAPPA.what, shown(value), suggestion(value, list(names)))
-    return value
-
-
-def volume_of_balls(radius: Any, dimensions: int) -> Any:
-    """Return the volume of balls of a radius; in two dimensions the area of discs."""
-    return math.pi * radius**2 if dimensions == 2 else 4 / 3 * math.pi * radius**3
-
-
-def _name(value: Any) -> str:
-    reserved = ("wall", *WALLS, ANY)
-    if not isinstance(value, str) or not value or value in reserved:
-        raise refused(f"a name other than {', '.join(reserved)}", shown(value))
-    return value
-
-
-class GasSpecies(Model):
-    """Balls of one kind.
-
-    Parameters
-    ----------
-    name : what contacts and tables call it
-    count : number of balls
-    radius : of all balls; or a distribution: a table of ``distribution`` ("lognormal"), ``median``, ``sigma``, and the ``seed`` of
-        the drawn radii
-    mass : of a ball, default: 1; of radii by distribution, of one with the median, and the others have the same density
-    density : instead of a mass (kg/m^3; of discs kg/m^2)
-    inertia : kappa = I/(m a^2), or "solid", "hollow" (balls), "disc", "ring" (discs); default: solid, disc
-    temperature : k_B T at the start, the mean of m v^2 along an axis; default: 1
-    temperature_rotational : mean of I w^2 about an axis; default: the same
-    """
-
-    name: Annotated[str, BeforeValidator(_name)] = "a"
-    count: Count
-    radius: SpeciesRadius
-    mass: Mass | None = None
-    density: Annotated[float, BeforeValidator(_DENSITY)] | None = None
-    inertia: Annotated[str | float, BeforeValidator(_inertia)] | None = None
-    temperature: Annotated[float, BeforeValidator(_TEMPERATURE)] = 1.0
-    temperature_rotational: Annotated[float, BeforeValidator(_TEMPERATURE)] | None = None
-
-    def kappa(self, dimensions: int) -> float:
-        """Return I/(m a^2)."""
-        if self.inertia is None:
-            return DISC_INERTIAS["disc"] if dimensions == 2 else INERTIAS["solid"]
-        return {**INERTIAS, **DISC_INERTIAS}[self.inertia] if isinstance(self.inertia, str) else self.inertia
-
-    def species(self, dimensions: int) -> Species:
-        """Return the species of :class:`carom.gas.Gas`."""
-        kind: Any = Disc if dimensions == 2 else Ball
-        ball = kind(self.nominal, self.nominal_mass(dimensions), self.kappa(dimensions))
-        radii = self.radii if isinstance(self.radius, LognormalRadii) else None
-        return Species(ball, self.count, self.name, self.temperature, self.temperature_rotational, radii)
-
-    @property
-    def nominal(self) -> float:
-        """The radius of a ball with the mass."""
-        return self.radius.median if isinstance(self.radius, LognormalRadii) else self.radius
-
-    def nominal_mass(self, dimensions: int) -> float:
-        """Return the mass of a ball with the nominal radius."""
-        if self.mass is not None:
-            return self.mass
-        return float(cast(float, self.density) * volume_of_balls(self.nominal, dimensions))
-
-    @property
-    def radii(self) -> Any:
-        """The radii of all balls (m), (count,)."""
-        one = self.radius
-        return in_classes(one, self.count) if isinstance(one, LognormalRadii) else np.full(self.count, one)
-
-    def total_mass(self, dimensions: int) -> float:
-        """Return the mass of all balls."""
-        if not isinstance(self.radius, LognormalRadii):
-            return self.count * self.nominal_mass(dimensions)
-        return self.nominal_mass(dimensions) * float(((self.radii / self.nominal) ** dimensions).sum())
-
-    @property
-    def size_note(self) -> str:
-        """One line on radii by distribution: mean, standard deviation, skewness, classes; empty for balls of one radius."""
-        if not isinstance(self.radius, LognormalRadii):
-            return ""
-        drawn, kept = self.radius.radii(self.count), self.radii
-        mean, deviation, skewness = size_moments(kept)
-        of = f"mean {mean:.5g}, standard deviation {deviation:.4g} ({100 * deviation / mean:.3g} %), skewness {skewness:.3g}"
-        said = f"species {self.name!r}: radii {drawn.min():.4g} to {drawn.max():.4g}, {of}"
-        classes = len(np.unique(kept))
-        if classes < len(np.unique(drawn)):
-            said += f"; in {classes} classes, with {deviation / size_moments(drawn)[1]:.4f} of the drawn deviation"
-        return said
-
-    @model_validator(mode="after")
-    def _one_of_mass_and_density(self) -> GasSpecies:
-        if self.density is not None and self.mass is not None:
-            raise refused("a mass or a density", "both", "omit one of them", field="density")
-        if self.density is None and self.mass is None:
-            object.__setattr__(self, "mass", 1.0)
-        return self
-
-
-class GasContact(GasSurface):
-    """The contact of two species, or of a species and a wall.
-
-    Parameters
-    ----------
-    between : two names: of species; "wall" for all walls, or a wall's own name; "*" for every species and wall that no other
-        contact names
-    restitution, friction, tangential_restitution : as of :class:`carom.gas.GasSurface`
-    """
-
-    between: Annotated[tuple[str, str], BeforeValidator(Components("two names, such as ['a', 'wall']", (2,)))]
-
-
-# --- energy input --------------------------------------------------------------------------------------------------
-
-
-class GasDrive(Drive):
-    """The wall of a name that moves or is heated, with the parameters of :class:`carom.gas.Drive`."""
-
-    wall: str
 
 
 # --- run settings --------------------------------------------------------------------------------------------------
@@ -392,10 +108,10 @@ class GasScene(Model):
     gravity : a number, downwards (balls: along -z, discs: along -y), or a vector; default: none
     shear_rate : of a periodic box: Lees-Edwards boundaries keep a mean flow along x that grows along y; default: 0
     contact_time : of the TC model: a contact within this time after a ball's last one is elastic; default: 0, off
-    container : GasContainer: shape and size; two lengths: discs in a plane
-    species : GasSpecies, at least one
-    contacts : GasContact for every pair of species, and for every species and the walls
-    drives : GasDrive, walls that move or are heated
+    container : a :func:`carom.gas.container`, or its fields, with two lengths for discs in a plane; lengths alone: a periodic box
+    species : Species, one or several
+    contacts : a Surface for all pairs, or one for each pair of names of species or walls, ``{("a", "wall"): Surface(...)}``
+    drives : Drives by the names of walls that move or are heated
     thermostat : Thermostat, optional
     run : GasSettings
 
@@ -422,9 +138,9 @@ class GasScene(Model):
     contact_time: Annotated[float, BeforeValidator(_CONTACT_TIME)] = 0.0
     shear_rate: Annotated[float, BeforeValidator(_SHEAR_RATE)] = 0.0
     container: AnyContainer
-    species: tuple[GasSpecies, ...]
-    contacts: tuple[GasContact, ...] = ()
-    drives: tuple[GasDrive, ...] = ()
+    species: Annotated[tuple[Species, ...], BeforeValidator(lambda one: (one,) if isinstance(one, Species) else one)]
+    contacts: AnyContacts = ()
+    drives: AnyDrives = ()
     thermostat: Thermostat | None = None
     run: GasSettings
 
@@ -450,17 +166,12 @@ class GasScene(Model):
         """Fraction of the volume (discs: of the area) that the balls fill."""
         axes = self.container.dimensions
         balls: float = added(
-            float(volume_of_balls(one.radii, axes).sum())
-            if isinstance(one.radius, LognormalRadii)
-            else one.count * (math.pi if axes == 2 else 4 / 3 * math.pi) * one.radius**axes
+            one.count * (math.pi if axes == 2 else 4 / 3 * math.pi) * one.radius**axes
+            if one.radii is None and isinstance(one.radius, float)
+            else float(volume_of_balls(one.all_radii, axes).sum())
             for one in self.species
         )
         return balls / self.container.geometry.volume
-
-    @property
-    def surfaces(self) -> dict[tuple[str, str], Surface | GasSurface]:
-        """The contacts of :class:`carom.gas.Gas`."""
-        return {contact.between: contact.surface for contact in self.contacts}
 
     @property
     def spins_change(self) -> bool:
@@ -489,7 +200,7 @@ class GasScene(Model):
     @property
     def groups(self) -> NDArray[np.int64]:
         """The species, by its number, of each class of radii: of each species of the engine."""
-        return np.repeat(np.arange(len(self.species)), [len(np.unique(one.radii)) for one in self.species])
+        return np.repeat(np.arange(len(self.species)), [len(one.sizes[0]) for one in self.species])
 
     def notes(self) -> list[str]:
         """Return one line for each species with a distribution of radii, and for each that the default temperature makes fast."""
@@ -513,6 +224,11 @@ class GasScene(Model):
         return f"{what}, {self.container.describe()}, {density}, {' or '.join(run)} {before}"
 
 
+def scene_of_parts(where: str, parts: dict[str, Any], run: dict[str, Any]) -> GasScene:
+    """Return the scene of a gas of parts as its class takes them; without an end in ``run`` it has none of its own."""
+    return from_file(where, GasScene, parts | {"run": {"max_events": MOST_EVENTS} | run})
+
+
 def gas_faults(scene: GasScene) -> list[Fault]:
     """Return all faults of a gas whose parts are valid."""
     if not scene.species:
@@ -520,7 +236,7 @@ def gas_faults(scene: GasScene) -> list[Fault]:
         return [Fault("", "species", "at least one species", "none", advice)]
     if found := _count_faults(scene):  # (the others look at the radii of all balls)
         return found
-    parts = (_species_faults, _contact_faults, _drive_faults, _gravity_faults, _density_faults)
+    parts = (_species_faults, _contact_faults, _drive_faults, _gravity_faults, _density_faults, _thermostat_faults)
     return [fault for part in parts for fault in part(scene)]
 
 
@@ -530,6 +246,9 @@ def _species_faults(scene: GasScene) -> list[Fault]:
     for i, one in enumerate(scene.species):
         if one.name in names[:i]:
             found.add(f"species[{i}].name", "a different name for each species", shown(one.name))
+        if axes == 3 and one.planar:
+            got = f"a Disc, which spins about z only: {one.name}"
+            found.add(f"species[{i}]", "carom.Ball in three dimensions", got)
         if axes == 3 and one.kappa(3) > 2 / 3 * (1 + 1e-12):
             advice = "for discs give the container two lengths" if one.kappa(3) <= 1 else ""
             got = format_number(one.kappa(3), 6) if not isinstance(one.inertia, str) else one.inertia
@@ -623,34 +342,20 @@ def _gravity_faults(scene: GasScene) -> list[Fault]:
 
 def _density_faults(scene: GasScene) -> list[Fault]:
     """Return faults of sides that are too short, and of more balls than can be packed in."""
-    found = FaultList()
     axes, container = scene.container.dimensions, scene.container.geometry
-    widest = 2 * max(float(one.radii.max()) for one in scene.species)
-    longest = LONGEST_SIDE * min(float(one.radii.min()) for one in scene.species)
-    for axis, (length, around) in enumerate(zip(container.size, container.periodic, strict=True)):
-        where, width = f"container.size[{axis}]", ""
-        if container.shape not in BOXES:  # (a figure has sizes of its own)
-            where, width = ("container.height", "") if axis == 2 else ("container", f"a width along {'xy'[axis]} of ")
-            if found and where == "container":  # (one width is enough)
-                continue
-        if length < (3 if around else 1) * widest:
-            least = "3 diameters of the largest ball" if around else "the diameter of the largest ball"
-            why = "in a shorter periodic box a ball could meet another and its image" if around else ""
-            expected = f"{width}at least {least}, {format_number(3 * widest if around else widest, 6)}"
-            found.add(where, expected, shown(length), why)
-        elif length > longest:
-            expected = f"{width}at most {LONGEST_SIDE:g} radii of the smallest ball, {format_number(longest, 6)}"
-            why = "positions would be rounded by more than such a ball can be off"
-            found.add(where, expected, shown(length), why)
+    widest = max(float(one.sizes[0].max()) for one in scene.species)
+    smallest = min(float(one.sizes[0].min()) for one in scene.species)
+    found = FaultList()
+    found += side_faults(container, widest, smallest)
     narrow = container.widest_radius
-    if not found and widest / 2 > narrow * (1 - JOINT_OVERLAP):
-        i = int(np.argmax([one.radii.max() for one in scene.species]))
+    if not found and widest > narrow * (1 - JOINT_OVERLAP):
+        i = int(np.argmax([one.sizes[0].max() for one in scene.species]))
         expected = f"a radius below the ellipse's smaller half axis, {format_number(narrow, 6)}"
-        found.add(f"species[{i}].radius", expected, shown(float(scene.species[i].radii.max())))
+        found.add(f"species[{i}].radius", expected, shown(widest))
     if found or scene.container.bounds == "centre":  # (balls may then overlap the walls)
         return found
-    several = len({radius for one in scene.species for radius in (one.radii.min(), one.radii.max())}) > 1
     # for mixed sizes the only bound is 1
+    several = smallest < widest
     most, fraction = (1.0 if several else DENSEST[axes]), scene.packing_fraction
     if fraction > most * (1 + 1e-12):
         name = "discs" if axes == 2 else "balls"
@@ -659,3 +364,10 @@ def _density_faults(scene: GasScene) -> list[Fault]:
         advice = f"use fewer or smaller {name}, or sides {longer:g} times as long"
         found.add("species", f"a packing fraction of {bound}", f"{fraction:.4f}", advice)
     return found
+
+
+def _thermostat_faults(scene: GasScene) -> list[Fault]:
+    if scene.thermostat is None:
+        return []
+    kinds = SizeClasses.of(scene.species, scene.container.dimensions).kinds
+    return thermostat_faults(scene.thermostat, min(one.mass for one in kinds), min(one.radius for one in kinds))

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import MAX_MAGNITUDE, CaromError
-from carom.gas.build import build, records_of
+from carom.gas.build import build
 from carom.gas.edmd.driver import BINS_PER_BALL, STATE, SystemRecords
 from carom.gas.edmd.gas_records import NO_BALL
 from carom.gas.edmd.walls import FIRST_WALL, PREDICT_AGAIN
-from carom.gas.gas import Gas
+from carom.gas.gas import Gas, records_of
 from carom.gas.measures import MAX_FOLLOWED, SERIES, Measures
 from carom.gas.results import (
     AT_REST,
@@ -173,7 +173,7 @@ OUTSIDE = 1e-6  # of a cell, by which rounding may have a ball outside its own
 
 def require_state(scene: GasScene, state: Arrays) -> None:
     """Raise KeyError, TypeError or ValueError where an array of a session is missing, or has another form or other contents."""
-    records, groups = records_of(scene)
+    records, sizes = records_of(scene)
     forms = _forms(scene, records)
     if any(name.startswith("mark.") for name in state):
         forms |= {f"mark.{name}": forms[f"gas.{name}"] for name in MARKED}
@@ -194,7 +194,7 @@ def require_state(scene: GasScene, state: Arrays) -> None:
             _require_the_scenes(state.get(part + name, own.ravel()), name, own, fields)
     _require_the_scenes(state["gas.system"], "system", records.system, FIXED)
     _require_the_scenes(state["gas.whole"], "whole", records.whole, ("axis",))
-    _require_the_scenes(state["gas.groups"], "groups", groups, ("",))
+    _require_the_scenes(state["gas.groups"], "groups", sizes.groups, ("",))
     _require_contents(scene, state, records.system[0])
 
 
@@ -316,6 +316,8 @@ class Session:
     scene : GasScene
     growing : callable(done, total, text), optional
         Called while a dense random start grows, as by :func:`carom.gas.dense`.
+    gas : Gas, optional
+        Of this scene. Default: one at its start.
 
     :meth:`run` continues to the end, or to where it is stopped; neither the gas nor its measures depend on how often it was
     stopped. Samples are taken after about every fiftieth of the events (or of the duration), at times that follow from the rate of
@@ -339,8 +341,8 @@ class Session:
     2000
     """
 
-    def __init__(self, scene: GasScene, growing: Progress | None = None) -> None:
-        self._set(scene, build(scene, growing))
+    def __init__(self, scene: GasScene, growing: Progress | None = None, gas: Gas | None = None) -> None:
+        self._set(scene, build(scene, growing) if gas is None else gas)
         self.mark: Mark | None = None
         self.measures: Measures | None = None
         self.first_collision = 0  # number of collisions when the measurement began
@@ -406,6 +408,10 @@ class Session:
             fractions.append((self.gas.time - self.mark.time) / run.duration)
         return min(max(fractions), 1.0)
 
+    def __getitem__(self, part: int) -> Any:
+        """Return the gas (0) or the result (1): ``gas, run = simulate_gas(scene)`` takes a session apart."""
+        return (self.gas, self.result)[part]
+
     @property
     def result(self) -> GasRun:
         """Measurements so far; CaromError before the measurement has begun."""
@@ -430,63 +436,53 @@ class Session:
         collisions (``every`` an int), every so much simulated time (a float), or at :class:`LogTimes`. What these raise
         ends the run.
 
-        Raises EndedEarlyError as :meth:`carom.gas.Gas.run` does; :attr:`result` and :attr:`measures` then hold what was measured
-        until then.
+        Raises EndedEarlyError as :meth:`pieces` does.
         """
         if not isinstance(every, LogTimes | None) and not (isinstance(every, int | float) and 0 < every < math.inf):
             raise CaromError(f"Session.run: every: expected a whole number >= 1, or a time > 0, got {every!r}")
-        try:
-            tell = loop_callback(progress, lambda now: lambda session: now(session.completed, 1.0, session.part))
-            return self._run(stop, tell, every, snapshot)
-        except EndedEarlyError as error:
-            if self.mark is None:
-                *others, last = error.faults
-                said = "nothing was measured, since the gas was still equilibrating"
-                raise EndedEarlyError(error.end, *others, f"{last}; {said}") from None
-            if self.measures is not None and self.measures.samples == 0:
-                self.measures.sample(self.gas, pairs=False)  # (those that collide ever faster are in contact)
-            error.result = self.result
-            raise
+        tell = loop_callback(progress, lambda now: lambda: now(self.completed, 1.0, self.part))
+        for due in self.pieces(None if snapshot is None else every, stop=stop):
+            if due and snapshot is not None:
+                snapshot(self)
+            if tell is not None:
+                tell()
+        return self.finished
 
-    def run_until_early(self, **options: Any) -> tuple[bool, EndedEarlyError | None]:
-        """Continue as :meth:`run` does; return whether the run is over and, in place of an error, why the gas ended early.
+    def pieces(self, every: Every | None = None, *, stop: Callable[[], bool] = lambda: False) -> Iterator[bool]:
+        """Continue to the end, or until ``stop`` returns True, piece by piece; yield before each whether a snapshot is due.
 
-        Raises EndedEarlyError for a gas that ends while it equilibrates.
+        A piece takes some tenth of a second. Raises EndedEarlyError as :meth:`carom.gas.Gas.run` does; :attr:`result` and
+        :attr:`measures` then hold what was measured until then.
         """
-        try:
-            return self.run(**options), None
-        except EndedEarlyError as error:
-            if not self.measuring:
-                raise
-            return True, error
-
-    def _run(
-        self,
-        stop: Callable[[], bool],
-        progress: Callable[[Session], None] | None,
-        every: Every | None,
-        snapshot: Callable[[Session], None] | None,
-    ) -> bool:
         while True:
-            if snapshot is not None and every is not None and self.mark is not None:
-                self._take_snapshot(every, snapshot)
-            if progress is not None:
-                progress(self)
-            if self.finished:
-                return True
-            if stop():
-                return False
+            yield every is not None and self.mark is not None and self._snapshot_is_due(every)
+            if self.finished or stop():
+                return
             collisions, until = self._next_piece(every)
-            if self.gas.at_rest and (self.mark is None or self.scene.run.duration is None):
-                self.gas.raise_early(EarlyEnd(AT_REST, self.gas.time))
             before, end = self.gas.collisions, self.gas.time + self.max_wait
-            self.gas.advance(collisions, min(until, end), stop=stop)
+            try:
+                if self.gas.at_rest and (self.mark is None or self.scene.run.duration is None):
+                    self.gas.raise_early(EarlyEnd(AT_REST, self.gas.time))
+                self.gas.advance(collisions, min(until, end), stop=stop)
+            except EndedEarlyError as error:
+                raise self._explained(error) from None
             # a cooling gas slows down without limit: after few collisions in a piece, take longer ones
             if end < until and self.gas.collisions - before <= collisions // 8:
                 self.max_wait *= 2
             self._start_measuring()
             if self.measures is not None and self.gas.time >= self.next_sample:
                 self._take_sample(self.measures)
+
+    def _explained(self, error: EndedEarlyError) -> EndedEarlyError:
+        """Return the error with what was measured until then, or with the word that nothing was."""
+        if self.mark is None:
+            *others, last = error.faults
+            said = "nothing was measured, since the gas was still equilibrating"
+            return EndedEarlyError(error.end, *others, f"{last}; {said}")
+        if self.measures is not None and self.measures.samples == 0:
+            self.measures.sample(self.gas, pairs=False)  # (those that collide ever faster are in contact)
+        error.result = self.result
+        return error
 
     def _next_piece(self, every: Every | None) -> tuple[int, float]:
         """Return how far to advance at once: a number of collisions, and a time."""
@@ -507,17 +503,18 @@ class Session:
             least = min(least, int(self.snapshot_due) - self.done)
         return least, until
 
-    def _take_snapshot(self, every: Every, snapshot: Callable[[Session], None]) -> None:
-        """Take a snapshot if one is due, and set when the next one is: at the next multiple of ``every``."""
+    def _snapshot_is_due(self, every: Every) -> bool:
+        """Return whether a snapshot is due, and set when the next one is: at the next multiple of ``every``."""
         assert self.mark is not None
         timed = not isinstance(every, int)
         passed = self.gas.time - self.mark.time if timed else self.done
         if timed != self.snapshots_by_time:  # another unit than before
             self.snapshots_by_time, self.snapshot_due = int(timed), passed
-        if self.gas.time >= self.mark.time + self.snapshot_due if timed else self.done >= self.snapshot_due:
+        due = self.gas.time >= self.mark.time + self.snapshot_due if timed else self.done >= self.snapshot_due
+        if due:
             self.snapshots_taken += 1
-            snapshot(self)
             self.snapshot_due = next_due(every, passed)
+        return due
 
     def snapshot_gap(self, every: Every) -> tuple[float, float] | None:
         """Return from when to when snapshots are missing, in simulated time, since the run was continued without them; or None."""

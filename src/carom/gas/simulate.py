@@ -21,16 +21,17 @@ from carom.files import require_memory
 from carom.gas import initial, overlaps
 from carom.gas import measures as histograms
 from carom.gas.build import load_gas
-from carom.gas.containers import Container
+from carom.gas.containers import Container, as_container
 from carom.gas.edmd import driver
 from carom.gas.gas import Gas
 from carom.gas.report import report
-from carom.gas.results import EarlyEnd, EndedEarlyError, GasRun
+from carom.gas.results import EarlyEnd, EndedEarlyError
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
 from carom.gas.snapshots import read_initial_state
 from carom.gas.species import Species
 from carom.public.progress import Progress, loop_callback
+from carom.scene.schema import from_file
 from carom.scene.toml import replaced
 
 Array = NDArray[np.float64]
@@ -197,7 +198,14 @@ class _Work:
         """Simulate member k; return its report, its curves, and why it ended early if it did."""
         try:
             session = Session(member_scene(self.scene, self.seeds[k]), self._growing)
-            _, early = session.run_until_early(stop=self.stop.is_set, progress=lambda *_: self._note(k, session))
+            early = None
+            try:
+                for _ in session.pieces(stop=self.stop.is_set):
+                    self._note(k, session)
+            except EndedEarlyError as error:
+                if not session.measuring:
+                    raise
+                early = error
             return report(session), _curves(session), early
         except CaromError as error:
             raise CaromError(*(f"{fault} (the gas with seed {self.seeds[k]})" for fault in error.faults)) from None
@@ -306,7 +314,8 @@ def _mean_curve(curves: Sequence[tuple[Array, Array]]) -> Curve:
 
 @overload
 def simulate_gas(
-    species: GasScene | str | Path,
+    species: GasScene | str | Path | Sequence[Species],
+    side: Sequence[float] | Container | None = None,
     *,
     max_events: int | None = None,
     duration: float | str | None = None,
@@ -315,12 +324,14 @@ def simulate_gas(
     equilibrate: int | None = None,
     from_time: float | str | None = None,
     progress: Progress | None = None,
-) -> tuple[Gas, GasRun]: ...
+    **options: Any,
+) -> Session: ...
 
 
 @overload
 def simulate_gas(
-    species: GasScene | str | Path,
+    species: GasScene | str | Path | Sequence[Species],
+    side: Sequence[float] | Container | None = None,
     *,
     max_events: int | None = None,
     duration: float | str | None = None,
@@ -329,18 +340,8 @@ def simulate_gas(
     equilibrate: int | None = None,
     from_time: float | str | None = None,
     progress: Progress | None = None,
-) -> Ensemble: ...
-
-
-@overload
-def simulate_gas(
-    species: Sequence[Species],
-    side: Sequence[float] | Container,
-    *,
-    max_events: int,
-    equilibrate: int | None = None,
     **options: Any,
-) -> tuple[Gas, GasRun]: ...
+) -> Ensemble: ...
 
 
 def simulate_gas(
@@ -355,96 +356,78 @@ def simulate_gas(
     from_time: float | str | None = None,
     progress: Progress | None = None,
     **options: Any,
-) -> tuple[Gas, GasRun] | Ensemble:
-    """Make a gas, equilibrate it, and measure the next collisions.
+) -> Session | Ensemble:
+    """Make a gas, equilibrate it, and measure.
 
     Parameters
     ----------
     species : path, GasScene, or sequence of Species
         A scene, as a file or as :func:`load_gas` returns it, has all the rest too.
     side, **options : as for :class:`Gas`; not with a scene
-    max_events : int
-        Number of collisions that are measured, with walls included; default with a scene: its own, or its duration.
+    max_events : int, optional
+        Number of collisions that are measured, with walls included. Default: the scene's.
     duration : float or str, optional
-        Of a scene: time that is measured.
+        Time that is measured. Default: the scene's.
     seed : int, optional
-        Of the random numbers. Default: the scene's.
+        Of the random numbers. Default: the scene's, or 0.
     ensemble : int, optional
-        Of a scene: simulate so many independent gases, on all cores, as :func:`simulate_ensemble` does.
+        Simulate so many independent gases, on all cores, as :func:`simulate_ensemble` does.
     equilibrate : int, optional
         Number of collisions before; default: the scene's, or 40 per ball.
     from_time : float or str, optional
-        Of a scene: simulated time before which nothing is measured; all means are then over the time after it.
+        Simulated time before which nothing is measured; all means are then over the time after it.
     progress : callable(done, total, text), optional
-        Of a scene: called some ten times per second with the number of collisions so far, and of all (NaN: not known).
+        Called some ten times per second with the number of collisions so far, and of all (NaN: not known).
 
     Returns
     -------
-    Gas, GasRun; with ``ensemble`` an Ensemble
-        The gas at the end, and what was measured. Raises CaromError as :class:`Gas` and :meth:`Gas.run` do. Of a scene,
-        :class:`Session` also measures distributions, g(r) and diffusion, and :func:`simulate_ensemble` gives error bars.
+    Session; with ``ensemble`` an Ensemble
+        ``.result``: what ``carom gas`` prints, a :class:`GasRun`. ``.measures``: distributions, g(r), diffusion, profiles.
+        ``.gas``: the balls at the end. ``gas, run = simulate_gas(...)`` takes it apart. Raises CaromError as :class:`Session` does.
 
     Examples
     --------
     >>> from carom import Ball, Surface
     >>> from carom.gas import GasScene, Species, simulate_gas
     >>> elastic = Surface(1, 0, -1)
-    >>> gas, run = simulate_gas([Species(Ball(0.5, 1.0), 64)], (6.0, 6.0, 6.0), contacts=elastic, max_events=1000)
-    >>> gas.collisions, run.pair_collisions
+    >>> found = simulate_gas([Species(Ball(0.5, 1.0), 64)], (6.0, 6.0, 6.0), contacts=elastic, max_events=1000)
+    >>> found.gas.collisions, found.result.pair_collisions
     (3560, 1000)
 
-    The scene of a file is run in the same way, ``simulate_gas(load_gas("gas.toml"))``:
+    The scene of a file is run in the same way, ``simulate_gas("gas.toml")``:
 
-    >>> contact = {"between": ("a", "a"), "restitution": 1, "friction": 0}
-    >>> scene = GasScene(
-    ...     container={"shape": "periodic", "size": (6, 6, 6)}, species=[{"count": 64, "radius": 0.5}], contacts=[contact],
-    ...     run={"max_events": 2000},
-    ... )
-    >>> simulate_gas(scene)[1].pair_collisions, simulate_gas(scene, max_events=500)[1].pair_collisions
+    >>> scene = GasScene(container=(6, 6, 6), species=[Species(Ball(0.5, 1.0), 64)], contacts=elastic, run={"max_events": 2000})
+    >>> simulate_gas(scene).result.pair_collisions, simulate_gas(scene, max_events=500).result.pair_collisions
     (2000, 500)
     """
-    faults = FaultList("simulate_gas")
+    faults, where = FaultList("simulate_gas"), "simulate_gas"
+    settings = {
+        "max_events": max_events, "duration": duration, "seed": seed, "equilibrate": equilibrate, "from_time": from_time,
+    }  # fmt: skip
+    run = {name: value for name, value in settings.items() if value is not None}
     if isinstance(species, str | os.PathLike):
         species = load_gas(species)
+    given = {name: value for name, value in {"side": side, **options}.items() if value is not None}
+    start = {name: given.pop(name) for name in ("position", "velocity", "spin", "touch") if name in given}
     if isinstance(species, GasScene):
-        run = {
-            "max_events": max_events,
-            "equilibrate": equilibrate,
-            "duration": duration,
-            "seed": seed,
-            "from_time": from_time,
-        }
-        for name, value in {"side": side, **options}.items():
-            if value is not None:
-                faults.add(name, "none beside a GasScene", f"{value!r}", "change the scene")
+        for name, value in (given | start).items():
+            faults.add(name, "none beside a GasScene", f"{value!r}", "change the scene")
         faults.raise_if_any()
-        scene = replaced(species, {f"run.{name}": x for name, x in run.items() if x is not None})
-        if ensemble is None:
-            return _simulate_scene(scene, progress)
+        scene = replaced(species, {f"run.{name}": x for name, x in run.items()})
+    else:
+        if not isinstance(species, list | tuple) or not all(isinstance(one, Species) for one in species):
+            wanted = "a scene (the name of a file, or a GasScene), or a list of Species"
+            faults.add("species", wanted, f"{type(species).__name__} {species!r:.60}")
+        elif side is None:
+            faults.add("side", "two or three lengths, or a container, with a list of Species", "none")
+        if start and ensemble is not None:
+            faults.add("ensemble", "none with a start of one's own", f"{ensemble!r}", "omit one of them")
+        faults.raise_if_any()
+        box = as_container(given.pop("side"), given.pop("periodic", True))
+        scene = from_file(where, GasScene, {"container": box, "species": species, "run": run, **given})
+    if ensemble is not None:
         return simulate_ensemble(scene, ensemble, progress=progress)
-    if not isinstance(species, list | tuple) or not all(isinstance(one, Species) for one in species):
-        wanted = "a scene (the name of a file, or a GasScene), or a list of Species"
-        faults.add("species", wanted, f"{type(species).__name__} {species!r:.60}")
-        faults.raise_if_any()
-    for name, value in {"duration": duration, "ensemble": ensemble, "from_time": from_time}.items():
-        if value is not None:
-            faults.add(name, "a scene, to which it belongs", "a list of Species", "omit it")
-    if side is None:
-        faults.add("side", "two or three lengths, or a container, with a list of Species", "none")
-    if max_events is None:
-        faults.add("max_events", "the number of collisions to measure", "none")
-    faults.raise_if_any()
-    assert side is not None
-    assert max_events is not None
-    given: dict[str, Any] = options if seed is None else {**options, "seed": seed}
-    gas = Gas(species, side, **given)
-    gas.run(40 * sum(one.count for one in species) if equilibrate is None else equilibrate)
-    return gas, gas.run(max_events)
-
-
-def _simulate_scene(scene: GasScene, progress: Progress | None) -> tuple[Gas, GasRun]:
-    most = scene.run.max_events
+    session, most = Session(scene, gas=Gas.of_scene(scene, **start) if start else None), scene.run.max_events
     total = math.nan if most is None else scene.equilibrate + most
-    session = Session(scene)
     session.run(progress=progress and (lambda *_: progress(session.gas.collisions, total, "collisions")))
-    return session.gas, session.result
+    return session

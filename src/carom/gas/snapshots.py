@@ -98,7 +98,7 @@ def _rate(scene: GasScene) -> float:
     """Return the initial rate of collisions of a ball with others: Enskog's for balls of the mean size, mass and temperature."""
     count, axes = scene.count, scene.container.dimensions
 
-    diameter = 2 * sum(one.count * float(one.radii.mean()) for one in scene.species) / count
+    diameter = 2 * sum(one.count * float(one.all_radii.mean()) for one in scene.species) / count
     speed = _mean_speed(scene)
     density, filled = count / scene.container.geometry.volume, min(scene.packing_fraction, 0.7)
     if axes == 2:

@@ -57,16 +57,20 @@ def figure(what: str | Mapping[str, Any] | Figure | PathLike[str], /, **sizes: A
     >>> figure("cylinder:stadium:straight=2,radius=1,height=3").over.describe()
     'stadium (straight 2.0, radius 1.0)'
     """
+    table = figure_table(what, sizes)
+    return what if isinstance(what, Figure) else _made(str(what) if isinstance(what, PathLike) else "figure", table)
+
+
+def figure_table(what: str | Mapping[str, Any] | Figure | PathLike[str], sizes: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the table of the fields of a figure that is given as :func:`figure` takes it."""
     if isinstance(what, Figure):
         if sizes:
             expected = "no sizes beside a figure, which has its own"
             raise CaromError(*(Fault("figure", name, expected, shown(x)) for name, x in sizes.items()))
-        return what
+        return _fields_of(what)
     if isinstance(what, PathLike):
-        return _made(str(what), {**_read(as_path("figure", what)), **sizes})
-    if isinstance(what, Mapping):
-        return _made("figure", {**what, **sizes})
-    return _made("figure", _table(str(what), sizes))
+        return {**_read(as_path("figure", what)), **sizes}
+    return {**what, **sizes} if isinstance(what, Mapping) else _table(str(what), sizes)
 
 
 def _made(where: str, table: dict[str, Any]) -> Figure:
