@@ -664,7 +664,7 @@ def table_film(
 
 
 def three_balls_film(path: Path, *, seed: int = 0, radius: float = 0.03, **given: Any) -> RenderedFilm:
-    """White, red and yellow on cloth from above: one is shot at the others, which lie and are hit; drawn from the seed."""
+    """White, red and yellow on cloth from above: one is shot at another, which meets the third; drawn from the seed."""
     rng = np.random.default_rng(1000 + seed)
     lens = {k: given.pop(k) for k in Camera.__dataclass_fields__ if k in given}
     lens = {"scale": 270.0, "centre": (0.0, 0.0), "exposure": 1 / 250, **lens}
@@ -676,9 +676,10 @@ def three_balls_film(path: Path, *, seed: int = 0, radius: float = 0.03, **given
         toward = second + np.array([0, rng.uniform(-1.2, 1.2) * radius]) - first
         velocity = rng.uniform(0.9, 1.5) * toward / np.linalg.norm(toward)
         motions = collide([first, second, third], [velocity, (0, 0), (0, 0)], radius=radius, bounds=half, duration=1.6)
-        if len(motions[0].contacts) > 1:
+        way = [np.ptp(one.at(np.linspace(0, 1.2, 9)), axis=0).max() for one in motions]
+        if min(way) > 2 * radius:
             break
-    looks = (Look(WHITE, "plain"), Look(RED, "plain"), Look(YELLOW, "plain"))
+    looks = given.pop("looks", (Look(WHITE, "plain"), Look(RED, "plain"), Look(YELLOW, "plain")))
     backdrop = given.pop("backdrop", Backdrop("cloth", floor=False, shadow="wall", depth=0.3))
     given = {"frames": 80, **given}
     return render(

@@ -19,11 +19,16 @@ NOISES = 5.0  # times its own noise that it differs, at least
 LEAST_AREA = 12  # px at half the size
 MOST_BLOBS = 24  # of a frame, the largest
 CHANGED = 0.2  # share of a picture that changes where the camera moves
-GHOST = 0.75  # of the gradient along a region's edge: what was seen at another time is the background
+PARTS = 6  # of the samples, whose medians are compared
+GHOST = 0.8  # of the gradient along a region's edge: what was seen at another time is the background
 LOST = 6  # frames after which a ball is no longer followed
 REACH = 6.0  # radii that a ball moves at most between its first two frames
 ALIKE = 0.35  # by which radii of blobs of one ball differ, in a frame and the next (as a logarithm)
-COLOUR = 35.0  # levels
+COLOUR, TONE = 35.0, 10.0  # levels by which colours of one ball differ at most, and usually
+TONES = (60.0, 15.0, 15.0)  # of y, u, v: of the pixels of one ball
+BOTH = 0.75  # of the areas of two balls, of a region that holds both
+UNSEEN, NEVER = (3.0, 8.0), 1e6  # what a path costs that goes on without a blob: of up to three frames, of more
+BLACK, GREY = 16.0, 128.0  # levels
 CORE = 0.2, 0.9  # of a blob: what is no shadow
 SHADE = 0.45  # of the background's brightness: what is darker is no mere shadow
 
@@ -87,6 +92,19 @@ class Path:
         """(n, 2) px."""
         return np.array([[one.x, one.y] for one in self.blobs])
 
+    def ahead(self, number: int) -> Array:
+        """Return where it is in a later frame if it moves on as in the last two, (2,) px."""
+        last = self.places[-2:]
+        if len(last) < 2:
+            return np.asarray(last[0])
+        since = self.frames[-1] - self.frames[-2]
+        return np.asarray(last[1] + (last[1] - last[0]) / since * (number - self.frames[-1]))
+
+    @property
+    def area(self) -> float:
+        """px, median of the last nine blobs."""
+        return float(np.median([one.area for one in self.blobs[-9:]]))
+
     @property
     def colour(self) -> Array:
         """(3,) y, u, v: of the last nine blobs, so that one blob of two balls that touch does not change it."""
@@ -131,20 +149,26 @@ def find_background(samples: Sequence[tuple[Bytes, Bytes, Bytes]]) -> Background
     """Return the median of samples; regions of balls that rest for much of the film are replaced by what is seen without them."""
     stacks = [np.stack([one[k] for one in samples]) for k in range(3)]
     planes = [_median(stack) for stack in stacks]
-    half = half_size(planes[0])
-    deviation = []
+    half, deviation = half_size(planes[0]), []
+    medians = [half, planes[1].copy(), planes[2].copy()]
     for k, stack in enumerate(stacks):
         some = stack if k else np.stack([half_size(one) for one in stack])
         deviation.append(_median(_differ(some, half if k == 0 else planes[k])))
     noise = [max(1.4826 * float(np.mean(one)), 0.3) for one in deviation]
-    limits = [
-        np.clip(np.maximum(least, NOISES * 1.4826 * _widened(one).astype(float) + 2), 0, 250).astype(np.uint8)
-        for least, one in zip(LEAST_LEVELS, deviation, strict=True)
-    ]
-    quarter = max(len(samples) // 4, 1)
-    for part in (slice(0, quarter), slice(len(samples) - quarter, None)) if len(samples) >= 8 else ():
-        other = [_median(stack[part]) for stack in stacks]
-        _without_ghosts(planes, other, limits)
+    # (a ball may rest somewhere for any part of the film: what each part shows is tried, and twice, as one may uncover another)
+    parts = np.array_split(np.arange(len(samples)), min(PARTS, len(samples) // 3)) if len(samples) >= 8 else []
+    others = [[_median(stack[part[0] : part[-1] + 1]) for stack in stacks] for part in parts]
+    for other in [*others[::-1], *others]:
+        _without_ghosts(planes, other, noise)
+    limits = []
+    for now, before, off, least in zip(
+        (half_size(planes[0]), *planes[1:]), medians, deviation, LEAST_LEVELS, strict=True
+    ):
+        # (what a ball at rest made of the scatter is none)
+        off[_widened(_differ(now, before), 7) > least] = np.median(off)
+        limits.append(
+            np.clip(np.maximum(least, NOISES * 1.4826 * _widened(off).astype(float) + 2), 0, 250).astype(np.uint8)
+        )
     y, u, v = planes
     return Background((y, u, v), half_size(y), (limits[0], limits[1], limits[2]), (noise[0], noise[1], noise[2]))
 
@@ -161,52 +185,98 @@ def _differ(one: Bytes, other: Bytes) -> Bytes:
     return np.asarray(np.maximum(one, other) - np.minimum(one, other))
 
 
-def _widened(plane: Bytes) -> Bytes:
+def _widened(plane: Bytes, size: int = 3) -> Bytes:
     from scipy.ndimage import maximum_filter
 
-    return np.asarray(maximum_filter(plane, 3))
+    return np.asarray(maximum_filter(plane, size))
 
 
-def _without_ghosts(planes: list[Bytes], other: list[Bytes], limits: Sequence[Bytes]) -> None:
+def _without_ghosts(planes: list[Bytes], other: list[Bytes], noise: Sequence[float]) -> None:
     """Put into the background what was seen at another time, in regions that fit their surroundings better so."""
     from scipy.ndimage import binary_dilation, binary_erosion, find_objects, label
 
     halves = [[half_size(one[0]), one[1], one[2]] for one in (planes, other)]
     changed = np.zeros(halves[0][0].shape, bool)
-    for one, two, limit in zip(*halves, limits, strict=True):
-        changed |= _differ(one, two) > limit
-    labels, _count = label(binary_dilation(changed, iterations=2))
+    for one, two, level, least in zip(*halves, noise, LEAST_LEVELS, strict=True):
+        changed |= _differ(one, two) > max(least, NOISES * level)
+    changed = binary_dilation(changed, iterations=2)
+    labels, _count = label(changed)
     for k, box in enumerate(find_objects(labels)[:200], 1):
-        wide = tuple(slice(max(one.start - 4, 0), one.stop + 4) for one in box)
+        wide = tuple(slice(max(one.start - 6, 0), one.stop + 6) for one in box)
         region = labels[wide] == k
         if region.sum() < LEAST_AREA:
             continue
+        now, then = (np.stack([one[wide].astype(float) for one in kind]) for kind in halves)
+        steps = [np.abs(np.array(np.gradient(one, axis=(1, 2)))).sum(axis=(0, 1)) for one in (now, then)]
+
         edge = binary_dilation(region, iterations=2) & ~binary_erosion(region, iterations=4)
-        now, then = (
-            sum(float(np.abs(np.array(np.gradient(one[wide].astype(float)))).sum(axis=0)[edge].mean()) for one in kind)
-            for kind in halves
-        )
-        if then < GHOST * now:
+        good = region if steps[1][edge].mean() < GHOST * steps[0][edge].mean() else np.zeros_like(region)
+        ring = binary_dilation(region, iterations=6) & ~changed[wide]
+        if not good.any() and ring.any():
+            # (one ball went away where another one came beside it: parts that are more like what is around)
+            around = np.median(now[:, ring], axis=1)[:, None, None]
+            strange = [np.abs(one - around).sum(axis=0) for one in (then, now)]
+            parts, count = label(_opened(region & (strange[0] < strange[1])))
+            for j in range(1, min(count, 9) + 1):
+                part = binary_dilation(parts == j, iterations=3) & region & (strange[0] <= strange[1])
+                if part.sum() >= LEAST_AREA and strange[0][part].sum() < strange[1][part].sum() / 2:
+                    good |= part
+        if good.any():
             for plane, instead in zip(planes[1:], other[1:], strict=True):
-                plane[wide][region] = instead[wide][region]
-            whole = np.repeat(np.repeat(region, 2, axis=0), 2, axis=1)
+                plane[wide][good] = instead[wide][good]
+            whole = np.repeat(np.repeat(good, 2, axis=0), 2, axis=1)
             large = tuple(slice(2 * one.start, 2 * one.start + n) for one, n in zip(wide, whole.shape, strict=True))
             planes[0][large][whole] = other[0][large][whole]
 
 
-def find_blobs(frame: Frame, ground: Background, inside: Mask | None = None) -> tuple[list[Blob], float]:
+class Region(NamedTuple):
+    """Pixels (n,) of a frame at half the size that together differ from the background."""
+
+    x: NDArray[np.intp]
+    y: NDArray[np.intp]
+    tone: Array
+    """(n, 3): y, u, v."""
+    still: Array
+    """Brightness of the background."""
+    shade: Mask
+    """Whether they differ as a shadow does: darker, and of the same hue."""
+    cut: bool
+
+    def blob(self) -> Blob:
+        """Return size, shape and colour."""
+        x, y = 2 * self.x + 0.5, 2 * self.y + 0.5
+        moments = np.cov(np.stack([x, y])) if len(x) > 1 else np.eye(2)
+        small, large = np.sqrt(np.maximum(np.linalg.eigvalsh(moments), 0.1)).tolist()
+        lit = np.zeros((np.ptp(self.y) + 1, np.ptp(self.x) + 1), bool)
+        lit[self.y - self.y.min(), self.x - self.x.min()] = ~self.shade
+        rest = _opened(lit)[self.y - self.y.min(), self.x - self.x.min()]
+        share, core, colour = float(rest.mean()), None, self.tone.mean(axis=0)
+        if CORE[0] < share < CORE[1]:
+            core = float(x[rest].mean()), float(y[rest].mean()), 2 * float(np.sqrt(rest.sum() / np.pi))
+        dark = float(colour[0] / max(self.still.mean(), 1.0)) if share <= CORE[0] else 0.0
+        return Blob(
+            float(x.mean()), float(y.mean()), 4.0 * len(x), large, small, tuple(colour.tolist()), self.cut, core, dark
+        )
+
+    def part(self, which: Mask) -> Region:
+        """Return some of the pixels."""
+        return Region(self.x[which], self.y[which], self.tone[which], self.still[which], self.shade[which], self.cut)
+
+
+def find_regions(frame: Frame, ground: Background, inside: Mask | None = None) -> tuple[list[Region], float]:
     """Return the regions of a frame that differ from the background, the largest first, and the share of it that does."""
     from scipy.ndimage import binary_fill_holes, find_objects, label
 
     halves = (half_size(frame.y), frame.u, frame.v)
-    changed, shade = np.zeros(halves[0].shape, bool), np.zeros(halves[0].shape, bool)
+    changed, darker = np.zeros(halves[0].shape, bool), np.zeros(halves[0].shape, bool)
     for k, (one, still, limit) in enumerate(zip(halves, (ground.half, *ground.planes[1:]), ground.limits, strict=True)):
         # (the exposure of a camera drifts: the median difference is none)
         drift = int(np.median(one[::8, ::8].astype(np.int16) - still[::8, ::8]))
         level = np.clip(still.astype(np.int16) + drift, 0, 255).astype(np.uint8) if drift else still
         differs = _differ(one, level) > limit
         changed |= differs
-        shade = differs & (one < level) if k == 0 else shade & ~differs
+        if k == 0:
+            darker = differs & (one < level)
     share = float(changed.mean())
     if inside is not None:
         changed &= inside
@@ -216,14 +286,23 @@ def find_blobs(frame: Frame, ground: Background, inside: Mask | None = None) -> 
     rows, columns = np.flatnonzero(opened.any(axis=1)), np.flatnonzero(opened.any(axis=0))
     if not len(rows):
         return [], share
-    low = rows[0], columns[0]
-    labels, _count = label(opened[low[0] : rows[-1] + 1, low[1] : columns[-1] + 1], np.ones((3, 3)))
-    sizes = np.bincount(labels.ravel())
-    boxes = find_objects(labels)
-    order = [k for k in np.argsort(-sizes[1:])[:MOST_BLOBS] if sizes[k + 1] >= LEAST_AREA]
-    return [
-        _blob(boxes[k], binary_fill_holes(labels[boxes[k]] == k + 1), low, halves, shade, ground.half) for k in order
-    ], share
+    labels, _count = label(opened[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1], np.ones((3, 3)))
+    sizes, boxes, found = np.bincount(labels.ravel()), find_objects(labels), []
+    for k in np.argsort(-sizes[1:])[:MOST_BLOBS]:
+        if sizes[k + 1] < LEAST_AREA:
+            break
+        y, x = np.nonzero(binary_fill_holes(labels[boxes[k]] == k + 1))
+        y, x = y + boxes[k][0].start + rows[0], x + boxes[k][1].start + columns[0]
+        tone = np.stack([one[y, x] for one in halves], axis=1).astype(float)
+        behind = np.stack([one[y, x] for one in (ground.half, *ground.planes[1:])], axis=1).astype(float)
+        # (a shadow takes the same part of brightness and of colour)
+        left = (tone[:, :1] - BLACK) / np.maximum(behind[:, :1] - BLACK, 1.0)
+        hue = np.abs(tone[:, 1:] - GREY - left * (behind[:, 1:] - GREY))
+        most = np.stack([one[y, x] for one in ground.limits[1:]], axis=1)
+        height, width = opened.shape
+        cut = bool(y.min() <= 0 or x.min() <= 0 or y.max() >= height - 1 or x.max() >= width - 1)
+        found.append(Region(x, y, tone, behind[:, 0], darker[y, x] & (hue <= most).all(axis=1), cut))
+    return found, share
 
 
 def _opened(mask: Mask) -> Mask:
@@ -234,33 +313,6 @@ def _opened(mask: Mask) -> Mask:
     return np.asarray(padded[1:-1, 1:-1] | padded[:-2, 1:-1] | padded[2:, 1:-1] | padded[1:-1, :-2] | padded[1:-1, 2:])
 
 
-def _blob(
-    box: tuple[slice, slice], mask: Mask, low: tuple[int, int], halves: Sequence[Bytes], shade: Mask, still: Bytes
-) -> Blob:
-    top, left = box[0].start + low[0], box[1].start + low[1]
-    y, x = np.nonzero(mask)
-    here = (slice(top, top + mask.shape[0]), slice(left, left + mask.shape[1]))
-    colour = [float(one[here][mask].mean()) for one in halves]
-    moments = np.cov(np.stack([x, y])) if len(x) > 1 else np.eye(2)
-    small, large = np.sqrt(np.maximum(np.linalg.eigvalsh(4 * moments), 0.1)).tolist()
-    rest = _opened(mask & ~shade[here])
-    core = None
-    if CORE[0] < rest.sum() / len(x) < CORE[1]:
-        down, across = np.nonzero(rest)
-        core = (
-            2 * (left + float(across.mean())) + 0.5,
-            2 * (top + float(down.mean())) + 0.5,
-            2 * float(np.sqrt(len(down) / np.pi)),
-        )
-    dark = colour[0] / max(float(still[here][mask].mean()), 1.0) if rest.sum() <= CORE[0] * len(x) else 0.0
-    height, width = halves[0].shape
-    cut = top <= 0 or left <= 0 or here[0].stop >= height or here[1].stop >= width
-    return Blob(
-        2 * (left + float(x.mean())) + 0.5, 2 * (top + float(y.mean())) + 0.5, 4.0 * len(x), large, small,
-        (colour[0], colour[1], colour[2]), cut, core, dark,
-    )  # fmt: skip
-
-
 class Linker:
     """Links the blobs of one frame after the other to paths."""
 
@@ -268,32 +320,40 @@ class Linker:
         self.paths: list[Path] = []
         self._live: list[Path] = []
 
-    def add(self, number: int, blobs: Sequence[Blob]) -> None:
-        """Take the blobs of the next frame."""
+    def add(self, number: int, regions: Sequence[Region]) -> None:
+        """Take the regions of the next frame."""
+        from scipy.optimize import linear_sum_assignment
+
         self._live = [one for one in self._live if number - one.frames[-1] <= LOST]
-        chances = []
-        for i, path in enumerate(self._live):
+        ahead = [one.ahead(number) for one in self._live]
+        blobs = [part.blob() for region in regions for part in self._parted(region, ahead)]
+        count = len(blobs)
+        # (each path may also go on without a blob: one that is long known does so at a higher price)
+        costs = np.full((len(self._live), count + len(self._live)), NEVER)
+        for i, (path, place) in enumerate(zip(self._live, ahead, strict=True)):
+            costs[i, count + i] = UNSEEN[len(path.frames) > 3]
             last, gap = path.blobs[-1], number - path.frames[-1]
-            ahead = np.array([last.x, last.y])
-            reach = REACH * last.radius * gap
-            if len(path.frames) > 1:
-                before, since = path.blobs[-2], path.frames[-1] - path.frames[-2]
-                way = (ahead - [before.x, before.y]) / since * gap
-                ahead = ahead + way
-                # (a ball that turns back is where it was, or in between)
-                reach = 2.2 * float(np.hypot(*way)) + 2.0 * last.radius
+            start, colour, usual = np.array([last.x, last.y]), path.colour, path.area
+            way = place - start
+            length = float(np.hypot(*way))
+            # (a ball that turns back is where it was, or in between)
+            reach = REACH * last.radius * gap if len(path.frames) == 1 else 2.2 * length + 2.0 * last.radius
             for j, blob in enumerate(blobs):
-                off = float(np.hypot(blob.x - ahead[0], blob.y - ahead[1]))
-                size = abs(float(np.log(blob.radius / last.radius)))
-                tone = float(np.abs(np.subtract(blob.colour, path.colour)).max())
+                at = np.array([blob.x, blob.y])
+                off = float(np.hypot(*(at - place)))
+                size, tone = (
+                    abs(float(np.log(blob.radius / last.radius))),
+                    float(np.abs(np.subtract(blob.colour, colour)).max()),
+                )
                 if off < reach and (size < ALIKE or blob.cut or last.cut) and tone < COLOUR:
-                    chances.append((off / max(last.radius, 1.0) + 2 * size + tone / 20 + gap - 1, i, j))
-        taken: set[int] = set()
+                    part = float(np.clip((at - start) @ way / max(length**2, 1e-9), 0, 1))
+                    aside = (off + float(np.hypot(*(at - start - part * way)))) / 2
+                    area = 0.0 if blob.cut or last.cut else abs(float(np.log(blob.area / usual))) / 2
+                    costs[i, j] = aside / max(last.radius, 1.0) + 2 * size + tone / TONE + area + gap - 1
         linked: set[int] = set()
-        for _cost, i, j in sorted(chances):
-            if i not in taken and j not in linked:
-                taken.add(i)
-                linked.add(j)
+        for i, j in zip(*linear_sum_assignment(costs), strict=True):
+            if j < count and costs[i, j] < NEVER:
+                linked.add(int(j))
                 self._live[i].frames.append(number)
                 self._live[i].blobs.append(blobs[j])
         for j, blob in enumerate(blobs):
@@ -301,6 +361,39 @@ class Linker:
                 new = Path([number], [blob])
                 self.paths.append(new)
                 self._live.append(new)
+
+    def _parted(self, region: Region, ahead: Sequence[Array]) -> list[Region]:
+        """Return the parts of a region that is as large as the balls that reach it, where these are several."""
+        known = [(one, place) for one, place in zip(self._live, ahead, strict=True) if len(one.frames) > 2]
+        if 4 * len(region.x) < BOTH * 2 * min((one.area for one, _place in known), default=np.inf):
+            return [region]
+        pixels = np.stack([2 * region.x + 0.5, 2 * region.y + 0.5], axis=1)
+        claims: list[tuple[float, int, Array, Path]] = []
+        for path, place in known:
+            # (the first place on its way at which it is in the region: balls do not pass through one another)
+            way = path.places[-1] + np.linspace(0, 1, 9)[:, None] * (place - path.places[-1])
+            away = np.sqrt(((pixels[:, None] - way) ** 2).sum(axis=2)).min(axis=0)
+            k = int(np.argmin(np.maximum(away, 2.0)))
+            if away[k] < path.blobs[-1].radius:
+                claims.append((float(away[k]), len(claims), way[k], path))
+        claims.sort()
+        while len(claims) > 1 and 4 * len(region.x) < BOTH * sum(path.area for *_rest, path in claims):
+            claims.pop()
+        if len(claims) < 2:
+            return [region]
+        middles = np.array([way for _off, _k, way, _path in claims])
+        sizes, tones = (
+            np.array([one[-1].blobs[-1].radius for one in claims]),
+            np.array([one[-1].colour for one in claims]),
+        )
+        unlike = (((region.tone[:, None] - tones) / TONES) ** 2).sum(axis=2)
+        for _ in range(8):
+            owner = (((pixels[:, None] - middles) ** 2).sum(axis=2) / sizes**2 + unlike).argmin(axis=1)
+            parts = [owner == k for k in range(len(claims))]
+            if any(4 * part.sum() < path.area / 4 for part, (*_rest, path) in zip(parts, claims, strict=True)):
+                return [region]
+            middles = np.array([pixels[part].mean(axis=0) for part in parts])
+        return [region.part(part) for part in parts]
 
 
 def likely_paths(paths: Sequence[Path], least: int) -> list[Path]:

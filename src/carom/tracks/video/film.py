@@ -28,7 +28,7 @@ from carom.tracks.video.balls import (
     Path,
     cores_of,
     find_background,
-    find_blobs,
+    find_regions,
     joined,
     likely_paths,
     sampled,
@@ -643,8 +643,8 @@ def _linked(
     for frame in file.frames():
         stamps.append(frame.stamp)
         if part[0] <= frame.stamp <= part[1] or not np.isfinite(frame.stamp):
-            blobs, share = find_blobs(frame, ground, inside)
-            linker.add(frame.number, blobs)
+            regions, share = find_regions(frame, ground, inside)
+            linker.add(frame.number, regions)
             shares.append(share)
         tell(0.05 + 0.25 * (1 - 100 / (100 + frame.number)), "what moves")
     return stamps, linker.paths, float(np.mean(np.array(shares) > CHANGED)) if shares else 0.0
