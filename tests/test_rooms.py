@@ -247,7 +247,7 @@ CAPS = {
     "fitting": 10330,
     "gas": 7226,
     "billiards": 5570,
-    "tracks": 8748,
+    "tracks": 8753,
     "simulation": 5975,
     "core": 5255,
     "laws": 4840,
