@@ -104,7 +104,7 @@ class _LateError(BaseException):
 def bases() -> dict[str, list[bytes]]:
     """Intact files by kind."""
     from carom.data.published import published_rebounds
-    from carom.gas.build import gas_text
+    from carom.gas.scene import gas_text
     from carom.scene.toml import scene_text
     from carom.sweeps import new_sweep
 

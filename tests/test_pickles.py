@@ -20,7 +20,7 @@ from carom import billiards, data, derive, fitting, gas, scene, sweeps, tracks
 from carom.fitting import GasFit
 from carom.fitting.shots import drawn_films
 from carom.fitting.tracks import fit_tracks
-from carom.gas.profiles import LayerAverages
+from carom.gas.results import LayerAverages
 from carom.interop import pooltool
 from carom.plot import path_after_wall
 

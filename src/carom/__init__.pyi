@@ -59,9 +59,9 @@ from .laws.strike import strike as strike
 from .laws.two_step import two_step as two_step
 from .laws.two_step_batch import two_step_into as two_step_into
 from .scene.ball import BallContact as BallContact
+from .scene.ball import Rack as Rack
 from .scene.ball import SceneBall as SceneBall
 from .scene.floor import Floor as Floor
-from .scene.rack import Rack as Rack
 from .scene.scene import Run as Run
 from .scene.scene import Scene as Scene
 from .scene.shapes.table import Table as Table

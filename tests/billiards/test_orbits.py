@@ -10,10 +10,9 @@ from reference.plane_tables import CLEARANCE, L_SHAPE, PLANE, first_outside
 
 import carom
 from carom import billiards
-from carom.billiards.intersections import circle_exit
+from carom.billiards.intersections import ENDS, circle_exit
 from carom.billiards.loop import MEMORY, follow
 from carom.billiards.setup import orbit_setup, start_rows
-from carom.billiards.table_records import ENDS
 from carom.core.jit.kernel import dot
 from carom.laws.no_slip import no_slip_bounce, no_slip_reflection
 

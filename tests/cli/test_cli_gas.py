@@ -17,7 +17,7 @@ from reference.gases import MIXED, ROUGH
 from typer.testing import CliRunner
 
 from carom.cli import app, main
-from carom.gas.build import load_gas
+from carom.gas.scene import load_gas
 from carom.gas.session import Session
 
 runner = CliRunner()
@@ -122,7 +122,7 @@ def test_json_has_the_keys_and_is_the_librarys_answer(folder):
     assert found["temperature_translational"] == pytest.approx(0.75, rel=0.02)
     assert found["temperature_rotational"] == pytest.approx(0.75, rel=0.02)
     # what Gas.run of the same gas says, by another way through the same events
-    from carom.gas.build import build
+    from carom.gas.session import build
 
     gas = build(load_gas(folder / "rough.toml"))
     gas.run(5000)

@@ -20,9 +20,8 @@ from reference.gases import MIXED, ROUGH
 
 from carom import CaromError
 from carom.gas import files as checkpoint
-from carom.gas.build import load_gas
 from carom.gas.files import load_checkpoint, save_checkpoint
-from carom.gas.scene import GasScene
+from carom.gas.scene import GasScene, load_gas
 from carom.gas.session import Session
 
 

@@ -12,11 +12,10 @@ from reference.gases import MIXED, ROUGH
 import carom
 from carom import Ball, CaromError, Surface
 from carom.gas import Gas, Species, simulate_gas
-from carom.gas.build import build, gas_text, is_gas, load_gas
 from carom.gas.containers import GasContainer
 from carom.gas.report import report
-from carom.gas.scene import GasScene, GasSettings
-from carom.gas.session import Session
+from carom.gas.scene import GasScene, GasSettings, gas_text, is_gas, load_gas
+from carom.gas.session import Session, build
 from carom.gas.species import GasContact
 
 

@@ -17,8 +17,9 @@ from typer.testing import CliRunner
 from carom import CaromError
 from carom.cli import app
 from carom.gas import GasScene, Session, gas_text
-from carom.gas.build import build, load_gas
 from carom.gas.results import LogTimes
+from carom.gas.scene import load_gas
+from carom.gas.session import build
 from carom.gas.snapshots import Snapshots, expected_snapshots, mean_free_time, require_size, spins_of
 
 

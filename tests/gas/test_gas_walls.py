@@ -13,7 +13,7 @@ from carom.core.geometry.curve_arcs import arc_tables
 from carom.gas import Drive, Gas, Species, Thermostat, container
 from carom.gas.edmd.gas_records import CURVE
 from carom.gas.edmd.walls import _is_present, _release_speed, oscillating_collision_time
-from carom.gas.profiles import Profiles
+from carom.gas.results import Profiles
 from carom.scene.figures import EllipsePiece
 
 ROUGH, SMOOTH = Surface(1, math.inf, 1), Surface(1, 0, -1)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from carom.gas import GasScene
-from carom.gas.build import build
+from carom.gas.session import build
 
 SIDE = 40.0
 

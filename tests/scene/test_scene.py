@@ -18,7 +18,7 @@ from typer.testing import CliRunner
 import carom
 from carom.cli import app
 from carom.core.geometry.features import FEATURES
-from carom.gas.build import gas_text
+from carom.gas.scene import gas_text
 from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL
 from carom.laws.registry import LAWS
 from carom.scene import (

@@ -21,11 +21,13 @@ from .continuation import Manifold as Manifold
 from .continuation import OrbitBranch as OrbitBranch
 from .continuation import continue_orbit as continue_orbit
 from .continuation import manifold as manifold
+from .intersections import ENDS as ENDS
 from .orbit_by_name import OrbitResult as OrbitResult
 from .orbits import Orbit as Orbit
 from .orbits import final as final
 from .orbits import orbit as orbit
 from .orbits import reverse as reverse
+from .orbits import starts as starts
 from .periodic import PeriodicOrbit as PeriodicOrbit
 from .periodic import PeriodicOrbits as PeriodicOrbits
 from .periodic import periodic_orbits as periodic_orbits
@@ -34,7 +36,6 @@ from .rolling import RollingEvent as RollingEvent
 from .rolling import RollingRun as RollingRun
 from .rolling import RollingStates as RollingStates
 from .rolling import roll as roll
-from .sampling import starts as starts
 from .setup import LAWS as LAWS
 from .setup import Start as Start
 from .stability import Lyapunov as Lyapunov
@@ -42,7 +43,6 @@ from .stability import TangentMap as TangentMap
 from .stability import lyapunov as lyapunov
 from .stability import tangent_map as tangent_map
 from .surfaces import RollingSurface as RollingSurface
-from .table_records import ENDS as ENDS
 from .tables import Table as Table
 from .tables import box as box
 from .tables import circle as circle

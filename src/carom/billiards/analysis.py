@@ -10,8 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards.orbits import Orbit, orbit_from_setup, state_of_rows
-from carom.billiards.sampling import starts
+from carom.billiards.orbits import Orbit, orbit_from_setup, starts, state_of_rows
 from carom.billiards.setup import orbit_setup
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Numbers, Surface, holds_arrays

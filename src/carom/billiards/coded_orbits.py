@@ -15,10 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.billiards.boundary import Boundary, ConnectedWall
+from carom.billiards.intersections import DONE, POSITION, TIME, VELOCITY
 from carom.billiards.orbits import Orbit, moved_in_flight, orbit_from_setup, require_integer
 from carom.billiards.setup import OrbitSetup, Start, orbit_setup
 from carom.billiards.stability import end_coordinates, tangents_of_bounces
-from carom.billiards.table_records import DONE, POSITION, TIME, VELOCITY
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
 from carom.errors import CaromError, Fault

@@ -13,25 +13,23 @@ from typing import Any
 import numpy as np
 
 from carom.billiards.intersections import (
-    FULL_CIRCLE,
-    arc_duration,
-    arcs_joined,
-    circle_exit,
-    next_hit,
-    on_arc,
-    wall_normal,
-)
-from carom.billiards.table_records import (
     ARC,
     CORNER,
     DONE,
     ENDING,
     ESCAPED,
     FREE,
+    FULL_CIRCLE,
     GRAZED,
     MAX_EMPTY_CELLS,
     PIECES,
     WORLD,
+    arc_duration,
+    arcs_joined,
+    circle_exit,
+    next_hit,
+    on_arc,
+    wall_normal,
 )
 from carom.core.contact import wall_contact
 from carom.core.jit.compile import array_of, njit, signature

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer, require_reversible, reverse
+from carom.billiards.orbits import starts as sampled_starts
 from carom.billiards.periodic import PeriodicOrbits, periodic_orbits
-from carom.billiards.sampling import starts as sampled_starts
 from carom.billiards.setup import OrbitSetup, Start, default_ball, law_of, needs_surface, orbit_setup, start_rows
 from carom.billiards.stability import Lyapunov
 from carom.billiards.stability import lyapunov as lyapunov_spectrum

@@ -30,7 +30,7 @@ from carom.billiards.coded_orbits import (
     windings,
 )
 from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer
-from carom.billiards.sampling import starts as sampled_starts
+from carom.billiards.orbits import starts as sampled_starts
 from carom.billiards.setup import Start, start_rows
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.billiards.boundary import Boundary
-from carom.billiards.table_records import ARC, PARABOLA, STRAIGHT
+from carom.billiards.intersections import ARC, PARABOLA, STRAIGHT
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Disc, Surface
 from carom.core.geometry.curve import ROW

@@ -10,11 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards.intersections import wall_normal
-from carom.billiards.loop import after_flight, after_impact, duration, fly_to_wall
-from carom.billiards.orbits import FIRST_BOUNCES, orbit_from_setup, require_integer
-from carom.billiards.setup import OrbitSetup, orbit_setup
-from carom.billiards.table_records import (
+from carom.billiards.intersections import (
     ARC,
     BODY,
     DONE,
@@ -26,7 +22,11 @@ from carom.billiards.table_records import (
     TIME,
     VELOCITY,
     WORLD,
+    wall_normal,
 )
+from carom.billiards.loop import after_flight, after_impact, duration, fly_to_wall
+from carom.billiards.orbits import FIRST_BOUNCES, orbit_from_setup, require_integer
+from carom.billiards.setup import OrbitSetup, orbit_setup
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
 from carom.core.geometry.curve import curve_wall

@@ -11,8 +11,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from carom.billiards.boundary import Boundary
-from carom.billiards.figure_boundaries import boundary_of
+from carom.billiards.boundary import Boundary, boundary_of
 from carom.errors import MAX_MAGNITUDE, CaromError, Fault, FaultList, checked_number, float_array, suggestion
 from carom.scene.figures import Figure, figure
 from carom.scene.figures.rounds import CircleFigure

@@ -11,10 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.billiards.boundary import Boundary, ConnectedWall
-from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer
-from carom.billiards.sampling import free_area, starts
+from carom.billiards.intersections import DONE, ESCAPED, POSITION, SPIN, STRAIGHT, TIME, VELOCITY
+from carom.billiards.orbits import Orbit, free_area, orbit_from_setup, require_integer, starts
 from carom.billiards.setup import needs_surface, orbit_setup
-from carom.billiards.table_records import DONE, ESCAPED, POSITION, SPIN, STRAIGHT, TIME, VELOCITY
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
 from carom.errors import CaromError, Fault, float_array

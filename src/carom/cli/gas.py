@@ -394,8 +394,7 @@ def _time(option: str, text: str, such_as: str = "0.5, or '10 min'") -> float:
 
 def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> GasScene | None:
     """Return the scene of a file, with the options in place of its [run]; None: the checkpoint's."""
-    from carom.gas.build import load_gas
-    from carom.gas.scene import GasScene, GasSettings
+    from carom.gas.scene import GasScene, GasSettings, load_gas
 
     changes = {name: value for name, value in changes.items() if value is not None}
     if path is None:

@@ -35,7 +35,7 @@ def orbit_facts(found: OrbitResult) -> dict[str, Any]:
     import numpy as np
 
     from carom import billiards
-    from carom.billiards.table_records import PARABOLA
+    from carom.billiards.intersections import PARABOLA
 
     table = found.setup.table
     ball = found.setup.ball

@@ -43,7 +43,7 @@ def new(
     from carom.cli.options import wrote
     from carom.errors import CaromError
     from carom.files import write_text
-    from carom.gas.build import gas_text
+    from carom.gas.scene import gas_text
     from carom.scene.toml import scene_text
 
     if table is not None and gas:
@@ -78,12 +78,12 @@ def check(
 ) -> None:
     """Validate a scene and summarise it; or print it in full, in SI units, with every default filled in."""
     from carom.cli.streams import say, say_notes
-    from carom.gas.build import is_gas, load_gas
+    from carom.gas.scene import is_gas, load_gas
     from carom.scene.openings import scene_notes
     from carom.scene.toml import load_scene
 
     if is_gas(file):
-        from carom.gas.build import build
+        from carom.gas.session import build
 
         gas = load_gas(file)
         build(gas)

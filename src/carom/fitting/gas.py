@@ -29,8 +29,7 @@ from carom.fitting.files import fit
 from carom.fitting.ranking import Ranking
 from carom.fitting.result import Estimate, estimate_dict
 from carom.formatting import counted
-from carom.gas.build import load_gas
-from carom.gas.scene import GasScene
+from carom.gas.scene import GasScene, load_gas
 from carom.gas.species import ANY
 from carom.scene.restitution import Exponential, Polynomial, Power, Viscoelastic
 from carom.tracks.judgement import BallRows, read_rows

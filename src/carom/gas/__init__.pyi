@@ -1,6 +1,3 @@
-from .build import gas_text as gas_text
-from .build import load_gas as load_gas
-from .build import new_gas as new_gas
 from .coefficients import Coefficient as Coefficient
 from .coefficients import DiffusionCoefficient as DiffusionCoefficient
 from .coefficients import DiffusionCoefficients as DiffusionCoefficients
@@ -34,6 +31,9 @@ from .results import GasBalls as GasBalls
 from .results import GasRun as GasRun
 from .results import ShearRun as ShearRun
 from .scene import GasScene as GasScene
+from .scene import gas_text as gas_text
+from .scene import load_gas as load_gas
+from .scene import new_gas as new_gas
 from .session import Session as Session
 from .simulate import Ensemble as Ensemble
 from .simulate import simulate_ensemble as simulate_ensemble

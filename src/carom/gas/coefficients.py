@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from carom.errors import FaultList, checked_number
 from carom.gas.gas import Gas
-from carom.gas.profiles import averages_between
-from carom.gas.results import Mark
+from carom.gas.results import Mark, averages_between
 from carom.public.progress import Progress
 
 Array = NDArray[np.float64]

@@ -25,10 +25,8 @@ from carom.errors import CaromError, Fault, FaultList, did_you_mean, shown
 from carom.formatting import counted, format_number
 from carom.gas.edmd.gas_records import CURVE, INSIDE, OUTSIDE, PLANE
 from carom.scene.figures import FIGURES, ArcPiece, EllipsePiece, Figure, PlaneFigure, SegmentPiece
-from carom.scene.figures.by_text import figure_table
-from carom.scene.figures.figure import Loop, joints
-from carom.scene.figures.rounds import SectorFigure
-from carom.scene.figures.solids import CylinderFigure, SphereFigure
+from carom.scene.figures.figure import Loop, figure_table, joints
+from carom.scene.figures.rounds import CylinderFigure, SectorFigure, SphereFigure
 from carom.scene.schema import Components, Length, Model, Size, from_file, refused, with_faults_of_part
 
 Array = NDArray[np.float64]

@@ -20,7 +20,6 @@ from carom.gas.edmd.driver import GasArrays, SystemRecords
 from carom.gas.edmd.gas_records import COLLAPSED, DONE, HEAT, UNDERFLOW, Averages
 from carom.gas.initial import dense, lattice, thermal
 from carom.gas.overlaps import first_overlap
-from carom.gas.profiles import averages_between
 from carom.gas.results import (
     AT_REST,
     COLLAPSE,
@@ -31,6 +30,7 @@ from carom.gas.results import (
     GasRun,
     Mark,
     ShearRun,
+    averages_between,
     collapse_of,
 )
 from carom.gas.scene import GasScene, scene_of_parts
@@ -390,7 +390,7 @@ class Gas:
         return self.measured_since(mark)
 
     def integrals(self) -> Averages:
-        """Return the integrals over time, until now, of what :class:`carom.gas.profiles.TimeAverages` are made of."""
+        """Return the integrals over time, until now, of what :class:`carom.gas.results.TimeAverages` are made of."""
         return engine.averages_until(self.arrays, self._time)
 
     def measure_heat(self) -> None:

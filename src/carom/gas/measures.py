@@ -22,7 +22,7 @@ from carom.gas import containers
 from carom.gas.containers import Container
 from carom.gas.edmd.driver import synchronized
 from carom.gas.gas import Gas
-from carom.gas.profiles import LayerAverages, Profile, Profiles, layers, volume_within
+from carom.gas.results import LayerAverages, Profile, Profiles, layers, volume_within
 from carom.gas.species import cells_at_most
 from carom.public.progress import Progress
 
@@ -666,7 +666,7 @@ def layer_profiles(
 ) -> LayerProfiles:
     """Return the profiles of a gas between walls, or of a sheared gas, which is advanced by so many collisions.
 
-    The means are exact (:class:`carom.gas.profiles.LayerAverages`). Their standard errors are those of the means of the
+    The means are exact (:class:`carom.gas.results.LayerAverages`). Their standard errors are those of the means of the
     blocks, which should be long compared with the memory of the gas: the time in which heat crosses it.
 
     Parameters

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from carom.core.sums import added
 from carom.gas.gas import Gas
-from carom.gas.profiles import LayerAverages, slice_volumes
-from carom.gas.results import Mark
+from carom.gas.results import LayerAverages, Mark, slice_volumes
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import itertools
 import math
+from importlib.resources import files
+from pathlib import Path
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
@@ -11,8 +13,8 @@ from numpy.typing import NDArray
 from pydantic import BeforeValidator, model_validator
 
 from carom.core.sums import added
-from carom.errors import CaromError, Fault, FaultList, shown, suggestion
-from carom.files import require_memory
+from carom.errors import CaromError, Fault, FaultList, require_type, shown, suggestion
+from carom.files import as_path, require_memory
 from carom.formatting import counted, format_bytes, format_number
 from carom.gas.containers import JOINT_OVERLAP, WALLS, AnyContainer, wall_name
 from carom.gas.drives import AnyDrives, Thermostat, drive_faults
@@ -31,6 +33,7 @@ from carom.gas.species import (
     volume_of_balls,
 )
 from carom.scene.openings import FAST
+from carom.scene.presets import parse_toml, read_toml
 from carom.scene.schema import (
     Components,
     Count,
@@ -42,6 +45,7 @@ from carom.scene.schema import (
     raise_faults,
     refused,
 )
+from carom.scene.toml import toml_text
 
 MOST_EVENTS = 1 << 62  # of a gas that is run by hand
 _ENDINGS = (".csv", ".npz", ".gsd")
@@ -371,3 +375,101 @@ def _thermostat_faults(scene: GasScene) -> list[Fault]:
         return []
     kinds = SizeClasses.of(scene.species, scene.container.dimensions).kinds
     return thermostat_faults(scene.thermostat, min(one.mass for one in kinds), min(one.radius for one in kinds))
+
+
+# ----------------------------------------------------------------------------------------------------
+# Scenes of gases in TOML files.
+
+
+def load_gas(path: str | Path) -> GasScene:
+    """Read the scene of a gas from a TOML file.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file, in whose folder a start from a file is looked for; or the text of such a file, with its line breaks.
+
+    Returns
+    -------
+    GasScene. Raises CaromError, one line per problem: where, what was expected, what was found, what to do.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> from carom.gas import gas_text, load_gas
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "gas.toml"
+    ...     _ = path.write_text(gas_text(), encoding="utf-8")
+    ...     scene = load_gas(path)
+    >>> scene.count, scene.container.shape
+    (1000, 'periodic')
+    """
+    if isinstance(path, str) and "\n" in path:
+        name, folder, table = "gas", Path(), parse_toml("gas", path)
+    else:
+        path = as_path("load_gas", path)
+        name, folder = str(path), path.parent
+        table = read_toml(path, f"carom scene new `gas` {path} writes one", "the scene file of a gas")
+    if strange := sorted({"balls", "walls", "floor"} & set(table)):
+        got = " and ".join(strange)
+        raise CaromError(f"{name}: expected a gas, got a scene of single balls, with {got}; run carom simulate {name}")
+    run = table.get("run")
+    if isinstance(run, dict) and isinstance(start := run.get("start"), str) and Path(start).suffix:
+        run["start"] = str(folder / start)
+    scene = from_file(name, GasScene, table)
+    object.__setattr__(scene, "where", name)
+    return scene
+
+
+def is_gas(path: str | Path) -> bool:
+    """Return whether a file looks like the scene of a gas: TOML with a container or species."""
+    try:
+        table = read_toml(Path(path), "")
+    except CaromError:
+        return False
+    return bool({"container", "species"} & set(table))
+
+
+def new_gas() -> GasScene:
+    """Return a gas that can be run as it is: rough spheres in a periodic box.
+
+    Returns
+    -------
+    GasScene
+        :func:`gas_text` returns the commented text of its file.
+
+    Examples
+    --------
+    >>> from carom.gas import new_gas
+    >>> new_gas().count
+    1000
+    """
+    return load_gas(gas_text())
+
+
+def gas_text(scene: GasScene | None = None) -> str:
+    """Return the text of the scene file of a gas.
+
+    Parameters
+    ----------
+    scene : GasScene, optional
+        Default: a commented first gas, :func:`new_gas`.
+
+    Returns
+    -------
+    str
+        TOML, from which :func:`load_gas` makes a scene.
+
+    Examples
+    --------
+    >>> from carom.gas import gas_text, load_gas, new_gas
+    >>> print(gas_text().splitlines()[0])
+    # A gas for carom: `carom gas FILE` runs it, `carom scene check FILE` validates it.
+    >>> load_gas(gas_text(new_gas())) == new_gas()
+    True
+    """
+    if scene is None:
+        return files("carom.gas").joinpath("new.toml").read_text(encoding="utf-8")
+    require_type("gas_text", "scene", scene, GasScene)
+    return toml_text("gas_text", scene)

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import MAX_MAGNITUDE, CaromError
-from carom.gas.build import build
+from carom.errors import MAX_MAGNITUDE, CaromError, Fault, suggestion
 from carom.gas.edmd.driver import BINS_PER_BALL, STATE, SystemRecords
 from carom.gas.edmd.gas_records import NO_BALL
 from carom.gas.edmd.walls import FIRST_WALL, PREDICT_AGAIN
 from carom.gas.gas import Gas, records_of
+from carom.gas.initial import dense
 from carom.gas.measures import MAX_FOLLOWED, SERIES, Measures
 from carom.gas.results import (
     AT_REST,
@@ -29,6 +31,7 @@ from carom.gas.results import (
     spread_time,
 )
 from carom.gas.scene import GasScene
+from carom.gas.snapshots import InitialState, read_initial_state
 from carom.gas.species import LONGEST_SIDE
 from carom.public.progress import Progress, loop_callback
 
@@ -295,6 +298,94 @@ def _in_their_cells(motions: NDArray[Any], plans: NDArray[Any], own: Any, t: NDA
         if not (inside & (np.isfinite(t) | ((v == 0) & (g == 0)))).all():
             return False
     return True
+
+
+# ----------------------------------------------------------------------------------------------------
+# The gas of a scene at its start, from a lattice, at random, or from a file.
+
+
+SINGLE_PRECISION = 1e-5  # of a radius: an overlap that rounding to single precision may cause
+
+
+def build(scene: GasScene, progress: Progress | None = None) -> Gas:
+    """Return the gas of a scene, at its start.
+
+    ``progress`` is called while a dense random start grows, as by :func:`carom.gas.dense`. Raises CaromError for initial positions
+    that overlap, or that a file does not have.
+    """
+    run, container = scene.run, scene.container.geometry
+    options: dict[str, Any] = {}
+    if run.start == "random":
+        radii = np.concatenate([one.all_radii for one in scene.species])
+        # (velocities are drawn from the seed itself)
+        seed = int(np.random.SeedSequence([run.seed, 1]).generate_state(1)[0])
+        with _faults_of(scene):
+            options["position"] = dense(radii, container, seed=seed, progress=progress)
+    elif run.start != "lattice":
+        options = _from_file(scene)
+    with _faults_of(scene):
+        return Gas.of_scene(scene, **options)
+
+
+def _from_file(scene: GasScene) -> dict[str, Any]:
+    """Return the content of the start's file, as options of Gas."""
+    axes, path = scene.container.dimensions, Path(scene.run.start)
+    try:
+        start = read_initial_state(path, axes, scene.container.geometry.size, scene.count)
+    except CaromError as error:
+        raise CaromError(
+            *(f"{scene.where}: {one}" if one.startswith("run.start: ") else one for one in error.faults)
+        ) from None
+    order = _order_by_species(scene, start, path)
+    found: dict[str, Any] = {"position": start.position[order]}
+    for name, values in (("velocity", start.velocity), ("spin", start.spin)):
+        if values is not None:
+            found[name] = values[order]
+    if (
+        path.suffix.lower() == ".gsd"
+    ):  # single precision: balls that have just collided overlap; the first event separates them
+        found["touch"] = SINGLE_PRECISION
+    return found
+
+
+def _order_by_species(scene: GasScene, start: InitialState, path: Path) -> Any:
+    """Return the order of a file's rows by species, as the scene has them."""
+    names = [one.name for one in scene.species]
+    if start.species is None:
+        if len(start.position) != scene.count:
+            got = f"{len(start.position)} in {path.name}"
+            raise CaromError(
+                f"{scene.where}: run.start: expected {scene.count} balls, the sum over the species, got {got}"
+            )
+        return slice(None)
+    for name in start.species:
+        if name not in names:
+            raise CaromError(Fault(f"{path}", "species", ", ".join(names), repr(name), suggestion(name, names)))
+    for one in scene.species:
+        if (count := start.species.count(one.name)) != one.count:
+            raise CaromError(
+                f"{scene.where}: run.start: expected {one.count} balls of species {one.name!r}, got {count} in {path.name}"
+            )
+    return np.argsort([names.index(name) for name in start.species], kind="stable")
+
+
+@contextmanager
+def _faults_of(scene: GasScene) -> Iterator[None]:
+    """Raise the faults of a gas as faults of its scene."""
+    try:
+        yield
+    except CaromError as error:
+        raise CaromError(*(_in_scene(scene, fault) for fault in error.faults)) from None
+
+
+def _in_scene(scene: GasScene, fault: str) -> str:
+    """Return a fault of the gas as one of the scene."""
+    said = fault.removeprefix("Gas: ")
+    for part in ("position: ", "dense: ", "lattice: "):
+        if said.startswith(part):
+            file = f", in {Path(scene.run.start).name}" if Path(scene.run.start).suffix else ""
+            return f"{scene.where}: run.start: {said.removeprefix(part)}{file}"
+    return f"{scene.where}: {said}"
 
 
 # ----------------------------------------------------------------------------------------------------

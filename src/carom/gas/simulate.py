@@ -20,13 +20,12 @@ from carom.errors import CaromError, FaultList, require_type
 from carom.files import require_memory
 from carom.gas import initial, overlaps
 from carom.gas import measures as histograms
-from carom.gas.build import load_gas
 from carom.gas.containers import Container, as_container
 from carom.gas.edmd import driver
 from carom.gas.gas import Gas
 from carom.gas.report import report
 from carom.gas.results import EarlyEnd, EndedEarlyError
-from carom.gas.scene import GasScene
+from carom.gas.scene import GasScene, load_gas
 from carom.gas.session import Session
 from carom.gas.snapshots import read_initial_state
 from carom.gas.species import Species

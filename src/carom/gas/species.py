@@ -31,7 +31,7 @@ from carom.gas.edmd.gas_records import (
     WALL_CONTACT,
     WHOLE,
 )
-from carom.gas.profiles import layer_axis
+from carom.gas.results import layer_axis
 from carom.scene.ball import FallingFriction, Rubbing
 from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, Power, Restitution, Viscoelastic
 from carom.scene.schema import (

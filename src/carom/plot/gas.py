@@ -13,8 +13,8 @@ from carom.errors import CaromError
 from carom.gas.containers import BOXES, Container
 from carom.gas.edmd.gas_records import PLANE
 from carom.gas.measures import Distribution, Measures
-from carom.gas.profiles import layers
 from carom.gas.report import UNITS_NOTE, pressure_unit
+from carom.gas.results import layers
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
 from carom.gas.simulate import Curve, Ensemble

@@ -1,4 +1,5 @@
 from .ball import BallContact as BallContact
+from .ball import Rack as Rack
 from .ball import SceneBall as SceneBall
 from .figures import FIGURES as FIGURES
 from .figures import ArcPiece as ArcPiece
@@ -9,7 +10,6 @@ from .figures import PlaneFigure as PlaneFigure
 from .figures import SegmentPiece as SegmentPiece
 from .figures import figure as figure
 from .floor import Floor as Floor
-from .rack import Rack as Rack
 from .scene import Run as Run
 from .scene import Scene as Scene
 from .shapes import Arc as Arc

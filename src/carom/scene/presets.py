@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import functools
+import importlib
+import pkgutil
 import re
 import tomllib
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from importlib.resources import files
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from carom.errors import CaromError, Fault, did_you_mean, shortened_list, shown
@@ -117,3 +121,13 @@ def _syntax(path: str, text: str, message: str) -> str:
     lines = text.splitlines() or [""]
     number = int(found[2]) if found[2] else len(lines)
     return f"{path}: line {number}: expected TOML, got {lines[number - 1].strip()[:60]!r}; {found[1]}"
+
+
+# ----------------------------------------------------------------------------------------------------
+# The modules of a package by their files: each shape of a wall, and each figure, is found by its file.
+
+
+def modules_of(package: str, folders: Iterable[str]) -> list[ModuleType]:
+    """Return all modules in the files of a package, in the order of their names; they are imported."""
+    names = sorted(one.name for one in pkgutil.iter_modules(folders))
+    return [importlib.import_module(f"{package}.{name}") for name in names]

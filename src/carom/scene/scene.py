@@ -23,9 +23,8 @@ from carom.formatting import format_time, json_value
 from carom.laws.law import CALLED_WALL, Law, Meeting
 from carom.laws.pair import YOUNG
 from carom.laws.registry import find_law, laws
-from carom.scene.ball import BallContact, SceneBall, default_is_too_soft, fastest, near_pairs
+from carom.scene.ball import BallContact, Rack, SceneBall, default_is_too_soft, fastest, near_pairs
 from carom.scene.floor import Floor, gravity_on_slope
-from carom.scene.rack import Rack
 from carom.scene.restitution import Constant
 from carom.scene.ruled import filled
 from carom.scene.scene_rules import (

@@ -12,11 +12,10 @@ from numpy.typing import NDArray
 from pydantic import BeforeValidator, PlainValidator
 from pydantic_core.core_schema import ValidationInfo
 
-from carom.billiards.orbits import orbit
-from carom.billiards.sampling import starts
+from carom.billiards.intersections import ENDS
+from carom.billiards.orbits import orbit, starts
 from carom.billiards.setup import default_ball, needs_surface
 from carom.billiards.stability import lyapunov
-from carom.billiards.table_records import ENDS
 from carom.billiards.tables import Table, table
 from carom.bodies import Ball, Disc, Surface
 from carom.core.random import threefry

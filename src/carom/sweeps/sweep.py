@@ -19,8 +19,7 @@ from carom.core.jit.cache import source_hash
 from carom.errors import CaromError, Fault, FaultList, did_you_mean, shown
 from carom.files import as_path, require_memory
 from carom.formatting import format_bytes, format_time
-from carom.gas.build import load_gas
-from carom.gas.scene import GasScene
+from carom.gas.scene import GasScene, load_gas
 from carom.public.own_laws import with_own_laws
 from carom.scene.presets import read_toml
 from carom.scene.toml import load_scene

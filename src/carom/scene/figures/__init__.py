@@ -5,10 +5,9 @@ A file added to this package, with a class of :class:`PlaneFigure` that has a ``
 
 from __future__ import annotations
 
-from carom.scene.by_file import modules_of
-from carom.scene.figures.by_text import AnyFigure, figure
 from carom.scene.figures.figure import (
     FIGURES,
+    AnyFigure,
     ArcPiece,
     CellFigure,
     EllipsePiece,
@@ -17,8 +16,10 @@ from carom.scene.figures.figure import (
     Piece,
     PlaneFigure,
     SegmentPiece,
+    figure,
 )
 from carom.scene.figures.polygons import OutlineFigure
+from carom.scene.presets import modules_of
 
 __all__ = [
     "FIGURES",

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Union
 
 from pydantic import Field
 
-from carom.scene.by_file import modules_of
+from carom.scene.presets import modules_of
 from carom.scene.shapes.curves import CurvedWallShape, CurveWallShape, FigureWall, OutlineWall, figure_walls
 from carom.scene.shapes.planes import Box, Plane, Polygon, Segment, Strip, Wedge
 from carom.scene.shapes.rounds import Arc, Cylinder, Sphere, Stadium
