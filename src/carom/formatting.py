@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import html
-import itertools
 import math
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import is_dataclass
-from typing import Any, SupportsFloat
+from typing import Any, Literal, NamedTuple, SupportsFloat
 
 # What steers a terminal and is no text: C0 without tab and new line, C1, line separators, changes of the writing direction, and
 # the halves of characters that stand for bytes of a file's name.
@@ -139,23 +138,42 @@ def format_bytes(count: float) -> str:
     return f"{count:,.3g} TB"
 
 
-def html_table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
-    """Return a table as HTML, for notebooks: columns of numbers to the right, of words to the left.
+class Listing(NamedTuple):
+    """A table of text with heads: what a result shows in a terminal, as its ``repr``, and in a notebook.
 
-    >>> html_table(["law"], [["<two-step>"]]).partition("<tbody>")[2]
-    '<tr><td style="text-align: left">&lt;two-step&gt;</td></tr></tbody></table>'
+    >>> Listing(["law", "angle, deg"], [["<mirror>", "45"]], "One law.")
+    law       angle, deg
+    <mirror>          45
+    One law.
     """
-    body = [[str(cell) for cell in cells] for cells in rows]
-    sides = ["right" if all(map(_BEGINS_A_NUMBER.match, column)) else "left" for column in zip(*body, strict=True)]
 
-    def row(cells: Iterable[str], tag: str) -> str:
-        sided = itertools.zip_longest(cells, sides, fillvalue="left")
-        return (
-            "<tr>"
-            + "".join(f'<{tag} style="text-align: {side}">{html.escape(cell)}</{tag}>' for cell, side in sided)
-            + "</tr>"
-        )
+    heads: Sequence[str]
+    rows: Sequence[Sequence[str]]
+    note: str = ""
 
-    return (
-        f"<table><thead>{row(head, 'th')}</thead><tbody>{''.join(row(cells, 'td') for cells in body)}</tbody></table>"
-    )
+    @property
+    def sides(self) -> list[Literal["left", "right"]]:
+        """Where the cells of each column stand: numbers to the right, words to the left."""
+        columns = list(zip(*self.rows, strict=True)) or [("",)] * len(self.heads)
+        return ["right" if all(map(_BEGINS_A_NUMBER.match, column)) else "left" for column in columns]
+
+    def __repr__(self) -> str:
+        """Return it in columns."""
+        heads = [head.split("\n") for head in self.heads]
+        depth = max(map(len, heads))
+        lines = [*zip(*([""] * (depth - len(head)) + head for head in heads), strict=True), *self.rows]
+        widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
+        sides = ["<" if side == "left" else ">" for side in self.sides]
+        text = ["  ".join(map("{:{}{}}".format, line, sides, widths)).rstrip() for line in lines]
+        return "\n".join([*text, *filter(None, [self.note])])
+
+    def _repr_html_(self) -> str:
+        sides = self.sides
+
+        def row(cells: Sequence[str], tag: str) -> str:
+            sided = zip(cells, sides, strict=True)
+            inside = (f'<{tag} style="text-align: {side}">{html.escape(cell)}</{tag}>' for cell, side in sided)
+            return f"<tr>{''.join(inside)}</tr>"
+
+        body, note = "".join(row(cells, "td") for cells in self.rows), f"<p>{html.escape(self.note)}</p>"
+        return f"<table><thead>{row(self.heads, 'th')}</thead><tbody>{body}</tbody></table>{note * bool(self.note)}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import math
 import shlex
@@ -111,7 +112,7 @@ def test_a_spread_that_gradients_cannot_say_is_a_dash() -> None:
         note == said.note == "The player's errors, one standard deviation: speed 3 %."
         " –: the miss is not linear within the player's errors; success, of shots that were run, holds."
     )
-    assert said.note in said._repr_html_()
+    assert html.escape(said.note) in said._repr_html_()
 
 
 def pool_pair(**run: float) -> carom.Scene:
@@ -225,7 +226,7 @@ def test_a_ball_that_is_to_come_with_a_speed() -> None:
     row = run.log[run.log["kind"] == BALL][0]
     assert np.hypot(*row["v_before"][:2]) == pytest.approx(0.8, abs=2e-3 * 0.08)  # of what is allowed
     assert best[0].spread.shape == (2,)
-    assert " m/s" in best.rows()[1][0][3]
+    assert " m/s" in best.table().rows[0][3]
 
 
 def test_bad_input_is_said_at_once() -> None:

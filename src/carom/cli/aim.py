@@ -154,20 +154,9 @@ def _error(text: str) -> tuple[str, float]:
 
 
 def _show(aims: Aims, scene: Path) -> None:
-    from rich import box
-    from rich.table import Table
-    from rich.text import Text
-
     from carom.cli.console import out
 
-    head, body = aims.rows()
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
-    for name in head:
-        table.add_column(name, justify="left" if name == "sequence" else "right")
-    for row in body:
-        table.add_row(*(Text(cell) for cell in row))
-    out().print(table)
-    out().print(aims.note, soft_wrap=True)
+    out().table(aims.table())
     if len(aims):
         values = (f"{path}={json.dumps(value)}" for path, value in aims[0].changes.items())
         words = ["carom", "simulate", str(scene), *(word for one in values for word in ("--set", one))]

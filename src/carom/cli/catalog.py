@@ -41,57 +41,31 @@ def laws(
 
 
 def _table(cards: list[Card]) -> None:
-    from rich import box
-    from rich.table import Table
-    from rich.text import Text
-
     from carom.cli.console import out
+    from carom.formatting import Listing
     from carom.laws.registry import laws_of_pairs
 
-    pairs = laws_of_pairs()
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
-    table.add_column("law", no_wrap=True, style="bold")
-    table.add_column("model", overflow="fold")
-    table.add_column("valid for", overflow="fold")
-    for i, card in enumerate(cards):
-        name = Text.assemble(card.name, ("\nalso of pairs", "dim not bold") if card.name in pairs else "")
-        table.add_row(name, Text(card.summary), Text(_first_sentence(card.valid)), end_section=i == len(cards) - 1)
-        if i < len(cards) - 1:
-            table.add_row()
-    console = out()
-    console.print(table)
-    console.print(Text("Assumptions, range of validity and source of one law: carom laws NAME"))
-
-
-def _first_sentence(text: str) -> str:
-    return text.split(". ", maxsplit=1)[0].removesuffix(".") + "."
+    rows: list[tuple[str, str, str]] = []
+    for card in cards:
+        name = f"{card.name}\nalso of pairs" if card.name in laws_of_pairs() else card.name
+        valid = card.valid.split(". ", maxsplit=1)[0].removesuffix(".")
+        rows += [(name, card.summary, f"{valid}."), ("", "", "")]
+    out().table(Listing(("law", "model", "valid for"), rows[:-1]), fold=True)
+    out().print("Assumptions, range of validity and source of one law: carom laws NAME")
 
 
 def _card(card: Card) -> None:
-    from rich.table import Table
-    from rich.text import Text
-
     from carom.cli.console import out
     from carom.laws.registry import laws_of_pairs
 
-    table = Table.grid(padding=(0, 2))
-    table.add_column(no_wrap=True, style="bold")
-    table.add_column(overflow="fold")
-    table.add_row("law", Text(card.name, style="bold"))
-    table.add_row("model", Text(card.summary))
-    for i, assumption in enumerate(card.assumptions):
-        table.add_row("" if i else "assumes", Text(f"- {assumption}"))
-    table.add_row("valid for", Text(card.valid))
-    if card.name in laws_of_pairs():
-        table.add_row(
-            "two balls",
-            Text(f"by it in scenes, ball_contact.law = {card.name!r}, and carom.collide(law={card.name!r})"),
-        )
-    table.add_row("equations", Text(card.equations))
-    table.add_row("source", Text(card.citation))
-    if card.doi:
-        table.add_row("doi", Text(f"https://doi.org/{card.doi}"))
-    out().print(table)
+    pairs = f"by it in scenes, ball_contact.law = {card.name!r}, and carom.collide(law={card.name!r})"
+    assumed = "\n".join(f"- {one}" for one in card.assumptions)
+    rows = {
+        "law": card.name, "model": card.summary, "assumes": assumed, "valid for": card.valid,
+        "two balls": pairs if card.name in laws_of_pairs() else "", "equations": card.equations, "source": card.citation,
+        "doi": card.doi and f"https://doi.org/{card.doi}",
+    }  # fmt: skip
+    out().facts((name, text) for name, text in rows.items() if text)
 
 
 def datasets(
@@ -134,12 +108,6 @@ def datasets(
 
 
 def _list(chosen: list[Any]) -> None:
-    from rich.table import Table
-    from rich.text import Text
-
     from carom.cli.console import out
 
-    table = Table(box=None, padding=(0, 2, 0, 0), show_header=False)
-    for one in chosen:
-        table.add_row(Text(one.name, "bold"), Text.assemble(f"{one.title}\n", (one.citation, "dim")))
-    out().print(table)
+    out().facts((one.name, f"{one.title}\n{one.citation}") for one in chosen)

@@ -7,12 +7,6 @@ import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-from rich import box
-from rich.console import Console
-from rich.table import Table
-from rich.text import Text
-
-from carom.cli.console import out
 from carom.cli.options import OUTPUT, comma_separated, option, require_outputs, shared, tick, wrote
 from carom.cli.parameters import Given, of_library
 from carom.cli.streams import say_json, say_notes
@@ -70,9 +64,13 @@ def compare(
 
 def show(comparison: Comparison) -> None:
     """Print the incoming ball, the table, and one sentence per law: why it may not apply, or what happens."""
+    from rich.text import Text
+
+    from carom.cli.console import out
+
     console = out()
     console.print(Text(_incoming(comparison)))
-    console.print(_table(comparison, console))
+    console.table(comparison.table(console.width >= MIN_WIDTH_WITH_SPIN, (tick(console, True), tick(console, False))))
     for verdict in comparison.verdicts:
         good = verdict.admissible
         head = f"{tick(console, good)} {verdict.law}:"
@@ -85,7 +83,7 @@ def show(comparison: Comparison) -> None:
 def _incoming(comparison: Comparison) -> str:
     m = comparison.meeting
     v = m.state.velocity
-    spin = ", ".join(_number(float(x)) for x in m.state.spin)
+    spin = ", ".join(format_number(0.0 if abs(x) < 1e-12 else x) for x in map(float, m.state.spin))
     lines = [
         f"State: {format_number(math.hypot(v[0], v[1]))} m/s at {comparison.incident_angle_deg:.2f}° from the wall's normal,"
         f" spin ({spin}) rad/s",
@@ -108,53 +106,6 @@ def _more(comparison: Comparison) -> str:
     if m.normal[2] != 0:
         more += f", touching {format_number(1 + m.height / m.ball.radius - float(m.normal[2]))} radii above the floor"
     return more
-
-
-def _table(comparison: Comparison, console: Console) -> Table:
-    wide = console.width >= MIN_WIDTH_WITH_SPIN
-    table = Table(box=box.SIMPLE_HEAD, padding=(0, 1 if wide else 0), pad_edge=False, header_style="bold")
-    heads = ["law", "angle\nafter\nwall", "final\nangle", "final\nvelocity\nx, y, m/s"]
-    heads += ["final spin\nx, y, z, rad/s"] if wide else []
-    heads += [
-        "flight\nheight\nmm",
-        "flight\nlength\nmm",
-        "energy\nkept",
-        "needed\nμ of\nwall",
-        "needed\nμ of\nfloor",
-        "ok",
-    ]
-    for i, head in enumerate(heads):
-        table.add_column(head, justify="left" if i == 0 else "right", no_wrap=True, overflow="fold", vertical="bottom")
-    for verdict in comparison.verdicts:
-        good = verdict.admissible
-        row = [verdict.law, _degrees(verdict.angle_after_wall_deg), _degrees(verdict.reflection_angle_deg)]
-        row += [_vector(verdict, "velocity", 2)] + ([_vector(verdict, "spin", 3)] if wide else [])
-        row += [*_hop(verdict), "–" if verdict.energy_ratio is None else f"{verdict.energy_ratio:.1%}"]
-        row += [format_number(verdict.required_wall), format_number(verdict.required_floor)]
-        table.add_row(*row, Text(tick(console, good), style="bold green" if good else "bold red"))
-    return table
-
-
-def _degrees(x: float | None) -> str:
-    return "–" if x is None else f"{x:.2f}°"
-
-
-def _number(x: float) -> str:
-    """Format with three digits; rounding errors of sums of larger numbers become zero."""
-    return format_number(0.0 if abs(x) < 1e-12 else x)
-
-
-def _vector(verdict: Verdict, part: str, count: int) -> str:
-    if verdict.final is None:
-        return "–"
-    return ", ".join(_number(float(x)) for x in getattr(verdict.final, part)[:count])
-
-
-def _hop(verdict: Verdict) -> tuple[str, str]:
-    if verdict.answer is None or verdict.answer.steps is None:
-        return "–", "–"
-    flight = verdict.answer.steps.flight
-    return format_number(float(flight.height) * 1e3), format_number(float(flight.distance) * 1e3)
 
 
 def _sentence(verdict: Verdict) -> str:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
+from rich import box
 from rich.cells import cell_len
 from rich.console import Console
 from rich.segment import Segment
@@ -15,7 +16,7 @@ from rich.table import Column, Table
 from rich.text import Text
 
 from carom.cli.verbs import in_options
-from carom.formatting import escape_controls
+from carom.formatting import Listing, escape_controls
 
 LONGEST_WORD = 16  # columns of the screen; a longer word, such as a path, is folded where a table has to be narrow
 WIDEST = 1000
@@ -46,6 +47,33 @@ class TextConsole(Console):
             super().print(*objects, soft_wrap=soft_wrap, **settings)
         finally:
             self.width = width
+
+    def table(
+        self, listing: Listing, styles: Mapping[int, str] | None = None, *, grid: bool = False, fold: bool = False
+    ) -> None:
+        """Print a table of text; ``styles`` by row; ``grid``: without a line below the heads; ``fold``: words in lines."""
+        table = Table(
+            box=None if grid else box.SIMPLE_HEAD, padding=(0, 1, 0, 0 if grid else 1), pad_edge=False,
+            header_style="dim" if grid else "bold",
+        )  # fmt: skip
+        place: Any = "bottom" if any("\n" in head for head in listing.heads) else "top"
+        for head, side in zip(listing.heads, listing.sides, strict=True):
+            table.add_column(head, justify=side, overflow="fold", vertical=place, no_wrap=not fold)
+        for k, row in enumerate(listing.rows):
+            table.add_row(*row, style=(styles or {}).get(k))
+        if not grid and self.measure(table, options=self.options.update(width=WIDEST)).maximum > self.width:
+            table.padding = (0, 0)
+        self.print(table)
+        if listing.note:
+            self.print(listing.note, style="dim", soft_wrap=True)
+
+    def facts(self, rows: Iterable[tuple[str, str]]) -> None:
+        """Print names, in bold, with what is said of each."""
+        table = Table.grid("", "", padding=(0, 2))
+        table.columns[0].style, table.columns[0].no_wrap, table.columns[1].overflow = "bold", True, "fold"
+        for row in rows:
+            table.add_row(*row)
+        self.print(table)
 
     def _fit(self, table: Table) -> int:
         """Set the widths of a table's columns, and return its own: the terminal's if its numbers have room there.

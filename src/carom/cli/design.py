@@ -53,11 +53,10 @@ def design(
 
 
 def _show(plan: Any) -> None:
-    from rich import box
-    from rich.table import Table
     from rich.text import Text
 
     from carom.cli.console import out
+    from carom.formatting import Listing
 
     console = out()
     said = ", ".join(f"{name} {value:.4g}" for name, value in plan.truth.items()) or "no parameters"
@@ -66,19 +65,13 @@ def _show(plan: Any) -> None:
         Text(f"Assumed true: {plan.laws[0]} ({said})\nClosest parameters of the other: {plan.laws[1]} ({other})")
     )
     if plan.shots and plan.count:
-        table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
-        heads = ["angle\ndegrees", "speed\nm/s", "spin\nrad/s", "repeats", "2 log odds\neach"]
         compared = all(shot.without is not None for shot in plan.shots)
-        for head in [*heads, *(["2 log odds\nwithout one"] if compared else [])]:
-            table.add_column(head, justify="right", vertical="bottom")
+        heads = ["angle\ndegrees", "speed\nm/s", "spin\nrad/s", "repeats", "2 log odds\neach"]
+        heads += ["2 log odds\nwithout one"] * compared
+        rows = []
         for shot in plan.shots:
-            table.add_row(
-                f"{shot.angle_deg:.4g}",
-                f"{shot.speed:.4g}",
-                "unknown" if shot.spin is None else f"{shot.spin:.4g}",
-                str(shot.repeat),
-                f"{shot.gain:.3g}",
-                *([f"{shot.without:.3g}" if shot.without >= 5e-3 else "0"] if compared else []),
-            )
-        console.print(table)
-    console.print(Text(plan.sentence, style="bold green" if plan.count else "bold yellow"), soft_wrap=True)
+            spin = "unknown" if shot.spin is None else f"{shot.spin:.4g}"
+            rows.append([f"{shot.angle_deg:.4g}", f"{shot.speed:.4g}", spin, str(shot.repeat), f"{shot.gain:.3g}"])
+            rows[-1] += [f"{shot.without:.3g}" if shot.without >= 5e-3 else "0"] if compared else []
+        console.table(Listing(heads, rows))
+    console.print(plan.sentence, style="bold green" if plan.count else "bold yellow", soft_wrap=True)

@@ -42,29 +42,22 @@ def doctor(
     if as_json:
         say_json(found)
         return
-    from rich import box
-    from rich.table import Table
-
     from carom.cli.console import out
     from carom.files import install_command
 
     console = out()
-    table = Table(box=box.SIMPLE, show_header=False, pad_edge=False)
-    table.add_row("carom", found["carom"] + (f", commit {found['commit']}" if found["commit"] else ""))
-    table.add_row("Python", f"{found['python']} on {found['platform']}")
-    for name, version in found["libraries"].items():
-        table.add_row(name, version)
-    for name, about in found["optional"].items():
-        table.add_row(name, about["version"] or f"not installed (extra {about['extra']})")
-    table.add_row("loops", found["loops"])
     cache = found["cache"]
     ready = "ready" if cache["engine_ready"] else "the event loop is compiled when it is first needed"
-    state = f"{cache['megabytes']:.1f} MB, {ready}"
-    table.add_row("cache", f"{cache['folder']}: {state}")
-    if cache["versions"] > 1:
-        table.add_row("", f"compiled code of {cache['versions']} versions, {cache['all_megabytes']:.1f} MB in all")
-    table.add_row("cores", f"{found['cores']}, of which compiled loops use {found['threads']} at once")
-    console.print(table)
+    rows = {
+        "carom": found["carom"] + (f", commit {found['commit']}" if found["commit"] else ""),
+        "Python": f"{found['python']} on {found['platform']}", **found["libraries"],
+        **{name: one["version"] or f"not installed (extra {one['extra']})" for name, one in found["optional"].items()},
+        "loops": found["loops"],
+        "cache": f"{cache['folder']}: {cache['megabytes']:.1f} MB, {ready}",
+        "versions": f"of compiled code: {cache['versions']}, {cache['all_megabytes']:.1f} MB in all",
+        "cores": f"{found['cores']}, of which compiled loops use {found['threads']} at once",
+    }  # fmt: skip
+    console.facts(rows.items())
     if any(about["version"] is None for about in found["optional"].values()):
         console.print("An extra, here plot, is installed by", soft_wrap=True)
         # (whole, to be copied, however narrow the terminal)

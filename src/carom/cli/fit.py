@@ -15,7 +15,7 @@ from carom.cli.options import OUTPUT, TRACK, option, require_outputs, shared, te
 from carom.cli.parameters import Given, of_library
 from carom.cli.verbs import with_options
 from carom.errors import shortened_list
-from carom.formatting import counted
+from carom.formatting import Listing, counted
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -28,12 +28,9 @@ if TYPE_CHECKING:
 
 def show_shots(ranking: ShotsRanking) -> None:
     """Print a ranking of fits to whole shots, then the sentences on the best one."""
-    from rich.text import Text
-
     from carom.cli.console import out
     from carom.fitting.result import with_error_bar
     from carom.fitting.shots.result import HORIZONS
-    from carom.formatting import counted
 
     best = ranking.best
     frames = sum(len(one.film.time) for one in best.shots)
@@ -47,7 +44,7 @@ def show_shots(ranking: ShotsRanking) -> None:
     said = f"\nRMS distances in mm: median of the shots, to the first ball, through its cushions, to rest. Errors: {_errors(best)}"
     print_ranking(ranking, ("ball", "1", "2", "3 cushions", "whole"), cells, said)
     for line in best.describe()[1:]:
-        out().print(Text(line), soft_wrap=True)
+        out().print(line, soft_wrap=True)
 
 
 def _errors(fit: ShotsFit) -> str:
@@ -66,7 +63,6 @@ def show_whole(ranking: TrackRanking) -> None:
     """Print a ranking of fits to whole tracks."""
     from carom.cli.console import out
     from carom.fitting.result import with_error_bar
-    from carom.formatting import counted
 
     best, tracks = ranking.best, ranking.best.frames.segments
     out().print(
@@ -96,8 +92,6 @@ LEAST_ROOM = 26  # characters, for the longest names of parameters
 
 def show(ranking: Ranking) -> None:
     """Print a ranking of fits to rebounds."""
-    from rich.text import Text
-
     from carom.cli.console import out
     from carom.fitting.result import with_error_bar
 
@@ -115,39 +109,36 @@ def show(ranking: Ranking) -> None:
     for choice in ranking.forms:
         _print_forms(choice)
     for outlier in ranking.outliers[:MAX_OUTLIERS]:
-        out().print(Text(f"outlier: {outlier.row}: chi² {outlier.chi2:.1f}, {outlier.why}"), soft_wrap=True)
+        out().print(f"outlier: {outlier.row}: chi² {outlier.chi2:.1f}, {outlier.why}", soft_wrap=True)
     if (more := len(ranking.outliers) - MAX_OUTLIERS) > 0:
         out().print(f"and {counted(more, 'more outlier')}")
 
 
 def _print_forms(choice: FormChoice) -> None:
     """Print the functions of the impact that were tried for a law's parameters, and the choice."""
-    from rich import box
-    from rich.table import Table
-    from rich.text import Text
-
     from carom.cli.console import out
 
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
-    for head in (f"{choice.law}: parameters as", "ΔAICc", "held-out score", "gain"):
-        table.add_column(head, justify="left" if head.startswith(choice.law) else "right", no_wrap=True)
     first = choice.tried[0]
-    for i, one in enumerate(choice.tried):
-        gain = f"{one.gain:+.3f} ± {one.gain_error:.3f}" if i else ""
-        cells = (one.words, f"{one.aicc - first.aicc:+.1f}", f"{one.score:.3f}", gain)
-        table.add_row(*cells, style="bold" if i in choice.chosen else None)
-    out().print(table)
-    out().print(Text(f"{choice.sentence}."), soft_wrap=True)
+    rows = [
+        (
+            one.words,
+            f"{one.aicc - first.aicc:+.1f}",
+            f"{one.score:.3f}",
+            f"{one.gain:+.3f} ± {one.gain_error:.3f}" * (i > 0),
+        )
+        for i, one in enumerate(choice.tried)
+    ]
+    heads = (f"{choice.law}: parameters as", "ΔAICc", "held-out score", "gain")
+    out().table(Listing(heads, rows), dict.fromkeys(choice.chosen, "bold"))
+    out().print(f"{choice.sentence}.", soft_wrap=True)
 
 
 def show_each(rankings: RankingsBy) -> None:
     """Print the rankings of the values of a column, one after the other."""
-    from rich.text import Text
-
     from carom.cli.console import out
 
     for value, ranking in rankings.items():
-        out().print(Text(f"{rankings.column} {value}", style="bold"))
+        out().print(f"{rankings.column} {value}", style="bold")
         show(ranking)
 
 
@@ -172,34 +163,23 @@ def print_ranking(
 
     ``cells`` of a ranked fit: one for each of ``heads``, and the parameters; ``more``: a note on the columns.
     """
-    from rich import box
-    from rich.table import Table
-    from rich.text import Text
-
     from carom.cli.console import out
 
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
     names = ("law", "ΔAICc", *heads, "parameters")
-    for head in names:
-        words = head in ("law", "parameters")
-        table.add_column(head, justify="left" if words else "right", no_wrap=head != "parameters")
     rows = [(one.fit.law.name, f"{one.fit.aicc - ranking.best.aicc:.1f}", *cells(one)) for one in ranking.ranked]
     others = list(zip(names, *rows, strict=True))[:-1]
     room = out().width - EDGES - sum(GAP + max(map(len, column)) for column in others)
-    beside = room >= LEAST_ROOM
-    if not beside:  # the numbers of each law stand below the table
-        table.columns.pop()
-    for i, row in enumerate(rows):
-        table.add_row(*row[:-1], *([_in_lines(row[-1], room)] if beside else []), style=None if i else "bold")
-    out().print(table)
+    beside = room >= LEAST_ROOM  # else the numbers of each law stand below the table
+    shown = [(*row[:-1], *([_in_lines(row[-1], room)] * beside)) for row in rows]
+    out().table(Listing(names if beside else names[:-1], shown), {0: "bold"})
     for law, *_cells, numbers in [] if beside else rows:
-        out().print(Text(f"{law}: {numbers}"))
-    out().print(Text(f"{ranking.aicc_note}{more}", style="dim"), soft_wrap=True)
-    out().print(Text(ranking.verdict, style="bold green" if ranking.decisive else "bold yellow"), soft_wrap=True)
+        out().print(f"{law}: {numbers}")
+    out().print(f"{ranking.aicc_note}{more}", style="dim", soft_wrap=True)
+    out().print(ranking.verdict, style="bold green" if ranking.decisive else "bold yellow", soft_wrap=True)
     if unidentified := dict.fromkeys(ranking.degenerate):
         out().print("Unconstrained parameters:")
     for line in unidentified:
-        out().print(Text(f"  {line}"), soft_wrap=True)
+        out().print(f"  {line}", soft_wrap=True)
 
 
 # ----------------------------------------------------------------------------------------------------

@@ -8,13 +8,9 @@ from collections.abc import Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-from rich import box
-from rich.table import Table
-from rich.text import Text
-
 from carom.cli.console import Bar, err, out
 from carom.cli.streams import json_text
-from carom.formatting import counted, format_number, format_uncertain
+from carom.formatting import Listing, counted, format_number, format_uncertain
 from carom.gas.report import UNITS_NOTE, pressure_unit, report
 
 if TYPE_CHECKING:
@@ -37,7 +33,7 @@ ROUNDING = 1e-9  # of the energies: a smaller energy of a kind of contact is sho
 Report = dict[str, Any]
 
 
-def gas_tables(scene: GasScene, found: Report, error: Report | None = None) -> list[Table]:
+def gas_tables(scene: GasScene, found: Report, error: Report | None = None) -> list[Listing]:
     """Return the tables of the whole gas, its species, and its contacts: of a report, or of means with their errors."""
     return [_totals(scene, found, error), _species(scene, found, error), _contacts(found, error)]
 
@@ -50,7 +46,7 @@ def _cell(found: Report, error: Report | None, name: str, digits: int = 6) -> st
     return f"{x:,}" if isinstance(x, int) else format_number(x, digits)
 
 
-def _totals(scene: GasScene, found: Report, error: Report | None) -> Table:
+def _totals(scene: GasScene, found: Report, error: Report | None) -> Listing:
     """Return the table of the whole gas."""
 
     def row(label: str, name: str, digits: int = 6) -> tuple[str, str]:
@@ -83,10 +79,7 @@ def _totals(scene: GasScene, found: Report, error: Report | None) -> Table:
     rows.append(("largest overlap / contact distance", f"{found['max_overlap']:.1e}"))
     rate = f"{cpu:.2f} s, {found['events'] / cpu:,.0f} events/s" if cpu > 0 else "–"
     rows.append(("processor time of the event loop", rate))
-    table = _new_table(["gas", "" if error is None else "mean"])
-    for one in rows:
-        table.add_row(*one)
-    return table
+    return Listing(["gas", "" if error is None else "mean"], rows)
 
 
 def _temperatures(scene: GasScene, found: Report, error: Report | None) -> list[tuple[str, str]]:
@@ -146,12 +139,12 @@ def _scale(found: Report) -> float:
     return float(abs(found["energy_start"]) + abs(found["energy_end"]))
 
 
-def _species(scene: GasScene, found: Report, error: Report | None) -> Table:
+def _species(scene: GasScene, found: Report, error: Report | None) -> Listing:
     """Return the table of the species: temperatures, and fourth cumulants a₂; of spins only where something can change them."""
     heads = SPECIES_CUMULANTS if len(scene.species) == 1 else SPECIES_TEMPERATURES | SPECIES_CUMULANTS
     of_velocity = {"temperature_translational", "a2_translational"}
     columns = {head: name for head, name in heads.items() if scene.spins_change or name in of_velocity}
-    table = _new_table(["species", "balls", *columns])
+    rows = []
     for one in scene.species:
         row, errors = found["species"][one.name], None if error is None else error["species"][one.name]
         cells = (
@@ -160,13 +153,13 @@ def _species(scene: GasScene, found: Report, error: Report | None) -> Table:
             else _cell(row, errors, name, 5)
             for name in columns.values()
         )
-        table.add_row(one.name, f"{one.count:,}", *cells)
-    return table
+        rows.append((one.name, f"{one.count:,}", *cells))
+    return Listing(["species", "balls", *columns], rows)
 
 
-def _contacts(found: Report, error: Report | None) -> Table:
+def _contacts(found: Report, error: Report | None) -> Listing:
     """Return the table of the contacts: rates (per ball of the first species), and energies."""
-    table = _new_table(CONTACT_HEADS)
+    rows = []
     least = ROUNDING * _scale(found)
     for k, row in enumerate(found["channels"]):
         errors = None if error is None else error["channels"][k]
@@ -175,16 +168,8 @@ def _contacts(found: Report, error: Report | None) -> Table:
             for name in ("lost_normal", "lost_tangential", "to_spin")
         )
         numbers = (_cell(row, errors, "collisions"), _cell(row, errors, "rate", 4))
-        table.add_row(" – ".join(row["between"]), *numbers, *energies)
-    return table
-
-
-def _new_table(heads: Sequence[str]) -> Table:
-    """Return an empty table with these heads; the first column is text."""
-    table = Table(box=box.SIMPLE_HEAD, padding=(0, 1), pad_edge=False, header_style="bold")
-    for k, head in enumerate(heads):
-        table.add_column(head, justify="right" if k else "left", no_wrap=True, vertical="bottom")
-    return table
+        rows.append((" – ".join(row["between"]), *numbers, *energies))
+    return Listing(CONTACT_HEADS, rows)
 
 
 # ----------------------------------------------------------------------------------------------------
@@ -235,14 +220,14 @@ def print_tables(
 ) -> None:
     """Print a title and the tables of a report, or of means with their errors, each as wide as it is, and notes."""
     console = out()
-    console.print(Text(title), soft_wrap=True)
+    console.print(title, soft_wrap=True)
     for table in gas_tables(scene, found, error):
-        console.print(table)
-    console.print(Text(f"{UNITS_NOTE} {TEMPERATURES_NOTE}", style="dim"), soft_wrap=True)
+        console.table(table)
+    console.print(f"{UNITS_NOTE} {TEMPERATURES_NOTE}", style="dim", soft_wrap=True)
     between = "intervals of time" if scene.run.max_events is None else "numbers of collisions"
     between += ", spread over the phases of the walls" * any(one.amplitude > 0 for one in scene.drives)
     for note in (MEANS_NOTE.format(found["looks"], between), *notes):
-        console.print(Text(note, style="dim"), soft_wrap=True)
+        console.print(note, style="dim", soft_wrap=True)
 
 
 # --- progress ------------------------------------------------------------------------------------------------------

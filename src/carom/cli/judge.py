@@ -51,26 +51,17 @@ def judge(
 
 
 def _show(found: Judgement) -> None:
-    from rich.table import Table
-
     from carom.cli.console import out
-    from carom.formatting import format_number
+    from carom.formatting import Listing, format_number
     from carom.tracks.judgement import LAWS
 
-    table = Table(box=None)
-    for name, side in (
-        ("law", "left"),
-        ("checked", "right"),
-        ("violated", "right"),
-        ("the clearest violation", "left"),
-    ):
-        table.add_column(name, justify=side)  # type: ignore[arg-type]
+    rows = []
     for law, text in LAWS.items():
         worst = found.worst(law)
         said = f"not checked: {found.unchecked[law]}" if law in found.unchecked else text
         if worst is not None:
             errors = "more than 1000" if worst.sigmas > 1000 else format_number(worst.sigmas, 2)
             said = f"{worst.time:.4g} s, {' and '.join(worst.balls)}: {worst.text} ({errors} errors)"
-        table.add_row(law, f"{found.checked[law]:,}", f"{len(found.of(law)):,}", said)
-    out().print(table)
+        rows.append((law, f"{found.checked[law]:,}", f"{len(found.of(law)):,}", said))
+    out().table(Listing(("law", "checked", "violated", "the clearest violation"), rows), grid=True, fold=True)
     out().print(f"\nnoise of a coordinate {found.noise:.2g} m\n{found.verdict}")

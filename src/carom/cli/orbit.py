@@ -14,7 +14,7 @@ from carom.cli.options import OUTPUT, option, require_outputs, shared, wrote
 from carom.cli.parameters import Given, of_library
 from carom.cli.streams import note, say_json
 from carom.errors import CaromError
-from carom.formatting import counted, json_value
+from carom.formatting import Listing, counted, json_value
 
 if TYPE_CHECKING:
     from carom.billiards import Lyapunov, Orbit, OrbitResult, PeriodicOrbits
@@ -134,64 +134,59 @@ def every_bounce(found: Orbit) -> list[Any]:
 
 def print_orbit(facts: dict[str, Any], found: OrbitResult) -> None:
     """Print the results as tables."""
-    from rich import box
-    from rich.table import Table as Grid
-
     from carom.cli.console import out
 
     console = out()
-    grid = Grid(box=None, show_header=False, pad_edge=False)
-    grid.add_column(style="bold")
-    grid.add_column()
+    rows: list[tuple[str, str]] = []
     sizes = ", ".join(
         f"{k} {v:.6g}" if isinstance(v, float) else f"{k} {v}"
         for k, v in facts["table"].items()
         if k not in ("name", "bounds")
     )
-    grid.add_row("table", f"{facts['table']['name']}: {sizes}; bounds the {facts['table']['bounds']}")
-    grid.add_row(
-        "ball", f"kappa {facts['ball']['kappa']:.6g}, radius {facts['ball']['radius']:.6g} m; law {facts['law']}"
+    rows.append(("table", f"{facts['table']['name']}: {sizes}; bounds the {facts['table']['bounds']}"))
+    rows.append(
+        ("ball", f"kappa {facts['ball']['kappa']:.6g}, radius {facts['ball']['radius']:.6g} m; law {facts['law']}")
     )
     reasons = {REASONS[name]: count for name, count in facts["ended"].items()}
     ends = ", ".join(f"{count} {name}" if facts["orbits"] > 1 else name for name, count in reasons.items())
-    grid.add_row(
-        "bounces", f"{facts['count']:,} in {facts['orbits']:,} orbit{'s' * (facts['orbits'] > 1)}; ended: {ends}"
+    rows.append(
+        ("bounces", f"{facts['count']:,} in {facts['orbits']:,} orbit{'s' * (facts['orbits'] > 1)}; ended: {ends}")
     )
     if facts.get("mean_time_between_bounces") is not None:
-        grid.add_row("mean time", f"{facts['mean_time_between_bounces']:.6g} s between bounces")
+        rows.append(("mean time", f"{facts['mean_time_between_bounces']:.6g} s between bounces"))
     if facts["energy_drift"] is not None:
-        grid.add_row("energy", f"conserved to {facts['energy_drift']:.1e}")
+        rows.append(("energy", f"conserved to {facts['energy_drift']:.1e}"))
     if facts.get("periods"):
         shown = ", ".join(p if facts["orbits"] == 1 else f"{p} ({c})" for p, c in facts["periods"].items())
-        grid.add_row("period", shown)
+        rows.append(("period", shown))
     elif "periods" in facts:
-        grid.add_row("period", f"none up to {counted(found.t.shape[-1] // 2, 'bounce')}")
+        rows.append(("period", f"none up to {counted(found.t.shape[-1] // 2, 'bounce')}"))
     if facts.get("caustics"):
-        grid.add_row("caustics", " and ".join(f"{r:.9g}" for r in facts["caustics"]) + " m")
+        rows.append(("caustics", " and ".join(f"{r:.9g}" for r in facts["caustics"]) + " m"))
     if facts.get("drift"):
         d = facts["drift"]
         kind = "bounded" if d["growth"] is not None and d["growth"] < 1.3 else "not bounded so far"
-        grid.add_row(
-            "along " + d["axis"],
-            f"{kind}: extent {d['extent']:.6g} m{_drift_rates(d)}",
+        rows.append(
+            (
+                "along " + d["axis"],
+                f"{kind}: extent {d['extent']:.6g} m{_drift_rates(d)}",
+            )
         )
     if facts.get("reversal_error") is not None:
-        grid.add_row("backwards", f"returns to within {facts['reversal_error']:.1e} m")
-    console.print(grid)
+        rows.append(("backwards", f"returns to within {facts['reversal_error']:.1e} m"))
+    console.facts(rows)
     if facts.get("lyapunov"):
-        spectrum = Grid(box=box.SIMPLE_HEAD, pad_edge=False)
-        for name in ("Lyapunov exponents", "per bounce", "±", "per second"):
-            spectrum.add_column(name, justify="right")
         both = facts["lyapunov"]
-        for number, row in enumerate(zip(both["per_bounce"], both["error"], both["per_time"], strict=True)):
-            spectrum.add_row(str(number + 1), *("–" if x is None else f"{x:.5f}" for x in row))
-        console.print(spectrum)
+        lines = [
+            (str(number + 1), *("–" if x is None else f"{x:.5f}" for x in row))
+            for number, row in enumerate(zip(both["per_bounce"], both["error"], both["per_time"], strict=True))
+        ]
+        console.table(Listing(("Lyapunov exponents", "per bounce", "±", "per second"), lines))
         console.print(_meaning(both), style="dim", soft_wrap=True)
     if found.periodic is not None:
-        console.print(_periodic_orbits(found.periodic))
-        console.print(found.periodic.completeness, style="dim", soft_wrap=True)
+        console.table(_periodic_orbits(found.periodic))
     elif facts["orbits"] == 1 and facts["count"]:
-        console.print(_first_bounces(found))
+        _first_bounces(console, found)
 
 
 def _drift_rates(d: dict[str, Any]) -> str:
@@ -204,13 +199,18 @@ def _drift_rates(d: dict[str, Any]) -> str:
     )
 
 
-def _periodic_orbits(found: PeriodicOrbits) -> Any:
+def _periodic_orbits(found: PeriodicOrbits) -> Listing:
     """Return periodic orbits as a table: a row each."""
-    from rich import box
-    from rich.table import Table as Grid
-
-    grid = Grid(box=box.SIMPLE_HEAD, pad_edge=False)
-    for name in (
+    rows = []
+    for one in found:
+        far, turns = one.multipliers[0], one.rotation_number
+        walls = one.itinerary if one.period <= LONGEST_SHOWN else "–"
+        rows.append((
+            str(one.period), f"{one.duration:.9g}", one.stability, "–" if far.imag else f"{far.real:.6g}",
+            "–" if turns is None else f"{turns:.6f}", walls, "–" if one.winding is None else str(one.winding),
+            str(one.family) if one.family else "–", str(one.found),
+        ))  # fmt: skip
+    heads = (
         "bounces",
         "duration (s)",
         "stability",
@@ -220,17 +220,8 @@ def _periodic_orbits(found: PeriodicOrbits) -> Any:
         "turns",
         "family",
         "found",
-    ):
-        grid.add_column(name, justify="left" if name == "stability" else "right")
-    for one in found:
-        far, turns = one.multipliers[0], one.rotation_number
-        walls = one.itinerary if one.period <= LONGEST_SHOWN else "–"
-        grid.add_row(
-            str(one.period), f"{one.duration:.9g}", one.stability, "–" if far.imag else f"{far.real:.6g}",
-            "–" if turns is None else f"{turns:.6f}", walls, "–" if one.winding is None else str(one.winding),
-            str(one.family) if one.family else "–", str(one.found),
-        )  # fmt: skip
-    return grid
+    )
+    return Listing(heads, rows, found.completeness)
 
 
 def _meaning(exponents: dict[str, Any]) -> str:
@@ -245,10 +236,9 @@ def _meaning(exponents: dict[str, Any]) -> str:
     )
 
 
-def _first_bounces(found: Orbit) -> Any:
-    """Return the first five bounces and the last as a table that fits 80 columns."""
+def _first_bounces(console: Any, found: Orbit) -> None:
+    """Print the first five bounces and the last as a table that fits 80 columns."""
     import numpy as np
-    from rich.table import Table as Grid
 
     n = found.t.shape[-1]
     x = found.position.reshape(n, -1)
@@ -259,17 +249,17 @@ def _first_bounces(found: Orbit) -> Any:
         columns["z"] = x[:, 2]
     columns |= {"v along": found.along, "v across": found.across}
     spins = found.spin.reshape(n, -1)
-    grid = Grid(box=None, padding=(0, 1, 0, 0), title="bounces (m, s, rad)", title_style="dim", title_justify="left")
-    for name in ("", *columns, "spin"):
-        grid.add_column(name, justify="right", no_wrap=True, header_style="bold")
+    rows = []
     count = int(np.ravel(found.count)[0])
     for k in [*range(min(count, 5)), *([count - 1] if count > 5 else [])]:
         if k > 5:
-            grid.add_row("…")
+            rows.append(("-", *[""] * (len(columns) + 1)))
         numbers = [float(column.reshape(n)[k]) for column in columns.values()]
         turn = " ".join(f"{w:.3g}" if len(spins[k]) > 1 else f"{w:.4g}" for w in spins[k])
-        grid.add_row(str(k + 1), *(f"{number + 0.0:.4g}" if math.isfinite(number) else "–" for number in numbers), turn)
-    return grid
+        cells = (f"{number + 0.0:.4g}" if math.isfinite(number) else "–" for number in numbers)
+        rows.append((str(k + 1), *cells, turn))
+    console.print("bounces (m, s, rad)", style="dim")
+    console.table(Listing(("", *columns, "spin"), rows), grid=True)
 
 
 # ----------------------------------------------------------------------------------------------------

@@ -15,6 +15,7 @@ from carom.cli.options import shared, wrote
 from carom.cli.streams import json_text, say
 from carom.errors import CaromError
 from carom.files import require_library, require_writable, write_text
+from carom.formatting import Listing
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -90,43 +91,35 @@ def _progress() -> Iterator[Callable[[str, int, int], None]]:
 
 def _table(rows: list[tuple[Entry, EquationVerdict]]) -> None:
     """Print a table of verdicts, without the parts of an equation unless they are misprints."""
-    from rich.table import Table
-    from rich.text import Text
-
     from carom.derive import paper
 
-    table = Table(title="The paper's equations, derived", title_justify="left", row_styles=["", "dim"])
-    for name in ("", "verdict", "subject", "note"):
-        table.add_column(name, overflow="fold", no_wrap=name == "verdict")
+    listed: list[tuple[str, ...]] = []
+    styles: dict[int, str] = {}
     counts = dict.fromkeys(_STYLE, 0)
     for entry, verdict in rows:
         part = entry.id[0].isdigit() and entry.id[-1].isalpha()
         counts[verdict.status] += not part
         if part and verdict.status != "misprint":
             continue
-        record = paper.as_record(entry, verdict)
-        table.add_row(
-            entry.id, Text(verdict.status, style=_STYLE[verdict.status]), Text(entry.title), Text(record["note"])
-        )
+        styles[len(listed)] = _STYLE[verdict.status]
+        listed.append((entry.id, verdict.status, entry.title, paper.as_record(entry, verdict)["note"]))
     console = out()
-    console.print(table)
+    console.table(Listing(("", "verdict", "subject", "note"), listed), styles, fold=True)
     total = ", ".join(f"{count} {name}" for name, count in counts.items())
     console.print(
-        Text(f"{sum(counts.values())} equations and statements: {total}. All steps of one: carom derive --equation 31")
+        f"{sum(counts.values())} equations and statements: {total}. All steps of one: carom derive --equation 31"
     )
 
 
 def _steps(rows: list[tuple[Entry, EquationVerdict]]) -> None:
     """Print entries with every step."""
-    from rich.text import Text
-
     from carom.derive import paper
     from carom.derive.paper.ledger import shown
 
     console = out()
 
     def line(words: str, style: str = "") -> None:
-        console.print(Text(words, style=style), soft_wrap=True)
+        console.print(words, style=style, soft_wrap=True)
 
     def formulas(things: tuple[Any, ...]) -> None:
         for thing in things:

@@ -13,8 +13,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from rich.console import Console
-from rich.text import Text
 
 from carom.cli.console import err, working
 from carom.cli.console import out as stdout
@@ -22,11 +20,10 @@ from carom.cli.options import FILM, FLOOR, option, require_outputs, shared, wrot
 from carom.cli.parameters import Given, of_library
 from carom.cli.streams import say_json
 from carom.errors import CaromError, FaultList, shortened_list
-from carom.formatting import called_ball, counted, format_length, format_number, json_value
+from carom.formatting import Listing, called_ball, counted, format_length, format_number, json_value
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
+    from carom.cli.console import TextConsole as Console
     from carom.data.rebounds import Rebounds
     from carom.tracks.contact import TrackContact
     from carom.tracks.events import WallLine
@@ -97,34 +94,23 @@ def _place_of(wall: WallLine) -> str:
 
 def tell(console: Console, found: TrackFile, measured: Measured) -> None:
     """Print the summary of a file."""
-    from rich.table import Table
-
     from carom.tracks.read import FORMATS
 
-    rows = Table(box=None, show_header=False, padding=(0, 2, 0, 0))
-    rows.add_row(
-        Text("format", "bold"), FORMATS[found.format].title if found.format in FORMATS else "film, tracked by carom"
-    )
-    for track in found.tracks[:MAX_TRACKS]:
-        rows.add_row("track", _track_line(track))
+    rows = [("format", FORMATS[found.format].title if found.format in FORMATS else "film, tracked by carom")]
+    rows += [("track", _track_line(track)) for track in found.tracks[:MAX_TRACKS]]
     if len(found.tracks) > MAX_TRACKS:
-        rows.add_row("", f"and {counted(len(found.tracks) - MAX_TRACKS, 'more track')}")
-    rows.add_row(
-        "camera", f"{1 / measured.interval:.5g} frames per second" if measured.interval > 0 else "frame rate unknown"
-    )
+        rows.append(("", f"and {counted(len(found.tracks) - MAX_TRACKS, 'more track')}"))
+    rate = f"{1 / measured.interval:.5g} frames per second" if measured.interval > 0 else "frame rate unknown"
     steps = [f"{axis} to {format_length(x)}" for axis, x in zip("xy", measured.step, strict=True) if x]
     rounded = f"; the file rounds {' and '.join(steps)}" if steps else ""
-    rows.add_row(
-        "noise", f"{format_length(measured.noise)} {'(given)' if measured.noise_given else '(estimated)'}{rounded}"
-    )
-    rows.add_row(
-        "filmed from", "above: a ball on a table" if measured.view == "above" else "the side: a ball in flight"
-    )
+    noise = f"{format_length(measured.noise)} {'(given)' if measured.noise_given else '(estimated)'}{rounded}"
+    view = "above: a ball on a table" if measured.view == "above" else "the side: a ball in flight"
+    rows += [("camera", rate), ("noise", noise), ("filmed from", view)]
     for wall in measured.walls:
-        rows.add_row("wall", f"{wall.name}: {_place_of(wall)}{', positions clamped to it' if wall.clamped else ''}")
+        rows.append(("wall", f"{wall.name}: {_place_of(wall)}{', positions clamped to it' if wall.clamped else ''}"))
     for name, (value, error) in measured.floor.items():
-        rows.add_row(name, f"{format_number(value)} ± {format_number(error, 1)}")
-    console.print(rows)
+        rows.append((name, f"{format_number(value)} ± {format_number(error, 1)}"))
+    console.facts(rows)
 
 
 def _track_line(track: Any) -> str:
@@ -182,30 +168,22 @@ def tell_contacts(console: Console, films: Sequence[tuple[str, Measured]], stage
     tell_counts(console, contacts, shown, total, whys)
 
 
-def tell_counts(console: Console, contacts: Table, shown: int, total: int, whys: Sequence[str]) -> None:
+def tell_counts(console: Console, contacts: Listing, shown: int, total: int, whys: Sequence[str]) -> None:
     """Print a table of contacts, how many were measured, and the reasons why the others were not."""
     if shown:
-        console.print(contacts)
-        console.print(
-            "Parentheses give the uncertainty in the last digits: 1.2292(12) is 1.2292 ± 0.0012",
-            style="dim",
-            soft_wrap=True,
-        )
+        note = "Parentheses give the uncertainty in the last digits: 1.2292(12) is 1.2292 ± 0.0012"
+        console.table(contacts._replace(note=note), grid=True)
     if shown > MAX_ROWS:
         console.print(f"and {counted(shown - MAX_ROWS, 'more row')}: --out and --json list all")
-    found = (counted(total, "contact"), "bold")
-    console.print(
-        Text.assemble(found, f", {total - len(whys)} measured", f"; {len(whys)} not measured:" if whys else "")
-    )
+    lacking = f"; {len(whys)} not measured:" if whys else ""
+    console.print(f"{counted(total, 'contact')}, {total - len(whys)} measured{lacking}")
     for count, why in grouped_reasons(whys):
         console.print(f"  {count} × {why}", soft_wrap=True)
 
 
-def _contacts_table(console: Console, rows: Sequence[tuple[str, ...]]) -> tuple[Table, list[str]]:
+def _contacts_table(console: Console, rows: Sequence[tuple[str, ...]]) -> tuple[Listing, list[str]]:
     """Return the table of contacts, and its heads. The restitution is shown where the console has room for it, if need be without
     the ball, where there is only one."""
-    from rich.table import Table
-
     heads = ("ball", "wall", "t, s", "v_n in", "v_t in", "v_n out", "v_t out", RATIO, "stage")
     every = [i for i, head in enumerate(heads) if any(row[i] for row in rows) or head not in ("stage", RATIO)]
     wide = [max([len(head), *(len(row[i]) for row in rows)]) + 1 for i, head in enumerate(heads)]
@@ -215,13 +193,8 @@ def _contacts_table(console: Console, rows: Sequence[tuple[str, ...]]) -> tuple[
         (some for some in choices if sum(wide[i] for i in some) <= console.width + 1),
         [i for i in every if heads[i] != RATIO],
     )
-    table = Table(box=None, padding=(0, 1, 0, 0), header_style="dim")
-    for i in used:
-        left = heads[i] in ("ball", "wall", "stage")
-        table.add_column(heads[i], justify="left" if left else "right", no_wrap=True)
-    for row in rows:
-        table.add_row(*(row[i] for i in used))
-    return table, [heads[i] for i in used]
+    heads_used = [heads[i] for i in used]
+    return Listing(heads_used, [[row[i] for i in used] for row in rows]), heads_used
 
 
 def _restitution(one: TrackContact) -> str:
@@ -298,11 +271,7 @@ def pair_facts(one: PairContact) -> dict[str, Any]:
 
 def tell_pairs(console: Console, films: Sequence[tuple[str, Sequence[PairContact]]]) -> None:
     """Print the contacts of balls with each other of some films, each with its name, and why the others were not measured."""
-    from rich.table import Table
-
-    table = Table(box=None, padding=(0, 1, 0, 0), header_style="dim")
-    for i, head in enumerate(("ball", "strikes", "t, s", "v_n in", "v_t in", "v_n out", "out/in", "friction")):
-        table.add_column(head, justify="left" if i < 2 else "right", no_wrap=True)
+    rows = []
     whys, total, shown = [], 0, 0
     for film, contacts in films:
         total += len(contacts)
@@ -314,21 +283,15 @@ def tell_pairs(console: Console, films: Sequence[tuple[str, Sequence[PairContact
             label = " ".join(filter(None, (film, one.group, one.striking)))
             parts = uncertain(fit["v1n_out"] - fit["v2n_out"], 2 * fit.error("jn"))
             before = (uncertain(sign * fit[name], fit.error(name)) for sign, name in ((-1, "vn_in"), (1, "vt_in")))
-            table.add_row(
-                label,
-                one.struck,
-                f"{one.time:.4f}",
-                *before,
-                parts,
-                uncertain(*one.restitution),
-                uncertain(*one.friction),
-            )
+            ends = (uncertain(*one.restitution), uncertain(*one.friction))
+            rows.append((label, one.struck, f"{one.time:.4f}", *before, parts, *ends))
     console.print(
         "\nBalls that strike balls at rest, m/s: v_n along the line of centres, relative, before (towards each other) and after"
         " (apart), v_t across it; out/in: restitution; friction: impulse across the line over that along it",
         soft_wrap=True,
     )
-    tell_counts(console, table, shown, total, whys)
+    heads = ("ball", "strikes", "t, s", "v_n in", "v_t in", "v_n out", "out/in", "friction")
+    tell_counts(console, Listing(heads, rows), shown, total, whys)
 
 
 # ----------------------------------------------------------------------------------------------------

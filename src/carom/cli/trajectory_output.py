@@ -9,12 +9,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from rich import box
-from rich.table import Table
-from rich.text import Text
 
 from carom.cli.console import out
-from carom.formatting import counted, format_number, json_value
+from carom.formatting import Listing, counted, format_number, json_value
 from carom.simulation.contact_kinds import cushion_side
 from carom.simulation.files import event_columns
 from carom.simulation.narrate import describe_run
@@ -39,31 +36,27 @@ RISES = ("flight", "bouncing")  # phases after a contact with the floor that is 
 def show(run: Trajectory, times: list[float], most: int | None) -> None:
     """Print a run: scene, description, a table of at most ``most`` events (None: all), states, energy budget."""
     console = out()
-    console.print(Text(f"Scene: {run.scene.describe()}"), soft_wrap=True)
+    console.print(f"Scene: {run.scene.describe()}", soft_wrap=True)
     for paragraph in describe_run(run):
         text = textwrap.fill(paragraph[0].upper() + paragraph[1:], max(min(console.width, 110), 40))
-        console.print(Text(f"\n{text}"), soft_wrap=True)
+        console.print(f"\n{text}", soft_wrap=True)
     if most != 0 and len(run.events):
         table, hidden = _events(run, most, console.width >= WIDE)
-        console.print(table)
+        console.table(table)
         if hidden > 0:
             said = f"{counted(hidden, 'event')} not shown: --events all shows all, --table FILE.csv writes them."
-            console.print(Text(said, style="dim"), soft_wrap=True)
-    console.print(_states(run, times, console.width >= WIDE))
-    console.print(Text(_energy(run)), soft_wrap=True)
+            console.print(said, style="dim", soft_wrap=True)
+    console.table(_states(run, times, console.width >= WIDE))
+    console.print(_energy(run), soft_wrap=True)
 
 
 def show_sensitivity(found: Any) -> None:
     """Print the sensitivity: how far each ball's final place moves when a number changes by 1 %."""
-    head, rows = found.table()
-    table = _new(
-        [(name, k == 0) for k, name in enumerate(["changed by 1 %", "value", *(f"{name}, mm" for name in head[2:])])]
-    )
-    for row in rows:
-        table.add_row(*(Text(cell) for cell in row))
+    head, rows, _note = found.table()
+    heads = ["changed by 1 %", "value", *(f"{name}, mm" for name in head[2:])]
     console = out()
-    console.print(Text("What matters: how far the final places move"), soft_wrap=True)
-    console.print(table)
+    console.print("What matters: how far the final places move", soft_wrap=True)
+    console.table(Listing(heads, rows))
     misses = [one for one in found.near_misses[:1] if one.radius < np.inf]
     for one in misses:
         away = f"{1e3 * one.distance:.3g} mm"
@@ -71,15 +64,7 @@ def show_sensitivity(found: Any) -> None:
             said = f"Nearest miss: at {one.time:.4g} s {one.ball} passes {one.other}, {away} away."
         else:  # (it would have come nearer if it had gone on)
             said = f"Nearest miss: from {one.time:.4g} s on {one.ball} is at rest {away} from {one.other}."
-        console.print(Text(said), soft_wrap=True)
-
-
-def _new(heads: list[tuple[str, bool]]) -> Table:
-    """Return an empty table; for each column its head, and whether it holds words."""
-    table = Table(box=box.SIMPLE_HEAD, padding=(0, 1), pad_edge=False, header_style="bold")
-    for head, words in heads:
-        table.add_column(head, justify="left" if words else "right", no_wrap=True, overflow="fold", vertical="bottom")
-    return table
+        console.print(said, soft_wrap=True)
 
 
 def _triple(values: Any, count: int = 3) -> str:
@@ -112,25 +97,21 @@ def _folded(run: Trajectory) -> list[list[int]]:
     return sorted(rows, key=lambda row: row[-1])
 
 
-def _events(run: Trajectory, most: int | None, wide: bool) -> tuple[Table, int]:
+def _events(run: Trajectory, most: int | None, wide: bool) -> tuple[Listing, int]:
     """Return the table of events, and how many are not shown; ``most``: rows, hops folded; None: every event in its own row."""
     several, axes = len(run.scene.balls) > 1, _axes(run)
     names = ", ".join("xyz"[:axes])
-    heads = [("t, s", False), *([("ball", True)] if several else []), ("event", True), (f"position\n{names}, m", False)]
-    heads += [(f"velocity after\n{names}, m/s", False)]
-    heads += [("spin after\nx, y, z, rad/s", False)] if wide else []
-    table = _new([*heads, ("energy lost\nJ", False), ("next phase", True)])
+    heads = ["t, s", *["ball"] * several, "event", f"position\n{names}, m", f"velocity after\n{names}, m/s"]
+    heads += [*["spin after\nx, y, z, rad/s"] * wide, "energy lost\nJ", "next phase"]
     rows = [[k] for k in range(len(run.events))] if most is None else _folded(run)
     parts = [rows]
     if most is not None and len(rows) > most:
         parts = [rows[: (most + 1) // 2], rows[len(rows) - most // 2 :]]
     features = run.scene.features().view(np.recarray)
-    for k, part in enumerate(parts):
-        if k > 0:
-            table.add_row("...")
-        for row in part:
-            table.add_row(*_event_row(run, features, row, several, axes, wide))
-    return table, len(run.events) - sum(len(row) for part in parts for row in part)
+    cells = [[_event_row(run, features, row, several, axes, wide) for row in part] for part in parts]
+    hidden = len(run.events) - sum(len(row) for part in parts for row in part)
+    between = [["–", *[""] * (len(heads) - 1)]] * (len(parts) - 1)
+    return Listing(heads, [*cells[0], *between, *(cells[1] if between else [])]), hidden
 
 
 def _event_row(run: Trajectory, features: Any, folded: list[int], several: bool, axes: int, wide: bool) -> list[str]:
@@ -180,20 +161,19 @@ def _contacts(events: Any, first: int) -> list[Any]:
     return [events[k] for k in range(first, first + own + int(np.argmin([*np.isin(kinds, CLUSTERS), False])))]
 
 
-def _states(run: Trajectory, times: list[float], wide: bool) -> Table:
+def _states(run: Trajectory, times: list[float], wide: bool) -> Listing:
     """Return a table of the states at the requested times, and at the end."""
     axes = 3 if times else _axes(run)
     names = ", ".join("xyz"[:axes])
-    heads = [("at t, s", True), ("ball", True), ("phase", True), (f"position\n{names}, m", False)]
-    heads += [(f"velocity\n{names}, m/s", False), ("spin\nx, y, z, rad/s", False)]
-    table = _new(heads if wide else heads[:5])
+    heads = ["at t, s", "ball", "phase", f"position\n{names}, m", f"velocity\n{names}, m/s", "spin\nx, y, z, rad/s"]
+    rows = []
     asked = [(_time(t), run.at(t), list(run.phase(t))) for t in times]
     for when, state, phases in [*asked, (f"end: {_time(run.end)}", run.final, run.final_phase)]:
         assert state.position is not None
         for i, name in enumerate(run.scene.ball_names):
             row = [_triple(state.position[i], axes), _triple(state.velocity[i], axes), _triple(state.spin[i])]
-            table.add_row(when if i == 0 else "", name, phases[i], *(row if wide else row[:2]))
-    return table
+            rows.append((when if i == 0 else "", name, phases[i], *(row if wide else row[:2])))
+    return Listing(heads if wide else heads[:5], rows)
 
 
 def _energy(run: Trajectory) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import inspect
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 
 from carom.bodies import Ball, State, Surface, kinetic_energy, slip
 from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, checked_number, require_type, suggestion
-from carom.formatting import format_length, format_number, format_time, html_table, json_value
+from carom.formatting import Listing, format_length, format_number, format_time, json_value
 from carom.laws.arrays import require_approach
 from carom.laws.landing import FloorContact, Settled, TwoStep, angle_from
 from carom.laws.law import Answer, Law, Meeting, holds_everywhere
@@ -237,6 +237,13 @@ def _gathered(faults: FaultList, name: str, make: Callable[[], Thing], instead: 
         return instead
 
 
+ROUNDING = 1e-12
+
+
+def _degrees(x: float | None) -> str:
+    return "–" if x is None else f"{x:.2f}°"
+
+
 @dataclass(frozen=True, eq=False)
 class Verdict:
     """One law's prediction for one ball, and why the law may not apply.
@@ -276,10 +283,16 @@ class Verdict:
     answer: Answer | None
     """The law's full answer; None if there is no prediction."""
 
+    @property
+    def flight(self) -> Any:
+        """The flight after the wall; None where the law says nothing of it."""
+        steps = None if self.answer is None else self.answer.steps
+        return None if steps is None else steps.flight
+
     def as_dict(self) -> dict[str, Any]:
         """Return the verdict as JSON has it: NaN as None, infinity as the string "inf"."""
         steps = None if self.answer is None else self.answer.steps
-        flight = None if steps is None else json_value(steps.flight, infinite=True)
+        flight = json_value(self.flight, infinite=True)
         wall = steps.wall if isinstance(steps, TwoStep) else None
         return {
             "law": self.law,
@@ -328,25 +341,31 @@ class Comparison:
         ]
         return f"<Comparison at {format_number(self.incident_angle_deg, 4)} degrees: {', '.join(parts)}>"
 
+    def table(self, spin: bool = True, ticks: Sequence[str] = "✓✗") -> Listing:
+        """Return a row per law, with the final spin or without it; ``ticks``: words for admissible, and for not."""
+
+        def vector(state: State | None, part: str, count: int) -> str:  # (rounding errors are zero)
+            numbers = () if state is None else map(float, getattr(state, part)[:count])
+            return ", ".join(format_number(0.0 if abs(x) < ROUNDING else x) for x in numbers) or "–"
+
+        columns: dict[str, Callable[[Verdict], str]] = {
+            "law": lambda one: one.law,
+            "angle\nafter\nwall": lambda one: _degrees(one.angle_after_wall_deg),
+            "final\nangle": lambda one: _degrees(one.reflection_angle_deg),
+            "final\nvelocity\nx, y, m/s": lambda one: vector(one.final, "velocity", 2),
+            "final spin\nx, y, z, rad/s": lambda one: vector(one.final, "spin", 3),
+            "flight\nheight\nmm": lambda one: format_number(one.flight and 1e3 * float(one.flight.height)),
+            "flight\nlength\nmm": lambda one: format_number(one.flight and 1e3 * float(one.flight.distance)),
+            "energy\nkept": lambda one: "–" if one.energy_ratio is None else f"{one.energy_ratio:.1%}",
+            "needed\nμ of\nwall": lambda one: format_number(one.required_wall),
+            "needed\nμ of\nfloor": lambda one: format_number(one.required_floor),
+            "ok": lambda one: ticks[not one.admissible],
+        }
+        used = {head: cell for head, cell in columns.items() if spin or "spin" not in head}
+        return Listing(list(used), [[cell(one) for cell in used.values()] for one in self.verdicts])
+
     def _repr_html_(self) -> str:
-        """Return a table for notebooks."""
-        head = (
-            "law",
-            "angle after the wall, deg",
-            "final angle, deg",
-            "energy kept",
-            "μ of wall",
-            "of floor",
-            "admissible",
-        )
-        rows = []
-        for one in self.verdicts:
-            numbers = (one.energy_ratio, one.required_wall, one.required_floor)
-            angles = (format_number(angle, 4) for angle in (one.angle_after_wall_deg, one.reflection_angle_deg))
-            rows.append(
-                (one.law, *angles, *map(format_number, numbers), "yes" if one.admissible else "; ".join(one.why))
-            )
-        return html_table(head, rows)
+        return self.table()._repr_html_()
 
     def __getitem__(self, law: str) -> Verdict:
         """Return the verdict on a law by its name; KeyError if the law was not compared."""

@@ -17,7 +17,7 @@ from carom.bodies import Numbers, State
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, Fault, did_you_mean, float_array
 from carom.files import as_path
-from carom.formatting import html_table
+from carom.formatting import Listing
 from carom.laws.landing import REGIME_NAMES as NAMES
 from carom.public.other_rooms import figure_maker
 from carom.scene.scene import Scene
@@ -191,8 +191,9 @@ class Events(Sequence[Event]):
         for one in itertools.islice(self, HTML_ROWS):
             place = np.concatenate([np.asarray(one.after.position), one.after.velocity])
             rows.append((f"{one.t:.6g}", names[one.ball], one.kind, one.name, *(f"{x:.4g}" for x in place)))
-        rest = f"<p>and {len(self) - HTML_ROWS:,} more</p>" if len(self) > HTML_ROWS else ""
-        return html_table(("t, s", "ball", "event", "with", "x, m", "y", "z", "v_x, m/s", "v_y", "v_z"), rows) + rest
+        heads = ("t, s", "ball", "event", "with", "x, m", "y", "z", "v_x, m/s", "v_y", "v_z")
+        rest = f"and {len(self) - HTML_ROWS:,} more" if len(self) > HTML_ROWS else ""
+        return Listing(heads, rows, rest)._repr_html_()
 
 
 def _event(run: RunRecord, row: Any) -> Event:

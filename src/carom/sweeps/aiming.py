@@ -16,7 +16,7 @@ from carom.core.geometry.angles import direction
 from carom.core.motion.phases import BOUNCING, FLIGHT, ROLLING, SLIDING
 from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, float_or_nan, require_type, shortened_list
 from carom.files import import_optional
-from carom.formatting import format_number, html_table
+from carom.formatting import Listing, format_number
 from carom.public.progress import Progress, loop_callback
 from carom.scene.scene import Scene
 from carom.scene.toml import path_match, replaced
@@ -405,8 +405,8 @@ class Aims(Sequence[Aim]):
         """Return one, or several."""
         return self._solutions[k]
 
-    def rows(self) -> tuple[list[str], list[list[str]]]:
-        """Return head and rows of a table."""
+    def table(self) -> Listing:
+        """Return the solutions with the player's errors."""
         head = [
             *(f"{name} {one.unit}" for name, one in zip(self._names(), self._unknowns, strict=True)),
             "success",
@@ -422,7 +422,7 @@ class Aims(Sequence[Aim]):
             spread = " x ".join(told) if one.linear else "–"
             numbers = [format_number(x, 5) for x in one.values.values()]
             body.append([*numbers, f"{one.chance:.0%}", spread, ", ".join(one.sequence)])
-        return [*head, "sequence"], body
+        return Listing([*head, "sequence"], body, self.note)
 
     @property
     def note(self) -> str:
@@ -439,15 +439,10 @@ class Aims(Sequence[Aim]):
 
     def __repr__(self) -> str:
         """Return a table as text."""
-        head, body = self.rows()
-        widths = [max(len(row[k]) for row in [head, *body]) for k in range(len(head))]
-        lines = [
-            "  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in [head, *body]
-        ]
-        return "\n".join([*lines, self.note])
+        return repr(self.table())
 
     def _repr_html_(self) -> str:
-        return f"{html_table(*self.rows())}<p>{self.note}</p>"
+        return self.table()._repr_html_()
 
 
 def aim(

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.errors import CaromError
-from carom.formatting import format_number, html_table
+from carom.formatting import Listing, format_number
 from carom.simulation.records import BALL, START, WALL
 from carom.simulation.sensitivity.follow import follow
 from carom.simulation.sensitivity.margins import EXACT, Margin, NearMiss, impacts_at_once, margins, near_misses
@@ -30,24 +30,6 @@ class EventSensitivity(NamedTuple):
     spin: Array
     velocity_before: Array
     spin_before: Array
-
-
-class SensitivityTable(NamedTuple):
-    """A table of text: head and rows."""
-
-    head: list[str]
-    rows: list[list[str]]
-
-    def __repr__(self) -> str:
-        """Return it in columns."""
-        lines = [self.head, *self.rows]
-        widths = [max(len(line[k]) for line in lines) for k in range(len(self.head))]
-        return "\n".join(
-            "  ".join(f"{cell:<{width}}" for cell, width in zip(line, widths, strict=True)).rstrip() for line in lines
-        )
-
-    def _repr_html_(self) -> str:
-        return html_table(self.head, self.rows)
 
 
 class Sensitivity:
@@ -103,14 +85,14 @@ class Sensitivity:
         """Return how far each ball's final place moves when a parameter changes by 1 %: (B, p), m."""
         return np.asarray(np.linalg.norm(self.final.position, axis=1) * np.abs(self.values) / 100)
 
-    def table(self) -> SensitivityTable:
+    def table(self) -> Listing:
         """Return the displacement of each ball's final place when a parameter changes by 1 %, mm, the largest first."""
         moved = 1e3 * self.what_matters()
         order = np.argsort(-moved.max(axis=0), kind="stable")
         rows = [
             [self.columns[c], format_number(self.values[c]), *map(format_number, moved[:, c])] for c in order.tolist()
         ]
-        return SensitivityTable(["mm per cent", "value", *self._run.scene.ball_names], rows)
+        return Listing(["mm per cent", "value", *self._run.scene.ball_names], rows)
 
     def __repr__(self) -> str:
         """One line."""
