@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.options import OUTPUT, RUN, option, parse_pair, require_outputs, shared, wrote
+from carom.cli.options import OUTPUT, option, parse_pair, require_outputs, shared, wrote
+from carom.cli.parameters import Given, of_library
 from carom.cli.streams import note, say_json
-from carom.errors import CaromError, FaultList
+from carom.errors import CaromError
 
 if TYPE_CHECKING:
     from carom.sweeps.aiming import Aims
@@ -19,8 +20,10 @@ if TYPE_CHECKING:
 TARGET, START = "Target", "Start"
 
 
+@of_library("sweeps.aiming:aim", without=("reach",), panels={START: "errors", OUTPUT: "solutions"})
 def aim(
     scene: Annotated[Path, typer.Argument(metavar="SCENE.toml", help="A scene file; carom scene new FILE writes one.")],
+    *,
     ball: Annotated[
         str, option(TARGET, "Number or name of the ball that is to reach it.", "--ball", metavar="BALL")
     ] = "0",
@@ -59,19 +62,7 @@ def aim(
             show_default="balls.0.velocity, or the strike of a ball that is struck",
         ),
     ] = None,
-    error: Annotated[
-        list[str] | None,
-        option(
-            START,
-            "The player's: speed (a share), angle, azimuth, elevation (degrees), side, top (radii).",
-            "--error",
-            metavar="NAME=SIGMA",
-            show_default="speed=0.03, angle=0.2",
-        ),
-    ] = None,
-    solutions: Annotated[int, option(OUTPUT, "How many to show, at most.", "--solutions", min=1, metavar="N")] = 5,
-    starts: Annotated[int, option(RUN, "Starts of the coarse sweep.", "--starts", min=1, metavar="N")] = 1 << 14,
-    seed: Annotated[int, shared("seed")] = 0,
+    given: Given,
     allow_own_laws: Annotated[bool, shared("allow_own_laws")] = False,
     as_json: Annotated[bool, shared("json")] = False,
     quiet: Annotated[bool, shared("quiet")] = False,
@@ -80,7 +71,7 @@ def aim(
     """Find starts that reach a target: a ball hit after so many cushions, a pocket, a place; ranked by a player's errors."""
     from carom.scene.toml import load_scene
 
-    found = FaultList()
+    found = given.faults
     require_outputs(found, {"--plot": plot})
     made = found.attempt(load_scene, scene, allow_own_laws=allow_own_laws)
     place = None if point is None else found.attempt(parse_pair, "--point", point)
@@ -96,17 +87,13 @@ def aim(
     struck = [i for i, one in enumerate(made.balls) if one.strike is not None] if made is not None else []
     usual = f"balls.{struck[0]}.strike" if struck else "balls.0.velocity"
     ranges = found.attempt(_ranges, free or [usual])
-    errors = found.attempt(dict, (_error(text) for text in error or ()))
-    if found or made is None or ranges is None or errors is None:
+    if found or made is None or ranges is None:
         raise CaromError(*found)
     from carom.cli.console import working
     from carom.sweeps.aiming import aim as solve
 
     with working("aiming", quiet=quiet) as show:
-        aims = solve(
-            made, ranges, target, errors=errors, solutions=solutions, starts=starts, seed=seed,
-            progress=show and (lambda _done, _total, text: show(0, None, text)),
-        )  # fmt: skip
+        aims = solve(made, ranges, target, progress=show and (lambda _done, _total, text: show(0, None, text)), **given)
     if as_json:
         plain = [
             {
@@ -143,14 +130,6 @@ def _ranges(free: list[str]) -> Any:
         usual = RANGES.get(first.get(last, last), (0.0, 1.0))
         found[path] = parse_pair(f"--free {path}", text, ":") if sign else usual
     return found
-
-
-def _error(text: str) -> tuple[str, float]:
-    name, _sign, number = text.partition("=")
-    try:
-        return name.strip(), float(number)
-    except ValueError:
-        raise CaromError(f"--error: expected NAME=SIGMA, such as angle=0.2, got {text!r:.60}") from None
 
 
 def _show(aims: Aims, scene: Path) -> None:

@@ -107,6 +107,7 @@ OPTIONS: dict[str, dict[str, Any]] = {
     "bounces": {"metavar": "N", "parser": functools.partial(parse_whole, "--bounces")},
     "fix": {"metavar": "NAME=VALUE"},
     "truth": {"metavar": "NAME=VALUE"},
+    "errors": {"metavar": "NAME=SIGMA", "flags": ("--error",)},
     "bound": {"metavar": "NAME=LOW:HIGH"},
     "where": {"metavar": "COLUMN=VALUE"},
     "by": {"metavar": "COLUMN"},

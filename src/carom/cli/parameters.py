@@ -101,9 +101,8 @@ def of_library(
 
     def decorate(verb: Callable[..., None]) -> Callable[..., None]:
         own = dict(inspect.signature(verb, eval_str=True).parameters)
-        found = {
-            name: one for name, one in parameters(place).items() if name not in (*own, *without, "film", "progress")
-        }
+        left = {*own, *without, "progress", *["film"] * bool(films)}
+        found = {name: one for name, one in parameters(place).items() if name not in left}
         more = {
             name: one._replace(default=None)
             for film in films

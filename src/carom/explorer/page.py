@@ -200,10 +200,10 @@ class ExplorerPage:
 
 
 def explore(
-    scene: Any = None,
+    scene: str | Path | Any = None,
     laws: str | Iterable[str] | None = None,
-    data: Rebounds | str | os.PathLike[str] | None = None,
-    film: Any = None,
+    data: str | Path | Rebounds | None = None,
+    film: str | Path | Any = None,
     shot: str | None = None,
 ) -> ExplorerPage:
     """Return a page in which a scene can be changed by hand and is run under several laws at once, by carom's own engine.
@@ -213,16 +213,15 @@ def explore(
     scene : Scene or path, or a fit to whole shots, optional
         Default: the paper's example. At most 100 balls, and walls of at most 2,000 faces, edges and corners. Of a fit
         (:func:`carom.fit_shots`, or one of its shots) each shot is a scene of the page, with its film beside it.
-    laws : names, optional
-        Laws that are shown at first. Default: the scene's own and laws of `carom compare`; where walls are the noses of cushions,
-        `two-step`, the published laws of cushions and, as a contrast, `mirror`; of a scene of more than 6 balls, or with a film,
-        its own alone. The scene's own law leads.
-    data : Rebounds or path, optional
-        Measured rebounds, shown over the curves of reflection against incidence.
-    film : path, or Tracks, optional
-        A track file of one shot, or the tracks of its balls, in the coordinates of the scene: dots beside the balls' paths, a ring
-        where the film saw each ball at the time that is shown, and the distance from there to the run. They go by their names, or
-        in their order where the scene has other names. The scene begins at that time of the film at which its run is nearest.
+    laws : str or sequence of str, optional
+        Laws that are shown at first. Default: the scene's own, which leads, and the laws of compare for its walls; of more than 6
+        balls, or with a film, its own alone.
+    data : path or Rebounds, optional
+        Measured rebounds, drawn over the laws' curves. These are not fitted to them: they are for the restitution and friction of
+        the scene, and of the page's sliders.
+    film : path or Tracks, optional
+        A track file of one shot, in the coordinates of the scene: dots beside the balls' paths, a ring where the film saw each
+        ball. Balls go by their names, or by their order. The scene begins when its run is nearest to the film.
     shot : str, optional
         Its name in a film of several shots.
 

@@ -471,14 +471,14 @@ def aim(
         ``"speed": 0.8``: and comes there with this speed (m/s), within a tenth, or ``"speed_within"`` m/s.
         Several must all be met: pot a ball and leave the cue ball at a place.
     errors : mapping, optional
-        The player's, one standard deviation: "speed" (a share: 0.03), "angle" and "azimuth" (0.2 degrees), "elevation" (0.5
-        degrees), "side" and "top" (0.02 radii), "spin_z" (2 rad/s).
+        The player's, one standard deviation: speed (a share: 0.03), angle and azimuth (0.2 degrees), elevation (0.5 degrees),
+        side and top (0.02 radii), spin_z (2 rad/s).
     solutions : int
-        How many are returned, at most.
+        How many are found, at most.
     starts : int
-        Of the coarse sweep.
+        Starts of the coarse sweep.
     seed : int
-        Of the draws of the player's errors.
+        Seed of the player's errors.
     progress : callable(done, total, text), optional
         Called with the current step in words; how much of it is done is not known (NaN).
 
