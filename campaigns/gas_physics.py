@@ -25,7 +25,6 @@ from carom.gas import (
     layer_profiles,
     scattered,
     sheared_viscosity,
-    simulate_gas,
     transport_coefficients,
 )
 from carom.gas import coefficients as enskog_theory
@@ -62,7 +61,7 @@ def enskog(density: float, pressure: float, temperature: float, axes: int) -> fl
 
 def free_time(run: Campaign, scale: float) -> None:
     balls = 4000
-    _gas, found = simulate_gas(
+    _gas, found = carom.simulate_gas(
         [Species(BALL, balls)], ((balls / 0.5) ** (1 / 3),) * 3, contacts=SMOOTH, max_events=int(8e6 * scale)
     )
     y = 0.5 * math.pi / 6
@@ -71,7 +70,7 @@ def free_time(run: Campaign, scale: float) -> None:
 
 def pressure(run: Campaign, scale: float) -> None:
     for density in (0.1, 0.3, 0.5, 0.7, 0.85):
-        _gas, found = simulate_gas(
+        _gas, found = carom.simulate_gas(
             [Species(BALL, 2000)], ((2000 / density) ** (1 / 3),) * 3, contacts=SMOOTH, max_events=int(2e6 * scale)
         )
         y = density * math.pi / 6
@@ -84,7 +83,7 @@ def pressure(run: Campaign, scale: float) -> None:
         line(run, f"p / n k T, spheres, n = {density} (Kolafa)", kolafa(y), found.pressure / density)
     for share in (0.1, 0.3, 0.45, 0.6, 0.68):
         density = share * 4 / math.pi
-        _gas, found = simulate_gas(
+        _gas, found = carom.simulate_gas(
             [Species(DISC, 2000)], ((2000 / density) ** 0.5,) * 2, contacts=SMOOTH, max_events=int(2e6 * scale)
         )
         line(run, f"p / n k T, discs, share {share} (Henderson)", henderson(share), found.pressure / density)

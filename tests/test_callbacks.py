@@ -10,7 +10,8 @@ import pytest
 import carom
 from carom.data.rebounds import make_rebounds
 from carom.fitting import Setting, fit_laws
-from carom.gas import Gas, GasScene, Session, Species, dense, simulate_ensemble
+from carom.gas import Gas, GasScene, Session, Species, dense
+from carom.sweeps import gas_ensemble
 
 BALL = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0, 0), velocity=(-1, 0, 0))
 WALLS = [carom.scene.Plane(point=(x, 0, 0), normal=(n, 0, 0)) for x, n in ((0, 1), (2, -1))]
@@ -35,7 +36,7 @@ CALLS: dict[str, tuple[Callable[[Any], Any], int, tuple[Any, Any, str]]] = {
     ),
     "Gas.run": (lambda f: Gas(*ONE_GAS, contacts=carom.Surface(1, 0, -1)).run(300, progress=f), 2, (300, 300, "collisions")),
     "Session.run": (lambda f: Session(GAS).run(progress=f), 1, (1.0, 1.0, "measuring")),
-    "simulate_ensemble": (lambda f: simulate_ensemble(GAS, 2, progress=f), 2, (1200, 1200, "collisions")),
+    "gas_ensemble": (lambda f: gas_ensemble(GAS, 2, progress=f), 2, (2, 2, "gases")),
     "dense": (lambda f: dense(np.full(60, 0.5), (4.2, 4.2, 4.2), seed=1, progress=f), 1, (None, 1.0, "growing")),
     "fit_laws": (lambda f: fit_laws(TABLE, Setting(radius=0.02), ["sticking"], bootstrap=0, progress=f), 2, (None, 1.0, "")),
 }  # fmt: skip

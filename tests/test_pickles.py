@@ -264,10 +264,10 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
     "derivations": a_derivation,
     "gases": lambda: [
         a_gas_scene(),
-        *(found := gas.simulate_gas(a_gas_scene())),
+        *(found := carom.simulate_gas(a_gas_scene())),
         found[0].balls(),
         a_session(),
-        gas.simulate_ensemble(a_gas_scene(), 2),
+        sweeps.gas_ensemble(a_gas_scene(), 2),
         gas.Species(BALL, 5),
         gas.Thermostat(temperature=1.0, rate=1.0),
         gas.EarlyEnd("at rest", 1.0),

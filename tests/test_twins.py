@@ -99,7 +99,7 @@ def test_each_verb_has_a_function_or_is_known_to_have_none() -> None:
 def test_gases_by_the_names_of_the_command(tmp_path: Any) -> None:
     names = inspect.signature(COMMANDS["gas"].callback).parameters
     own = inspect.signature(carom.simulate_gas).parameters
-    assert {"max_events", "duration", "seed", "ensemble"} <= set(names) & set(own)
+    assert {"max_events", "duration", "seed", "ensemble", "store", "on"} <= set(names) & set(own)
     assert all(
         own[name].default is names[name].default is None for name in ("max_events", "duration", "seed", "ensemble")
     )
@@ -113,7 +113,7 @@ def test_gases_by_the_names_of_the_command(tmp_path: Any) -> None:
     assert (run.pair_collisions, gas.collisions) == (200, 40 * 30 + 200)
     assert all((total, text) == (1400, "collisions") for _done, total, text in seen)
     scene = carom.replaced(carom.gas.load_gas(file), {"run.seed": 3})
-    assert carom.gas.simulate_gas(scene, max_events=200)[0].balls().position.tobytes() == gas.balls().position.tobytes()
+    assert carom.simulate_gas(scene, max_events=200)[0].balls().position.tobytes() == gas.balls().position.tobytes()
     assert len(carom.simulate_gas(file, max_events=100, ensemble=2).seeds) == 2
 
 

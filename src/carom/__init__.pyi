@@ -28,7 +28,6 @@ from .fitting.design_shots import design as design
 from .fitting.files import fit as fit
 from .fitting.gas import fit_gas as fit_gas
 from .fitting.shots.fit import fit_shots as fit_shots
-from .gas.simulate import simulate_gas as simulate_gas
 from .laws.comparison import Comparison as Comparison
 from .laws.comparison import Verdict as Verdict
 from .laws.comparison import compare as compare
@@ -83,6 +82,7 @@ from .sweeps.aiming import Aim as Aim
 from .sweeps.aiming import Aims as Aims
 from .sweeps.aiming import aim as aim
 from .sweeps.axes import polar as polar
+from .sweeps.ensembles import simulate_gas as simulate_gas
 from .sweeps.space import Space as Space
 from .sweeps.sweep import Sweep as Sweep
 from .sweeps.sweep import sweep as sweep

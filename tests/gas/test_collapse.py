@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from carom import CaromError, Disc, Surface
+from carom import CaromError, Disc, Surface, simulate_gas
 from carom.cli import app
-from carom.gas import EndedEarlyError, Gas, Session, Species, load_gas, simulate_ensemble, simulate_gas
+from carom.gas import EndedEarlyError, Gas, Session, Species, load_gas
 from carom.gas.files import load_checkpoint, save_checkpoint
+from carom.sweeps import gas_ensemble
 
 COLLAPSING = """
 [container]
@@ -168,7 +169,7 @@ def test_the_command_prints_and_writes_what_was_measured(folder):
 
 def test_an_ensemble_keeps_gases_that_collapse(folder):
     with pytest.raises(EndedEarlyError, match=r"3 of 3 gases ended early \(the gas with seed \d+\)$") as found:
-        simulate_ensemble(load_gas("gas.toml"), 3)
+        gas_ensemble(load_gas("gas.toml"), 3)
     ensemble = found.value.result
     assert list(ensemble.ended_early) == list(ensemble.seeds)
     assert ensemble.mean["mean_free_time"] == pytest.approx(2.8, abs=0.4)

@@ -19,10 +19,10 @@ from typer.testing import CliRunner
 import carom
 from carom.cli import app, main
 from carom.formatting import format_uncertain
-from carom.gas import Session, load_gas, simulate_ensemble
+from carom.gas import Session, load_gas
 from carom.gas.report import report
-from carom.gas.simulate import member_scene
 from carom.plot import plot_ensemble, plot_gas
+from carom.sweeps import gas_ensemble
 
 SHORT = ROUGH.replace("60_000", "6_000").replace("5_000", "1_000")
 
@@ -50,9 +50,23 @@ def refusal(capsys, monkeypatch, *words: str) -> list[str]:
 
 
 @pytest.mark.parametrize("name", ["rough", "mixed"])
-def test_the_number_of_threads_changes_no_bit(folder, name):
+def test_neither_threads_nor_a_store_changes_a_bit(folder, name, monkeypatch):
     scene = load_gas(folder / f"{name}.toml")
-    one, many = (simulate_ensemble(scene, 5, threads=threads) for threads in (1, 4))
+    monkeypatch.setattr("carom.sweeps.ensembles.BLOCK_GASES", 2)
+    monkeypatch.setattr("carom.sweeps.orbits.thread_count", lambda: 1)
+    one = gas_ensemble(scene, 5)
+    monkeypatch.setattr("carom.sweeps.orbits.thread_count", lambda: 4)
+    pytest.importorskip("zarr")
+
+    def halt(done: float, *_rest: object) -> None:
+        if done == 2:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        gas_ensemble(scene, 5, store=folder / "e.zarr", progress=halt)
+    told: list[float] = []
+    many = gas_ensemble(scene, 5, store=folder / "e.zarr", progress=lambda done, *_rest: told.append(done))
+    assert told == [0, 2, 4, 5]  # the first block was there
     for part in ("mean", "error"):
         assert plain(getattr(one, part)) == plain(getattr(many, part))
     assert list(map(plain, one.members)) == list(map(plain, many.members))
@@ -63,12 +77,12 @@ def test_the_number_of_threads_changes_no_bit(folder, name):
 
 def test_members_are_the_gases_of_their_seeds(folder):
     scene = load_gas(folder / "rough.toml")
-    small, large = (simulate_ensemble(scene, count) for count in (2, 5))
+    small, large = (gas_ensemble(scene, count) for count in (2, 5))
     assert large.seeds[:2] == small.seeds
     assert len(set(large.seeds)) == 5
-    assert simulate_ensemble(member_scene(scene, 2), 2).seeds != small.seeds
+    assert gas_ensemble(carom.replaced(scene, {"run.seed": 2}), 2).seeds != small.seeds
     for seed, member in zip(small.seeds, small.members, strict=True):
-        alone = Session(member_scene(scene, seed))
+        alone = Session(carom.replaced(scene, {"run.seed": seed}))
         alone.run()
         assert plain(report(alone)) == plain(member)
     axes = plot_gas(alone).axes  # of the last one: every axis with its unit
@@ -78,7 +92,7 @@ def test_members_are_the_gases_of_their_seeds(folder):
 
 
 def test_means_and_errors_are_those_of_the_members(folder):
-    found = simulate_ensemble(load_gas(folder / "mixed.toml"), 4)
+    found = gas_ensemble(load_gas(folder / "mixed.toml"), 4)
     places = (
         lambda one: one["pressure"],
         lambda one: one["species"]["small"]["a2_rotational"],
@@ -112,7 +126,7 @@ def test_means_and_errors_are_those_of_the_members(folder):
 
 
 def test_the_ratio_of_the_temperatures_is_a_mean_over_the_gases(folder):
-    found = simulate_ensemble(load_gas(folder / "mixed.toml"), 4)
+    found = gas_ensemble(load_gas(folder / "mixed.toml"), 4)
     for place in (lambda one: one, lambda one: one["species"]["big"]):
         ratios = [
             place(one)["temperature_rotational"] / place(one)["temperature_translational"] for one in found.members
@@ -127,7 +141,7 @@ def test_the_ratio_of_the_temperatures_is_a_mean_over_the_gases(folder):
 
 def test_the_mean_agrees_with_one_long_run_and_the_error_bar_is_honest(folder):
     scene = load_gas(folder / "rough.toml")
-    found = simulate_ensemble(scene, 24)
+    found = gas_ensemble(scene, 24)
     long = Session(scene.model_copy(update={"run": scene.run.model_copy(update={"max_events": 24 * 6000})}))
     long.run()
     # both have the same number of collisions, so about the same error
@@ -151,24 +165,21 @@ def test_gases_that_would_be_the_same_are_refused(folder, capsys, monkeypatch):
     gas = Session(load_gas(folder / "rough.toml")).gas.balls()
     np.savez(folder / "start.npz", position=gas.position, velocity=rng.normal(size=(200, 3)))
     (folder / "file.toml").write_text(SHORT + 'start = "start.npz"\n')
-    assert simulate_ensemble(load_gas(folder / "file.toml"), 2).error["pressure"] > 0  # spins are drawn
+    assert gas_ensemble(load_gas(folder / "file.toml"), 2).error["pressure"] > 0  # spins are drawn
     np.savez(folder / "start.npz", position=gas.position, velocity=gas.velocity, spin=gas.spin)
     with pytest.raises(carom.CaromError, match=said):
-        simulate_ensemble(load_gas(folder / "file.toml"), 2)
+        gas_ensemble(load_gas(folder / "file.toml"), 2)
 
 
 def test_bad_arguments_are_one_line(folder, capsys, monkeypatch):
     scene = load_gas(folder / "rough.toml")
-    for members, threads, name in (
-        (1, None, "members"),
-        (2.5, None, "members"),
-        (True, None, "members"),
-        (2, 0, "threads"),
-    ):
-        with pytest.raises(carom.CaromError, match=f"^simulate_ensemble: {name}: expected a whole number >= "):
-            simulate_ensemble(scene, members, threads=threads)
+    for members in (1, 2.5, True):
+        with pytest.raises(carom.CaromError, match=r"^gas_ensemble: members: expected a whole number >= "):
+            gas_ensemble(scene, members)
+    (line,) = refusal(capsys, monkeypatch, "rough.toml", "--store", "e.zarr")
+    assert line == "--ensemble: expected a number of gases with --store and --on, got none"
     with pytest.raises(carom.CaromError, match="scene: expected a GasScene, got int"):
-        simulate_ensemble(3, scene)
+        gas_ensemble(3, scene)
     (line,) = refusal(capsys, monkeypatch, "rough.toml", "--ensemble", "1")
     assert line == "--ensemble: expected a number of gases >= 2, got 1"
     lines = refusal(
@@ -196,7 +207,7 @@ def test_a_member_that_fails_names_its_seed(folder):
     text = text.replace("gravity = 0.2", "gravity = 5.0").replace("restitution = 1.0", "restitution = 0.0")
     (folder / "dead.toml").write_text(text.replace("duration = 20.0", "duration = 1000.0"))
     with pytest.raises(carom.CaromError, match=r"an inelastic collapse at t = .* \(the gas with seed \d+\)$") as found:
-        simulate_ensemble(load_gas(folder / "dead.toml"), 3)
+        gas_ensemble(load_gas(folder / "dead.toml"), 3)
     assert len(found.value.faults) == 1
 
 
@@ -204,7 +215,7 @@ def test_the_command_prints_what_the_library_finds(folder):
     words = ["gas", "rough.toml", "--ensemble", "3", "--measures", "m.json", "--plot", "g.svg", "--json"]
     done = CliRunner().invoke(app, words, catch_exceptions=False)
     assert done.exit_code == 0
-    shown, ensemble = json.loads(done.stdout), simulate_ensemble(load_gas(folder / "rough.toml"), 3)
+    shown, ensemble = json.loads(done.stdout), gas_ensemble(load_gas(folder / "rough.toml"), 3)
     assert shown["seeds"] == list(ensemble.seeds)
     for part in ("mean", "error"):
         assert plain(shown[part]) == plain(getattr(ensemble, part))
@@ -240,7 +251,7 @@ max_events = 10_000
 def test_a_cooling_ensemble_is_drawn_as_a_single_gas_is(folder):
     """There was an empty place in the grid of panels, and the temperature was drawn over a linear axis of time."""
     (folder / "cooling.toml").write_text(COOLING)
-    found = simulate_ensemble(load_gas(folder / "cooling.toml"), 3)
+    found = gas_ensemble(load_gas(folder / "cooling.toml"), 3)
     assert "displacement" not in found.curves
     moved = found.curves["displacement_by_collisions"]
     assert (np.diff(moved.mean) > 0).all()
@@ -261,7 +272,7 @@ def test_gases_of_which_only_some_have_a_diffusion_coefficient(folder):
     kinds = []
     for count in counts:
         (folder / "cooling.toml").write_text(text.format(count))
-        curves = simulate_ensemble(load_gas(folder / "cooling.toml"), 4).curves
+        curves = gas_ensemble(load_gas(folder / "cooling.toml"), 4).curves
         kinds.append("displacement" in curves)
         assert kinds[-1] != ("displacement_by_collisions" in curves)
     assert kinds[0] > kinds[-1]

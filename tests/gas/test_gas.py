@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from carom import Ball, CaromError, Disc, Surface
-from carom.gas import Gas, Species, Thermostat, lattice, scattered, simulate_gas, thermal
+from carom import Ball, CaromError, Disc, Surface, simulate_gas
+from carom.gas import Gas, Species, Thermostat, lattice, scattered, thermal
 
 SMOOTH, ROUGH = Surface(1, 0, -1), Surface(1, math.inf, 1)
 SPHERE, DISC = Ball(0.5, 1.0, 0.4), Disc(0.5, 1.0, 0.5)

@@ -10,8 +10,8 @@ import pytest
 from reference.gases import MIXED, ROUGH
 
 import carom
-from carom import Ball, CaromError, Surface
-from carom.gas import Gas, Species, simulate_gas
+from carom import Ball, CaromError, Surface, simulate_gas
+from carom.gas import Gas, Species
 from carom.gas.containers import GasContainer
 from carom.gas.report import report
 from carom.gas.scene import GasScene, GasSettings, gas_text, is_gas, load_gas

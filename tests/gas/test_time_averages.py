@@ -10,7 +10,7 @@ from reference.gas_flights import Flights
 
 import carom
 from carom import Ball, Disc, Surface
-from carom.gas import Drive, Gas, GasScene, Session, Species, container, simulate_gas
+from carom.gas import Drive, Gas, GasScene, Session, Species, container
 from carom.gas.report import report
 
 ROUGH = Surface(0.9, 0.3, 0.5)
@@ -151,7 +151,7 @@ def test_a_cooling_gas_reports_its_end_and_a_window():
     assert part["simulated_time"] == pytest.approx(10.0, rel=1e-12)
     assert part["final"]["species"]["a"] == pytest.approx(found["final"]["species"]["a"], rel=1e-9)
     assert 1 < part["temperature_translational"] / part["final"]["temperature_translational"] < 2
-    gas, run = simulate_gas(scene, from_time="30 s", duration=10.0)
+    gas, run = carom.simulate_gas(scene, from_time="30 s", duration=10.0)
     assert gas.time == pytest.approx(40.0)
     assert run.temperature_translational == part["temperature_translational"]
 

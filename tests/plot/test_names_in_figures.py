@@ -71,7 +71,7 @@ def ensemble(_folder: Path) -> Any:
     made = carom.gas.GasScene(
         container={"shape": "periodic", "size": (4, 4, 4)}, species=species, contacts=contacts, run={"max_events": 200}
     )
-    return plot.plot_ensemble(carom.gas.simulate_ensemble(made, 2), title=NAME)
+    return plot.plot_ensemble(carom.sweeps.gas_ensemble(made, 2), title=NAME)
 
 
 def whole_tracks(_folder: Path) -> Any:

@@ -6,7 +6,6 @@ import contextlib
 import math
 import shlex
 import sys
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -23,7 +22,7 @@ if TYPE_CHECKING:
     from carom.gas.results import Every
     from carom.gas.scene import GasScene
     from carom.gas.session import Session
-    from carom.gas.simulate import Ensemble
+    from carom.sweeps.ensembles import Ensemble
 
 
 def require_no_files(found: FaultList, members: int, files: dict[str, Any]) -> None:
@@ -44,25 +43,31 @@ def run_ensemble(
     measures: Path | None,
     as_json: bool,
     quiet: bool,
+    store: Path | None,
+    on: str,
 ) -> None:
     """Simulate an ensemble; print it, plot it, and write its measures."""
     from carom.cli.console import out
     from carom.cli.gas_output import no_diffusion, print_tables
     from carom.gas.results import EndedEarlyError
-    from carom.gas.simulate import simulate_ensemble
+    from carom.sweeps.ensembles import gas_ensemble
 
     progress.note_compiling()
     found = FaultList()
     try:
         with progress:
-            ensemble = simulate_ensemble(scene, members, progress=_Bar(progress, members).show)
+            told = _Bar(progress, members).show
+            ensemble = gas_ensemble(scene, members, store=store, on=on.removeprefix("dask:"), progress=told)
     except EndedEarlyError as error:
         if error.result is None:
             raise
         ensemble = error.result
         found += error.records
     except KeyboardInterrupt:
-        say_interrupted("carom: interrupted; nothing was saved")
+        kept = (
+            "nothing was saved" if store is None else f"the gases that are done are in {store}; run it again to go on"
+        )
+        say_interrupted(f"carom: interrupted; {kept}")
         raise
     written = write_files(found, ensemble, [(plot, _plot_ensemble), (measures, _write)])
     # the report is printed even if a file cannot be written
@@ -80,28 +85,19 @@ def run_ensemble(
 
 
 class _Bar:
-    """Shows how far all members are."""
+    """Shows how many gases are done."""
 
     def __init__(self, progress: Progress, members: int) -> None:
-        self.progress, self.members, self.begin = progress, members, time.monotonic()
-        self.announced = False
+        self.progress, self.members = progress, members
 
-    def show(self, events: float, total: float, _text: str) -> None:
-        """Show the number of collisions so far, and the fraction that is done."""
-        from carom.cli.gas_output import LINE_INTERVAL
-
-        share = events / total if total > 0 else 0.0
-        one, now = self.progress, time.monotonic()
-        if one.bar is None and not self.announced:
-            one.say(f"simulating {self.members} gases")
-        self.announced = True
-        rate = f"{events / max(now - self.begin, 1e-9):,.0f} events/s"
+    def show(self, done: float, total: float, _text: str) -> None:
+        """Show it, on a terminal as a bar."""
+        one = self.progress
         if one.bar is not None:
             one.bar.describe(f"{self.members} gases")
-            one.bar.show(share, 1.0, f"{events:,} events  {rate}")
-        elif now - one.last_line >= LINE_INTERVAL:
-            one.last_line = now
-            one.say(f"{self.members} gases: {share:.0%}, {events:,} events, {rate}")
+            one.bar.show(done / total, 1.0, f"{done:.0f} done")
+        elif done == 0:
+            one.say(f"simulating {self.members} gases")
 
 
 # --- output --------------------------------------------------------------------------------------------------------
@@ -206,6 +202,13 @@ def gas(
             metavar="N",
         ),
     ] = None,
+    store: Annotated[
+        Path | None,
+        option(RUN, "Where gases of an ensemble that are done are kept: run it again to go on.", metavar="FILE.zarr"),
+    ] = None,
+    on: Annotated[
+        str, option(RUN, "Of an ensemble: cores, or dask:ADDRESS of a cluster, with a store.", metavar="WHERE")
+    ] = "cores",
     as_json: Annotated[bool, shared("json")] = False,
     quiet: Annotated[bool, shared("quiet")] = False,
     plot: Annotated[Path | None, shared("plot")] = None,
@@ -265,6 +268,8 @@ def gas(
             "--yes": yes or None,
         }
         require_no_files(found, ensemble, files | {"--checkpoint": checkpoint, "--resume": resume})
+    elif store is not None or on != "cores":
+        found.add("--ensemble", "a number of gases with --store and --on", "none")
     if snapshots is not None and resume is None and not force and snapshots.is_file():
         found.add(f"--snapshots {snapshots}", "a new file", "an existing one", "--force overwrites it")
     interval = found.attempt(_interval, "--checkpoint-every", checkpoint_every)
@@ -276,7 +281,7 @@ def gas(
     found.raise_if_any()
     progress = Progress(quiet)
     if ensemble is not None:
-        return run_ensemble(given, ensemble, progress, plot, measures, as_json, quiet)
+        return run_ensemble(given, ensemble, progress, plot, measures, as_json, quiet, store, on)
     session = _session(
         given, resume, progress
     )  # (until it is made nothing can be kept: signals end the command at once)

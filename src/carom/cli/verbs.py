@@ -29,7 +29,7 @@ ARGUMENTS: dict[str, dict[str, str]] = {
     "Run": {}, "simulate": {}, "predict": {}, "fit": {}, "fit_gas": {}, "design": {}, "tracks": {}, "measure_tracks": {},
     "judge": {}, "track_film": {},
     "aim": {"errors": "error"}, "aim: reach": {}, "explore": {}, "plot": {"orbit": "plot"}, "sensitivity": {"wrt": "sensitivity"},
-    "GasSettings": {}, "simulate_gas": {}, "simulate_ensemble": {}, "orbit": {}, "orbit: start": {}, "starts": {},
+    "GasSettings": {}, "simulate_gas": {}, "gas_ensemble": {}, "orbit": {}, "orbit: start": {}, "starts": {},
 }  # fmt: skip
 # A fault of an argument, in the text of any fault: its function, where it is named, the argument, and the rest.
 ARGUMENT = re.compile(

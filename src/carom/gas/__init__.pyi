@@ -35,9 +35,6 @@ from .scene import gas_text as gas_text
 from .scene import load_gas as load_gas
 from .scene import new_gas as new_gas
 from .session import Session as Session
-from .simulate import Ensemble as Ensemble
-from .simulate import simulate_ensemble as simulate_ensemble
-from .simulate import simulate_gas as simulate_gas
 from .snapshots import Snapshots as Snapshots
 from .species import GasSurface as GasSurface
 from .species import Species as Species

@@ -432,8 +432,8 @@ class EndedEarlyError(CaromError):
     end : EarlyEnd
         When and why; of a collapse, which balls.
     result : GasRun, Ensemble or None
-        What was measured until then: of :meth:`carom.gas.Gas.run` and :func:`carom.gas.simulate_gas` a GasRun, of
-        :func:`carom.gas.simulate_ensemble` the Ensemble, whose gases count up to where each of them ended.
+        What was measured until then: of :meth:`carom.gas.Gas.run` and :func:`carom.simulate_gas` a GasRun, of
+        :func:`carom.sweeps.gas_ensemble` the Ensemble, whose gases count up to where each of them ended.
 
     Examples
     --------

@@ -17,8 +17,8 @@ from carom.gas.report import UNITS_NOTE, pressure_unit
 from carom.gas.results import layers
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
-from carom.gas.simulate import Curve, Ensemble
 from carom.plot.style import GREY, INK, PALE, drawn, literal, new_figure
+from carom.sweeps.ensembles import Curve, Ensemble
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -428,14 +428,15 @@ def plot_ensemble(
 
     Examples
     --------
-    >>> from carom.gas import GasScene, simulate_ensemble
+    >>> from carom.gas import GasScene
     >>> from carom.plot import plot_ensemble
+    >>> from carom.sweeps import gas_ensemble
     >>> contact = {"between": ("a", "a"), "restitution": 1, "friction": 0}
     >>> scene = GasScene(
     ...     container={"shape": "periodic", "size": (8, 8, 8)}, species=[{"count": 64, "radius": 0.5}], contacts=[contact],
     ...     run={"equilibrate": 100, "max_events": 2000},
     ... )
-    >>> len(plot_ensemble(simulate_ensemble(scene, 3)).axes)
+    >>> len(plot_ensemble(gas_ensemble(scene, 3)).axes)
     6
     """
     if not ensemble.curves:

@@ -4,6 +4,8 @@ from .axes import normal as normal
 from .axes import polar as polar
 from .axes import sobol as sobol
 from .axes import uniform as uniform
+from .ensembles import Ensemble as Ensemble
+from .ensembles import gas_ensemble as gas_ensemble
 from .impacts import ImpactCase as ImpactCase
 from .orbits import OrbitCase as OrbitCase
 from .space import Space as Space

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import functools
+import math
+import threading
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -18,9 +21,14 @@ from carom.billiards.setup import default_ball, needs_surface
 from carom.billiards.stability import lyapunov
 from carom.billiards.tables import Table, table
 from carom.bodies import Ball, Disc, Surface
+from carom.core.jit.threads import thread_count
 from carom.core.random import threefry
 from carom.errors import CaromError, shown, suggestion
+from carom.gas import initial, overlaps
+from carom.gas import measures as histograms
+from carom.gas.edmd import driver
 from carom.gas.report import report
+from carom.gas.results import AT_REST, COLLAPSE, TOO_SLOW, EarlyEnd, EndedEarlyError
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
 from carom.laws.registry import laws
@@ -74,10 +82,8 @@ class PointByPoint(ABC):
         count = len(next(iter(columns.values())))
         found = {outcome.name: blank(outcome, count) for outcome in outcomes}
         failed = np.zeros(count, np.int8)
-        for k in range(count):
-            try:
-                values = self.compute(self._at(columns, k), seed, first + k)
-            except CaromError:
+        for k, values in enumerate(self._computed(columns, range(count), seed, first)):
+            if values is None:
                 failed[k] = REFUSED
                 continue
             for outcome in outcomes:
@@ -85,6 +91,16 @@ class PointByPoint(ABC):
             if tick is not None:
                 tick()
         return found, failed
+
+    def _computed(
+        self, columns: dict[str, Array], points: range, seed: int, first: int
+    ) -> Iterator[Mapping[str, Any] | None]:
+        """Yield the outcomes of points one after the other; None where there are none."""
+        for k in points:
+            try:
+                yield self.compute(self._at(columns, k), seed, first + k)
+            except CaromError:
+                yield None
 
     def _at(self, columns: dict[str, Array], k: int) -> Any:
         return replaced(self.model, {path: plain_value(column[k]) for path, column in columns.items()})
@@ -214,7 +230,7 @@ class Orbits(PointByPoint):
 
 
 # ----------------------------------------------------------------------------------------------------
-# Sweeps over gases: one run a point, with random numbers of its own.
+# Sweeps over gases: one run a point; of an ensemble, whose seeds are swept, all numbers and curves of each.
 
 
 TOTALS = (
@@ -229,27 +245,175 @@ OF_SPECIES = (
     "a2_translational",
     "a2_rotational",
 )
+# What an ensemble keeps of each gas: the numbers of its report, why it ended early (kind, time, collisions, balls), and curves.
+REPORT, ENDED, CURVE = "report", "ended_early", "curve."
+KINDS, MOST_BALLS, PLACES = (COLLAPSE, AT_REST, TOO_SLOW), 64, 256
+SEED = "run.seed"
 
 
 class Gases(PointByPoint):
-    """A sweep's subject: the gas of a scene, what ``carom gas`` reports of it."""
+    """A sweep's subject: the gas of a scene, what ``carom gas`` reports of it. Gases of a block run at once, on all cores."""
 
     kind = "gas"
     model: GasScene
 
+    def check(self, parameters: Mapping[str, Axis]) -> None:
+        """Raise CaromError for paths that lead nowhere or overlap, and for values that the model refuses."""
+        super().check(parameters)
+        self._has_seeds, self._whole = SEED in parameters, False
+
     def outcomes(self, names: tuple[str, ...]) -> list[Outcome]:
         """Return the outcomes of some names. CaromError with the nearest name."""
+        if self._has_seeds and REPORT in names:
+            self._whole = True
+            sizes = {REPORT: len(_numbers(self.template)), ENDED: 3 + MOST_BALLS}
+            own = {name: Outcome(name, dims={f"{name}.number": tuple(range(size))}) for name, size in sizes.items()}
+            places = {"axis": ("x", "y"), "place": tuple(range(PLACES))}
+            return [own.get(name) or Outcome(name, dims=dict(places)) for name in names]
         known = [*TOTALS, *(f"species.{one.name}.{part}" for one in self.model.species for part in OF_SPECIES)]
         require_outcomes(names, known)
         return [Outcome(name) for name in names]
 
-    def compute(self, model: GasScene, seed: int, index: int) -> dict[str, Any]:
-        """Return the report of a run whose seed follows from the sweep's, the scene's, and the point's index."""
-        number = threefry(seed, model.run.seed & WORD, index & WORD, index >> 32)[0]
-        session = Session(replaced(model, {"run.seed": number}))
-        session.run()
+    @functools.cached_property
+    def template(self) -> dict[str, Any]:
+        """A report of the same form as those of all its gases: after one collision, at most."""
+        run = {"equilibrate": 0, "max_events": 1, "from_time": None}
+        session = Session(self.model.model_copy(update={"run": self.model.run.model_copy(update=run)}))
+        assert session.measures is not None
+        session.measures.sample(session.gas)
+        return report(session)
+
+    def compute(
+        self, model: GasScene, seed: int, index: int, stop: Callable[[], bool] = lambda: False
+    ) -> dict[str, Any]:
+        """Return the report of a run whose seed is swept, or follows from the sweep's, the scene's, and the point's index."""
+        if not self._has_seeds:
+            number = threefry(seed, model.run.seed & WORD, index & WORD, index >> 32)[0]
+            model = replaced(model, {SEED: number})
+        session, end = Session(model), None
+        try:
+            for _ in session.pieces(stop=stop):
+                pass
+        except EndedEarlyError as error:
+            if not (self._whole and session.measuring):
+                raise
+            end = error.end
+        if not session.finished and end is None:
+            raise CaromError("sweep: expected gases that run to their ends, got an interrupt")
         found = report(session)
+        if self._whole:
+            return _kept(session, found, end)
         own = {
             f"species.{name}.{part}": value for name, parts in found["species"].items() for part, value in parts.items()
         }
         return {**{name: found[name] for name in TOTALS if name in found}, **own}
+
+    def _computed(
+        self, columns: dict[str, NDArray[Any]], points: range, seed: int, first: int
+    ) -> Iterator[Mapping[str, Any] | None]:
+        """Yield the outcomes of points, each computed by a thread of its own, in their order."""
+        for room in (driver, histograms, initial, overlaps):
+            room.compiled_loops()  # made once, before several threads ask for them
+        halted = threading.Event()
+
+        def computed(k: int) -> Mapping[str, Any] | None:
+            try:
+                return self.compute(self._at(columns, k), seed, first + k, halted.is_set)
+            except CaromError:
+                return None
+
+        with ThreadPoolExecutor(thread_count()) as pool:
+            try:
+                yield from pool.map(computed, points)
+            finally:  # (after Ctrl-C: the gases end between two pieces of their runs)
+                halted.set()
+                pool.shutdown(cancel_futures=True)
+
+
+# --- a report as numbers -------------------------------------------------------------------------------------------
+
+
+def _numbers(found: Any) -> list[float]:
+    """Return the numbers in a report, in their order."""
+    if isinstance(found, dict):
+        return [x for name, part in found.items() if name != ENDED for x in _numbers(part)]
+    if isinstance(found, list):
+        return [x for part in found for x in _numbers(part)]
+    return [] if isinstance(found, str | tuple) else [float(found)]
+
+
+def refilled(form: Any, numbers: Iterator[float], whole: bool) -> Any:
+    """Return a report of a form with other numbers; ``whole``: counts are whole numbers, as they are of one gas."""
+    if isinstance(form, dict):
+        names = [name for name in form if whole or name != ENDED]
+        return {name: None if name == ENDED else refilled(form[name], numbers, whole) for name in names}
+    if isinstance(form, list):
+        return [refilled(part, numbers, whole) for part in form]
+    if isinstance(form, str | tuple):
+        return form
+    return type(form)(next(numbers)) if whole else next(numbers)
+
+
+def _kept(session: Session, found: dict[str, Any], end: EarlyEnd | None) -> dict[str, Any]:
+    """Return what an ensemble keeps of a gas, by outcome."""
+    ended = np.full(3 + MOST_BALLS, np.nan)
+    if end is not None:
+        ended[:3] = KINDS.index(end.kind), end.time, math.nan if end.collisions is None else end.collisions
+        ended[3 : 3 + len(end.balls)] = end.balls[:MOST_BALLS]
+    values: dict[str, Any] = {REPORT: _numbers(found), ENDED: ended}
+    for name, rows in _curves(session).items():
+        values[CURVE + name] = np.full((2, PLACES), np.nan)
+        values[CURVE + name][:, : len(rows[0])] = [row[:PLACES] for row in rows]
+    return _Kept(values)
+
+
+class _Kept(dict[str, Any]):
+    """What is kept; of a curve that a gas has not, nothing."""
+
+    def __missing__(self, name: str) -> float:
+        return math.nan
+
+
+def curve_names(scene: GasScene) -> list[str]:
+    """Return the names of all curves that gases of a scene may have."""
+    names = [one.name for one in scene.species]
+    warm = [
+        f"temperature_{part}{kind}"
+        for part in ("translational", "rotational")
+        for kind in ("", *(f".{one}" for one in names))
+    ]
+    own = [f"{what}.{name}" for name in names for what in ("velocity", "spin", "density")]
+    pairs = [f"pair_correlation.{one}.{other}" for k, one in enumerate(names) for other in names[k:]]
+    return [*warm, *own, *pairs, "displacement", "displacement_by_collisions"]
+
+
+def _curves(session: Session) -> dict[str, tuple[Array, Array]]:
+    """Return the curves of a member, as x and y."""
+    measures, mark = session.measures, session.mark
+    assert measures is not None
+    assert mark is not None
+    found: dict[str, tuple[Array, Array]] = {}
+    if measures.samples == 0:
+        return found
+    rows = measures.series
+    for name in ("translational", "rotational"):
+        found[f"temperature_{name}"] = (rows["time"] - mark.time, rows[name])
+        if len(session.names) > 1:
+            for kind, warm in measures.species_series.items():
+                found[f"temperature_{name}.{kind}"] = (rows["time"] - mark.time, warm[name])
+    for i, name in enumerate(session.names):
+        for what, one in (("velocity", measures.velocity(name)), ("spin", measures.spin(name))):
+            found[f"{what}.{name}"] = (one.center, one.density)
+        for other in session.names[i:]:
+            pair = measures.pair_correlation(name, other)
+            found[f"pair_correlation.{name}.{other}"] = (pair.distance, pair.g)
+        if measures.profiles is not None:
+            slices = measures.profile(name)
+            found[f"density.{name}"] = (slices.middle, np.nan_to_num(slices.density, posinf=0.0))
+    if measures.has_diffusion:
+        collisions, square = measures.displacement_by_collisions()
+        found["displacement_by_collisions"] = (2 * collisions / session.scene.count, square)
+        if measures.is_stationary:
+            moved = measures.displacement()
+            found["displacement"] = (moved.lag, moved.square)
+    return found
