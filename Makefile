@@ -1,7 +1,7 @@
 # Thin wrappers; `make check` is what CI does.
 .PHONY: test explore check-torch doctest lint docs native wasm page benchmarks campaigns mutants check
 test:
-	pytest
+	pytest -m 'slow or not slow'
 # the same tests with all the cases that they can draw, and new examples of Hypothesis
 explore:
 	CAROM_EXPLORE=1 pytest

@@ -1,5 +1,6 @@
 """Settings for all tests: where compiled loops are kept, and how Hypothesis searches."""
 
+import collections
 import contextlib
 import functools
 import gc
@@ -71,6 +72,22 @@ def _all_tests(config: pytest.Config) -> bool:
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
     """All cores for the whole suite (xdist's own count); one process for chosen files, unless ``-n`` says otherwise."""
     return None if _all_tests(config) else 0
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave tests that take long out of the whole suite, but so many of their cases as they say; with ``-m`` all are there."""
+    if EXPLORE or config.option.markexpr or not _all_tests(config):
+        return
+    met: collections.Counter[str] = collections.Counter()
+    left = []
+    for item in items:
+        if (mark := item.get_closest_marker("slow")) is not None:
+            case = item.nodeid.partition("[")[0]
+            met[case] += 1
+            left += [item] if met[case] > mark.kwargs.get("keep", 0) else []
+    config.hook.pytest_deselected(items=left)
+    gone = set(left)
+    items[:] = [item for item in items if item not in gone]
 
 
 @pytest.hookimpl(wrapper=True, trylast=True)

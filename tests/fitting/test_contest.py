@@ -24,6 +24,7 @@ def test_a_law_predicts_rows_that_it_has_not_seen() -> None:
 
 
 @pytest.mark.filterwarnings("ignore::Warning")  # (lengths at their bounds)
+@pytest.mark.slow
 def test_a_process_finds_nothing_beside_the_true_law() -> None:
     pytest.importorskip("sklearn")
     columns = drawn_table(40, 1, lambda v: 0.7 + 0 * v, lambda s: 0.3 + 0 * s, lambda s: 0.3 + 0 * s, 0.1, bars=False)

@@ -236,6 +236,7 @@ def test_a_slide_after_the_wall_that_was_found_once_is_found_again():
     ("tangential compliance", 1.0, {"true", "cannot"}), ("sliding, no row that holds", 1.0, {"cannot"}),
     ("tangential compliance", 10.0, {"cannot"}),
 ])  # fmt: skip
+@pytest.mark.slow(keep=2)
 def test_the_true_law_wins_when_it_can(name, noise, says):
     # cannot: a law that contains the true one is a hair ahead, by chance (so is stronge, another law of tangential compliance);
     # else it must be the true one that wins
@@ -250,6 +251,7 @@ def test_the_true_law_wins_when_it_can(name, noise, says):
     ("two-step-after", "after", 5, 2, True), ("two-step-after", "after", 5, 3, True), ("two-step", "with", 5, 1, True),
     ("two-step", "with", 5, 0, False), ("two-step", "with", 5, 2, False),
 ])  # fmt: skip
+@pytest.mark.slow(keep=2)
 def test_films_decide_where_they_can(law, floor_contact, shots, seed, decides):
     # nobody measured a sidespin; balls of few shots may have had what makes another law as likely
     rebounds = filmed(floor_contact, CAMERA, seed, shots)[2]

@@ -106,6 +106,7 @@ def test_a_table_of_spins_is_fitted_from_the_command_line(tmp_path, monkeypatch,
 
 
 @pytest.mark.parametrize("keep", [("v_t_out",), ("v_n_out",), ("spin_out",), ("v_n_out", "v_t_out")])
+@pytest.mark.slow(keep=1)
 def test_reports_are_drawn_of_what_there_is(tmp_path, keep):
     columns = without(measured_bounces(6, 30), *(name for name in AFTER if name not in keep))
     ranking = fit_laws(make_rebounds("planar", columns), SETTING, ["contact", "sliding"], bootstrap=0, profiles=False)

@@ -175,6 +175,7 @@ def filmed(seed, n, sigma=0.004, shared=False):
     return law, make_problem(make_rebounds("table", columns, stage="after_wall", extra=extra), setting)[0]
 
 
+@pytest.mark.slow
 def test_a_table_of_the_law_changes_no_estimate(monkeypatch):
     law, problem = filmed(3, 64)
     quick = fit_law(law, problem)
@@ -200,6 +201,7 @@ def in_the_valley(fit):
 
 
 @pytest.mark.parametrize(("seed", "shared"), tried([(6, True)], [(1, False), (6, True)]))
+@pytest.mark.slow
 def test_the_valley_of_the_true_friction_is_found_however_narrow(seed, shared):
     in_the_valley(fit_law(*filmed(seed, 64, shared=shared)))
 

@@ -135,6 +135,7 @@ EVERY_FORM = [name for name in FORMS if name != "line"]
 
 
 @pytest.mark.parametrize("form", EVERY_FORM)
+@pytest.mark.slow(keep=2)
 def test_arrays_of_every_law_are_affine_in_its_parameters(form: str) -> None:
     """All parameters moved at once: as the scene's own arrays, to rounding; and the shared derivatives as differences have them."""
     seen = measured(4, 2)
@@ -355,6 +356,7 @@ def made(seed: int, truth: dict[str, float]) -> TrackRanking:
         57,  # two contacts 8 ms apart in a corner: sidespins have to be followed before one is chosen
     ],
 )
+@pytest.mark.slow(keep=1)
 def test_a_search_comes_to_the_best_place(seed: int) -> None:
     truth: dict[str, float] = {}
     best = made(seed, truth).best
@@ -397,6 +399,7 @@ def test_a_friction_that_has_two_values_gets_none() -> None:
     assert abs(best.estimates["restitution"].value - truth["restitution"]) < 3 * best.estimates["restitution"].stderr
 
 
+@pytest.mark.slow
 def test_a_cushion_that_is_no_single_number_widens_error_bars_and_is_named() -> None:
     """Six shots, each on a wall of another restitution: error bars by the scatter of shots, and the contacts as what fails."""
     rng = np.random.default_rng(5)

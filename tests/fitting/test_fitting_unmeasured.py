@@ -161,6 +161,7 @@ def test_errors_before_and_after_that_go_together(spin_seen):
     assert deviance == pytest.approx(c + root, rel=1e-5)
 
 
+@pytest.mark.slow
 def test_the_scatter_of_errors_that_go_together_is_what_is_said_of_it():
     alone, both = {-0.8: [], 0.8: []}, {-0.8: [], 0.8: []}
     for seed in range(tried(12, 60)):
@@ -398,6 +399,7 @@ def test_an_even_prior_and_one_that_is_given():
         fit_laws(rebounds, Setting(radius=A, spin_mean=math.nan))
 
 
+@pytest.mark.slow
 def test_one_row_beyond_the_edge_moves_the_friction_and_robust_fits_do_not_follow():
     rebounds = bounces(13, 60, spin_seen=False)
     rebounds.columns["v_t_out"][17] -= 2.5 * np.sign(rebounds["v_t_in"][17]) * rebounds["v_n_in"][17]

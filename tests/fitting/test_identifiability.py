@@ -124,6 +124,7 @@ SETS = {
 
 
 @pytest.mark.parametrize("name", SETS)
+@pytest.mark.slow(keep=1)
 def test_no_parameter_is_not_identifiable_whose_profile_rises_on_both_sides(name: str) -> None:
     """Of the 89 rebounds the report said that sliding contacts identify only friction (1 + restitution) under the law contact."""
     table, options = SETS[name]
@@ -136,6 +137,7 @@ def test_no_parameter_is_not_identifiable_whose_profile_rises_on_both_sides(name
             assert fit.estimates[one].stderr == pytest.approx(stderr, rel=0.2)
 
 
+@pytest.mark.slow
 def test_the_table_of_a_law_has_the_profile_of_the_law() -> None:
     """It was off by 12 in the deviance between the best friction of the 89 rebounds and one error bar beside it."""
     near = {

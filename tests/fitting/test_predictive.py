@@ -23,6 +23,7 @@ CONTACT = next(law for law in FITTED if (law.name, law.kind) == ("contact", "pla
 
 @pytest.mark.parametrize("bars", [True, False])
 @pytest.mark.parametrize("rows", [12, 40, 150])
+@pytest.mark.slow(keep=2)
 def test_regions_hold_their_share_of_rows_that_were_not_fitted(rows: int, bars: bool) -> None:
     tables = 14
     inside = np.zeros((tables, 2))

@@ -267,6 +267,7 @@ def test_the_table_at_other_numbers_is_that_of_its_scene(films):
                     assert one == pytest.approx(other, rel=1e-12, abs=1e-12, nan_ok=True), name
 
 
+@pytest.mark.slow
 def test_laws_are_searched_from_each_others_optimum(ranking):
     best, said = ranking.best, []
     # another law, whose own search has lost its way
@@ -479,6 +480,7 @@ def test_a_contact_of_which_no_frame_shows_the_balls_together_is_an_event():
     assert found.high - found.low < 0.05
 
 
+@pytest.mark.slow
 def test_a_cushion_that_differs_is_found():
     path = "walls.0.sides.right.restitution"
     tracks, scenes = drawn_films(2, seed=5, until=2.5, numbers={path: 0.75})

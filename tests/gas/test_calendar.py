@@ -54,6 +54,7 @@ def compiled():
 
 @pytest.mark.parametrize("bins", [4 * BALLS, PAGE // 2, 3 * PAGE])
 @pytest.mark.parametrize("crowd", [0.0, 0.9])  # share of the events that fall together
+@pytest.mark.slow(keep=2)
 def test_the_earliest_comes_first(compiled, bins, crowd):
     rng = np.random.default_rng(bins)
     plans = np.zeros(BALLS + 1, PLAN)
