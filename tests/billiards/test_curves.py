@@ -57,6 +57,7 @@ INSET = table_of_outline([[Whole((1.0, 0.8))]], "surface")
 # (billiards refuse a ball that is larger than a radius of curvature)
 @pytest.mark.parametrize("name", [name for name in CURVES if name != "swallowtail"])
 @pytest.mark.parametrize("pull", [0.0, 1.0])
+@pytest.mark.slow(keep=1)
 def test_first_hits_are_those_of_brute_force(name: str, pull: float) -> None:
     n = tried(60, 150)
     curve, a = CURVES[name]

@@ -674,6 +674,7 @@ def test_a_shot_whose_spin_nobody_will_know_is_worth_what_many_such_shots_tell_o
     assert plan.gain[0, 0, 0] == pytest.approx(each.mean(), abs=4 * error + 0.02)
 
 
+@pytest.mark.slow
 def test_what_was_filmed_without_spins_counts_and_the_plan_goes_on_from_there():
     setting = replace(SETTING, spin_width=0.3, spin_mean=0.0)
 

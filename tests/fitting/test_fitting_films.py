@@ -342,6 +342,7 @@ def test_the_floor_is_what_the_film_says():
     assert model_of(law, problem).start[INDEX["floor_friction"]] == 0.1
 
 
+@pytest.mark.slow
 def test_a_film_says_it_as_far_as_the_page(tmp_path, monkeypatch, capsys):
     rng = np.random.default_rng(11)
     on = replace(surfaces(rng, "after"), cloth=0.26)

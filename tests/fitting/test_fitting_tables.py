@@ -93,6 +93,7 @@ def test_wall_and_floor_at_once_with_unmeasured_sidespin():
         assert abs(fit.estimates[name].value - value) < 3.5 * fit.estimates[name].stderr, name
 
 
+@pytest.mark.slow
 def test_the_score_of_many_rows_without_spins_is_a_number():
     # (98 rows of wall and floor at once were beyond the work that cross-validation was allowed; all else is given, to be quick)
     given = {"friction": 0.2, "spin_mean": 0.4, "spin_width": 0.5}

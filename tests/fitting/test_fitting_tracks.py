@@ -277,6 +277,7 @@ def test_from_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert "1 track segment, " in told
 
 
+@pytest.mark.slow
 def test_films_of_one_camera_are_fitted_together(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Several files were refused; and of these four the search missed the best minimum, with a friction of 0.276 for 0.17: only the
     last contact slides, for frictions of 0.14 to 0.18."""

@@ -300,6 +300,7 @@ def test_what_was_not_measured_asks_for_no_more_of_the_law():
     assert found[0][0] < 1.5 * count
 
 
+@pytest.mark.slow
 def test_numbers_and_prior_come_back_and_the_true_law_wins():
     ranking = fit_laws(bounces(6), SETTING, ["sliding", "sticking", "no-slip", "mirror"], bootstrap=0)
     best = ranking.best

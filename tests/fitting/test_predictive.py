@@ -93,6 +93,7 @@ def test_every_law_goes_back_into_a_scene(tmp_path: Path) -> None:
         assert np.allclose([*last.velocity[0, :2], last.spin[0, 2]], said, rtol=1e-9, atol=1e-9), fit.law.name
 
 
+@pytest.mark.slow
 def test_fitted_forms_go_back_into_a_scene() -> None:
     truth = TRUTH | {"e": lambda v: 0.6 + 0.3 * np.exp(-v / 3), "mu": lambda s: 0.15 + 0.02 * s}
     options = OPTIONS | {"restitution": "exponential", "friction": "linear", "laws": ["contact"]}

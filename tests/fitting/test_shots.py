@@ -223,6 +223,7 @@ def test_terms_that_a_scene_leaves_at_zero_begin_at_a_usual_value(films):
     assert "floor.spin_drag" not in begun(damped, FREE)[1]
 
 
+@pytest.mark.slow
 def test_a_scatter_between_shots_is_found_and_widens_the_errors():
     name, spread = "walls.0.restitution", 0.04
     tracks, scenes = drawn_films(5, seed=3, until=0.6, scatter={name: spread})
@@ -362,6 +363,7 @@ def test_wrong_arguments_are_refused(films, given, said):
         carom.fit_shots(tracks, scenes[0], **given)
 
 
+@pytest.mark.slow
 def test_numbers_that_a_shot_does_not_tell_are_said():
     tracks, scenes = drawn_films(1, seed=3, until=0.6)
     ranking = carom.fit_shots(tracks, scenes[0], seed=1)
@@ -436,6 +438,7 @@ def test_the_information_of_shots_is_half_the_curvature_of_their_deviance(rankin
         assert (up + down - 2 * least) / (2 * 4 * one.stderr**2) == pytest.approx(at.information[k, k], rel=0.1)
 
 
+@pytest.mark.slow
 def test_a_scatter_as_large_as_the_number_is_found():
     name = "ball_contact.friction"
     tracks, scenes = drawn_films(5, seed=3, until=0.6, scatter={name: 1.5})

@@ -73,6 +73,7 @@ def test_scores_and_information_are_those_of_the_deviance() -> None:
     assert (np.linalg.eigvalsh(seen.information[0]) > 0).all()
 
 
+@pytest.mark.slow
 def test_no_row_is_dropped_and_friction_is_known_as_with_measured_spins() -> None:
     seen, hidden = (fit_law(CONTACT, problem_of(4, spins=spins)) for spins in (True, False))
     assert len(hidden.problem.x) == 25

@@ -101,6 +101,7 @@ def test_a_spline_follows_what_no_form_has() -> None:
     assert 4 < fit.k - 2 < 8.5  # of eight coefficients
 
 
+@pytest.mark.slow
 def test_held_out_rows_choose_the_parameter_that_depends_on_the_impact() -> None:
     found = choice_of(
         drawn_table(tried(60, 80), 3, **(CONSTANT | {"beta": lambda s: 0.6 - 0.3 * s}), sigma=0.1, bars=False)

@@ -19,6 +19,7 @@ def arcs(p, q):
 
 @pytest.mark.parametrize("pull", [0.0, 0.3, 3.0, 30.0])
 @pytest.mark.parametrize("start", ["within", "on it", "along it"])
+@pytest.mark.slow(keep=4)
 def test_the_first_touch(pull, start):
     # balls smaller and larger than the smallest circle of curvature
     rng = np.random.default_rng(2)

@@ -278,6 +278,7 @@ def test_gases_of_which_only_some_have_a_diffusion_coefficient(folder):
     assert kinds[0] > kinds[-1]
 
 
+@pytest.mark.slow
 def test_an_interrupt_ends_all_members(folder):
     (folder / "long.toml").write_text(ROUGH.replace("60_000", "900_000_000"))
     # (a shell that runs the tests in the background has told them to ignore SIGINT, and they pass that on)

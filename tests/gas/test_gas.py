@@ -87,6 +87,7 @@ def test_a_mixture_shares_its_energy():
     assert first == pytest.approx(second, rel=0.05)
 
 
+@pytest.mark.slow
 def test_no_drift_over_a_long_run():
     gas = Gas([Species(SPHERE, 200)], (8.0, 7.0, 7.0), contacts=ROUGH, periodic=(True, False, True))
     run = gas.run(4_000_000)

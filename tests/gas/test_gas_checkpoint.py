@@ -266,6 +266,7 @@ def _spoiled(array: np.ndarray, how: str) -> np.ndarray:
 
 @pytest.mark.parametrize("how", ["type", "longer", "flat", "nan", "wild"])
 @pytest.mark.parametrize("text", tried([MIXED], [ROUGH, MIXED]))
+@pytest.mark.slow(keep=1)
 def test_an_array_that_is_another(tmp_path, text, how):
     """One array of a checkpoint has another type, shape or content: refused in one line, and no compiled loop sees it."""
     session = Session(scene_of(tmp_path, text))
@@ -397,6 +398,7 @@ def test_a_gas_kept_warm_is_resumed(tmp_path):
 
 
 @pytest.mark.parametrize("value", [math.inf, -1e300])
+@pytest.mark.slow(keep=1)
 def test_no_number_of_a_checkpoint_is_out_of_bounds(tmp_path, value):
     """Infinite times and frictions below 0 went on, with NaN in positions; what a scene says has to be the scene's."""
     scene = scene_of(tmp_path, MIXED)

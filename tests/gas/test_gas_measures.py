@@ -52,6 +52,7 @@ def test_g_in_contact_is_not_given_for_few_pairs():
 # --- pair correlation ----------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_g_in_contact_is_that_of_carnahan_and_starling_and_of_the_collisions(dense):
     gas, measures, run = dense
     one = measures.pair_correlation("a", "a")
@@ -303,6 +304,7 @@ def test_profiles_lie_along_gravity_or_across_driven_walls_and_need_walls():
 # --- what contacts did ---------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_rates_of_collisions_by_species():
     # a dilute mixture: the rate of ball 1 with species 2 is n2 pi s12^2 sqrt(8 T / (pi mu)), g from the mixture's density
     small = Ball(0.3, 0.5, 0.4)

@@ -22,6 +22,7 @@ from carom.gas import (
 )
 
 
+@pytest.mark.slow
 def test_coefficients_of_hard_spheres_are_enskogs():
     density, count = 0.2, 100
     side = (count / density) ** (1 / 3)

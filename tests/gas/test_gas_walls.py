@@ -242,6 +242,7 @@ CASES = {
 @pytest.mark.parametrize(
     ("name", "rough"), [*((name, True) for name in CASES), *((name, False) for name in list(CASES)[:: tried(4, 1)])]
 )
+@pytest.mark.slow(keep=4)
 def test_the_same_events_as_by_distances(name, rough):
     room, walls, gravity, drives = CASES[name]
     flat = len(room.size) == 2
@@ -320,6 +321,7 @@ STAR = [
         (container("ellipse", half_axes=(3.5, 5.0), height=6.0, periodic=(False, False, True)), (0.2, -0.3, 0.0)),
     ],
 )
+@pytest.mark.slow(keep=3)
 def test_no_ball_gets_out_and_none_loses_energy(room, pull):
     made = Disc if len(room.size) == 2 else Ball
     gas = Gas(
@@ -514,6 +516,7 @@ def test_thermostat_holds_an_inelastic_gas_below_its_temperature():
         (container("sector", opening=sector_angle(6.0, 8.0), radius=8.0), (0, -1.0)),
     ],
 )
+@pytest.mark.slow(keep=6)
 def test_balls_that_walls_would_hold_go_on_in_hops(restitution, room, gravity):
     flat = len(room.size) == 2
     ball = Disc(0.5, 1.0, 0.5) if flat else Ball(0.5, 1.0, 0.4)

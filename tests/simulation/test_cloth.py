@@ -274,6 +274,7 @@ def test_a_wall_that_yields_is_met_at_a_depth_of_its_time_times_the_speed(c: flo
         assert len(rows) > 1
 
 
+@pytest.mark.slow
 def test_round_walls_yield_along_their_normals() -> None:
     """A pillar and the inside of a tube: the place of contact is a root of a fine table of the path."""
     pillar = {

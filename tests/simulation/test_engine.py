@@ -35,6 +35,7 @@ def total(scene: carom.Scene, v: Any, w: Any, x: Any) -> Any:
 
 
 @pytest.mark.parametrize("first", range(0, 400, 50))
+@pytest.mark.slow(keep=1)
 def test_no_event_is_missed_and_none_is_made_up(first: int) -> None:
     # campaigns/no_event_missed.py does a hundred thousand
     for seed in range(first, first + tried(15, 50)):
@@ -294,6 +295,7 @@ print(digest.hexdigest())
 """
 
 
+@pytest.mark.slow
 def test_the_same_bits_with_one_thread_and_with_two(tmp_path: Path) -> None:
     code = THREADS.format(tests=os.path.dirname(os.path.dirname(__file__)), seed=5, scenes=tried(10, 40))
     said = []

@@ -308,6 +308,7 @@ def test_a_ball_between_two_walls_as_wide_as_itself(gap: float) -> None:
     assert x[:, 0, 0].max() <= A + gap + 1e-9 * A
 
 
+@pytest.mark.slow
 def test_a_ball_pinned_for_ever_is_held() -> None:
     strip = {
         "shape": "strip",
@@ -462,6 +463,7 @@ def test_a_floor_without_friction_and_one_with_all(mu: float) -> None:
 
 @pytest.mark.parametrize("friction", [0.0, 0.05])
 @pytest.mark.parametrize("e", tried([1.0, 0.97, 0.8, 0.5, 0.3, 0.0], [1.0, 0.99, 0.97, 0.9, 0.8, 0.5, 0.3, 0.0]))
+@pytest.mark.slow(keep=1)
 def test_the_break_of_a_frozen_rack(e: float, friction: float) -> None:
     rack = [ball(i * A * math.sqrt(3) * (1 + 1e-15), (2 * j - i) * A) for i in range(5) for j in range(i + 1)]
     cloth = {**FLOOR, "rolling_resistance": 0.01, "spin_friction": 0.01}

@@ -69,6 +69,7 @@ def test_elastic_flight_in_a_box_preserves_phase_space_volume() -> None:
 
 
 @pytest.mark.parametrize("seed", [0, 1, 4, 20, 36, 81, 92])
+@pytest.mark.slow(keep=1)
 def test_random_scenes_against_extrapolated_differences(seed: int) -> None:
     cases = [case for case in compare(seed) if case.verdict == "compared"]
     assert cases

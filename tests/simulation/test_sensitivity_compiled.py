@@ -42,6 +42,7 @@ PRESSED = (10,)
 
 
 @pytest.mark.parametrize("block", range(6))
+@pytest.mark.slow(keep=1)
 def test_compiled_and_interpreted_passes_have_the_same_bits(block: int) -> None:
     compared = 0
     for seed in range(10 * block, 10 * block + tried(5, 10)):
@@ -209,6 +210,7 @@ def own(v: Any, w: Any, n: Any, a: float, kappa: float, e: float, mu: float, bet
     return (v[0] + c * u * n[0], v[1] + c * u * n[1], v[2] + c * u * n[2]), w
 
 
+@pytest.mark.slow
 def test_a_law_of_ones_own_is_compiled_too() -> None:
     law = carom.wall_law(carom.Card("own", "A test.", (), "", "", ""), own, reads=("restitution",))
     wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.5, friction=0.0, law=law)

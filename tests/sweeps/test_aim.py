@@ -33,6 +33,7 @@ def bank(law: str = "mirror", resistance: float = 0.0) -> carom.Scene:
     return carom.Scene(floor=floor, walls=[wall], balls=balls, run=carom.Run(duration=30, max_events=200))
 
 
+@pytest.mark.slow
 def test_a_bank_shot_under_a_law_that_reflects_is_that_of_the_mirrored_ball() -> None:
     scene = bank("two-step-paper")
     best = carom.aim(scene, {"balls.0.velocity": (1.0, 2.0)}, {"hit": "red", "cushions": 1}, starts=2048)
@@ -70,6 +71,7 @@ def test_a_ball_that_is_to_stop_at_a_place_has_the_speed_that_rolling_takes() ->
         ({"hit": "red", "speed": 1.0, "speed_within": 4.0}, (3.0, 12.0)),
     ],
 )
+@pytest.mark.slow(keep=1)
 def test_the_gradient_of_a_miss_is_that_of_differences(reach: object, start: tuple[float, float]) -> None:
     scene = table_scene(duration=20.0)
     problem = AimProblem(scene, unknowns_of(scene, ["balls.0.velocity"], {}), targets_of(scene, reach))
@@ -127,6 +129,7 @@ def pool_pair(**run: float) -> carom.Scene:
     return carom.Scene(floor=floor, walls=[table], balls=balls, ball_contact=contact, run=carom.Run(**run))
 
 
+@pytest.mark.slow
 def test_a_ball_in_a_pocket_or_under_way_does_not_end_at_a_place() -> None:
     place = (1.2, 0.58)  # in front of a corner pocket
     best = carom.aim(pool_pair(duration=60), ["balls.0.velocity"], {"point": place, "within": 0.1}, starts=1024)
@@ -204,6 +207,7 @@ def test_three_cushions() -> None:
     assert "success" in repr(best)
 
 
+@pytest.mark.slow
 def test_a_pocket_and_a_struck_ball() -> None:
     table = {"shape": "table", "preset": "pool-9ft"}
     cue = carom.SceneBall(

@@ -34,6 +34,7 @@ def cluster() -> Iterator[Any]:
             yield client
 
 
+@pytest.mark.slow
 def test_a_cluster_gives_the_same_bits_though_workers_die_and_connections_are_lost(
     cluster: Any, tmp_path: Path
 ) -> None:
@@ -81,6 +82,7 @@ def test_nobody_answers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
         carom.sweep(space(), KEEP).run(on="tcp://127.0.0.1:9")
 
 
+@pytest.mark.slow
 def test_a_cluster_without_workers_is_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """It was waited for, for ever; what was done stays."""
     monkeypatch.setattr("carom.sweeps.cluster.ALONE_SECONDS", 0.2)

@@ -36,6 +36,7 @@ def bucket(monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
     made.stop()
 
 
+@pytest.mark.slow
 def test_a_sweep_in_a_bucket(bucket: str) -> None:
     with pytest.raises(carom.CaromError, match="got nothing there"):
         carom.sweep(f"{bucket}/s.zarr")

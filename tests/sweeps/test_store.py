@@ -87,6 +87,7 @@ carom.sweep(space(), KEEP, store=STORE, block=8).run(progress=tell)
 """
 
 
+@pytest.mark.slow
 def test_killed_and_gone_on_with(tmp_path: Path, forked: Forked) -> None:
     carom.sweep(space(), KEEP, store=tmp_path / "whole.zarr", block=8).run()
     store = tmp_path / "killed.zarr"
@@ -106,6 +107,7 @@ def test_killed_and_gone_on_with(tmp_path: Path, forked: Forked) -> None:
     assert made.verify(5) == []
 
 
+@pytest.mark.slow
 def test_a_store_whose_making_was_killed_is_made_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     from zarr.storage import _local
 

@@ -344,6 +344,7 @@ def test_a_sweep_over_the_seed_of_a_rack_breaks_the_racks_that_simulate_breaks()
     assert not np.array_equal(found.sel(seed=0), found.sel(seed=1))
 
 
+@pytest.mark.slow
 def test_a_number_out_of_range_is_a_point_that_failed_without_a_warning():
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -51,6 +51,7 @@ def restitutions(film: TrackedFilm) -> tuple[np.ndarray, np.ndarray]:
         ({"shadow": "wall", "texture": "wall"}, 0.35),  # (a shadow that touches it throughout)
     ],
 )
+@pytest.mark.slow(keep=1)
 def test_places_are_those_of_the_outline(tmp_path: Path, given: dict[str, Any], most: float) -> None:
     truth = bouncing_film(tmp_path / "film.mp4", **given)
     film = carom.track_film(truth.path)
@@ -62,6 +63,7 @@ def test_places_are_those_of_the_outline(tmp_path: Path, given: dict[str, Any], 
     assert film.scale == pytest.approx(1 / truth.camera.scale, rel=0.01)  # (by gravity)
 
 
+@pytest.mark.slow
 def test_a_blurred_film_gives_exposure_and_restitution(tmp_path: Path) -> None:
     truth = bouncing_film(tmp_path / "film.mp4", exposure=1 / 62)
     film = carom.track_film(truth.path)
@@ -73,6 +75,7 @@ def test_a_blurred_film_gives_exposure_and_restitution(tmp_path: Path) -> None:
     assert error.max() < 0.03
 
 
+@pytest.mark.slow
 def test_times_of_rows_are_found_in_the_flights(tmp_path: Path) -> None:
     truth = bouncing_film(tmp_path / "film.mp4", readout=0.016)
     film = carom.track_film(truth.path)
@@ -83,6 +86,7 @@ def test_times_of_rows_are_found_in_the_flights(tmp_path: Path) -> None:
     assert (np.abs(value - 0.78) < 3 * error).all()
 
 
+@pytest.mark.slow
 def test_a_variable_rate_loses_no_frame(tmp_path: Path) -> None:
     truth = bouncing_film(tmp_path / "film.mp4", dropped=0.06, late=0.2)
     film = carom.track_film(truth.path)
@@ -94,6 +98,7 @@ def test_a_variable_rate_loses_no_frame(tmp_path: Path) -> None:
     assert not judge(truth.path, radius=0.02).violations
 
 
+@pytest.mark.slow
 def test_a_ball_that_is_held_leaves_no_ghost(tmp_path: Path) -> None:
     truth = bouncing_film(tmp_path / "film.mp4", start=0.5, frames=70)
     film = carom.track_film(truth.path)
@@ -102,6 +107,7 @@ def test_a_ball_that_is_held_leaves_no_ghost(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("looks", [None, (Look(RED, "plain"),) * 3])
+@pytest.mark.slow(keep=1)
 def test_three_balls_keep_their_names(tmp_path: Path, looks: tuple[Look, ...] | None) -> None:
     truth = three_balls_film(tmp_path / "film.mp4", seed=2, **({"looks": looks} if looks else {}))
     film = carom.track_film(truth.path, 3, scale=1 / truth.camera.scale)
@@ -125,6 +131,7 @@ def test_three_balls_keep_their_names(tmp_path: Path, looks: tuple[Look, ...] | 
         (lambda path: bouncing_film(path, shake=4.0), "round thing that moves|camera at rest"),
     ],
 )
+@pytest.mark.slow(keep=1)
 def test_no_ball_two_balls_and_a_camera_that_moves_are_refused(
     tmp_path: Path, make: Callable[[Path], Any], word: str
 ) -> None:
@@ -134,6 +141,7 @@ def test_no_ball_two_balls_and_a_camera_that_moves_are_refused(
     assert "\n" not in str(error.value)
 
 
+@pytest.mark.slow
 def test_a_place_of_a_ball_says_which_one(tmp_path: Path) -> None:
     truth = two_alike_film(tmp_path / "film.mp4")
     x, y = truth.places["right"][20]

@@ -21,6 +21,7 @@ def made(path: Path, pattern: str, spin: tuple[float, float, float], frames: int
     )
 
 
+@pytest.mark.slow
 def test_a_spin_of_one_radian_a_frame_is_measured_before_and_after_a_bounce(tmp_path: Path) -> None:
     film = made(tmp_path / "film.mp4", "soccer", (5.0, -8.0, -60.0), 34)
     found = as_tracked(film)

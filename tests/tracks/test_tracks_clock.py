@@ -22,6 +22,7 @@ def frames(time: np.ndarray, rate: float) -> np.ndarray:
 
 
 @pytest.mark.parametrize(("interval", "decimals"), CLOCKS)
+@pytest.mark.slow(keep=2)
 def test_no_number_of_rows_makes_the_rate_ineffective(interval: float, decimals: int) -> None:
     for rows in range(40, 400):
         number = np.arange(rows)

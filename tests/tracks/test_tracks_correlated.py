@@ -97,6 +97,7 @@ def test_the_error_of_averaging_is_the_mean_of_the_covariances() -> None:
 
 
 @pytest.mark.parametrize("seed", [112, 164, 65])
+@pytest.mark.slow(keep=1)
 def test_correlated_noise_of_a_ball_at_rest_is_no_bounce(seed: int) -> None:
     fall = drawn_fall(np.random.default_rng(seed), correlation=0.5)
     track, bounces = fallen(fall, seed)
@@ -119,6 +120,7 @@ def test_few_frames_with_correlated_noise_have_wider_error_bars() -> None:
     assert np.sqrt(np.mean(np.square(pulls))) < 1.3  # 1.58 with independent noise where no correlation is certain
 
 
+@pytest.mark.slow
 def test_correlated_noise_is_found_and_said_and_the_error_bars_hold() -> None:
     pulls = []
     for seed in range(tried(1, 2)):

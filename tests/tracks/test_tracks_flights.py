@@ -62,6 +62,7 @@ def test_a_path_with_drag() -> None:
 
 
 @pytest.mark.parametrize(("drag", "restitution"), [(TENNIS, 0.75), (TABLE_TENNIS, 0.9)])
+@pytest.mark.slow
 def test_drag_is_found_and_the_restitution_right(drag: float, restitution: float) -> None:
     track = dropped(drag, restitution)
     found = measure([track], Settings(view="side"))
