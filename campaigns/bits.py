@@ -904,16 +904,16 @@ def film(file: Path, count: int) -> Path:
     return file
 
 
-SETTLED = ("--bootstrap=50", "--no-report", "--json")
+SETTLED = ("--bootstrap=50", "--json")
 FITS = {
     "kharaz2001": ("fit", "kharaz2001", *SETTLED),
     "mathavan2009": ("fit", "mathavan2009", "--restitution=line", *SETTLED),
     "tt_rackets": ("fit", "tt_rackets", "--where", "racket=01_inverted", *SETTLED),
     "a film, its contacts": ("fit", "film.csv", "--radius=0.03075", "--laws=two-step,contact", "--bootstrap=0",
-                             "--no-report", "--json"),
+                             "--json"),
     "a film, whole": ("fit", "pair.csv", "--whole", "--radius=0.03075", "--laws=two-step", "--cushions=1",
                       "--noise=0.3mm",
-                      "--no-report", "--json"),
+                      "--json"),
     "design in flight": ("design", "--laws=maw,contact", "--radius=0.02", "--inertia=hollow", "--sigma-v=0.15",
                          "--sigma-spin=10", "--speeds=3:10", "--json"),
     "design on a table": ("design", "--kind=table", "--laws=two-step,contact", "--contact-height=1.2",

@@ -26,6 +26,7 @@ def small(monkeypatch):
 
 
 @pytest.mark.parametrize("name", SCRIPTS)
+@pytest.mark.slow
 def test_it_runs(small, name, capsys, monkeypatch):
     monkeypatch.setitem(sys.modules, "playwright.sync_api", None)  # (a browser takes longer than all others together)
     script = small(name)

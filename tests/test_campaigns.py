@@ -19,6 +19,7 @@ from mutation.runs import Copy, NotGreenError
 
 
 @pytest.mark.parametrize("name", NAMES)
+@pytest.mark.slow
 def test_it_runs(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     before = RESULTS.read_text(encoding="utf-8")
     assert not importlib.import_module(name).main(["--small"])

@@ -252,7 +252,7 @@ CAPS = {
     "core": 5252,
     "laws": 4845,
     "scene": 4430,
-    "cli": 4173,
+    "cli": 4182,
     "plot": 3640,
     "derive": 3165,
     "sweeps": 3110,

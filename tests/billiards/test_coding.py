@@ -37,6 +37,7 @@ def test_orbits_of_three_discs_are_those_of_the_literature() -> None:
     assert found[1].duration == pytest.approx(3 * (6 - math.sqrt(3)), rel=1e-14)
 
 
+@pytest.mark.slow
 def test_every_code_of_three_discs_has_its_orbit() -> None:
     for period, number in ((2, 3), (3, 2), (4, 3), (5, 6), (6, 9), (7, 18)):
         wanted = codes("ABC", period)

@@ -271,6 +271,7 @@ def test_what_is_no_boundary_is_refused_in_one_line(outline: Any, text: str) -> 
     assert len(str(caught.value).splitlines()) == 1
 
 
+@pytest.mark.slow
 def test_periodic_orbits_of_a_curve_are_those_of_the_ellipse() -> None:
     one, two = (billiards.periodic_orbits(t, "2-3", law="mirror", starts=40) for t in (ELLIPSE, billiards.ellipse()))
     assert [(p.period, round(p.duration, 9)) for p in one] == [(p.period, round(p.duration, 9)) for p in two]

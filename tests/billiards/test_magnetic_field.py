@@ -103,6 +103,7 @@ def test_orbit_of_two_arcs_along_the_axes_of_an_ellipse():
             assert one.duration == pytest.approx(4 * turn / field, abs=1e-11)
 
 
+@pytest.mark.slow
 def test_stars_of_arcs_and_continuation_in_the_field():
     """Stars of arcs have closed forms, and winding one way differs from the other; a branch leads through zero field."""
     field = 0.6
@@ -185,6 +186,7 @@ def test_refusals_are_one_line(make, said):
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.slow
 def test_command(capsys, tmp_path):
     plot = tmp_path / "arcs.svg"
     options = (

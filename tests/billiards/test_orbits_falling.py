@@ -39,6 +39,7 @@ TABLES = {
 
 @pytest.mark.parametrize("bounds", ["centre", "surface"])
 @pytest.mark.parametrize("name", CLEARANCE)
+@pytest.mark.slow(keep=5)
 def test_meets_what_small_steps_meet(name, bounds):
     """From random places inside, on parabolas: the first wall is where a march in steps of 1e-3 first finds it, to 1e-9."""
     g = np.array([0.7, -2.1])
@@ -71,6 +72,7 @@ def test_meets_what_small_steps_meet(name, bounds):
 
 
 @pytest.mark.parametrize("name", TABLES)
+@pytest.mark.slow(keep=2)
 def test_never_outside_and_no_energy_lost(name):
     table = TABLES[name]
     d, g = table.dimension, np.array(table.acceleration[: table.dimension])
@@ -144,6 +146,7 @@ MEASURED = ("circle", "stadium", "sphere", "cylinder with lids", "wedge", "level
 
 @pytest.mark.parametrize("law", ["no-slip", "mirror"])
 @pytest.mark.parametrize("name", MEASURED)
+@pytest.mark.slow(keep=3)
 def test_the_measure_is_kept(name, law):
     """Starts drawn by the energy left there, thirty bounces on: heights and velocities across are spread as they were."""
     table, count = TABLES[name], tried(8000, 20_000)

@@ -76,6 +76,7 @@ def begin(table):
 
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("name", TABLES)
+@pytest.mark.slow(keep=5)
 def test_tangent_map_against_differences(name, law):
     """Every column of the tangent map of three bounces is what a small displacement becomes, to the displacement's square."""
     table, options = TABLES[name], dict(LAWS[law])

@@ -430,6 +430,7 @@ def test_drift_along_a_cylinder():
 
 
 @pytest.mark.parametrize("law", ["no-slip", "mirror", "rolling"])
+@pytest.mark.slow(keep=1)
 def test_the_measure_is_kept(law):
     ball = carom.Ball(0.1, 1.0)
     for table in (billiards.stadium(), billiards.ellipse(bounds="surface"), billiards.regular(5), billiards.sinai()):

@@ -49,6 +49,7 @@ def test_an_orbit_that_is_a_multiple_root_is_listed_once() -> None:
 
 
 @pytest.mark.parametrize("period", [3, 4, 5])
+@pytest.mark.slow(keep=1)
 def test_the_orbits_in_an_oval_are_the_critical_points_of_the_length(period: int) -> None:
     """The curve of the centre of a ball in an ellipse: smooth, and not integrable."""
     a, b, r = 1.6, 1.0, 0.2
@@ -72,6 +73,7 @@ def test_the_orbits_in_an_oval_are_the_critical_points_of_the_length(period: int
     assert missed == []
 
 
+@pytest.mark.slow
 def test_all_listed_periods_of_the_pentagon_are_found_from_random_starts() -> None:
     """Ahmed, Cox & Wang's list, and 18."""
     listed = (6, 8, 10, 14, 18, 20, 30, 40)
@@ -129,6 +131,7 @@ def test_between_two_scatterers_the_orbit_turns_elliptic_at_the_known_radius(kap
 
 
 @pytest.mark.parametrize(("sides", "kappa", "listed"), [(3, 0.5, {4, 6}), (4, 1.0, {4, 6, 8, 10, 12})])
+@pytest.mark.slow(keep=1)
 def test_polygons_have_the_listed_periods(sides: int, kappa: float, listed: set[int]) -> None:
     """Ahmed, Cox & Wang, arXiv:2111.07397: of open sets of orbits. (Others, such as period 3 in the triangle, have no volume.)"""
     found = billiards.periodic_orbits(billiards.regular(sides), range(2, 13), ball=carom.Disc(1, 1, kappa), starts=60)

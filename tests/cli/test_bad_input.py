@@ -317,11 +317,11 @@ def test_settings_of_fits_that_are_no_numbers(value):
     [
         (
             ("compare", "--angle", "x"),
-            "carom: --angle: expected an angle, such as 45 (degrees) or 0.79rad, got 'x' (carom compare --help)",
+            "carom: --angle: expected an angle, such as 45 (degrees) or 0.79rad, got 'x'",
         ),
         (
             ("compare", "--angle=x"),
-            "carom: --angle: expected an angle, such as 45 (degrees) or 0.79rad, got 'x' (carom compare --help)",
+            "carom: --angle: expected an angle, such as 45 (degrees) or 0.79rad, got 'x'",
         ),
         (
             ("simulate", "a.toml", "--max-events", "1.5"),

@@ -188,6 +188,7 @@ def test_picture_and_json_keep_apart(tmp_path: Path, carom_command: Any) -> None
     ],
     ids=lambda words: words[0] if isinstance(words, tuple) else "",
 )
+@pytest.mark.slow(keep=1)
 def test_every_verb_says_alike_what_it_wrote(
     words: tuple[str, ...], name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -69,6 +69,7 @@ def test_json_has_the_ranking_and_nothing_else(here, monkeypatch, capsys):
     assert "written: page.html" in err
 
 
+@pytest.mark.slow
 def test_the_same_input_gives_the_same_bytes(here, monkeypatch, capsys):
     file = write(here / "bounces.csv", bounces(1, 30))
     arguments = (

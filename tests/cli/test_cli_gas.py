@@ -291,6 +291,7 @@ def test_a_signal_without_a_checkpoint_asked_for_makes_one(folder, struck):
 
 # in the middle of its fourth checkpoint, and between two of them
 @pytest.mark.parametrize(("where", "call"), [("a checkpoint", 4), ("a frame", 20)])
+@pytest.mark.slow(keep=1)
 def test_a_killed_run_goes_on_with_the_same_bits(folder, struck, where, call):
     import gsd.hoomd
 

@@ -213,6 +213,7 @@ def drawn(figure: Any) -> None:
      billiards.ellipse(bounds="surface")],
     ids=str,
 )  # fmt: skip
+@pytest.mark.slow(keep=1)
 def test_every_kind_of_picture(table: billiards.Table) -> None:
     d = table.dimension
     begin = ((0.45, 0.1, 0.0)[:d], (0.1, 0.9, 0.3)[:d], 1.0 if d == 2 else (0.3, 0.2, 1.0))
@@ -403,6 +404,7 @@ def test_a_wedge_without_a_force_names_one_that_runs():
     assert runner.invoke(app, ["orbit", "wedge", "--acceleration=-9.81,0", "--bounces", "5"]).exit_code == 0
 
 
+@pytest.mark.slow
 def test_the_legend_of_a_portrait_is_no_wider_than_its_axes() -> None:
     """Two entries in one line were wider: the axes shrank, and the last number was cut off."""
     figure = plot_portrait(carom.orbit("curve:r=1 + 0.1*cos(3*theta)", 100, orbits=100))

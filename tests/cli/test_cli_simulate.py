@@ -380,6 +380,7 @@ def test_json_with_states_and_files(scenes: Path) -> None:
 # --- files ---------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_files_are_written_and_named(scenes: Path) -> None:
     pytest.importorskip("pyarrow")
     out, err = command("design.toml", "--save", "run.parquet", "--table", "events.csv", "--quiet")
@@ -470,6 +471,7 @@ def test_a_folder_without_leave(scenes: Path, capsys: pytest.CaptureFixture[str]
     assert "permission to write" in fails(capsys, "design.toml", "--table", "closed/a.csv")[0]
 
 
+@pytest.mark.slow
 def test_options_take_the_place_of_the_scenes(scenes: Path) -> None:
     found = json.loads(command("design.toml", "--json", "--duration", "600 ms", "--law", "mirror")[0])
     assert (found["end"], found["ended"]) == (0.6, "duration")

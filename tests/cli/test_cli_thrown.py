@@ -81,6 +81,7 @@ def test_tracks_number_the_bounces_of_each_ball() -> None:
     assert found.extra["contact"].tolist() == [1, 2, 3, 4, 5, 6]
 
 
+@pytest.mark.slow
 def test_without_a_spin_later_contacts_follow_from_the_first(
     rebounds: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -111,6 +112,7 @@ def test_later_contacts_of_very_many_rows_are_left_out(rebounds: Path) -> None:
 # --- a ball dropped straight down -------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_a_drop_says_nothing_about_friction(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "drop.csv"
     file.write_text(as_csv(table([thrown(0.0, 1.2)])))

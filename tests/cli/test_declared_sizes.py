@@ -96,6 +96,7 @@ def test_a_member_without_a_header(capsys: pytest.CaptureFixture[str]) -> None:
     )
 
 
+@pytest.mark.slow
 def test_a_checkpoint() -> None:
     save_checkpoint(Session(GasScene(**tomllib.loads(GAS))), "gas.npz")
     with np.load("gas.npz") as file:

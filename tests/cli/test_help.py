@@ -81,6 +81,7 @@ def test_an_option_without_its_value(words: str, line: str, capsys: pytest.Captu
 
 @pytest.mark.parametrize("width", [40, 80, 120])
 @pytest.mark.parametrize("words", ALL, ids=lambda words: " ".join(words) or "carom")
+@pytest.mark.slow(keep=16)
 def test_help(
     words: tuple[str, ...], width: int, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

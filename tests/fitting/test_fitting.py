@@ -117,6 +117,7 @@ def test_errors_before_the_wall_do_not_pull_the_restitution():
     ("beta", "mu", "name"),
     [(0.0, 0.2, "sliding"), (0.6, 0.2, "contact"), (1.0, 5.0, "no-slip"), (0.0, 0.0, "mirror"), (0.0, 5.0, "sticking")],
 )
+@pytest.mark.slow(keep=2)
 def test_the_true_law_wins(beta, mu, name):
     ranking = fit_laws(table(bounces(11, 80, mu=mu, beta=beta)), SETTING, profiles=False, bootstrap=0)
     best = ranking.best.law
@@ -651,6 +652,7 @@ def hit(angle_deg: float, spins, seed: int, n: int, e=0.8, mu=0.3, beta=0.2, spe
 
 
 @pytest.mark.parametrize("angle_deg", tried([20.0, 55.0], [20.0, 40.0, 55.0, 70.0]))
+@pytest.mark.slow(keep=1)
 def test_a_shot_whose_spin_nobody_will_know_is_worth_what_many_such_shots_tell_on_average(angle_deg):
     setting = replace(SETTING, spin_width=0.3, spin_mean=0.2)
     truth = {"restitution": 0.8, "friction": 0.3, "tangential_restitution": 0.2}

@@ -360,7 +360,7 @@ def test_a_film_says_it_as_far_as_the_page(tmp_path, monkeypatch, capsys):
     page = (tmp_path / "page.html").read_text()
     assert f"friction of the cloth {value:.4g}" in page
     assert f"{value:.4g} ± {error:.2g}, from the film" in page
-    code, out, err = command(capsys, *words, "--floor-friction", "0.3", "--no-report")
+    code, out, err = command(capsys, *words, "--floor-friction", "0.3")
     assert json.loads(out)["setting"]["floor_friction"] == 0.3
     assert "from the film" not in err
     # which shot next, with a film of which nobody knows the sidespins

@@ -34,6 +34,7 @@ def test_a_falling_restitution_of_a_pressed_ball_is_found() -> None:
     assert numbers["restitution_0"] == pytest.approx(0.95568, abs=2e-5)
 
 
+@pytest.mark.slow
 def test_rounding_does_not_decide_where_a_fit_with_estimated_scatter_ends() -> None:
     """The valley of this table is narrow and full of kinks, one for each row that begins to stick."""
     snooker = published_rebounds("mathavan2009")

@@ -78,6 +78,7 @@ def test_empty_cells_after_the_wall_are_not_measured():
         make_rebounds("planar", columns | {"v_n_in": np.full(30, np.nan)})
 
 
+@pytest.mark.slow
 def test_a_table_of_spins_is_fitted_from_the_command_line(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     make_rebounds("planar", without(measured_bounces(2, 40), "v_n_out", "v_t_out")).save("spins.csv")

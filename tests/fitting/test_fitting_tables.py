@@ -73,6 +73,7 @@ def test_laws_say_on_a_table_what_the_verbs_say(measured):
     assert paper.predicted()[:, :2] == pytest.approx(carom.two_step(BALL, state).rolling.velocity[:, :2])
 
 
+@pytest.mark.slow
 def test_sidespins_nobody_measured_on_a_table():
     rebounds = rolled(4, 60, spin_seen=False, floor_contact="after", spin_mean=0.5)
     ranking = fit_laws(rebounds, SETTING, ["two-step-after", "conventional", "two-step-paper", "mirror"],

@@ -59,6 +59,7 @@ def holds(fit: TrackFit, least: float, **numbers: float) -> None:
         assert estimate.stderr < least
 
 
+@pytest.mark.slow
 def test_tracks_of_a_wall_with_springs_are_told_from_constant_restitution() -> None:
     """Made with maw: its numbers within their error bars, and the law that has most of it otherwise far behind."""
     seen = measured(3, 2, law="maw", stiffness_ratio=0.82, friction=0.3, seconds=1.2)
@@ -69,6 +70,7 @@ def test_tracks_of_a_wall_with_springs_are_told_from_constant_restitution() -> N
     holds(found.best, 0.01, friction=0.3, stiffness_ratio=0.82)
 
 
+@pytest.mark.slow
 def test_two_springs_are_fitted_where_they_are_named() -> None:
     seen = measured(3, 2, law="stronge", stiffness_ratio=1.4, friction=0.3, seconds=1.2)
     found = fit_tracks(seen, SPRINGY, ["stronge"])
@@ -184,6 +186,7 @@ def test_shared_derivatives_are_those_of_differences(law: str) -> None:
         assert scale > 1 or name != "restitution"
 
 
+@pytest.mark.slow
 def test_the_truth_comes_back(ranking: TrackRanking) -> None:
     """Within its error bars, which are a thousandth; chi^2 is what chance makes it."""
     best = ranking.best
@@ -224,6 +227,7 @@ def test_without_noise_given_each_stretch_has_its_own(ranking: TrackRanking) -> 
         assert found.estimates[name].value == pytest.approx(known.value, abs=2 * known.stderr)
 
 
+@pytest.mark.slow
 def test_a_wall_that_holds_tells_only_a_least_friction() -> None:
     found = fit_tracks(measured(5, 2, friction=3.0), SETTING, ["two-step"]).best
     assert found.estimates["friction"].value is None
@@ -245,6 +249,7 @@ def test_stretches_end_after_so_many_contacts() -> None:
             assert (np.diff(stretch.time) > 0).all()
 
 
+@pytest.mark.slow
 def test_from_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, page = write(film(np.random.default_rng(2), 2), tmp_path / "shots.csv"), tmp_path / "page.html"
     words = (
@@ -271,7 +276,7 @@ def test_from_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str
     text = page.read_text()
     assert text.count("<svg") == 1
     assert "two-step" in text
-    words = (*words[:4], "--laws", "mirror", "--noise", "0.3mm", "--where", "shot=shot 1", "--no-report")
+    words = (*words[:4], "--laws", "mirror", "--noise", "0.3mm", "--where", "shot=shot 1")
     code, told, _notes = command(capsys, "fit", *words)
     assert code == 0
     assert "1 track segment, " in told

@@ -316,6 +316,7 @@ def test_numbers_and_prior_come_back_and_the_true_law_wins():
     assert not any(one.interval_95 for other in ranking.ranked[1:] for one in other.fit.estimates.values())
 
 
+@pytest.mark.slow
 def test_error_bars_of_unmeasured_spins_are_those_of_the_scatter():
     pulls = {name: [] for name in TRUTH}
     chi2 = []
@@ -460,6 +461,7 @@ def test_rows_near_the_edge_are_as_likely_to_slide_as_they_are():
 
 
 @pytest.mark.parametrize("seed", range(tried(1, 4)))
+@pytest.mark.slow
 def test_no_error_bar_is_given_to_what_unknown_spins_make_up_for(seed):
     """(1 + b)(1 - m) and (1 + b) w are all that such rows tell: each of the three numbers goes along with the others."""
     fit, other = (
@@ -518,6 +520,7 @@ def test_the_average_does_not_hang_on_how_many_places_there_are(name):
 
 
 @pytest.mark.parametrize("name", ["two-step-after", "two-step"])
+@pytest.mark.slow(keep=1)
 def test_a_stretch_more_makes_no_jump(name):
     rows, p = filmed(name)
     reach = tried(50, 200)
@@ -531,6 +534,7 @@ def test_a_stretch_more_makes_no_jump(name):
 
 @pytest.mark.parametrize("name", ["two-step-after", "two-step"])
 @pytest.mark.parametrize("robust", [False, True])
+@pytest.mark.slow(keep=1)
 def test_far_off_the_fit_a_row_is_worse_and_no_better(name, robust):
     rows, p = filmed(name, sigma=0.0003)
     far = np.array([np.array(p)] * 240)

@@ -133,6 +133,7 @@ def test_the_range_is_what_the_rows_cover():
 
 
 @pytest.mark.parametrize(("share", "kind"), [(0.03, "share"), (0.1, "share")])
+@pytest.mark.slow(keep=1)
 def test_the_scatter_between_contacts_comes_back(share, kind):
     setting, pulls, chi2, mine = replace(SETTING, scatter=kind), [], [], []
     for seed in range(40):

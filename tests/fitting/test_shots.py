@@ -196,6 +196,7 @@ def test_a_shot_that_is_far_is_searched_again_without_its_starts():
     assert rms(model.at(none), astray.shot, astray.pool[-1], n) < 2.5e-3
 
 
+@pytest.mark.slow
 def test_a_number_that_one_shot_does_not_tell_stays_near_that_of_the_table():
     tracks, scenes = drawn_films(1, seed=3, until=0.6)
     best = carom.fit_shots(tracks, scenes[0], seed=1).best

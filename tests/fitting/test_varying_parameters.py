@@ -113,6 +113,7 @@ def test_held_out_rows_choose_the_parameter_that_depends_on_the_impact() -> None
     assert np.all(np.abs(said.mean[0] - expected) < 4 * said.stderr[0])
 
 
+@pytest.mark.slow
 def test_held_out_rows_choose_constants_where_nothing_depends_on_the_impact() -> None:
     found = choice_of(drawn_table(40, 1, **CONSTANT))
     assert found.chosen == (0,)

@@ -152,6 +152,7 @@ def test_a_collapse_in_equilibration_says_that_nothing_was_measured(folder):
         simulate_gas(load_gas("gas.toml"))
 
 
+@pytest.mark.slow
 def test_the_command_prints_and_writes_what_was_measured(folder):
     words = ["gas", "gas.toml", "--quiet", "--json", "--measures", "m.json", "--snapshots", "s.gsd", "--plot", "p.svg"]
     done = CliRunner().invoke(app, words)

@@ -139,6 +139,7 @@ def test_the_ratio_of_the_temperatures_is_a_mean_over_the_gases(folder):
     assert f"rotational / translational {whole}" in " ".join(shown.split())
 
 
+@pytest.mark.slow
 def test_the_mean_agrees_with_one_long_run_and_the_error_bar_is_honest(folder):
     scene = load_gas(folder / "rough.toml")
     found = gas_ensemble(scene, 24)

@@ -62,6 +62,7 @@ def bits(session: Session):
 
 @pytest.mark.parametrize("text", [ROUGH, MIXED], ids=["rough", "mixed"])
 @pytest.mark.parametrize("every", [None, 700, 3.0])
+@pytest.mark.slow(keep=1)
 def test_a_run_in_pieces_has_the_same_bits(tmp_path, text, every):
     scene = scene_of(tmp_path, text)
     shots: list[tuple[float, int]] = []

@@ -73,6 +73,7 @@ def test_haffs_law_at_enskogs_rate():
     assert np.mean(found) == pytest.approx(3 * (1 + 3 * a2 / 16), rel=0.03)
 
 
+@pytest.mark.slow
 def test_diffusion_of_spheres():
     balls, density, step = 500, 0.5, 4.0
     side = (balls / density) ** (1 / 3)

@@ -128,6 +128,7 @@ def test_g_of_an_ideal_gas_within_walls_is_one(shape):
 
 
 @pytest.mark.parametrize("shape", ["box", "cylinder"])
+@pytest.mark.slow(keep=1)
 def test_g_under_gravity_between_side_walls_tends_to_one(shape):
     # centres reach only 9.4 of 10 across: the mean density over a whole slice is an eighth too low
     sizes = {"size": (10.0, 10.0, 30.0)} if shape == "box" else {"radius": 5.0, "height": 30.0}

@@ -66,6 +66,7 @@ def test_what_has_no_viscosity_here():
 
 
 @pytest.mark.parametrize("density", [0.02, 0.2])
+@pytest.mark.slow(keep=1)
 def test_diffusion_by_einstein_is_that_by_green_and_kubo_and_of_rough_spheres(density):
     """Spins forget (1 + beta) / (3 (1 + kappa)) of themselves in a collision, whatever the density."""
     count, kappa = 100, 0.4

@@ -345,6 +345,7 @@ def test_no_ball_gets_out_and_none_loses_energy(room, pull):
         container("ellipse", half_axes=(8.0, 5.0)),
     ],
 )
+@pytest.mark.slow(keep=1)
 def test_the_pressure_of_an_ideal_gas(room):
     # discs so small that they hardly meet: N k T over the area, on every wall
     gas = Gas([Species(Disc(0.01, 1.0, 0.5), 300)], room, contacts=SMOOTH, seed=2)

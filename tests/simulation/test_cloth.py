@@ -99,6 +99,7 @@ def agrees(run: carom.Trajectory, shot: Shot, error: float) -> None:
 
 
 @pytest.mark.parametrize("law", LAWS)
+@pytest.mark.slow(keep=2)
 def test_the_closed_forms_are_small_steps_of_newtons_equations(law: str) -> None:
     made = scene(LAWS[law], 3)
     agrees(carom.simulate(made), in_small_steps(made, 5.0), 1e-9)

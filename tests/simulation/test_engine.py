@@ -124,6 +124,7 @@ CONSERVING = {
 
 
 @pytest.mark.parametrize(("walls", "law", "g"), CONSERVING.values(), ids=CONSERVING.keys())
+@pytest.mark.slow(keep=1)
 def test_energy_does_not_drift_over_a_million_events(walls: Any, law: str, g: float) -> None:
     surface = {"restitution": 1.0, "friction": math.inf, "tangential_restitution": 1.0}
     world = scene(

@@ -224,6 +224,7 @@ BOUNCY = list(itertools.product([0.0, 0.5, 0.9, 0.99], [0.05, 0.3, math.inf], [0
 
 
 @pytest.mark.parametrize(("e", "mu", "beta"), BOUNCY[:: tried(2, 1)])
+@pytest.mark.slow(keep=9)
 def test_all_bounces_are_summed(e: float, mu: float, beta: float) -> None:
     start = ([0.1, -0.2, 3 * A], [1.0, 0.3, 0.4], [5.0, -30.0, 7.0])
     floor = {"restitution": e, "friction": mu, "tangential_restitution": beta}

@@ -147,6 +147,7 @@ def _compiled() -> Any:
 
 
 @pytest.mark.parametrize(("preset", "shots", "least"), [("pool-9ft", 40, 6), ("snooker", 40, 2)])
+@pytest.mark.slow(keep=1)
 def test_the_same_ball_falls_into_the_same_pocket_by_small_steps(preset: str, shots: int, least: int) -> None:
     wall = {"restitution": 0.9, "friction": 0.0, "nose_height": None}
     until, h = 8.0, tried(1e-4, 4e-5)

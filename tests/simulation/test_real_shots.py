@@ -108,6 +108,7 @@ def test_sidespin_and_path_come_back(real_shots: ModuleType, constants, legs, nu
         assert np.isinf(found.passes())
 
 
+@pytest.mark.slow
 def test_a_wrong_law_shows(real_shots: ModuleType, constants, legs) -> None:
     right = [real_shots.rms(real_shots.fit(leg.until(), constants).distance) for leg in legs]
     for law in real_shots.LAWS[1:]:

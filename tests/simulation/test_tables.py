@@ -84,6 +84,7 @@ def test_states_one_ball_at_one_time_a_row(run: carom.Trajectory) -> None:
     assert len(run.table(0.5)) == 3
 
 
+@pytest.mark.slow
 def test_dataset_is_labelled(run: carom.Trajectory) -> None:
     pytest.importorskip("xarray")
     times = np.linspace(0.0, 1.0, 4)

@@ -141,6 +141,7 @@ def test_a_ball_in_a_pocket_or_under_way_does_not_end_at_a_place() -> None:
         carom.aim(pool_pair(duration=1.0), {"balls.0.velocity": (2, 4)}, {"point": (0.5, 0), "within": 2.0}, starts=64)
 
 
+@pytest.mark.slow
 def test_a_solution_is_a_shot_that_counts_and_success_is_of_shots_that_count() -> None:
     """Solutions and success, each told from runs by themselves: pot a ball, and leave the other within a distance of a place."""
     scene, place, within = pool_pair(duration=60), (0.4, 0.1), 0.4

@@ -200,6 +200,7 @@ def test_damage_is_found(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "value"), [("failed", 100), ("failed", -3), ("final.phase", 99), ("events.wall.count", -2)]
 )
+@pytest.mark.slow(keep=1)
 def test_numbers_that_cannot_be_are_found_behind_a_right_checksum(tmp_path: Path, name: str, value: int) -> None:
     made = carom.sweep(space(), [*KEEP, "final.phase"], store=tmp_path / "s.zarr", block=40)
     made.run()

@@ -49,6 +49,7 @@ def test_a_long_unit_is_refused_at_once():
         ("a.toml", "[[a]]\nb = [", "]"), ("a.toml", "a.", "a = 1"), ("a.toml", "a = {b = ", "}"),
     ],
 )  # fmt: skip
+@pytest.mark.slow(keep=24)
 def test_nested_brackets_are_refused_at_once(
     tmp_path: Path, read: Callable[[Path], object], name: str, begin: str, end: str
 ) -> None:

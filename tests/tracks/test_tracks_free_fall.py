@@ -30,6 +30,7 @@ def write(folder: Path, track: Track, header: str = "t,x,y") -> Path:
 
 @pytest.mark.parametrize("bounces", [DROP, THROW], ids=["dropped", "thrown"])
 @pytest.mark.parametrize("unit", ["cm", "mm", "in"])
+@pytest.mark.slow(keep=1)
 def test_a_unit_that_the_file_does_not_give(
     bounces: list[tuple[float, ...]], unit: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -81,6 +82,7 @@ def test_which_rate_or_scale() -> None:
     assert said.startswith("at 240 frames per second instead of 29.97 (`rate`), or with lengths 64 times as large")
 
 
+@pytest.mark.slow
 def test_a_second_axis_that_points_down(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     track = film(THROW, rate=120, noise=8e-4)
     file = write(tmp_path, Track("ball", track.time, track.position * [1, -1]), "t [s],x [m],y [m]")

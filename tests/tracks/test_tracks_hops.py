@@ -59,6 +59,7 @@ def found(friction: float, height: float) -> Measured:
     ("friction", "height", "verdict", "stage"),
     [(0.18, 1.0, "seen", "rolling"), (0.05, 1.0, "possible", "rolling"), (0.18, 1.25, "none", "after_wall")],
 )
+@pytest.mark.slow(keep=1)
 def test_hops_off_a_plain_wall_do_not_bias(friction: float, height: float, verdict: str, stage: str) -> None:
     """Without hops in the model the velocities after plain walls were 28 and 9 error bars off, the restitutions 54 and 17."""
     measured = found(friction, height)

@@ -102,6 +102,7 @@ def pulls(kind: str, camera: Camera, numbers: range) -> dict[str, np.ndarray]:
         ("flight", Camera(30, 1e-3)),
     ],
 )
+@pytest.mark.slow(keep=1)
 def test_error_bars_hold_the_truth(kind: str, camera: Camera) -> None:
     """As often as they promise, within three times the counting error of this sample; more in campaigns/track_coverage.py."""
     found = pulls(kind, camera, range(1000, 1016))
@@ -646,6 +647,7 @@ def soft(run: carom.Trajectory, camera: Camera, rng: np.random.Generator, shot_n
 
 
 @pytest.mark.parametrize("seed", range(tried(1, 4)))
+@pytest.mark.slow
 def test_a_soft_wall_is_found_on_eleven_shots_and_its_time_has_an_error_that_the_rows_share(seed: int) -> None:
     rng = np.random.default_rng(seed)
     on = surfaces(rng)

@@ -41,6 +41,7 @@ def found(shots: Shots) -> tuple[PairContact, ...]:
     return measure_pairs(measured(filmed(shots, NOISE, 0)))
 
 
+@pytest.mark.slow
 def test_velocities_and_impulses_are_those_of_an_independent_integration(shots: Shots) -> None:
     exact = measure_pairs(measured(filmed(shots, 0.0, 0)[:6], 3e-5))
     assert len(exact) == 3

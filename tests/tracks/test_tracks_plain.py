@@ -24,6 +24,7 @@ def test_the_view_the_restitutions_and_the_count_are_right(name: str) -> None:
     assert max(map(abs, found.pulls)) < 4
 
 
+@pytest.mark.slow
 def test_a_floor_has_the_friction_that_its_contacts_show() -> None:
     film = puck(np.random.default_rng(7))
     bare, given, slides = (

@@ -29,6 +29,8 @@ from carom.cli.options import (
     parse_length,
     parse_number,
     parse_pair,
+    parse_with_unit,
+    quantity,
 )
 from carom.errors import CaromError, FaultList
 from carom.public import defaults
@@ -46,6 +48,12 @@ class Declared(NamedTuple):
     type: str
     default: Any
     text: str
+
+    @property
+    def unit(self) -> str:
+        """The SI unit of a number that may be given with another; empty where it has none."""
+        found = UNIT.search(self.text) if self.type.partition(" |")[0] == "float" and "str" not in self.type else None
+        return found[1].replace("degrees", "degree") if found else ""
 
 
 @functools.cache
@@ -126,7 +134,7 @@ def of_library(
             for name, one in every.items():
                 value = values.pop(name)
                 if value not in (None, [], options[name][2]):
-                    read = given.faults.attempt(_read, name, one.type, value)
+                    read = given.faults.attempt(_read, name, one, value)
                     if read is not None:
                         (given if name in found else given.setdefault("film", {}))[name] = read
             verb(**values, given=given)
@@ -168,17 +176,18 @@ def _option(name: str, one: Declared, panel: str | None, every: Mapping[str, Dec
         default = (":" if ":" in settings["metavar"] else ",").join(f"{x:g}" for x in default)
     if isinstance(default, float):
         settings["show_default"] = f"{default:g}"
-    unit = UNIT.search(text) if kind is float else None
+    if kind is float and (unit := one.unit):  # (read with the others, so that all faults are said at once)
+        kind, default = str, None
+        settings["metavar"] = quantity(name, unit)["metavar"]
     info = option(
-        panel or PANELS.get(name, RUN), f"{text[:1].upper()}{text[1:]}", *(flags or (_flag(name),)),
-        unit=unit[1].removesuffix("s") if unit and unit[1] == "degrees" else unit and unit[1], **settings,
-    )  # fmt: skip
+        panel or PANELS.get(name, RUN), f"{text[:1].upper()}{text[1:]}", *(flags or (_flag(name),)), **settings
+    )
     return (kind if default is not None or (kind is bool and "None" not in one.type) else kind | None), info, default
 
 
-def _read(name: str, kind: str, value: Any) -> Any:  # noqa: PLR0911
+def _read(name: str, one: Declared, value: Any) -> Any:  # noqa: PLR0911
     """Return the value of an option as its function takes it."""
-    flag, wanted = _flag(name), OPTIONS.get(name, {}).get("metavar", "")
+    flag, wanted, kind = _flag(name), OPTIONS.get(name, {}).get("metavar", ""), one.type
     if kind.startswith("Mapping"):
         faults = FaultList()
         read = parse_bounds if "tuple" in kind else functools.partial(parse_number, flag)
@@ -193,6 +202,8 @@ def _read(name: str, kind: str, value: Any) -> Any:  # noqa: PLR0911
         return _numbers(flag, value)
     if name in ("scale", "noise") and value != "gravity":
         return parse_length(name, value)
+    if one.unit:
+        return parse_with_unit(OPTIONS.get(name, {}).get("flags", (flag,))[0], one.unit, value)
     if name == "inertia":  # a number, or a word
         with contextlib.suppress(ValueError):
             return float(value)
