@@ -364,3 +364,12 @@ def test_every_parameter_that_a_text_names_is_an_option_of_some_verb() -> None:
         if parameter not in known
     }
     assert strange == set()
+
+
+def test_what_takes_long_has_a_quick_sibling() -> None:
+    """Of each file of tests a plain `pytest` runs some; of benchmarks and campaigns it runs none."""
+    texts = {file.name: file.read_text(encoding="utf-8") for file in Path(__file__).parent.rglob("test_*.py")}
+    only_slow = {
+        name for name, text in texts.items() if text.count("@pytest.mark.slow\n") >= text.count("def test_") > 0
+    }
+    assert only_slow <= {"test_benchmarks.py", "test_campaigns.py"}
