@@ -247,7 +247,7 @@ CAPS = {
     "fitting": 10330,
     "gas": 6915,
     "billiards": 5544,
-    "tracks": 8753,
+    "tracks": 8894,
     "simulation": 5975,
     "core": 5252,
     "laws": 4845,

@@ -421,7 +421,7 @@ def _bite(
 def row_phase(x: Array, y: Array, size: tuple[int, int], rotation: int) -> Array:
     """Which share of the readout has passed at a place of the picture shown, turned counterclockwise by 90, ..."""
     w, h = size
-    return np.asarray({0: y / h, 90: (w - 1 - x) / w, 180: (h - 1 - y) / h, 270: x / w}[rotation % 360])
+    return np.asarray({0: y / h, 90: x / w, 180: (h - 1 - y) / h, 270: (w - 1 - x) / w}[rotation % 360])
 
 
 def render(

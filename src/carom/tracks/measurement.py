@@ -153,6 +153,30 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, progress:
     ('bottom', 0.1, 1.6)
     """
     settings = settings or Settings()
+    found = _measured(tracks, settings, progress)
+    if all(one.sigma_time is None for one in tracks):
+        return found
+    # (an error that all times have in common: what it changes, once more with it)
+    late = [one if one.sigma_time is None else replace(one, time=one.time + one.sigma_time) for one in tracks]
+    others = _measured(late, replace(settings, view=found.view), None).measured
+    return replace(found, contacts=tuple(_with_change(one, others) for one in found.contacts))
+
+
+def _with_change(contact: TrackContact, others: Sequence[TrackContact]) -> TrackContact:
+    """Return a contact whose covariance has the change of its values to those of the same contact among others."""
+    same = [
+        one
+        for one in others
+        if (one.group, one.track, one.wall.name) == (contact.group, contact.track, contact.wall.name)
+    ]
+    near = min(same, key=lambda one: abs(one.time - contact.time), default=None)
+    if contact.fit is None or near is None or near.fit is None:
+        return contact
+    change = np.nan_to_num(near.fit.value - contact.fit.value)
+    return replace(contact, fit=replace(contact.fit, covariance=contact.fit.covariance + np.outer(change, change)))
+
+
+def _measured(tracks: Sequence[Track], settings: Settings, progress: Progress | None) -> Measured:
     require_library("scipy", "tracks")
     settings.check()
     if not tracks or not all(isinstance(track, Track) for track in tracks):

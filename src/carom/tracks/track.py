@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-SAMPLED = ("time", "position", "angle", "spin", "sigma_spin", "frame")  # what a track has for each sample
+SAMPLED = ("time", "position", "angle", "spin", "sigma_spin", "frame", "sigma_time")  # what a track has for each sample
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +44,9 @@ class Track:
     """Whether frames in which the ball rested may be missing."""
     frame: Array | None = None
     """(n,) frame numbers, if the program wrote them."""
+    sigma_time: Array | None = None
+    """(n,) s: by how much the times are off if an error that they have in common, as of a camera's readout, is one standard
+    deviation; with its sign."""
     stamped: bool = False
     """Whether the times are the frames' own, as a film's container has them: no clock is sought behind them."""
 

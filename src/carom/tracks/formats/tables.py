@@ -320,6 +320,7 @@ NAMED = ColumnNames({
     "angle": ("angle", ("theta", "orientation")),
     "spin": ("spin", ("omega", "spin_z")),
     "sigma_spin": ("spin", ("sigma_omega", "sigma_spin_z", "spin_error")),
+    "sigma_time": ("time", ("sigma_t",)),
     "frame": ("number", ("frame_number", "frame_idx", "frame_index", "frame_id", "frame_no", "frame_num", "image", "slice")),
     "visible": ("number", ("visibility", "vis", "is_visible", "detected", "in_view")),
     "likelihood": ("number", ("confidence",)),
@@ -754,7 +755,7 @@ def _track(
         place[:, 1] *= -1
     more = {
         key: _in_si(table.column(columns[key][0], first, header.name(columns[key][0])), columns[key][1], calibration)
-        for key in ("angle", "spin", "sigma_spin", "time_step") if key in columns
+        for key in ("angle", "spin", "sigma_spin", "sigma_time", "time_step") if key in columns
     }  # fmt: skip
     frame = _frames(table, columns["frame"][0], header) if "frame" in columns else None
     steps = more.get("time_step")
@@ -767,7 +768,16 @@ def _track(
     else:
         time = np.arange(float(len(place))) if frame is None else frame
         time = time / (calibration.rate or 1.0)
-    return Track("", time, place, more.get("angle"), more.get("spin"), more.get("sigma_spin"), frame=frame)
+    return Track(
+        "",
+        time,
+        place,
+        more.get("angle"),
+        more.get("spin"),
+        more.get("sigma_spin"),
+        frame=frame,
+        sigma_time=more.get("sigma_time"),
+    )
 
 
 def _frames(table: TextTable, i: int, header: Header) -> Array:

@@ -43,6 +43,10 @@ class Background(NamedTuple):
     limits: tuple[Bytes, Bytes, Bytes]
     """Of y, u, v at half the size, levels."""
     noise: tuple[float, float, float]
+    rows: tuple[float, float] = (0.0, 1.0)
+    """Direction in which the camera reads its rows."""
+    lag: float = 0.0
+    """From row to row, s per px."""
 
 
 class Blob(NamedTuple):

@@ -7,7 +7,7 @@ edge enter, the same ones for all that is compared.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -26,6 +26,8 @@ CHROMA_BLUR = 1.3  # px, of colour planes, beside that of the lens
 PLACES = 25  # of the exposure, at most
 HUBER = 3.0
 STEPS = 8
+BLOCK = 256  # pixels
+LEAST_WAY = 0.4  # px, in an exposure of the fastest
 MOST_PIXELS = 2600  # of a plane, evenly taken from the band
 SECTORS = 16
 
@@ -54,6 +56,10 @@ class Optics(NamedTuple):
     """Of the planes, levels."""
     shift: tuple[float, float] = (0.0, 0.0)
     """Of the colour planes against brightness, px."""
+    rows: tuple[float, float] = (0.0, 1.0)
+    """Direction in the picture in which the camera reads its rows."""
+    lag: float = 0.0
+    """From row to row, s per px."""
 
 
 class Outline(NamedTuple):
@@ -62,9 +68,6 @@ class Outline(NamedTuple):
     place: Array
     """(2,) px."""
     radius: float
-    blur: float
-    """Way of the exposure, px."""
-    psf: float
     cost: float
     """Mean square misfit, in units of the noise."""
     share: float
@@ -120,118 +123,135 @@ def _band(
     return _Pixels(x, y, seen, behind, blur, weight, planes)
 
 
-def _covered(pixels: _Pixels, p: Array, along: Array, names: str) -> tuple[Array, Array]:
-    """Return the covered part A (N,) of pixels, and its derivatives (N, K) by the parameters named: x, y, r, l (way), s (psf)."""
-    x, y, radius, length, psf = p
+def _covered(pixels: _Pixels, p: Array, speed: Array, rows: Sequence[float], names: str) -> tuple[Array, Array, Array]:
+    """Return the covered part A (N,) of pixels, its derivatives (K, N) by the parameters named, and directions (N,) from there.
+
+    Parameters: x, y, r (radius), s (psf), px; e (exposure), ms; q (lag), us per px; and what light makes of the outline, so that it
+    is not taken for lag: it is longer along the rows' direction by b, and by c times the square of the speed, and askew by d.
+    ``speed``: (2,) px/ms.
+    """
+    from scipy.special import ndtr
+
+    x, y, radius, psf, exposure, lag, long, more, skew = p
     sigma = np.sqrt(psf**2 + pixels.blur)
-    count = int(np.clip(np.ceil(length / max(psf, 0.5)), 1, PLACES))
-    part = (np.arange(count) + 0.5) / count - 0.5
-    dx = (pixels.x - x)[None, :] - (part * length * along[0])[:, None]
-    dy = (pixels.y - y)[None, :] - (part * length * along[1])[:, None]
+    count = int(np.clip(np.ceil(exposure * np.hypot(*speed) / max(psf, 0.5)), 1, PLACES))
+    part = ((np.arange(count) + 0.5) / count - 0.5)[:, None]
+    dx, dy = pixels.x - x, pixels.y - y
+    row = 1e-3 * (dx * rows[0] + dy * rows[1])
+    middle = dx + 1j * dy
+    # (a row that is read later sees the ball further on)
+    fast = (speed[0] * rows[0] + speed[1] * rows[1]) ** 2
+    along = 1e3 * row * (long + more * fast)
+    dx = (dx - along * rows[0] - 1e3 * row * skew * rows[1] - lag * row * speed[0])[None, :] - part * (
+        exposure * speed[0]
+    )
+    dy = (dy - along * rows[1] + 1e3 * row * skew * rows[0] - lag * row * speed[1])[None, :] - part * (
+        exposure * speed[1]
+    )
     distance = np.maximum(np.sqrt(dx * dx + dy * dy), 1e-9)
     z = (radius - distance) / sigma
     density = np.exp(-0.5 * z * z) / (np.sqrt(2 * np.pi) * sigma)
-    from scipy.special import ndtr
-
-    slopes = {
-        "x": lambda: (density * dx / distance).mean(axis=0),
-        "y": lambda: (density * dy / distance).mean(axis=0),
+    out = density / distance
+    slopes: dict[str, Callable[[], Array]] = {
+        "x": lambda: (out * dx).mean(axis=0),
+        "y": lambda: (out * dy).mean(axis=0),
         "r": lambda: density.mean(axis=0),
-        "l": lambda: (density * (dx * along[0] + dy * along[1]) / distance * part[:, None]).mean(axis=0),
         "s": lambda: -(density * z).mean(axis=0) * psf / sigma,
+        "e": lambda: (out * (dx * speed[0] + dy * speed[1]) * part).mean(axis=0),
+        "q": lambda: (out * (dx * speed[0] + dy * speed[1])).mean(axis=0) * row,
+        "b": lambda: (out * (dx * rows[0] + dy * rows[1])).mean(axis=0) * 1e3 * row,
+        "c": lambda: slopes["b"]() * fast,
+        "d": lambda: (out * (dx * rows[1] - dy * rows[0])).mean(axis=0) * 1e3 * row,
     }
-    return ndtr(z).mean(axis=0), np.stack([slopes[name]() for name in names], axis=1)
+    return ndtr(z).mean(axis=0), np.stack([slopes[name]() for name in names]), middle / np.maximum(np.abs(middle), 1e-9)
 
 
-def _series(angle: Array, order: int) -> Array:
-    turns = np.arange(1, order + 1) * angle[:, None]
-    return np.concatenate([np.ones((len(angle), 1)), np.cos(turns), np.sin(turns)], axis=1)
+def _product(a: Array, b: Array) -> Array:
+    """Return a b^T of (K, N) and (L, N), in blocks that are too small for threads of their own."""
+    return sum(a[:, k : k + BLOCK] @ b[:, k : k + BLOCK].T for k in range(0, a.shape[1], BLOCK))  # type: ignore[return-value]
 
 
 def _residuals(
-    pixels: _Pixels, p: Array, along: Array, names: str, order: int, weight: Array
+    pixels: _Pixels, p: Array, speed: Array, rows: Sequence[float], names: str, order: int, weight: Array
 ) -> tuple[Array, Array, Array]:
-    """Return residuals (N,), their projected derivatives (N, K), and by how much ball and ground differ (N,); all in levels."""
-    cover, slope = _covered(pixels, p, along, names)
-    angle = np.arctan2(pixels.y - p[1], pixels.x - p[0])
-    ball, shadow = _series(angle, order), _series(angle, SHADOW_ORDER)
-    behind = pixels.ground + 1.0
-    columns = np.concatenate([cover[:, None] * ball, ((1 - cover) * behind)[:, None] * shadow], axis=1)
+    """Return residuals (N,), their projected derivatives (K, N), and by how much ball and ground differ (N,); all in levels."""
+    cover, slope, turn = _covered(pixels, p, speed, rows, names)
+    powers = np.cumprod(np.broadcast_to(turn, (order, len(turn))), axis=0)
+    ball = np.concatenate([np.ones((1, len(turn))), powers.real, powers.imag])
+    shadow = np.stack([ball[0], powers[0].real, powers[0].imag]) * (pixels.ground + 1.0)
+    columns = np.concatenate([cover * ball, (1 - cover) * shadow])
     target = pixels.seen - (1 - cover) * pixels.ground
-    residual, differ = np.empty_like(target), np.empty_like(target)
-    projected = np.empty_like(slope)
-    count = ball.shape[1]
-    prior = np.zeros(columns.shape[1])
+    residual, differ, projected = np.empty_like(target), np.empty_like(target), np.empty_like(slope)
+    count = len(ball)
+    prior = np.zeros(len(columns))
     for part in pixels.planes:
-        x, w = columns[part], weight[part]
+        x, w = columns[:, part], weight[part]
         noise = 1 / pixels.weight[part][0] if part.stop > part.start else 1.0
         prior[1:count], prior[count:] = 1e-3 * len(w), (noise / SHADOW) ** 2
-        wx = x * w[:, None]
-        normal = x.T @ wx + np.diag(prior + 1e-9)
-        both = np.linalg.solve(normal, wx.T)
-        known = both @ target[part]
-        differ[part] = ball[part] @ known[:count] - behind[part] * (shadow[part] @ known[count:]) - pixels.ground[part]
-        derivative = differ[part][:, None] * slope[part]
-        residual[part] = target[part] - x @ known
-        projected[part] = derivative - x @ (both @ derivative)
+        wx = x * w
+        normal = np.linalg.inv(_product(wx, x) + np.diag(prior + 1e-9))
+        known = normal @ (wx @ target[part])
+        differ[part] = known[:count] @ ball[:, part] - known[count:] @ shadow[:, part] - pixels.ground[part]
+        derivative = differ[part] * slope[:, part]
+        residual[part] = target[part] - known @ x
+        projected[:, part] = derivative - _product(derivative, wx) @ normal @ x
     return residual, projected, differ
 
 
+def _start(place: Array, optics: Optics) -> Array:
+    return np.array([*place, optics.radius, optics.psf, 1e3 * optics.exposure, 1e6 * optics.lag, 0.0, 0.0, 0.0])
+
+
+def _order(optics: Optics) -> int:
+    return MORE[1] if optics.radius >= MORE[0] else ORDER
+
+
 def fit_outline(
-    patch: Patch, place: Array, way: Array, optics: Optics, *, free: str = "xy", order: int | None = None, coarse: bool = True,
+    patch: Patch, place: Array, speed: Array, optics: Optics, *, free: str = "xy", order: int | None = None, coarse: bool = True,
     like: Sequence[tuple[Array, Array]] = (),
 ) -> Outline:  # fmt: skip
-    """Fit the outline of a ball, beginning at a place (2,), px, with the way (2,) of the exposure, px.
+    """Fit the outline of a ball, beginning at a place (2,), px, with its speed (2,), px/s.
 
-    ``free``: of x, y, r (radius), l (length of the way), s (psf). ``like``: places and ways of other outlines with which this one
-    is compared: their pixels enter, too.
+    ``free``: of x, y, r (radius). ``like``: place and speed of another outline, whose pixels are used, as the two are compared.
     """
-    if order is None:
-        order = MORE[1] if optics.radius >= MORE[0] else ORDER
-    length = float(np.hypot(*way))
-    along = way / length if length > 0 else np.array([1.0, 0.0])
-    p = np.array([*place, optics.radius, length, optics.psf])
+    p, v = _start(place, optics), 1e-3 * speed
     if coarse:
-        soft = 0.12 * optics.radius + 1.0
+        p[3] = 0.12 * optics.radius + 1.0
         wide = max(0.5 * optics.radius, 3.0)
-        p[4] = soft
-        pixels = _band(patch, p[:2], way, optics.radius, wide, wide, optics)
-        p = _descended(pixels, p, along, "xy", 1, 3, optics)[0]
-        p[4] = optics.psf
-    least, most = OUTSIDE[1:]
-    beyond = float(np.clip(OUTSIDE[0] * optics.radius, least, most))
-    depth = INSIDE[0] * optics.psf + INSIDE[1] + (0.1 * optics.radius if "r" in free else 0.0)
-    bands = [_band(patch, at, by, optics.radius, depth, beyond, optics) for at, by in like]
-    pixels = bands[0] if bands else _band(patch, p[:2], along * p[3], optics.radius, depth, beyond, optics)
-    p, residual, differ = _descended(pixels, p, along, free, order, STEPS, optics)
-    inner = pixels.planes[0]
+        pixels = _band(patch, p[:2], speed * optics.exposure, optics.radius, wide, wide, optics)
+        p = _descended(pixels, p, v, "xy", 1, 3, optics)[0]
+        p[3] = optics.psf
+    pixels = _rim(patch, *(like[0] if like else (p[:2], speed)), optics, "r" in free)
+    p, residual, differ = _descended(pixels, p, v, free, order or _order(optics), STEPS, optics)
     away = pixels.seen - pixels.ground
     scaled = (residual * pixels.weight) ** 2
     share = 1 - float(scaled.sum() / max(float(((away * pixels.weight) ** 2).sum()), 1e-9))
-    sector = (
-        np.floor((np.arctan2(pixels.y - p[1], pixels.x - p[0]) / (2 * np.pi) + 0.5) * SECTORS).astype(int) % SECTORS
-    )
-    strong = np.bincount(sector, np.abs(differ) * pixels.weight, SECTORS) / np.maximum(
-        np.bincount(sector, minlength=SECTORS), 1
-    )
-    seen = float((strong > 4.0).mean())
-    cost = float(scaled.mean()) if inner.stop > inner.start else np.inf
-    return Outline(p[:2].copy(), float(p[2]), float(p[3]), float(p[4]), cost, share, seen)
+    angle = np.arctan2(pixels.y - p[1], pixels.x - p[0])
+    sector = np.floor((angle / (2 * np.pi) + 0.5) * SECTORS).astype(int) % SECTORS
+    strong = np.bincount(sector, np.abs(differ) * pixels.weight, SECTORS)
+    seen = float((strong > 4.0 * np.maximum(np.bincount(sector, minlength=SECTORS), 1)).mean())
+    return Outline(p[:2].copy(), float(p[2]), float(scaled.mean()) if len(scaled) else np.inf, share, seen)
+
+
+def _rim(patch: Patch, place: Array, speed: Array, optics: Optics, loose: bool) -> _Pixels:
+    """Return the pixels beside the edge, from which outlines are found; some more where the radius is ``loose``."""
+    beyond = float(np.clip(OUTSIDE[0] * optics.radius, *OUTSIDE[1:]))
+    depth = INSIDE[0] * optics.psf + INSIDE[1] + 0.1 * optics.radius * loose
+    return _band(patch, place, speed * optics.exposure, optics.radius, depth, beyond, optics)
 
 
 def _descended(
-    pixels: _Pixels, p: Array, along: Array, names: str, order: int, steps: int, optics: Optics
+    pixels: _Pixels, p: Array, speed: Array, names: str, order: int, steps: int, optics: Optics
 ) -> tuple[Array, Array, Array]:
     """Return the parameters after Gauss-Newton steps, residuals (N,) and differences of ball and ground (N,)."""
-    index = ["xyrls".index(name) for name in names]
+    index = ["xyr".index(name) for name in names]
     weight = pixels.weight**2
-    limit = np.array([0.5 * optics.radius, 0.5 * optics.radius, 0.15 * optics.radius, optics.radius, 0.5])[index]
-    low = np.array([-np.inf, -np.inf, 1.0, 0.0, 0.35])
+    limit = optics.radius * np.array([0.5, 0.5, 0.15])[index]
     best: tuple[float, Array, Array, Array, Array] | None = None
     damping, robust = 1e-3, False
     trial = p.copy()
     for _ in range(steps):
-        residual, slope, differ = _residuals(pixels, trial, along, names, order, weight)
+        residual, slope, differ = _residuals(pixels, trial, speed, optics.rows, names, order, weight)
         cost = float((residual * residual * weight).sum())
         if best is None or cost <= best[0]:
             moved = np.inf if best is None else float(np.abs(trial - best[1]).max())
@@ -240,21 +260,71 @@ def _descended(
             if moved < 2e-3:
                 break
             if moved < 0.3 and not robust:
-                scale = np.maximum(np.median(np.abs(residual)) / 0.6745, 1e-3)
-                weight = pixels.weight**2 * np.minimum(1.0, HUBER * scale / np.maximum(np.abs(residual), 1e-9))
-                best, robust = (
-                    (float((residual * residual * weight).sum()), trial.copy(), residual, slope, differ),
-                    True,
-                )
+                weight, robust = _robust(pixels, residual), True
+                best = (float((residual * residual * weight).sum()), *best[1:])
         else:
             damping = min(10 * damping, 1e3)
         _cost, at, residual, slope, _differ = best
-        normal = (slope * weight[:, None]).T @ slope
+        normal = _product(slope * weight, slope)
         normal[np.diag_indices(len(index))] *= 1 + damping
         normal[np.diag_indices(len(index))] += 1e-9
-        step = np.linalg.solve(normal, (slope * weight[:, None]).T @ residual)
+        step = np.linalg.solve(normal, slope @ (weight * residual))
         trial = at.copy()
         trial[index] += np.clip(step, -limit, limit)
-        trial = np.maximum(trial, low)
+        trial[2] = max(trial[2], 1.0)
     assert best is not None
     return best[1], best[2], best[4]
+
+
+def _robust(pixels: _Pixels, residual: Array) -> Array:
+    scale = max(float(np.median(np.abs(residual))) / 0.6745, 1e-3)
+    return pixels.weight**2 * np.minimum(1.0, HUBER * scale / np.maximum(np.abs(residual), 1e-9))
+
+
+def fit_optics(
+    frames: Sequence[tuple[Patch, Array, Array]], optics: Optics, free: str, order: int | None = None, steps: int = 8
+) -> tuple[Optics, Array, list[Array]]:
+    """Fit what frames have in common: of the parameters of _covered, from r on.
+
+    ``frames``: patch, place (2,), px, and speed (2,), px/s. Returns the optics, the standard errors of what is free by the scatter
+    between the frames, and the places.
+    """
+    order = order or _order(optics)
+    bands = [_rim(patch, place, speed, optics, True) for patch, place, speed in frames]
+    places, shared = [place.copy() for _patch, place, _speed in frames], _start(np.zeros(2), optics)
+    index = ["xyrseqbcd".index(name) for name in free]
+    limit = np.array([0.15 * optics.radius, 0.5, 4.0, 20.0, 0.1, 0.1, 0.1])[np.array(index) - 2]
+    # (nothing is seen of an exposure of zero that it should be longer)
+    least = np.array(
+        [1.0, 0.35, LEAST_WAY / max(1e-3 * max(float(np.hypot(*speed)) for *_rest, speed in frames), 1e-3)]
+    )
+    for turn in range(steps):
+        total, pulls, inner = np.zeros((len(index), len(index))), [], []
+        for pixels, place, (_patch, _place, speed) in zip(bands, places, frames, strict=True):
+            p = np.array([*place, *shared[2:]])
+            residual, slope, _differ = _residuals(
+                pixels, p, 1e-3 * speed, optics.rows, "xy" + free, order, pixels.weight**2
+            )
+            weight = _robust(pixels, residual) if turn > 1 else pixels.weight**2
+            # (a frame that the outline does not explain counts less)
+            weight = weight / max(float((residual**2 * weight).mean()), 1.0)
+            a, b = _product(slope * weight, slope) + 1e-9 * np.eye(len(slope)), slope @ (weight * residual)
+            back = np.linalg.solve(a[:2, :2], np.column_stack([b[:2], a[:2, 2:]]))
+            total += a[2:, 2:] - a[2:, :2] @ back[:, 1:]
+            pulls.append(b[2:] - a[2:, :2] @ back[:, 0])
+            inner.append(back)
+        normal = np.linalg.inv(total + 1e-6 * np.eye(len(index)))
+        step = np.clip(normal @ np.sum(pulls, axis=0), -limit, limit)
+        before = shared.copy()
+        shared[index] += step
+        shared[2:5] = np.maximum(shared[2:5], least)
+        for k, back in enumerate(inner):
+            places[k] = places[k] + np.clip(back[:, 0] - back[:, 1:] @ step, -limit[0] - 1, limit[0] + 1)
+        errors = np.sqrt(np.diag(normal @ np.array(pulls).T @ np.array(pulls) @ normal))
+        if turn > 1 and (np.abs(shared - before)[index] < 0.1 * errors + 1e-4).all():
+            break
+    return (
+        optics._replace(radius=shared[2], psf=shared[3], exposure=1e-3 * shared[4], lag=1e-6 * shared[5]),
+        errors,
+        places,
+    )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
@@ -12,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, Fault, FaultList, noting
+from carom.errors import CaromError, Fault, noting
 from carom.files import as_path, write_text
 from carom.formatting import counted
 from carom.public.defaults import GRAVITY
@@ -33,24 +32,25 @@ from carom.tracks.video.balls import (
     likely_paths,
     sampled,
 )
-from carom.tracks.video.edges import Optics, Outline, Patch, fit_outline
+from carom.tracks.video.edges import Optics, Patch, fit_optics, fit_outline
 from carom.tracks.video.reading import Array, Bytes, FilmFile, film_times, open_film
 from carom.tracks.video.scale import (
-    CERTAIN,
-    LEAST_READOUT,
-    MOST_READOUT,
+    MOST_MISFIT,
+    Asked,
+    check_arguments,
+    choose_readout,
     choose_scale,
     contacts_within,
     fit_falls,
-    parse_length,
     row_phase,
+    rows_direction,
+    turning,
 )
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Mask = NDArray[np.bool_]
-NUMBER = r"\d+(?:\.\d*)?"
 AROUND = 1.6  # radii that a crop shows around the middle of the ball
 
 
@@ -89,15 +89,21 @@ class TrackedFilm:
     """m per px."""
     readout: float = 0.0
     """s, from the first to the last row of the camera."""
+    readout_error: float = 0.0
+    """s, where it was found; shared by all times of rows, and so part of the error bars of what is measured."""
 
     def table(self) -> dict[str, NDArray[Any]]:
         """Return the columns ``t [s]``, ``x [m]``, ``y [m]``, ``ball`` of the tracks, a row per ball and frame; and their spins."""
         rows = {"t [s]": [one.time for one in self.tracks]}
         rows |= {f"{axis} [m]": [one.position[:, k] for one in self.tracks] for k, axis in enumerate("xy")}
-        for name in ("spin", "sigma_spin"):
-            spins = [part for one in self.tracks if (part := getattr(one, name)) is not None]
-            if np.isfinite(np.concatenate([np.zeros(0), *spins])).any():
-                rows[f"{name} [rad/s]"] = spins
+        for name, label in (
+            ("spin", "spin [rad/s]"),
+            ("sigma_spin", "sigma_spin [rad/s]"),
+            ("sigma_time", "sigma_t [s]"),
+        ):
+            more = [part for one in self.tracks if (part := getattr(one, name)) is not None]
+            if np.isfinite(np.concatenate([np.zeros(0), *more])).any():
+                rows[label] = more
         found = {name: np.concatenate([np.zeros(0), *parts]) for name, parts in rows.items()}
         return found | {"ball": np.array([one.name for one in self.tracks for _ in range(len(one))], dtype=object)}
 
@@ -164,6 +170,11 @@ def crops(film: TrackedFilm, ball: str, frames: Sequence[int]) -> Iterator[Crop]
 
 LEAST_FRAMES = 6
 SAMPLED = 10  # frames of a candidate from which the optics are found
+FEW, MANY = 24, 80  # frames of a ball from which the camera's readout is found, at first and in the end
+LAG_ERROR, LAG_SHARE = (
+    (1.3, 4.0),
+    0.04,
+)  # times the error by the frames' scatter, rows from top to bottom, sideways; of the readout
 MOST_BYTES = 150e6  # of patches that are kept at once
 SHARE, RIM = 0.75, 0.6  # of what a candidate's picture shows, explained by a disc; of its rim, seen
 WHOLE_RIM, SHIFT = 0.85, 0.25  # of the rim, seen in brightness and in colour; px between these two, usually
@@ -299,10 +310,12 @@ def _some_patches(
     wanted: dict[int, list[Any]] = {}
     speeds = []
     for k, path in enumerate(paths):
-        speeds.append(velocities(times, _dense(path, len(times), times))[0])
-        size = path.radius
-        good = [i for i, one in enumerate(path.blobs) if not one.cut and abs(np.log(one.radius / size)) < 0.4]
-        good = sorted(good, key=lambda i: path.blobs[i].blur)
+        dense = _dense(path, len(times), times)
+        speeds.append(velocities(times, dense)[0])
+        size, turns = path.radius, np.convolve(turning(times, dense), np.ones(3), "same")[path.frames] > 0
+        usual = [i for i, one in enumerate(path.blobs) if not one.cut and abs(np.log(one.radius / size)) < 0.4]
+        steady = [i for i in usual if not turns[i]]
+        good = sorted(steady if len(steady) >= LEAST_FRAMES else usual, key=lambda i: path.blobs[i].blur)
         for i in {good[round(one)] for one in np.linspace(0, len(good) - 1, SAMPLED)} if good else ():
             blob = path.blobs[i]
             wanted.setdefault(path.frames[i], []).append(
@@ -317,46 +330,45 @@ def _some_patches(
 def _candidate(path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Background, interval: float) -> Candidate:
     """Return a candidate from its pixels in some frames, with blobs and velocities."""
     noise = tuple(max(2 * one, least) for one, least in zip(ground.noise, (1.5, 0.8, 0.8), strict=True))
-    start = Optics(0.95 * path.radius, 1.0, 0.0, noise)  # type: ignore[arg-type]
-    outlines = []
-    for patch, blob, speed in some:
-        size = float(np.hypot(*speed))
-        way = speed / size * max(blob.blur, 2.0) if size > 0 else np.zeros(2)
-        outlines.append(fit_outline(patch, np.array([blob.x, blob.y]), way, start, free="xyrls", order=1))
-    radius = float(np.median([one.radius for one in outlines]))
-    good = [k for k, one in enumerate(outlines) if abs(one.radius / radius - 1) < ALIKE_SIZE]
-    quick, blur = np.array([np.hypot(*some[k][2]) for k in good]), np.array([outlines[k].blur for k in good])
-    fast = quick * interval > FAST * radius
-    exposure = _weighted_median(blur[fast] / quick[fast], quick[fast]) if fast.any() else 0.0
-    stretched = exposure > LONGEST * interval and exposure * float(np.median(quick[fast])) > STRETCHED * radius
-    exposure = min(exposure, interval)
-    optics = Optics(radius, float(np.median([one.psf for one in outlines])), exposure, noise)  # type: ignore[arg-type]
-    optics = optics._replace(shift=_colour_shift([(some[k][0], outlines[k]) for k in good], optics))
-    last = [
-        fit_outline(patch, one.place, speed * exposure, optics, free="xyr", coarse=False)
-        for (patch, _blob, speed), one in zip(some, outlines, strict=True)
+    quick, blur = (
+        np.array([np.hypot(*speed) for *_rest, speed in some]),
+        np.array([one.blur for _patch, one, _speed in some]),
+    )
+    fast = quick * interval > FAST * path.radius
+    exposure = float(np.median(blur[fast] / quick[fast])) if fast.any() else 0.0
+    optics = Optics(0.95 * path.radius, 1.0, min(exposure, interval), noise, rows=ground.rows, lag=ground.lag)  # type: ignore[arg-type]
+    first = [
+        (patch, fit_outline(patch, np.array([one.x, one.y]), speed, optics, order=1), speed)
+        for patch, one, speed in some
     ]
+    usual = np.median([one.cost for _patch, one, _speed in first])
+    good = [(patch, one.place, speed) for patch, one, speed in first if one.cost <= 2 * usual]
+    optics, _errors, places = fit_optics(good, optics, "rse" if fast.any() else "rs")
+    long = optics.exposure > LONGEST * interval
+    stretched = long and optics.exposure * float(np.median(quick[fast])) > STRETCHED * optics.radius
+    optics = optics._replace(exposure=min(optics.exposure, interval))
+    slow = sorted(
+        ((patch, at, speed) for (patch, _at, speed), at in zip(good, places, strict=True)),
+        key=lambda one: np.hypot(*one[2]),
+    )
+    optics = optics._replace(shift=_colour_shift(slow[:5], optics))
+    last = [fit_outline(patch, one.place, speed, optics, free="xyr", coarse=False) for patch, one, speed in first]
     radii = np.array([one.radius for one in last])
     return Candidate(
         path, optics._replace(radius=float(np.median(radii))), float(np.median([one.share for one in last])),
         float(np.median([one.seen for one in last])), float(1.4826 * np.median(np.abs(radii / np.median(radii) - 1))),
-        np.array([[patch.frame, radius] for (patch, _blob, _speed), radius in zip(some, radii, strict=True)]), stretched,
+        np.array([[patch.frame, radius] for (patch, *_rest), radius in zip(some, radii, strict=True)]), stretched,
     )  # fmt: skip
 
 
-def _weighted_median(values: Array, weights: Array) -> float:
-    order = np.argsort(values)
-    return float(values[order][np.searchsorted(np.cumsum(weights[order]), weights.sum() / 2)])
-
-
-def _colour_shift(fitted: Sequence[tuple[Patch, Outline]], optics: Optics) -> tuple[float, float]:
+def _colour_shift(slow: Sequence[tuple[Patch, Array, Array]], optics: Optics) -> tuple[float, float]:
     """Return by how much the colour planes are shifted against brightness, px, from frames in which the ball is slow."""
     off = []
-    for patch, outline in sorted(fitted, key=lambda one: one[1].blur)[:5]:
+    for patch, place, speed in slow:
         sides = []
         for blind in ((1, 1e3, 1e3), (1e3, 1, 1)):
             alone = optics._replace(noise=tuple(np.multiply(optics.noise, blind)))
-            sides.append(fit_outline(patch, outline.place, np.zeros(2), alone, coarse=False, order=2))
+            sides.append(fit_outline(patch, place, speed, alone, coarse=False, order=2))
         if min(one.seen for one in sides) > WHOLE_RIM:
             off.append(sides[0].place - sides[1].place)
     if len(off) < 3:
@@ -432,33 +444,31 @@ def _fit_chunk(
 ) -> None:
     """Fit the outlines in some frames, in rounds: with the way of the blobs, of the places found, and, where bad, from beside."""
     by_frame = {patch.frame: patch for patch in chunk}
-    way = np.nan_to_num(velocities(times, seeds)[0]) * optics.exposure
+    speed = np.nan_to_num(velocities(times, seeds)[0])
     for k, patch in by_frame.items():
-        found = fit_outline(patch, seeds[k], way[k], optics._replace(radius=radii[k]))
+        found = fit_outline(patch, seeds[k], speed[k], optics._replace(radius=radii[k]))
         places[k], costs[k] = found.place, found.cost
     for turn in range(3):
-        both, before, after = (one * optics.exposure for one in velocities(times, places))
+        both, before, after = velocities(times, places)
         usual = float(np.nanmedian(costs)) if np.isfinite(costs).any() else 1.0
         for k, patch in by_frame.items():
             choices = [one[k] for one in (both, before, after) if np.isfinite(one[k]).all()]
             bad = costs[k] > FLAGGED / 2 * usual
-            turns = len(choices) == 3 and float(np.hypot(*(choices[1] - choices[2]))) > 1.0
-            moved = len(choices) > 0 and float(np.hypot(*(choices[0] - way[k]))) > 0.7
+            turns = len(choices) == 3 and float(np.hypot(*(choices[1] - choices[2]))) * optics.exposure > 1.0
+            moved = len(choices) > 0 and float(np.hypot(*(choices[0] - speed[k]))) * optics.exposure > 0.7
             if not (bad or (turns and turn == 0) or (moved and turn < 2)):
                 continue
             if not turns:
                 choices = choices[:1]
             starts = [(places[k], one) for one in [*choices, *([np.zeros(2)] if turns else [])]]
             if bad:
-                starts += [
-                    (at, by * optics.exposure) for at, by in _from_beside(k, times, places, costs, FLAGGED / 2 * usual)
-                ]
+                starts += _from_beside(k, times, places, costs, FLAGGED / 2 * usual)
             at = optics._replace(radius=radii[k])
-            same = [(places[k], way[k]), *starts] if len(starts) > 1 else ()
+            same = [(places[k], speed[k]), *starts] if len(starts) > 1 else ()
             tried = [fit_outline(patch, *one, at, coarse=bad, like=same[:1]) for one in starts]
             best = min(range(len(tried)), key=lambda i: tried[i].cost)
             if not np.isfinite(costs[k]) or tried[best].cost < costs[k] or not bad:
-                places[k], costs[k], way[k] = tried[best].place, tried[best].cost, starts[best][1]
+                places[k], costs[k], speed[k] = tried[best].place, tried[best].cost, starts[best][1]
 
 
 def _from_beside(k: int, times: Array, places: Array, costs: Array, most: float) -> list[tuple[Array, Array]]:
@@ -541,7 +551,7 @@ def track_film(
     """
     if balls is None:
         balls = 1 if isinstance(ball, str) else max(len(ball), 1)
-    asked = _checked(balls, radius, scale, length, readout, rate, ball, colour, region, start, end)
+    asked = check_arguments(balls, radius, scale, length, readout, rate, ball, colour, region, start, end)
     file = open_film(as_path("track_film", path))
     notes = list(file.notes)
     part = (file.start + (start or 0.0), np.inf if end is None else file.start + end)
@@ -554,12 +564,15 @@ def track_film(
     samples = sampled(file, part)
     if len(samples) < LEAST_FRAMES:
         raise CaromError(Fault(f"{file.path}", "", f"{LEAST_FRAMES} frames or more", f"{len(samples)}"))
-    ground = find_background(samples)
+    size = file.width if file.rotation % 2 else file.height
+    ground = find_background(samples)._replace(rows=rows_direction(file.rotation), lag=(readout or 0.0) / size)
     del samples
     stamps, paths, changed = _linked(file, ground, part, asked, tell)
     times = film_times(file, stamps, rate, notes)
     with noting(notes):
         chosen = _chosen(file, ground, paths, times, asked, balls, changed)
+    if readout is None:
+        chosen = _by_rows(file, ground, chosen, times)[0]
     notes += _outline_notes(chosen, times)
     names = ["ball"] if balls == 1 else [f"ball {k + 1}" for k in range(balls)]
     places, costs = {}, {}
@@ -570,68 +583,70 @@ def track_film(
 
         places[name], costs[name] = _followed(file, ground, one, times, said)
         costs[name] /= max(float(np.nanmedian(costs[name])), 1e-9)
+    chosen, lags = (
+        _by_rows(file, ground, chosen, times, list(places.values()), list(costs.values()))
+        if readout is None
+        else (chosen, [])
+    )
     optics = max(chosen, key=lambda one: len(one.path.frames)).optics
-    return _record(file, ground, times, places, costs, optics, (scale, length, radius, readout, gravity), notes)
+    return _record(file, ground, times, places, costs, optics, (scale, length, radius, readout, gravity), lags, notes)
 
 
-class _Asked(NamedTuple):
-    """Arguments of track_film that were read."""
+def _by_rows(
+    file: FilmFile,
+    ground: Background,
+    balls: Sequence[Candidate],
+    times: Array,
+    places: Sequence[Array] = (),
+    costs: Sequence[Array] = (),
+) -> tuple[list[Candidate], list[tuple[float, float]]]:
+    """Return balls with the optics of many of their frames, and the camera's readout with its error, s, that each one shows.
 
-    seeds: list[tuple[float, float, float]]
-    colour: Array | None
-    region: tuple[float, float, float, float] | None
-
-
-def _checked(
-    balls: int, radius: float | None, scale: float | str | None, length: str | None, readout: float | None, rate: float | None,
-    ball: Sequence[str] | str, colour: str | None, region: str | None, start: float | None, end: float | None,
-) -> _Asked:  # fmt: skip
-    faults = FaultList()
-    if not 1 <= balls <= 30:
-        faults.add("`balls`", "1 to 30 balls", repr(balls))
-    for name, value, low in (
-        ("radius", radius, 0),
-        ("readout", readout, -1e-9),
-        ("rate", rate, 0),
-        ("end", end, start or 0),
-    ):
-        if value is not None and not low < value < 1e6:
-            faults.add(f"`{name}`", f"a number {'of at least 0' if low < 0 else f'above {low:g}'}", repr(value))
-    if isinstance(scale, str) and scale != "gravity":
-        faults.add("`scale`", "metres per pixel, or gravity", repr(scale))
-    if isinstance(scale, float | int) and not 0 < scale < 1e3:
-        faults.add("`scale`", "metres per pixel, above 0", repr(scale))
-    if length is not None:
-        faults.attempt(parse_length, length)
-    seeds = []
-    for text in [ball] if isinstance(ball, str) else ball:
-        numbers = re.fullmatch(rf"\s*(-?{NUMBER})\s*,\s*(-?{NUMBER})\s*@\s*({NUMBER})\s*s?\s*", text)
-        if numbers is None:
-            faults.add("`ball`", "a place and a time, x,y@t (px, s)", repr(text))
-        else:
-            seeds.append((float(numbers[1]), float(numbers[2]), float(numbers[3])))
-    if seeds and len(seeds) != balls:
-        faults.add("`ball`", f"one for each of {counted(balls, 'ball')}", str(len(seeds)))
-    tone = None
-    if colour is not None:
-        if re.fullmatch(r"#[0-9a-fA-F]{6}", colour):
-            tone = np.array([int(colour[k : k + 2], 16) for k in (1, 3, 5)], float)
-        else:
-            faults.add("`colour`", "red, green, blue as in '#e0b020'", repr(colour))
-    corners = None
-    if region is not None:
-        numbers_of = re.fullmatch(rf"\s*({NUMBER}),\s*({NUMBER}),\s*({NUMBER}),\s*({NUMBER})\s*", region)
-        x0, y0, x1, y1 = (float(one) for one in numbers_of.groups()) if numbers_of else (0.0, 0.0, 0.0, 0.0)
-        if x1 > x0 and y1 > y0:
-            corners = (x0, y0, x1, y1)
-        else:
-            faults.add("`region`", "x0,y0,x1,y1 in px, x0 < x1 and y0 < y1", repr(region))
-    faults.raise_if_any()
-    return _Asked(seeds, tone, corners)
+    What is read later shows the ball further on: a ball that moves along with the reading is longer, another one shorter. Without
+    ``places`` the blobs' places are where outlines are sought.
+    """
+    known = places or [_dense(one.path, len(times), times) for one in balls]
+    wanted: dict[int, list[Any]] = {}
+    speeds = []
+    for n, (ball, place) in enumerate(zip(balls, known, strict=True)):
+        speeds.append(velocities(times, place)[0])
+        steady = np.isfinite(speeds[n][:, 0]) & ~(np.convolve(turning(times, place), np.ones(3), "same") > 0)
+        if costs:
+            steady &= costs[n] < FLAGGED / 2
+        rows = np.flatnonzero(steady)
+        for k in (
+            rows[np.unique(np.linspace(0, len(rows) - 1, MANY if places else FEW).astype(int))].tolist()
+            if len(rows)
+            else ()
+        ):
+            half = 1.7 * ball.optics.radius + float(np.abs(speeds[n][k]).max()) * ball.optics.exposure / 2 + 8
+            wanted.setdefault(k, []).append((n, place[k], half))
+    frames: list[list[tuple[Patch, Array, Array]]] = [[] for _ in balls]
+    for n, patch in patches(file, ground, wanted):
+        place, speed = known[n][patch.frame], speeds[n][patch.frame]
+        if not places:
+            outline = fit_outline(patch, place, speed, balls[n].optics)
+            place = outline.place
+        frames[n].append((patch, place, speed))
+    found, lags = [], []
+    size = file.width if file.rotation % 2 else file.height
+    for ball, some in zip(balls, frames, strict=True):
+        if len(some) < LEAST_FRAMES:
+            found.append(ball)
+            continue
+        optics, errors, _places = fit_optics(some, ball.optics, "rseqbcd")
+        value, error = optics.lag * size, 1e-6 * float(errors[3]) * size
+        # (rows read sideways only show as a slant, which light and blur make, too)
+        times_error = LAG_ERROR[file.rotation % 2]
+        lags.append((value, float(np.hypot(times_error * error, LAG_SHARE * value))))
+        seen = ball.optics._replace(lag=optics.lag if value > 3 * error else 0.0)
+        exposure = fit_optics(some, seen, "rse", steps=4)[0].exposure
+        found.append(ball._replace(optics=seen._replace(exposure=min(exposure, float(np.median(np.diff(times)))))))
+    return found, lags
 
 
 def _linked(
-    file: FilmFile, ground: Background, part: tuple[float, float], asked: _Asked, tell: Callable[[float, str], None]
+    file: FilmFile, ground: Background, part: tuple[float, float], asked: Asked, tell: Callable[[float, str], None]
 ) -> tuple[list[float], list[Path], float]:
     """Return the stamps of all frames, the paths of what moves in part of the film, and which share of frames changes."""
     inside = None
@@ -651,7 +666,7 @@ def _linked(
 
 
 def _chosen(
-    file: FilmFile, ground: Background, paths: Sequence[Path], times: Array, asked: _Asked, balls: int, changed: float
+    file: FilmFile, ground: Background, paths: Sequence[Path], times: Array, asked: Asked, balls: int, changed: float
 ) -> list[Candidate]:
     """Return the candidates that are balls. Raises CaromError where they are not, or others are as likely."""
     where = f"{file.path}"
@@ -725,7 +740,7 @@ def _rgb(file: FilmFile, path: Path) -> Array:
     return np.asarray(file.matrix @ [*np.median([one.colour for one in path.blobs], axis=0), 1.0])
 
 
-def _nearest(where: str, paths: Sequence[Path], times: Array, seed: tuple[float, float, float]) -> Path:
+def _nearest(where: str, paths: Sequence[Path], times: Array, seed: tuple[float, ...]) -> Path:
     """Return the path that passes nearest to a place (px) at a time."""
     x, y, t = seed
     frame = int(np.argmin(np.abs(times - t)))
@@ -790,7 +805,8 @@ def _outline_notes(chosen: Sequence[Candidate], times: Array) -> list[str]:
 
 def _record(
     file: FilmFile, ground: Background, times: Array, places: dict[str, Array], costs: dict[str, Array], optics: Optics,
-    asked: tuple[float | str | None, str | None, float | None, float | None, float], notes: list[str],
+    asked: tuple[float | str | None, str | None, float | None, float | None, float], lags: Sequence[tuple[float, float]],
+    notes: list[str],
 ) -> TrackedFilm:  # fmt: skip
     """Return the record: flagged frames, frames with contacts in them, the readout, the scale and the tracks."""
     scale, length, radius, given, gravity = asked
@@ -812,51 +828,33 @@ def _record(
         )
     if held:
         notes.append(f"{counted(held, 'frame')} whose exposure holds a contact left out")
-    balls = {name: (places[name], used[name]) for name in places}
-    falls = fit_falls(times, balls, size, file.rotation, free=given is None)
-    readout = given or 0.0
-    certain = falls is not None and falls.rises and falls.readout > CERTAIN * falls.readout_error
-    if given is None and falls is not None and certain and LEAST_READOUT < falls.readout < MOST_READOUT:
-        readout = falls.readout
-        notes.append(
-            f"rolling shutter: the flights show a readout of {1e3 * readout:.3g} ± {1e3 * falls.readout_error:.1g} ms from first to"
-            " last row; used (`readout` gives another, 0 for none)"
+    readout, error = (given, 0.0) if given is not None else (0.0, 0.0)
+    phases = {name: np.nan_to_num(row_phase(place, size, file.rotation)) for name, place in places.items()}
+    falls = None
+    if given is None:
+        balls = [(times, place, used[name]) for name, place in places.items()]
+        falls = fit_falls(balls, size, file.rotation, free=True)
+        flights = (
+            [(falls.readout, falls.readout_error)]
+            if falls is not None and falls.rises and falls.rms < MOST_MISFIT
+            else []
         )
-    falls = (
-        fit_falls(times, balls, size, file.rotation, free=False)
-        if readout == 0
-        else _falls_by_rows(times, balls, size, file.rotation, readout)
-    )
+        readout, error = choose_readout([*lags, *flights], notes)
+    balls = [(times + readout * phases[name], place, used[name]) for name, place in places.items()]
+    falls = fit_falls(balls, size, file.rotation, free=False)
     value = choose_scale(optics.radius, falls, scale=scale, length=length, radius=radius, gravity=gravity, notes=notes)
     tracks = []
     for name, place in places.items():
         rows = np.flatnonzero(used[name])
-        t = times[rows] + readout * row_phase(place[rows], size, file.rotation)
+        t = times[rows] + readout * phases[name][rows]
         up = np.stack([place[rows, 0], file.height - 1 - place[rows, 1]], axis=1) * value
-        tracks.append(Track(name, t, up, frame=rows.astype(float), stamped=True))
+        shared = error * phases[name][rows] if error else None
+        tracks.append(Track(name, t, up, frame=rows.astype(float), stamped=True, sigma_time=shared))
     cost = np.full(len(times), np.nan)
     for one in costs.values():
         cost = np.fmax(cost, one)
     y, u, v = ground.planes
     return TrackedFilm(
         file.path, times, places, optics.radius, cost, flagged, optics.exposure, optics.psf, file.to_rgb(y, u, v), speed,
-        tuple(notes), used, tuple(tracks), value, readout,
+        tuple(notes), used, tuple(tracks), value, readout, error,
     )  # fmt: skip
-
-
-def _falls_by_rows(
-    times: Array, balls: Mapping[str, tuple[Array, Mask]], size: tuple[int, int], rotation: int, readout: float
-) -> Any:
-    """Return the falls of balls at the times of their rows: each ball's own."""
-    found = [
-        fit_falls(
-            times + readout * np.nan_to_num(row_phase(place, size, rotation)),
-            {name: (place, used)},
-            size,
-            rotation,
-            free=False,
-        )
-        for name, (place, used) in balls.items()
-    ]
-    known = [one for one in found if one is not None]
-    return min(known, key=lambda one: one.error, default=None)

@@ -3,22 +3,25 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.units import parse_quantity
-from carom.errors import CaromError, Fault
+from carom.errors import CaromError, Fault, FaultList
+from carom.formatting import counted
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
+NUMBER = r"-?\d+(?:\.\d*)?"
 LEAST_FLIGHT = 6  # frames
 SHARP_TURN, TURN_SHARE = 8.0, 0.12  # times the usual change of velocity in a frame, and of the largest speed: a contact
 MOST_MISFIT = 1.5  # px, rms of places about flights
 UPRIGHT = 0.35  # rad between gravity and the picture's vertical
-MOST_READOUT, LEAST_READOUT, CERTAIN = 0.06, 2e-3, 6.0  # s; error bars
+MOST_READOUT, LEAST_READOUT = 0.06, 2e-3  # s, of cameras that read row after row
+EXCLUDED = 2.5  # error bars
 DRAG = 0.05  # 1/m: standard deviation of the prior of the air's drag
 RADIUS = 0.02  # of the scale by the ball's radius, which light and shadow change
 DIFFERENT = 0.03  # of two scales, which is said
@@ -46,6 +49,31 @@ def row_phase(places: Array, size: tuple[int, int], rotation: int) -> Array:
     return np.asarray(0.5 - across if rotation in (2, 3) else across - 0.5)
 
 
+def rows_direction(rotation: int) -> tuple[float, float]:
+    """Return the direction in the upright picture in which rows are read."""
+    sign = -1.0 if rotation in (2, 3) else 1.0
+    return (sign, 0.0) if rotation % 2 else (0.0, sign)
+
+
+def choose_readout(found: Sequence[tuple[float, float]], notes: list[str]) -> tuple[float, float]:
+    """Return the readout of a camera and its error, s, from estimates with errors; 0 of a camera that reads all rows at once."""
+    weights = np.array([1 / error**2 for _value, error in found if error > 0])
+    if not len(weights):
+        return 0.0, 0.0
+    value, error = (
+        float(np.array([one for one, error in found if error > 0]) @ weights / weights.sum()),
+        float(weights.sum() ** -0.5),
+    )
+    if value + EXCLUDED * error < LEAST_READOUT or value - EXCLUDED * error > MOST_READOUT:
+        return 0.0, 0.0
+    value = max(value, 0.0)
+    notes.append(
+        f"rolling shutter: outlines and flights show a readout of {1e3 * value:.3g} ± {1e3 * error:.1g} ms from first to last row;"
+        " used, and its error is part of all error bars (`readout` gives another, 0 for none)"
+    )
+    return value, error
+
+
 def turning(times: Array, places: Array) -> Mask:
     """Return the frames (F,) beside which a ball turns sharply: places (F, 2) are NaN where it was not seen."""
     rows = np.flatnonzero(np.isfinite(places[:, 0]))
@@ -62,15 +90,15 @@ def turning(times: Array, places: Array) -> Mask:
 
 
 def fit_falls(
-    times: Array, balls: Mapping[str, tuple[Array, Mask]], size: tuple[int, int], rotation: int, free: bool
+    balls: Sequence[tuple[Array, Array, Mask]], size: tuple[int, int], rotation: int, free: bool
 ) -> Falls | None:
     """Fit all flights of balls with one acceleration, and with ``free`` a readout of the camera and the air's drag.
 
-    ``times``: (F,) s; ``balls``: places (F, 2), px, and which (F,) are used; ``size``: width and height of the picture.
+    ``balls``: times (F,), s, places (F, 2), px, and which (F,) are used; ``size``: width and height of the picture.
     Returns None without flights.
     """
     flights = []
-    for places, used in balls.values():
+    for times, places, used in balls:
         known = np.where(used[:, None], places, np.nan)
         turns = turning(times, known)
         rows = np.flatnonzero(used)
@@ -130,8 +158,7 @@ def parse_length(text: str) -> tuple[Array, float]:
     >>> points.tolist(), length
     ([[100.0, 600.0], [900.0, 600.0]], 0.8)
     """
-    number = r"\s*(-?\d+(?:\.\d*)?)\s*"
-    found = re.fullmatch(rf"{number},{number},{number},{number}=\s*(.+)", text)
+    found = re.fullmatch(",".join([rf"\s*({NUMBER})\s*"] * 4) + r"=\s*(.+)", text)
     wanted = "two points in px and their distance, x1,y1,x2,y2=1m"
     if found is None:
         raise CaromError(Fault("`length`", "", wanted, repr(text)))
@@ -146,6 +173,54 @@ def parse_length(text: str) -> tuple[Array, float]:
     if not 0 < metres < 1e4 or not np.hypot(*(points[1] - points[0])) > 0:
         raise CaromError(Fault("`length`", "", wanted, repr(text)))
     return points, metres
+
+
+class Asked(NamedTuple):
+    """Arguments of track_film that were read."""
+
+    seeds: list[tuple[float, ...]]
+    """x, y, t of each ball."""
+    colour: Array | None
+    region: tuple[float, ...] | None
+
+
+def check_arguments(
+    balls: int, radius: float | None, scale: float | str | None, length: str | None, readout: float | None, rate: float | None,
+    ball: Sequence[str] | str, colour: str | None, region: str | None, start: float | None, end: float | None,
+) -> Asked:  # fmt: skip
+    """Read the arguments of track_film. Raises CaromError with all that are wrong."""
+    faults = FaultList()
+    if not 1 <= balls <= 30:
+        faults.add("`balls`", "1 to 30 balls", repr(balls))
+    limits = {"radius": (radius, 0.0), "readout": (readout, -1e-9), "rate": (rate, 0.0), "end": (end, start or 0.0)}
+    for name, (value, low) in limits.items():
+        if value is not None and not low < value < 1e6:
+            faults.add(f"`{name}`", f"a number {'of at least 0' if low < 0 else f'above {low:g}'}", repr(value))
+    if scale is not None and scale != "gravity" and not (isinstance(scale, float | int) and 0 < scale < 1e3):
+        faults.add("`scale`", "metres per pixel, above 0, or gravity", repr(scale))
+    if length is not None:
+        faults.attempt(parse_length, length)
+    seeds = [
+        _numbers(rf"({NUMBER}),({NUMBER})@({NUMBER})s?", one) for one in ([ball] if isinstance(ball, str) else ball)
+    ]
+    if () in seeds:
+        faults.add("`ball`", "a place and a time, x,y@t (px, s)", repr(ball))
+    elif seeds and len(seeds) != balls:
+        faults.add("`ball`", f"one for each of {counted(balls, 'ball')}", str(len(seeds)))
+    tone = re.fullmatch(r"#[0-9a-fA-F]{6}", colour or "")
+    if colour is not None and tone is None:
+        faults.add("`colour`", "red, green, blue as in '#e0b020'", repr(colour))
+    corners = _numbers(",".join([f"({NUMBER})"] * 4), region or "")
+    if region is not None and not (corners and corners[2] > corners[0] and corners[3] > corners[1]):
+        faults.add("`region`", "x0,y0,x1,y1 in px, x0 < x1 and y0 < y1", repr(region))
+    faults.raise_if_any()
+    return Asked(seeds, None if tone is None else np.array(list(bytes.fromhex(tone[0][1:])), float), corners or None)
+
+
+def _numbers(pattern: str, text: str) -> tuple[float, ...]:
+    """Return the numbers of a text of that form; none of another one."""
+    found = re.fullmatch(pattern, re.sub(r"\s", "", text))
+    return tuple(float(one) for one in found.groups()) if found else ()
 
 
 def choose_scale(
