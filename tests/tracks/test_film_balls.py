@@ -75,13 +75,14 @@ def test_a_blurred_film_gives_exposure_and_restitution(tmp_path: Path) -> None:
     assert error.max() < 0.03
 
 
+@pytest.mark.slow(keep=1)
 @pytest.mark.parametrize(
     "given",
     [
-        pytest.param({"readout": 0.016}, marks=pytest.mark.slow),
-        pytest.param({"readout": 0.016, "rotation": 180}, marks=pytest.mark.slow),
         {"readout": 0.006, "look": Look(WHITE, "plain"), "texture": "wall"},
-        pytest.param({"look": Look(WHITE, "plain"), "texture": "wall", "seed": 1}, marks=pytest.mark.slow),
+        {"readout": 0.016},
+        {"readout": 0.016, "rotation": 180},
+        {"look": Look(WHITE, "plain"), "texture": "wall", "seed": 1},
     ],
 )
 def test_the_readout_is_found_and_its_error_is_in_the_error_bars(tmp_path: Path, given: dict[str, Any]) -> None:
