@@ -169,6 +169,7 @@ def test_shares_and_their_counting_errors() -> None:
     assert "(68.3 ± 23.3, 95.0 ± 10.9; 4 of 5)" in shares([0.1, 0.2, 0.3, 1.5, None])
 
 
+@pytest.mark.slow
 def test_a_mutant_is_killed_by_a_test_that_reaches_it_and_survives_where_there_is_none(tmp_path: Path) -> None:
     part, path = "core/test_phases.py", "core/motion/phases.py"
     source = (ROOT / "src" / "carom" / path).read_text(encoding="utf-8")

@@ -101,6 +101,7 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.skipif(not hasattr(signal, "SIGALRM"), reason="needs SIGALRM")
 @pytest.mark.parametrize(("package", "name"), NAMES, ids=".".join)
+@pytest.mark.slow(keep=10)
 def test_wrong_things_for_all_that_is_needed(package: str, name: str) -> None:
     public = getattr(importlib.import_module(package), name)
     for wrong in WRONG.values() if required(public) else [None]:  # (what needs nothing is called once)

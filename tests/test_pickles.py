@@ -308,6 +308,7 @@ def same(a: Any, b: Any) -> bool:
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
+@pytest.mark.slow(keep=3)
 def test_results_and_what_they_are_made_of_are_pickled_and_copied(name: str) -> None:
     for thing in examples(name):
         for way in (lambda x: pickle.loads(pickle.dumps(x)), copy.deepcopy, copy.copy):

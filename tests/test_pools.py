@@ -71,6 +71,7 @@ POOLS = [
 
 
 @pytest.mark.parametrize("pool", POOLS)
+@pytest.mark.slow(keep=1)
 def test_runs_of_a_pool_are_those_of_this_process(pool: Callable[[Sequence[Any]], list[Any]]) -> None:
     for run, one in zip(pool(scenes()), scenes(), strict=True):
         expected = carom.simulate(one)

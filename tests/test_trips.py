@@ -30,6 +30,7 @@ def in_curve(**curve: Any) -> carom.Scene:
 
 
 @pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.slow(keep=8)
 def test_a_scene_of_every_shape_comes_back(shape: str, tmp_path: Path) -> None:
     k = list(SHAPES).index(shape)
     assert lost_trips(random_scene(k, shape), tmp_path, stores=k % 6 == 0) == []

@@ -130,6 +130,7 @@ def numbers(found: Any, depth: int = 6) -> list[bytes]:
 
 
 @pytest.mark.parametrize("job", JOBS)
+@pytest.mark.slow(keep=4)
 def test_what_was_in_memory_is_in_no_result(job: str, monkeypatch: pytest.MonkeyPatch) -> None:
     expected = numbers(JOBS[job]())  # (which compiles, too: the compiler knows NumPy's own functions only)
     plain = {"empty": np.empty, "empty_like": np.empty_like}

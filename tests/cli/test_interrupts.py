@@ -35,6 +35,7 @@ SCRIPT = "#!{}\nimport re\nimport sys\nfrom carom.cli import main\nif __name__ =
 @pytest.mark.skipif(os.name != "posix", reason="needs signals")
 @pytest.mark.parametrize("how", ["module", "script"])
 @pytest.mark.parametrize("stage", ["carom", "typer.core", "carom.cli", "numpy", "pydantic"])
+@pytest.mark.slow(keep=4)
 def test_while_the_command_is_imported(tmp_path: Path, how: str, stage: str) -> None:
     """Python says, module by module, how long an import took; at one of them the signal comes."""
     (tmp_path / "box.toml").write_text(BOX)

@@ -61,6 +61,7 @@ def one_ball(**run: object) -> carom.Scene:
 
 
 @pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.slow(keep=3)
 def test_no_file_runs_a_law(kind: str, tmp_path: Path) -> None:
     if kind == "store":
         pytest.importorskip("zarr")

@@ -219,6 +219,7 @@ def test_a_single_part_leaves_the_main_thread_once_numba_is_loaded(
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
+@pytest.mark.slow
 def test_the_threads_are_made_anew_in_a_forked_process() -> None:
     call_in_threads(abs, [-1, -2])
     fork = multiprocessing.get_context("fork")

@@ -340,6 +340,7 @@ print(json.dumps([many.final.velocity[0, 0].tolist(), carom.simulate(scene).fina
 """
 
 
+@pytest.mark.slow
 def test_a_first_run_needs_no_numba_and_gives_the_same_bits(tmp_path: Path) -> None:
     if not native.is_shipped(run_many._many):
         pytest.skip("the package's loops are not of today's kernels")

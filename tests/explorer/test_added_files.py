@@ -91,6 +91,7 @@ def python(folder: Path, *arguments: str, cache: Path | None = None) -> subproce
     )
 
 
+@pytest.mark.slow
 def test_a_shape_that_the_page_does_not_have_is_refused_in_a_line(package: Path) -> None:
     done = python(package, "-m", "carom", "explore", "scene.toml", "--out", "page.html", "--no-open")
     said = [line for line in done.stderr.splitlines() if "shape" in line]
@@ -112,6 +113,7 @@ def test_a_wall_of_the_shape_is_checked_by_its_kernel(package: Path) -> None:
 
 
 @pytest.mark.skipif(find_spec("ziglang") is None, reason="builds the module; install carom's extra wasm")
+@pytest.mark.slow
 def test_all_are_in_the_page_once_the_module_is_built(package: Path, open_page: Any, tmp_path: Path) -> None:
     shutil.copytree(cache_folder(), tmp_path / cache_folder().name)
     built = python(package, "-m", "carom.explorer.module", cache=tmp_path)

@@ -91,6 +91,7 @@ def _entry_alone(x: float) -> float:
     return math.exp(x)
 
 
+@pytest.mark.slow
 def test_the_version_does_not_depend_on_what_was_imported() -> None:
     """Public classes explain their misuse once they are asked for; the kernels that they name stay as they are."""
     code = "import carom.scene as s; s.SceneBall, s.Floor; from carom.explorer.module import version; print(version())"

@@ -206,6 +206,7 @@ def test_what_rounding_leaves_is_no_spin(page_of: Any) -> None:
     assert page.locator("#control-massespin-number").input_value() == "0"
 
 
+@pytest.mark.slow
 def test_measured_rebounds_say_what_the_curves_are_for(open_page: Any, tmp_path: Path) -> None:
     table = tmp_path / "rebounds.csv"
     table.write_text(

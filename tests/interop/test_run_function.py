@@ -37,6 +37,7 @@ def test_surfaces_need_no_scene_of_their_own_at_each_point(wrt: list[str], monke
 
 
 @pytest.mark.parametrize("value", [-1.0, np.nan])
+@pytest.mark.slow(keep=1)
 def test_a_number_that_a_scene_refuses_is_refused(value: float) -> None:
     run = RunFunction(table_scene(duration=0.5), ["floor.friction"], "final.velocity", "test")
     with pytest.raises(CaromError, match=r"floor\.friction"):

@@ -138,6 +138,7 @@ def at_upright_walls(law):
 
 
 @pytest.mark.parametrize("name", [name for name, law in LAWS.items() if name != "two-step" and not law.on_table])
+@pytest.mark.slow(keep=4)
 def test_laws(name):
     args = at_upright_walls(LAWS[name])
     same_bits(wall_law_rows(LAWS[name].kernel), args, lambda: room(len(args[0]), 3, 3))

@@ -228,6 +228,7 @@ def test_what_they_refuse() -> None:
 
 @pytest.mark.parametrize("kappa", [1.4519770036461357e-05, 1e-3, 1e-9, 1e-300])
 @pytest.mark.parametrize("k", [1e-3, 1.0, 449.4471833045699, 1e3])
+@pytest.mark.slow(keep=6)
 def test_a_moment_of_inertia_near_zero_ends(kappa: float, k: float) -> None:
     """The tangential spring swings ever faster; the kernel is bounded, whatever the numbers, and keeps no more slip than it got."""
     for u in (1e-9, 0.21083695130965174, 1.0, 50.0):

@@ -63,6 +63,7 @@ def test_first_impact_of_the_example_exactly(u0, v0):
     assert required == pytest.approx(math.sqrt(v0 * v0 + u0 * u0) / (7 * u0), rel=1e-15)
 
 
+@pytest.mark.slow
 def test_first_impact_for_any_moment_against_sympy():
     """(28), (19), (30) solved as nine linear equations; equal at random rational points, as rationals."""
     sp = pytest.importorskip("sympy")

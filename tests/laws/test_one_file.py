@@ -181,6 +181,7 @@ def test_fits_know_it(run: Callable[..., str]) -> None:
     assert laws["half-slide"]["parameters"]["restitution"]["value"] == pytest.approx(0.7, abs=0.02)
 
 
+@pytest.mark.slow
 def test_the_documentation_knows_it(run: Callable[..., str]) -> None:
     # (the page of the laws is made from carom.CARDS)
     assert "half-slide" in run("-c", "import carom; print(list(carom.CARDS))")

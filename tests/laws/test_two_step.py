@@ -190,6 +190,7 @@ def part(surface, keep):
     return carom.Surface(*(np.asarray(x)[keep] for x in vars(surface).values()))
 
 
+@pytest.mark.slow
 def test_brute_force_agrees_on_what_happens_and_where_it_ends():
     """Some hundred random scenes stepped in time by 2 us, in code that shares nothing with carom's.
 

@@ -118,6 +118,7 @@ def where(bad, many):
     return [(int(i), v[i].tolist(), w[i].tolist(), n[i].tolist(), p[i].tolist()) for i in np.flatnonzero(bad)[:3]]
 
 
+@pytest.mark.slow(keep=1)
 def test_never_lost(many):
     """Every course is followed to its end, whatever the frictions."""
     regime = many[-1]

@@ -29,6 +29,7 @@ def film(tmp_path_factory: pytest.TempPathFactory) -> TrackedFilm:
     return as_tracked(made, flagged=FLAGGED)
 
 
+@pytest.mark.slow
 def test_a_sheet_shows_frames_of_the_whole_film_and_flagged_ones_red(film: TrackedFilm, tmp_path: Path) -> None:
     figure = plot_film(film, tmp_path / "sheet.png")
     *cells, path, residuals = figure.axes

@@ -117,6 +117,7 @@ def sweep(_folder: Path) -> Any:
 
 
 @pytest.mark.parametrize("draw", [trajectory, many_balls, film, gas, ensemble, whole_tracks, comparison, orbit, sweep])
+@pytest.mark.slow(keep=3)
 def test_names_are_drawn_as_they_are(draw: Any, tmp_path: Path) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")

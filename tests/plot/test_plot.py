@@ -132,6 +132,7 @@ def test_balls_that_never_roll_are_drawn(given: dict[str, float], tmp_path: Path
 
 
 @pytest.mark.parametrize("kind", ["svg", "pdf", "png"])
+@pytest.mark.slow(keep=1)
 def test_the_same_picture_is_the_same_bytes(kind: str, tmp_path: Path) -> None:
     for name in ("a", "b"):
         plot.save(plot.compare(friction=0.2), tmp_path / f"{name}.{kind}")

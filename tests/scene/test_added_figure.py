@@ -115,6 +115,7 @@ def python(folder: Path, *arguments: str) -> Any:
     return json.loads(done.stdout)
 
 
+@pytest.mark.slow
 def test_a_figure_that_is_added_as_a_file_is_everywhere(package: Path) -> None:
     found = python(package, "-c", ASKED)
     assert found["listed"]

@@ -29,6 +29,7 @@ AREAS = {
 
 
 @pytest.mark.parametrize("text", AREAS)
+@pytest.mark.slow(keep=2)
 def test_areas_are_those_of_closed_forms(text: str) -> None:
     made = figure(text)
     assert made.area == pytest.approx(AREAS[text], rel=1e-9)  # type: ignore[attr-defined]

@@ -181,6 +181,7 @@ def test_a_ball_in_a_wall_of_a_figure_is_where_the_billiard_has_it(text: str) ->
         assert places == pytest.approx(found.position[:10], abs=1e-9)
 
 
+@pytest.mark.slow
 def test_a_ball_stays_in_a_figure_with_arcs_and_corners_both_ways() -> None:
     """The gap to every piece, from points along it, and the places that are blocked, turned and moved."""
     made, center, angle = NotchFigure(), (0.3, -0.2), 25.0

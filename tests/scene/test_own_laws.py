@@ -126,6 +126,7 @@ def test_what_is_not_made_in_python_is_refused_by_default(
     assert not (tmp_path / "ran").exists()
 
 
+@pytest.mark.slow
 def test_one_gate_for_all_files() -> None:
     """No module but the schema's asks pydantic for a scene by itself."""
     names = {name for name in dir(Model) if name.startswith(("model_validate", "parse_", "model_construct"))}

@@ -192,6 +192,7 @@ SHAPES: dict[str, tuple[WallShape, Distance]] = {
 
 
 @pytest.mark.parametrize("name", SHAPES)
+@pytest.mark.slow(keep=6)
 def test_features_are_as_far_away_as_the_shape(name: str) -> None:
     wall, far = SHAPES[name]
     features = [feature for feature in wall.features() if feature.kind != OVER]

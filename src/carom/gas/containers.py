@@ -320,7 +320,7 @@ class Container:
     """Volume of the space that the walls bound; for discs the area."""
     outline: Array | None = None
     """The corners (N, 2) of a polygon that is not convex, or of one along a curve: a point behind a side may be inside."""
-    declared: Any = field(default=None, repr=False, compare=False)
+    declared: GasContainer | None = field(default=None, repr=False, compare=False)
     """The :class:`GasContainer` that it is made of."""
 
     @property

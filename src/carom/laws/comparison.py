@@ -19,7 +19,7 @@ from carom.bodies import Ball, State, Surface, kinetic_energy, slip
 from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, checked_number, require_type, suggestion
 from carom.formatting import Listing, format_length, format_number, format_time, json_value
 from carom.laws.arrays import require_approach
-from carom.laws.landing import FloorContact, Settled, TwoStep, angle_from
+from carom.laws.landing import Flight, FloorContact, Settled, TwoStep, angle_from
 from carom.laws.law import Answer, Law, Meeting, holds_everywhere
 from carom.laws.registry import law_named, one_or_several
 from carom.laws.registry import laws as all_laws
@@ -284,7 +284,7 @@ class Verdict:
     """The law's full answer; None if there is no prediction."""
 
     @property
-    def flight(self) -> Any:
+    def flight(self) -> Flight | None:
         """The flight after the wall; None where the law says nothing of it."""
         steps = None if self.answer is None else self.answer.steps
         return None if steps is None else steps.flight
@@ -354,8 +354,12 @@ class Comparison:
             "final\nangle": lambda one: _degrees(one.reflection_angle_deg),
             "final\nvelocity\nx, y, m/s": lambda one: vector(one.final, "velocity", 2),
             "final spin\nx, y, z, rad/s": lambda one: vector(one.final, "spin", 3),
-            "flight\nheight\nmm": lambda one: format_number(one.flight and 1e3 * float(one.flight.height)),
-            "flight\nlength\nmm": lambda one: format_number(one.flight and 1e3 * float(one.flight.distance)),
+            "flight\nheight\nmm": lambda one: format_number(
+                None if one.flight is None else 1e3 * float(one.flight.height)
+            ),
+            "flight\nlength\nmm": lambda one: format_number(
+                None if one.flight is None else 1e3 * float(one.flight.distance)
+            ),
             "energy\nkept": lambda one: "–" if one.energy_ratio is None else f"{one.energy_ratio:.1%}",
             "needed\nμ of\nwall": lambda one: format_number(one.required_wall),
             "needed\nμ of\nfloor": lambda one: format_number(one.required_floor),

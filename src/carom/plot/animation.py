@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,11 +58,45 @@ def _spots(q: Array, side: bool) -> Array:
     return rim
 
 
-class Film:
-    """Frames of a run: the background is drawn once; balls, trails and clock are drawn over it."""
+class Frames:
+    """Frames of a film, in pixels: what stands still is drawn once, what moves over it."""
+
+    def __init__(self, figure: Any, times: Array, size: tuple[int, int]) -> None:
+        """Draw what is in the figure by now; ``moving`` is filled after that."""
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+        self.times, self.size = times, size
+        self.axes = figure.axes[0]
+        self.canvas = FigureCanvasAgg(figure)
+        self.canvas.draw()
+        self.background = self.canvas.copy_from_bbox(figure.bbox)
+        self.moving: list[Any] = []
+
+    def move(self, n: int) -> None:
+        """Bring what moves to the n-th frame."""
+        raise NotImplementedError
+
+    def frame(self, n: int) -> Array:
+        """Return the n-th frame, (high, wide, 4) bytes."""
+        self.move(n)
+        self.canvas.restore_region(self.background)
+        for artist in self.moving:
+            self.axes.draw_artist(artist)
+        return np.asarray(self.canvas.buffer_rgba())
+
+    def frames(self, tell: Callable[[int, int], None]) -> Iterator[Array]:
+        """Yield all frames in order."""
+        total = len(self.times)
+        tell(0, total)
+        for n in range(total):
+            yield self.frame(n)
+            tell(n + 1, total)
+
+
+class Film(Frames):
+    """Frames of a run: balls, trails and clock over the table."""
 
     def __init__(self, run: Trajectory, times: Array, span: tuple[float, float], wide: int) -> None:
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.collections import LineCollection, PolyCollection
         from matplotlib.figure import Figure
 
@@ -95,14 +129,12 @@ class Film:
             ]
         )
         figure = Figure(figsize=(self.size[0] / 100, self.size[1] / 100), dpi=100)
-        self.canvas = FigureCanvasAgg(figure)
         self.axes = figure.add_axes((0, 0, 1, 1))
         self.axes.set(xlim=(0, self.size[0]), ylim=(0, self.size[1]))
         self.axes.axis("off")
         self.points = wide / 112  # the size of small letters
         self._still(shown)
-        self.canvas.draw()
-        self.background = self.canvas.copy_from_bbox(figure.bbox)
+        super().__init__(figure, times, self.size)
         self.faint = LineCollection([], lw=wide / 1100, alpha=0.4)
         self.strong = LineCollection([], lw=wide / 600)
         self.balls = PolyCollection([], lw=0)
@@ -112,6 +144,7 @@ class Film:
         ]
         for one in (self.faint, self.strong, self.balls):
             self.axes.add_collection(one, autolim=False)
+        self.moving = [self.faint, self.strong, self.balls, self.head, *self.said]
 
     def _place(self, x: Array) -> Array:
         """Return the pixels of positions (..., 3) on the table."""
@@ -162,8 +195,8 @@ class Film:
         cards = [(x + 0.25 * self.column, y - 1.2 * r, "center") for _i, x, y, r in self._cards()]
         return [(0.015 * wide, 0.03 * wide + self.lane, "left"), *cards]
 
-    def frame(self, n: int) -> Array:
-        """Return the n-th frame, (high, wide, 4) bytes."""
+    def move(self, n: int) -> None:
+        """Bring balls, trails and clock to the n-th frame."""
         t = float(self.times[n])
         places = self.places[n]
         there = np.flatnonzero(np.isfinite(places[:, 0]))
@@ -186,10 +219,6 @@ class Film:
         self.said[0].set_text(f"{t:.2f} s")
         for text, (k, *_rest) in zip(self.said[1:], self._cards(), strict=True):
             text.set_text(f"{literal(self.run.scene.ball_names[k])}: {WORDS[str(self.phases[n][k])]}{self._lift(n, k)}")
-        self.canvas.restore_region(self.background)
-        for artist in (self.faint, self.strong, self.balls, self.head, *self.said):
-            self.axes.draw_artist(artist)
-        return np.asarray(self.canvas.buffer_rgba())
 
     def _lift(self, n: int, i: int) -> str:
         lift = float(self.places[n, i, 2] - self.radii[i]) if self.run.scene.floor is not None else 0.0
@@ -239,14 +268,6 @@ class Film:
             ball(i, np.array([x + 0.5 * self.column, y + lift]), r, True)
         return shapes, faces
 
-    def frames(self, tell: Callable[[int, int], None]) -> Iterator[Array]:
-        """Yield all frames in order."""
-        total = len(self.times)
-        tell(0, total)
-        for n in range(total):
-            yield self.frame(n)
-            tell(n + 1, total)
-
 
 # ----------------------------------------------------------------------------------------------------
 # Animate a run: a film (.mp4, .gif) or the explorer's page (.html). Spots on the balls make their spin visible.
@@ -259,19 +280,6 @@ WIDE = {".mp4": 1280, ".gif": 800}
 # The highest frame rate at which browsers play a GIF.
 FASTEST_GIF = 50
 MOST_FRAMES = 100_000
-
-
-class Frames(Protocol):
-    """Frames of a film, in pixels."""
-
-    times: Any
-    size: tuple[int, int]
-
-    def frame(self, n: int) -> Any:
-        """Return the n-th frame, (high, wide, 4) bytes."""
-
-    def frames(self, tell: Progress) -> Iterator[Any]:
-        """Yield all frames in order."""
 
 
 def animate(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import math
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -19,7 +19,7 @@ from carom.gas.containers import Container
 from carom.gas.gas import Gas
 from carom.gas.results import EndedEarlyError
 from carom.gas.session import Session
-from carom.plot.animation import DISC, FASTEST_GIF, MOST_FRAMES, WIDE, ffmpeg, write_film
+from carom.plot.animation import DISC, FASTEST_GIF, MOST_FRAMES, WIDE, Frames, ffmpeg, write_film
 from carom.plot.gas import COLOURS, LEAST_SHOWN, draw_outline
 from carom.plot.style import INK, new_figure, style
 
@@ -97,7 +97,7 @@ def animate_gas(
         if kind == ".svg":
             write_text(path, _svg(reel, fps))
             return path
-        write_film(_GasFilm(reel, WIDE[kind]), path, program, fps, tell)
+        write_film(_GasFilm(reel, WIDE[kind]), path, program, fps, lambda k, n: tell((n + k) // 2, n))
     return path
 
 
@@ -319,23 +319,20 @@ def _moving_line(reel: _Reel, wall: tuple[int, float, Array], scale: float, seco
 # --- pixels -----------------------------------------------------------------------------------------------------------
 
 
-class _GasFilm:
+class _GasFilm(Frames):
     """Frames of a gas in pixels: the walls are drawn once, balls over them."""
 
     def __init__(self, reel: _Reel, wide: int) -> None:
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.collections import LineCollection, PolyCollection
         from matplotlib.patches import Rectangle
 
-        self.reel, self.times = reel, reel.times
+        self.reel = reel
         low, high = reel.window
         span = (high - low) * (wide / (high - low).max())
-        self.size = (2 * round(span[0] / 2), 2 * round(span[1] / 2))
-        figure, self.axes = _still(reel, (self.size[0] / 100, self.size[1] / 100))
+        wide, high_ = 2 * round(span[0] / 2), 2 * round(span[1] / 2)
+        figure, _axes = _still(reel, (wide / 100, high_ / 100))
         figure.set_dpi(100)
-        self.canvas = FigureCanvasAgg(figure)
-        self.canvas.draw()
-        self.background = self.canvas.copy_from_bbox(figure.bbox)
+        super().__init__(figure, reel.times, (wide, high_))
         corner, across = _clip(reel)
         border = Rectangle(tuple(corner), *across, transform=self.axes.transData)
         count = len(reel.shifts)
@@ -343,13 +340,14 @@ class _GasFilm:
         self.balls = PolyCollection([], edgecolors="white", linewidths=0.3)
         self.spokes = LineCollection([], colors="white", lw=1.2)
         self.walls = LineCollection([], colors=INK, lw=2.5)
-        for one in (self.balls, self.spokes, self.walls):
+        self.moving = [self.balls, self.spokes, self.walls]
+        for one in self.moving:
             self.axes.add_collection(one, autolim=False)
         for one in (self.balls, self.spokes):
             one.set_clip_path(border)
 
-    def frame(self, n: int) -> Any:
-        """Return the n-th frame, (high, wide, 4) bytes."""
+    def move(self, n: int) -> None:
+        """Bring the balls and walls to the n-th frame."""
         reel, size = self.reel, np.array(self.reel.container.size)[self.reel.pair]
         x = np.where(reel.around, np.mod(reel.x[n], size), reel.x[n])
         x = np.concatenate([x + np.array(shift) for shift in reel.shifts])
@@ -370,14 +368,3 @@ class _GasFilm:
             ends[:, axis] = rest + moved[n]
             lines.append(ends)
         self.walls.set_segments(lines)
-        self.canvas.restore_region(self.background)
-        for artist in (self.balls, self.spokes, self.walls):
-            self.axes.draw_artist(artist)
-        return np.asarray(self.canvas.buffer_rgba())
-
-    def frames(self, tell: Callable[[int, int], None]) -> Iterator[Any]:
-        """Yield all frames in order."""
-        total = len(self.times)
-        for n in range(total):
-            yield self.frame(n)
-            tell((total + n + 1) // 2, total)
