@@ -183,7 +183,7 @@ def rankings(monkeypatch: pytest.MonkeyPatch) -> dict[bytes, Ranking]:
 
 
 @pytest.mark.parametrize("name", CASES)
-@pytest.mark.slow(keep=4)
+@pytest.mark.slow(keep=2)
 def test_python_and_the_command_say_the_same(
     name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], rankings: dict[bytes, Ranking]
 ) -> None:

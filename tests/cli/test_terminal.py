@@ -286,6 +286,7 @@ def test_what_prints_nothing_needs_no_standard_output(
 
 
 @pytest.mark.skipif(os.name != "posix" or not Path("/dev/full").exists(), reason="needs a shell and /dev/full")
+@pytest.mark.slow
 def test_streams_of_a_shell(files: Path) -> None:
     """As a shell has them: full, closed, a reader that is gone, and messages that nobody takes."""
     carom_ = f"{sys.executable} -m carom"

@@ -81,7 +81,7 @@ def test_the_hash_is_of_the_modules_that_may_hold_kernels(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize("kept", [True, False])
-@pytest.mark.slow(keep=1)
+@pytest.mark.slow
 def test_a_loop_is_compiled_once_where_it_can_be_kept(kept: bool, tmp_path: Path) -> None:
     (tmp_path / "loop.py").write_text(LOOP)
     cache = tmp_path / "cache"

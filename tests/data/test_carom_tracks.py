@@ -15,6 +15,7 @@ from carom.fitting.laws import INDEX, laws_named
 ROOT = Path(__file__).parents[2]
 
 
+@pytest.mark.slow
 def test_the_statement_of_readme_and_page_follows_from_the_table_of_rebounds() -> None:
     table = read_rebounds(ROOT / "docs" / "data" / "carom_tracks_rebounds.csv")
     use = table.extra["use"]

@@ -64,6 +64,7 @@ def solved(name):
 
 
 @pytest.mark.parametrize("name", CASES)
+@pytest.mark.slow(keep=4)
 def test_both_derivations_agree_symbolically(name):
     motion, modes, one = solved(name)
     other = motion.solve("virtual", modes)

@@ -236,7 +236,7 @@ def test_a_slide_after_the_wall_that_was_found_once_is_found_again():
     ("tangential compliance", 1.0, {"true", "cannot"}), ("sliding, no row that holds", 1.0, {"cannot"}),
     ("tangential compliance", 10.0, {"cannot"}),
 ])  # fmt: skip
-@pytest.mark.slow(keep=2)
+@pytest.mark.slow(keep=1)
 def test_the_true_law_wins_when_it_can(name, noise, says):
     # cannot: a law that contains the true one is a hair ahead, by chance (so is stronge, another law of tangential compliance);
     # else it must be the true one that wins

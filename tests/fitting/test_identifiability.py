@@ -124,7 +124,7 @@ SETS = {
 
 
 @pytest.mark.parametrize("name", SETS)
-@pytest.mark.slow(keep=1)
+@pytest.mark.slow
 def test_no_parameter_is_not_identifiable_whose_profile_rises_on_both_sides(name: str) -> None:
     """Of the 89 rebounds the report said that sliding contacts identify only friction (1 + restitution) under the law contact."""
     table, options = SETS[name]

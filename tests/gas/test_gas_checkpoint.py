@@ -399,7 +399,7 @@ def test_a_gas_kept_warm_is_resumed(tmp_path):
 
 
 @pytest.mark.parametrize("value", [math.inf, -1e300])
-@pytest.mark.slow(keep=1)
+@pytest.mark.slow
 def test_no_number_of_a_checkpoint_is_out_of_bounds(tmp_path, value):
     """Infinite times and frictions below 0 went on, with NaN in positions; what a scene says has to be the scene's."""
     scene = scene_of(tmp_path, MIXED)

@@ -150,7 +150,7 @@ def test_a_ball_that_is_held_leaves_no_ghost(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("looks", [None, (Look(RED, "plain"),) * 3])
-@pytest.mark.slow(keep=1)
+@pytest.mark.slow
 def test_three_balls_keep_their_names(tmp_path: Path, looks: tuple[Look, ...] | None) -> None:
     truth = three_balls_film(tmp_path / "film.mp4", seed=2, **({"looks": looks} if looks else {}))
     film = carom.track_film(truth.path, 3, scale=1 / truth.camera.scale)
