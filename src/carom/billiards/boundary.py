@@ -20,7 +20,7 @@ from carom.billiards.curved_wall import (
     ellipse_touched,
     require_room,
 )
-from carom.billiards.intersections import PIECES, WORLD
+from carom.billiards.intersections import BILLIARD, PIECES
 from carom.bodies import holds_arrays
 from carom.core.geometry.outlines import ellipse_depth, polygon_depth
 from carom.errors import CaromError, Fault
@@ -262,13 +262,13 @@ class Boundary:
         return [*self.faces, *self.inside, *self.outside, *([self.ellipse] if self.ellipse else []), *arcs]
 
     def arrays(self) -> tuple[Any, NDArray[np.void]]:
-        """Return the WORLD record, still without ball and law, and the array of PIECES."""
+        """Return the BILLIARD record, still without ball and law, and the array of PIECES."""
         kinds: dict[str, Sequence[Any]] = {
             "faces": self.faces, "windows": self.windows, "inside": self.inside, "outside": [*self.outside, *self.images],
             "ellipses": [self.ellipse] if self.ellipse else [], "curves": [] if self.curve is None else self.curve.walls,
         }  # fmt: skip
         rows: list[tuple[Any, ...]] = []
-        world = np.zeros(1, WORLD)
+        world = np.zeros(1, BILLIARD)
         for name, some in kinds.items():
             rows += [one.row for one in some]
             world[name] = len(rows)

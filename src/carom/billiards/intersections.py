@@ -68,7 +68,7 @@ PIECES = np.dtype(
 # The table, the ball and the law. The pieces are sorted by kind: faces, windows (through which a ball passes into the next
 # periodic cell), circles seen from inside, circles seen from outside, ellipses, smooth curves, spheres; each of the first seven
 # fields is the index at which its kind ends.
-WORLD = np.dtype(
+BILLIARD = np.dtype(
     [
         ("faces", "i8"),
         ("windows", "i8"),

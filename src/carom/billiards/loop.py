@@ -14,6 +14,7 @@ import numpy as np
 
 from carom.billiards.intersections import (
     ARC,
+    BILLIARD,
     CORNER,
     DONE,
     ENDING,
@@ -23,7 +24,6 @@ from carom.billiards.intersections import (
     GRAZED,
     MAX_EMPTY_CELLS,
     PIECES,
-    WORLD,
     arc_duration,
     arcs_joined,
     circle_exit,
@@ -405,7 +405,7 @@ def follow_many(
 ) -> None:
     """Follow every row of ``starts`` (N, 9) independently, if it has not ended, for at most ``share`` more bounces.
 
-    LANES of them in step where that is possible and no bounces are kept (:mod:`carom.billiards.loop`). The one WORLD is in an
+    LANES of them in step where that is possible and no bounces are kept (:mod:`carom.billiards.loop`). The one BILLIARD is in an
     array: a parallel loop takes no record. ``work`` (N / LANES, STATE), rounded up, is room for those in step.
     """
     in_step = rows.shape[1] == 0 and goes_in_step(worlds[0], pieces)
@@ -445,7 +445,7 @@ def compiled_follow() -> Callable[..., Any]:
     global _follow  # noqa: PLW0603
     pieces, table, vec, row = array_of(PIECES), array_of(float, 2), (float, float, float), array_of(float)
     one = signature(
-        (int, int), WORLD, pieces, table, vec, vec, vec, int, int, table, array_of(np.dtype("i4")), row, row
+        (int, int), BILLIARD, pieces, table, vec, vec, vec, int, int, table, array_of(np.dtype("i4")), row, row
     )
     _follow = njit(follow, one, (register_calls,), _nrt=False)
     return _follow  # type: ignore[no-any-return]
@@ -458,7 +458,7 @@ def compiled_many() -> Callable[..., Any]:
     pieces, table, met = array_of(PIECES), array_of(float, 2), array_of(np.dtype("i4"), 2)
     many = signature(
         None,
-        array_of(WORLD),
+        array_of(BILLIARD),
         pieces,
         table,
         table,

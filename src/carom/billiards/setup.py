@@ -131,7 +131,7 @@ def default_ball(table: Table) -> Ball:
 
 
 def orbit_setup(table: Table, ball: Ball | None, law: Any, surface: Surface | None, corners: str) -> OrbitSetup:
-    """Validate a table, a ball and a law together and return them with the WORLD record; CaromError, one line per problem."""
+    """Validate a table, a ball and a law together and return them with the BILLIARD record; CaromError, one line per problem."""
     if not isinstance(table, Table):
         raise CaromError(
             Fault(

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from carom.billiards.intersections import (
     ARC,
+    BILLIARD,
     BODY,
     DONE,
     ENDING,
@@ -21,7 +22,6 @@ from carom.billiards.intersections import (
     POSITION,
     TIME,
     VELOCITY,
-    WORLD,
     wall_normal,
 )
 from carom.billiards.loop import after_flight, after_impact, duration, fly_to_wall
@@ -181,9 +181,9 @@ def compiled_tangent_loop() -> Any:
     pieces, row, table, bodies, slopes = (
         array_of(PIECES), array_of(float), array_of(float, 2), array_of(BODY), array_of(float, 4)
     )  # fmt: skip
-    one = signature((int, int, int), WORLD, pieces, table, bodies, slopes, int, int, row, int, row)
+    one = signature((int, int, int), BILLIARD, pieces, table, bodies, slopes, int, int, row, int, row)
     _follow_tangents = njit(follow_tangents, one, needs, _nrt=False)
-    many = signature(None, array_of(WORLD), pieces, table, bodies, slopes, int, table, int, table, array_of(ENDING))
+    many = signature(None, array_of(BILLIARD), pieces, table, bodies, slopes, int, table, int, table, array_of(ENDING))
     return njit(follow_tangents_many, many, needs, parallel=True)
 
 

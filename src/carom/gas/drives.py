@@ -13,7 +13,7 @@ from pydantic import BeforeValidator, model_validator
 
 from carom.errors import FaultList
 from carom.gas.containers import Container
-from carom.gas.edmd.gas_records import CURVE, FACE
+from carom.gas.edmd.gas_records import CURVE, WALL_FACE
 from carom.gas.edmd.walls import oscillation, place
 from carom.scene.schema import Components, Mass, Model, Number, Share, Speed, raise_faults
 
@@ -214,7 +214,7 @@ def drive_faults(drive: Drive, name: str, container: Container) -> list[tuple[st
 
 def face_records(container: Container, drives: Mapping[str, Drive], widest: float) -> NDArray[np.void]:
     """Return the records of the faces, with the drives of their walls; ``widest`` is the largest radius."""
-    faces, rows = np.zeros(len(container.faces), FACE), 0  # (of the tables of curves so far)
+    faces, rows = np.zeros(len(container.faces), WALL_FACE), 0  # (of the tables of curves so far)
     for record, face in zip(faces, container.faces, strict=True):
         record["form"], record["area"], record["temperature"] = face.form, face.area, -1.0
         record["stop"], record["rotor"] = math.inf, -1

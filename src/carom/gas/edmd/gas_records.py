@@ -88,7 +88,7 @@ CONTACT_FORM = np.dtype([("form", "i8"), *((name, _FLOAT) for name in ("p0", "p1
 # one: q is 0 along the axis of a cylinder, 1 across it; d depends on the species. At an arc of a smooth
 # CURVE, whose table begins at the row ``depth`` of the curves, it is the distance from it, less d.
 PLANE, INSIDE, OUTSIDE, CURVE = range(4)
-FACE = np.dtype(
+WALL_FACE = np.dtype(
     [
         ("form", "i8"),
         *((name, _FLOAT) for name in ("nx", "ny", "nz")),  # a plane's normal, or q
