@@ -70,12 +70,12 @@ def test_every_fault_is_told_once(name, turned):
 def test_orbits_and_gases_say_it(name):
     corners, said = WRONG[name]
     x = np.array(corners, float) + 2.0
-    for make in (billiards.polygon, lambda x: container("polygon", points=x)):
+    for make, where in ((billiards.polygon, "polygon"), (lambda x: container("polygon", points=x), "container")):
         with pytest.raises(carom.CaromError) as caught:
             make(x)
         assert len(caught.value.faults) == len(said)
         assert all(
-            fault.startswith("polygon: points: expected ") and len(fault.splitlines()) == 1
+            fault.startswith(f"{where}: points: expected ") and len(fault.splitlines()) == 1
             for fault in caught.value.faults
         )
 
