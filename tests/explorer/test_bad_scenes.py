@@ -33,7 +33,7 @@ def good() -> dict[str, Any]:
         {"shape": "segment", "start": [far, -1], "end": [far, -2], **WALL},
         {"shape": "box", "center": [far, 9, 0], "size": [1, 1, 1], **WALL},
         {"shape": "sphere", "center": [far, 19, 0], "radius": 1.0, **WALL},
-        {"shape": "stadium", "straight": 9, "radius": 9, **WALL},
+        {"shape": "sphere", "center": [0, 0, 0], "radius": 18, "inside": True, **WALL},
         {"shape": "strip", "point": [-9, 0, 0], "normal": [1, 0, 0], "width": 50, **WALL},
     ]
     balls = [

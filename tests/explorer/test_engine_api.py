@@ -15,6 +15,7 @@ import carom
 from carom.cli.trajectory_output import as_json
 from carom.core.motion.phases import PHASES
 from carom.explorer.module import version
+from carom.explorer.page import with_outlines
 from carom.laws.landing import REGIME_NAMES as NAMES
 from carom.laws.registry import laws_of_pairs
 from carom.scene.scene import scene_dict
@@ -49,7 +50,7 @@ def plain(value: Any) -> Any:
 
 
 def test_a_run_is_that_of_python_event_by_event(evaluate: Any) -> None:
-    scenes = [one for seed in range(SCENES) if not may_call_libm(one := scene_of_all_laws(seed))]
+    scenes = [one for seed in range(SCENES) if not may_call_libm(one := with_outlines(scene_of_all_laws(seed)))]
     asked = [scene_dict(scene) for scene in scenes]
     answers = evaluate(f"(all) => all.map((scene) => engine.run(scene, undefined, {{ events: {EVENTS} }}))", asked)
     assert len(scenes) > 10
@@ -107,7 +108,7 @@ def test_two_balls_meet_by_the_laws_of_pairs_as_in_python(evaluate: Any) -> None
 
 
 def test_a_report_is_what_carom_simulate_prints(evaluate: Any) -> None:
-    scenes = [one for seed in range(SCENES) if not may_call_libm(one := scene_of_all_laws(seed))]
+    scenes = [one for seed in range(SCENES) if not may_call_libm(one := with_outlines(scene_of_all_laws(seed)))]
     asked = [scene_dict(scene) for scene in scenes]
     answers = evaluate(f"(all) => all.map((scene) => engine.report(scene, undefined, {{ events: {EVENTS} }}))", asked)
     for scene, answer in zip(scenes, answers, strict=True):
@@ -120,7 +121,7 @@ def test_a_report_is_what_carom_simulate_prints(evaluate: Any) -> None:
 
 
 def test_pieces_of_motion_are_the_exact_motion(evaluate: Any) -> None:
-    scenes = [scene_of_all_laws(seed) for seed in range(SCENES)]
+    scenes = [with_outlines(scene_of_all_laws(seed)) for seed in range(SCENES)]
     asked = [scene_dict(scene) for scene in scenes]
     answers = evaluate(f"(all) => all.map((scene) => engine.run(scene, undefined, {{ events: {EVENTS} }}))", asked)
     looked = 0
@@ -217,7 +218,11 @@ def python_meeting(found: dict[str, Any]) -> carom.Meeting:
 
 
 def test_a_comparison_is_that_of_python_with_its_sentences(evaluate: Any) -> None:
-    scenes = [one for seed in range(400) if (one := scene_of_all_laws(seed)).floor is not None and one.gravity[2] < 0]
+    scenes = [
+        one
+        for seed in range(400)
+        if (one := with_outlines(scene_of_all_laws(seed))).floor is not None and one.gravity[2] < 0
+    ]
     code = """(all) => all.map((scene) => {
         try { return { meeting: engine.meeting(scene), verdicts: engine.compare(scene) }; }
         catch (error) { return { error: error.message }; }

@@ -19,6 +19,7 @@ from reference.table_shots import shot
 
 import carom
 from carom.core.geometry.features import FEATURES, RIM
+from carom.explorer.page import with_outlines
 from carom.scene.presets import presets
 from carom.scene.scene import scene_dict
 from carom.simulation.loop import ALL, LIMIT, compiled_engine
@@ -78,7 +79,7 @@ def records(text: str, kind: np.dtype[Any]) -> np.ndarray:
 
 @pytest.fixture(scope="module")
 def scenes() -> list[carom.Scene]:
-    found = [scene_of_all_laws(seed) for seed in range(SCENES)]
+    found = [with_outlines(scene_of_all_laws(seed)) for seed in range(SCENES)]
     return found + [table for seed in range(SHOTS) for table in tables(seed)]
 
 

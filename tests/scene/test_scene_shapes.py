@@ -262,7 +262,6 @@ def test_a_wedge_has_an_edge_where_balls_can_touch_it(opening: float, edges: int
 
 def test_the_room_inside_a_wall() -> None:
     assert Table(length=3, width=1.5).room == Table(length=1.5, width=3).room == 0.75
-    assert Stadium(straight=2, radius=0.6).room == 0.6
     assert Cylinder(point=(0, 0, 0), radius=0.5, inside=True).room == 0.5
     assert Cylinder(point=(0, 0, 0), radius=0.5, inside=True, height=2).room == INF  # outside of it
     assert Cylinder(point=(0, 0, 0), radius=0.5).room == INF

@@ -28,7 +28,7 @@ BITS = {
     "cylinder": "d39065edfb0156bf",
     "sphere": "076a74683d938f93",
     "arc": "a3d53c816cc334db",
-    "stadium": "2570d0ab7452309e",
+    "stadium": "d050fa972118161e",
 }
 
 

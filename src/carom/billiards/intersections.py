@@ -408,7 +408,7 @@ def _hit_in_quarter(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec, k: Vec
 
 
 @kernel
-def arc_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple[float, int]:
+def larmor_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple[float, int]:
     """Return the place s on the flight at which it meets the next piece, and its index; infinity and -1 for a closed circle."""
     field = world.magnetic_field
     way = 1.0 if field > 0.0 else -1.0
@@ -669,6 +669,6 @@ def next_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple[floa
     """
     if world.flight != STRAIGHT:
         if world.flight == ARC:
-            return arc_hit(world, pieces, panels, x, v)
+            return larmor_hit(world, pieces, panels, x, v)
         return parabolic_hit(world, pieces, panels, x, v)
     return straight_hit(world, pieces, panels, x, v)

@@ -283,10 +283,11 @@ def _scene(scene: Scene | str | os.PathLike[str], faults: FaultList) -> Scene | 
 
 def with_outlines(scene: Scene) -> Scene:
     """Return a scene whose walls of figures are outlines: the page has their pieces, not their sizes."""
-    if not any(isinstance(wall, FigureWall) and wall.is_of_arcs for wall in scene.walls):
-        return scene
-    walls = tuple(wall.as_outline if isinstance(wall, FigureWall) and wall.is_of_arcs else wall for wall in scene.walls)
-    return scene.model_copy(update={"walls": walls})
+    walls = tuple(
+        wall.as_outline.model_copy(update={"name": name}) if isinstance(wall, FigureWall) and wall.is_of_arcs else wall
+        for wall, name in zip(scene.walls, scene.wall_names, strict=True)
+    )
+    return scene if walls == scene.walls else scene.model_copy(update={"walls": walls})
 
 
 def not_shown(scene: Scene, where: str) -> FaultList:
@@ -513,10 +514,10 @@ def player_page(run: Trajectory, start: float, end: float, speed: float) -> str:
     True
     """
     seen = {"span": [start, end], "time": start, "slow": speed}
-    why = _why_recorded(run)
+    scene = with_outlines(run.scene)
+    why = _why_recorded(run, scene)
     if not why:
-        name = SEVERAL_LAWS if _several(run) else law_name(run.scene.run.law)
-        return page_text(run.scene, [name], seen=seen)
+        return page_text(scene, [SEVERAL_LAWS if _several(run) else law_name(run.scene.run.law)], seen=seen)
     rows = _piece_rows(run, start, end)
     if len(rows) > MOST_ROWS + len(run.scene.balls):
         raise CaromError(
@@ -533,7 +534,7 @@ def player_page(run: Trajectory, start: float, end: float, speed: float) -> str:
     }
     return filled_page(
         {
-            "presets": [{**first, "scene": scene_dict(run.scene), **seen}],
+            "presets": [{**first, "scene": scene_dict(scene), **seen}],
             "cards": [card],
             "rebounds": [],
             "reboundsFrom": "",
@@ -542,14 +543,14 @@ def player_page(run: Trajectory, start: float, end: float, speed: float) -> str:
     )
 
 
-def _why_recorded(run: Trajectory) -> str:
+def _why_recorded(run: Trajectory, scene: Scene) -> str:
     """Return why the page does not compute a run; empty if it does."""
     balls, events = len(run.scene.balls), len(run.events)
     if balls > MOST_BALLS:
         return f"{balls:,} balls"
     if events > MOST_EVENTS_RUN:
         return f"{events:,} events"
-    return "a page does not show its walls or its law" if not_shown(run.scene, "") else ""
+    return "a page does not show its walls or its law" if not_shown(scene, "") else ""
 
 
 def _several(run: Trajectory) -> bool:

@@ -10,7 +10,7 @@ from pydantic import PlainValidator, model_validator
 
 from carom.errors import Fault, shown
 from carom.scene.figures.figure import FIGURES, ArcPiece, EllipsePiece, Figure, Loop, PlaneFigure, SegmentPiece, Sizes2
-from carom.scene.schema import Angle, Model, Size, Sizes, checked_part, raise_faults, refused
+from carom.scene.schema import Angle, Size, Sizes, checked_part, raise_faults, refused
 
 
 class CircleFigure(PlaneFigure):
@@ -114,15 +114,7 @@ class SectorFigure(PlaneFigure):
 # Bunimovich's stadium.
 
 
-class StadiumSizes(Model):
-    """The sizes of a stadium, as a figure and as a wall."""
-
-    shape: Literal["stadium"] = "stadium"
-    straight: Size
-    radius: Size
-
-
-class StadiumFigure(StadiumSizes, PlaneFigure):
+class StadiumFigure(PlaneFigure):
     """A stadium: two straight sides along x, joined by half circles.
 
     Source: L. A. Bunimovich, Commun. Math. Phys. 65, 295 (1979), https://doi.org/10.1007/BF01197884.
@@ -135,6 +127,8 @@ class StadiumFigure(StadiumSizes, PlaneFigure):
 
     usual: ClassVar = {"straight": 2.0, "radius": 1.0}
     shape: Literal["stadium"] = "stadium"
+    straight: Size
+    radius: Size
 
     def outline(self) -> list[Loop]:
         """Return the lower side, the right end, the upper side, the left end."""

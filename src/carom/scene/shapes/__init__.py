@@ -13,7 +13,7 @@ from pydantic import Field
 from carom.scene.presets import modules_of
 from carom.scene.shapes.curves import CurvedWallShape, CurveWallShape, FigureWall, OutlineWall, figure_walls
 from carom.scene.shapes.planes import Box, Plane, Polygon, Segment, Strip, Wedge
-from carom.scene.shapes.rounds import Arc, Cylinder, Sphere, Stadium
+from carom.scene.shapes.rounds import Arc, Cylinder, Sphere
 from carom.scene.shapes.table import Table
 from carom.scene.wall import WallShape
 
@@ -23,7 +23,7 @@ __all__ = [
     "Sphere", "Stadium", "Strip", "Table", "Wedge",
 ]  # fmt: skip
 
-FIRST = (Plane, Segment, Polygon, Table, Box, Strip, Wedge, Cylinder, Arc, Sphere, Stadium)
+FIRST = (Plane, Segment, Polygon, Table, Box, Strip, Wedge, Cylinder, Arc, Sphere)
 
 
 def _found() -> dict[str, type[WallShape]]:
@@ -35,6 +35,7 @@ def _found() -> dict[str, type[WallShape]]:
 
 
 SHAPES = _found()
+Stadium = SHAPES["stadium"]
 PAGE_SHAPES = {name: shape for name, shape in SHAPES.items() if shape.in_page}
 if TYPE_CHECKING:
     AnyWall = WallShape

@@ -1,4 +1,4 @@
-"""Round walls: cylinder, sphere, arc, stadium."""
+"""Round walls: cylinder, sphere, arc."""
 
 from __future__ import annotations
 
@@ -9,19 +9,16 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 
 from carom.core.geometry.angles import direction
-from carom.core.geometry.features import FACE, LINE, OVER
+from carom.core.geometry.features import LINE, OVER
 from carom.core.jit.kernel import dot, kernel
 from carom.formatting import format_length
 from carom.scene.feature_builders import (
     UP,
-    Flat,
     across,
     circle,
     frame,
-    length_2d,
     minus,
     point_along,
-    put,
     put_corner,
     put_disc,
     put_ends,
@@ -31,11 +28,10 @@ from carom.scene.feature_builders import (
     put_round,
     unit,
 )
-from carom.scene.figures.rounds import StadiumSizes
 from carom.scene.ruled import FaultText, format_vector, put_fault
 from carom.scene.schema import Angle, Direction, Extent, Flag, Place, Point, Size, Vector
 from carom.scene.shapes.planes import FAR, LEVEL, LEVELS, Standing, level_faults, stands
-from carom.scene.wall import Outline, ShapeKernels, WallShape, always
+from carom.scene.wall import Outline, ShapeKernels, WallShape
 
 Numbers = Sequence[float]
 
@@ -297,80 +293,3 @@ class Arc(Standing):
         """Return a description of a few words."""
         radius, center = format_length(self.radius), format_vector(self.center)
         return f"an arc of {self.span_deg:g} degrees, radius {radius}, around {center}{self._tall()}"
-
-
-@kernel
-def _stadium_features(p: Numbers, out: Any) -> int:
-    """Write two faces and two half cylinders."""
-    half, R, x, y = p[0] / 2, p[1], p[2], p[3]
-    c, s = direction(p[4])
-    i = 0
-    for way in (1.0, -1.0):
-        u = (way * c, way * s, 0.0)
-        # the wall on the right of one who walks along u looks back at the middle
-        off, along = -way * R, way * half
-        at = (x + 0.0 * c + off * -s, y + 0.0 * s + off * c, 0.0)
-        i = put(out, i, FACE, at, (-u[1], u[0], 0.0), 0.0, 1.0, u, -half, half, -math.inf, math.inf, -1)
-        i = put_round(
-            LINE, x + along * c + 0.0 * -s, y + along * s + 0.0 * c, R, -1.0, u, 0.0, -math.inf, math.inf, i, out
-        )
-    return i
-
-
-@kernel
-def _outside_stadium(p: Numbers, x: Vector) -> bool:
-    """Return whether a point is outside."""
-    c, s = direction(p[4])
-    dx, dy = x[0] - p[2], x[1] - p[3]
-    along, off = dx * c + dy * s, dy * c - dx * s
-    return length_2d(max(abs(along) - p[0] / 2, 0.0), off) > p[1]
-
-
-@kernel
-def _room_in_stadium(p: Numbers) -> float:
-    return p[1]
-
-
-class Stadium(StadiumSizes, WallShape):
-    """Two parallel walls joined by half circles, with the balls inside: Bunimovich's stadium.
-
-    Source: L. A. Bunimovich, Commun. Math. Phys. 65, 295 (1979), https://doi.org/10.1007/BF01197884.
-
-    Parameters
-    ----------
-    straight : m: length of the straight walls
-    radius : m: of the half circles
-    center : 2 lengths, m, as seen from above; default: the origin
-    angle : degrees from x: direction of the straight walls; default: 0
-    restitution, friction, ..., law, name : the fields of every wall, as of :class:`Plane`
-
-    Raises CaromError, one line per problem.
-
-    Examples
-    --------
-    >>> import carom
-    >>> carom.scene.Stadium(straight=1, radius=0.5).room
-    0.5
-    """
-
-    kernels: ClassVar = ShapeKernels(_stadium_features, _outside_stadium, always, room=_room_in_stadium)
-    shape: Literal["stadium"] = "stadium"
-    center: Place = (0.0, 0.0)
-    angle: Angle = 0.0
-
-    def _point(self, along: float) -> Flat:
-        c, s = direction(self.angle)
-        return (self.center[0] + along * c, self.center[1] + along * s)
-
-    def outline(self) -> Outline:
-        """Return its closed outline."""
-        turn, half = math.radians(self.angle), self.straight / 2
-        right = circle(self._point(half), self.radius, turn - math.pi / 2, turn + math.pi / 2)
-        left = circle(self._point(-half), self.radius, turn + math.pi / 2, turn + 3 * math.pi / 2)
-        return [np.concatenate((right, left, right[:1]))]
-
-    def describe(self) -> str:
-        """Return a description of a few words."""
-        return (
-            f"a stadium of {format_length(self.straight)} between half circles of radius {format_length(self.radius)}"
-        )
