@@ -22,7 +22,7 @@ CHANGED = 0.2  # share of a picture that changes where the camera moves
 PARTS = 6  # of the samples, whose medians are compared
 GHOST = 0.8  # of the gradient along a region's edge: what was seen at another time is the background
 LOST = 6  # frames after which a ball is no longer followed
-REACH = 6.0  # radii that a ball moves at most between its first two frames
+REACH = 14.0  # radii that a ball moves at most between its first two frames
 ALIKE = 0.35  # by which radii of blobs of one ball differ, in a frame and the next (as a logarithm)
 COLOUR, TONE = 35.0, 10.0  # levels by which colours of one ball differ at most, and usually
 TONES = (60.0, 15.0, 15.0)  # of y, u, v: of the pixels of one ball
@@ -352,6 +352,8 @@ class Linker:
                 if off < reach and (size < ALIKE or blob.cut or last.cut) and tone < COLOUR:
                     part = float(np.clip((at - start) @ way / max(length**2, 1e-9), 0, 1))
                     aside = (off + float(np.hypot(*(at - start - part * way)))) / 2
+                    if len(path.frames) == 1:  # (nothing is known of its way)
+                        aside *= UNSEEN[0] / REACH / 2
                     area = 0.0 if blob.cut or last.cut else abs(float(np.log(blob.area / usual))) / 2
                     costs[i, j] = aside / max(last.radius, 1.0) + 2 * size + tone / TONE + area + gap - 1
         linked: set[int] = set()

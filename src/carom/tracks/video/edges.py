@@ -2,7 +2,8 @@
 
 A picture is (1 - A) B (1 + G) + A F: A is the part of a pixel that the ball covers, B the background, F and G are Fourier series
 around the rim (what the ball looks like there; its shadow), found anew for each A (variable projection). Only pixels beside the
-edge enter, the same ones for all that is compared.
+edge enter, the same ones for all that is compared. Light is what mixes in a pixel, so brightness is taken out of the camera's
+gamma: as stored, an edge is off by an amount that changes with the ground behind it.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 ORDER, MORE, SHADOW_ORDER = (
     6,
-    (15.0, 10),
+    (15.0, 16),
     1,
 )  # of the Fourier series of ball, of one from so many px on, and of its shadow
 SHADOW = 1 / 30  # standard deviation of the shadow's prior, of the background
@@ -27,8 +28,11 @@ PLACES = 25  # of the exposure, at most
 HUBER = 3.0
 STEPS = 8
 BLOCK = 256  # pixels
+GAMMA, BLACK, WHITE = 2.2, 16.0, 219.0  # of brightness as stored; levels: of black, and from there to white
+LEAST_SLOPE = 0.15  # of light over brightness, by which noise is multiplied
 LEAST_WAY = 0.4  # px, in an exposure of the fastest
 MOST_PIXELS = 2600  # of a plane, evenly taken from the band
+LEAST_PIXELS, LEAST_SEEN = 30, 0.2  # of a band; of a rim
 SECTORS = 16
 
 
@@ -74,6 +78,8 @@ class Outline(NamedTuple):
     """Of what the picture differs from the background, explained."""
     seen: float
     """Part of the rim at which ball and ground differ."""
+    colour: Array
+    """(3,) of the ball at its rim: light, u, v, levels."""
 
 
 @dataclass
@@ -108,12 +114,17 @@ def _band(
         rows, columns = np.nonzero((distance > -wide) & (distance < beyond))
         every = -(-len(rows) // MOST_PIXELS) if len(rows) else 1
         rows, columns = rows[::every], columns[::every]
+        seen, behind, steep = plane[rows, columns].astype(float), ground[rows, columns].astype(float), 1.0
+        if k == 0:
+            seen, behind = (np.maximum(one - BLACK, 1.0) / WHITE for one in (seen, behind))
+            steep = np.maximum(GAMMA * seen ** (GAMMA - 1), LEAST_SLOPE)  # type: ignore[assignment]
+            seen, behind = WHITE * seen**GAMMA, WHITE * behind**GAMMA
+        ones = np.ones(len(rows))
         parts.append(
             np.stack(
                 [
-                    x[columns] + place[0], y[rows] + place[1], plane[rows, columns].astype(float),
-                    ground[rows, columns].astype(float), np.full(len(rows), CHROMA_BLUR**2 if k else 0.0),
-                    np.full(len(rows), 1 / optics.noise[k]),
+                    x[columns] + place[0], y[rows] + place[1], seen, behind, ones * (CHROMA_BLUR**2 if k else 0.0),
+                    ones / (optics.noise[k] * steep),
                 ]
             )
         )  # fmt: skip
@@ -219,9 +230,11 @@ def fit_outline(
         p[3] = 0.12 * optics.radius + 1.0
         wide = max(0.5 * optics.radius, 3.0)
         pixels = _band(patch, p[:2], speed * optics.exposure, optics.radius, wide, wide, optics)
-        p = _descended(pixels, p, v, "xy", 1, 3, optics)[0]
+        p = _descended(pixels, p, v, "xy", 1, 3, optics)[0] if len(pixels.x) >= LEAST_PIXELS else p
         p[3] = optics.psf
     pixels = _rim(patch, *(like[0] if like else (p[:2], speed)), optics, "r" in free)
+    if len(pixels.x) < LEAST_PIXELS:
+        return Outline(p[:2].copy(), optics.radius, np.inf, 0.0, 0.0, np.full(3, np.nan))
     p, residual, differ = _descended(pixels, p, v, free, order or _order(optics), STEPS, optics)
     away = pixels.seen - pixels.ground
     scaled = (residual * pixels.weight) ** 2
@@ -230,7 +243,10 @@ def fit_outline(
     sector = np.floor((angle / (2 * np.pi) + 0.5) * SECTORS).astype(int) % SECTORS
     strong = np.bincount(sector, np.abs(differ) * pixels.weight, SECTORS)
     seen = float((strong > 4.0 * np.maximum(np.bincount(sector, minlength=SECTORS), 1)).mean())
-    return Outline(p[:2].copy(), float(p[2]), float(scaled.mean()) if len(scaled) else np.inf, share, seen)
+    if seen < LEAST_SEEN:
+        return Outline(p[:2].copy(), float(p[2]), np.inf, share, seen, np.full(3, np.nan))
+    colour = np.array([np.median((differ + pixels.ground)[part]) for part in pixels.planes])
+    return Outline(p[:2].copy(), float(p[2]), float(scaled.mean()), share, seen, colour)
 
 
 def _rim(patch: Patch, place: Array, speed: Array, optics: Optics, loose: bool) -> _Pixels:

@@ -182,10 +182,11 @@ ALIKE_SIZE = 0.12  # scatter of a ball's radius in the frames, at most
 SHARPER = 0.85  # blur of a ball without its shadow, of that with it
 LIKE = 0.5  # of the frames of the best candidate: another one with as many is as likely
 ASTRAY = 5.0, 0.06  # from where frames before, and those after, have the ball: times the usual, and radii
+OTHER_LIGHT, OTHER_COLOUR = (0.4, 15.0), 20.0  # of the lighter of two rims, and levels; levels: no pattern makes that
 FLAGGED = 8.0  # times the usual cost
 FAR = 25.0  # radii: the way of what surely moves
 GROWS = 0.03  # of the radius, that is said
-FAST = 0.2  # radii from frame to frame: a ball whose blur tells the exposure
+FAST, SLOW = 0.2, 0.3  # radii from frame to frame: a ball whose blur tells the exposure; of the largest speed: one that does not
 LONGEST, STRETCHED = 1.2, 0.7  # of the time from frame to frame, an exposure; of the radius, a blur that says so
 LONG_EXPOSURE = 0.5  # of the time from frame to frame
 
@@ -334,7 +335,7 @@ def _candidate(path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Ba
         np.array([np.hypot(*speed) for *_rest, speed in some]),
         np.array([one.blur for _patch, one, _speed in some]),
     )
-    fast = quick * interval > FAST * path.radius
+    fast = quick > max(FAST * path.radius / interval, SLOW * quick.max())
     exposure = float(np.median(blur[fast] / quick[fast])) if fast.any() else 0.0
     optics = Optics(0.95 * path.radius, 1.0, min(exposure, interval), noise, rows=ground.rows, lag=ground.lag)  # type: ignore[arg-type]
     first = [
@@ -385,7 +386,7 @@ def _followed(
     """Return the places (F, 2) and costs (F,) of a ball's outline in all frames of its path."""
     count = len(times)
     seeds = _dense(ball.path, count, times)
-    places, costs = np.full((count, 2), np.nan), np.full(count, np.nan)
+    places, costs, colours = np.full((count, 2), np.nan), np.full(count, np.nan), np.full((count, 3), np.nan)
     speed = velocities(times, seeds)[0]
     blurs = dict(zip(ball.path.frames, (one.blur for one in ball.path.blobs), strict=True))
     radii = _radius_of_frames(ball, count)
@@ -402,7 +403,7 @@ def _followed(
     held = 0.0
 
     def finish() -> None:
-        _fit_chunk(chunk, ball.optics, radii, times, seeds, places, costs)
+        _fit_chunk(chunk, ball.optics, radii, times, seeds, places, costs, colours)
         chunk.clear()
 
     for _key, patch in patches(film, ground, wanted):
@@ -419,7 +420,12 @@ def _followed(
         if len(near) == 2:
             off[k] = min(float(np.hypot(*(at - places[k]))) for at, _speed in near)
     usual = float(np.nanmedian(off)) if np.isfinite(off).any() else 0.0
-    costs[off > np.maximum(ASTRAY[0] * usual, ASTRAY[1] * radii)] = 1e6  # (the outline of something else)
+    strange = off > np.maximum(ASTRAY[0] * usual, ASTRAY[1] * radii)
+    if np.isfinite(colours).any():
+        away = np.abs(colours - np.nanmedian(colours, axis=0))
+        light = away[:, 0] > OTHER_LIGHT[0] * np.fmax(colours[:, 0], np.nanmedian(colours[:, 0])) + OTHER_LIGHT[1]
+        strange |= light | (away[:, 1:].max(axis=1) > OTHER_COLOUR)
+    costs[strange] = 1e6  # (the outline of something else, or of nothing)
     return places, costs
 
 
@@ -440,14 +446,14 @@ def _radius_of_frames(ball: Candidate, count: int) -> Array:
 
 
 def _fit_chunk(
-    chunk: Sequence[Patch], optics: Optics, radii: Array, times: Array, seeds: Array, places: Array, costs: Array
-) -> None:
+    chunk: Sequence[Patch], optics: Optics, radii: Array, times: Array, seeds: Array, places: Array, costs: Array, colours: Array
+) -> None:  # fmt: skip
     """Fit the outlines in some frames, in rounds: with the way of the blobs, of the places found, and, where bad, from beside."""
     by_frame = {patch.frame: patch for patch in chunk}
     speed = np.nan_to_num(velocities(times, seeds)[0])
     for k, patch in by_frame.items():
         found = fit_outline(patch, seeds[k], speed[k], optics._replace(radius=radii[k]))
-        places[k], costs[k] = found.place, found.cost
+        places[k], costs[k], colours[k] = found.place, found.cost, found.colour
     for turn in range(3):
         both, before, after = velocities(times, places)
         usual = float(np.nanmedian(costs)) if np.isfinite(costs).any() else 1.0
@@ -468,7 +474,8 @@ def _fit_chunk(
             tried = [fit_outline(patch, *one, at, coarse=bad, like=same[:1]) for one in starts]
             best = min(range(len(tried)), key=lambda i: tried[i].cost)
             if not np.isfinite(costs[k]) or tried[best].cost < costs[k] or not bad:
-                places[k], costs[k], speed[k] = tried[best].place, tried[best].cost, starts[best][1]
+                places[k], costs[k], colours[k] = tried[best].place, tried[best].cost, tried[best].colour
+                speed[k] = starts[best][1]
 
 
 def _from_beside(k: int, times: Array, places: Array, costs: Array, most: float) -> list[tuple[Array, Array]]:
@@ -614,6 +621,9 @@ def _by_rows(
         if costs:
             steady &= costs[n] < FLAGGED / 2
         rows = np.flatnonzero(steady)
+        quick = np.hypot(*speeds[n][rows].T)
+        fast = rows[quick > SLOW * quick.max(initial=0.0)]
+        rows = fast if len(fast) >= FEW else np.sort(rows[np.argsort(-quick)[:FEW]])
         for k in (
             rows[np.unique(np.linspace(0, len(rows) - 1, MANY if places else FEW).astype(int))].tolist()
             if len(rows)

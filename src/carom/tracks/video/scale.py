@@ -20,7 +20,7 @@ LEAST_FLIGHT = 6  # frames
 SHARP_TURN, TURN_SHARE = 8.0, 0.12  # times the usual change of velocity in a frame, and of the largest speed: a contact
 MOST_MISFIT = 1.5  # px, rms of places about flights
 UPRIGHT = 0.35  # rad between gravity and the picture's vertical
-MOST_READOUT, LEAST_READOUT = 0.06, 2e-3  # s, of cameras that read row after row
+USUAL_READOUT, LEAST_READOUT = 0.02, 2e-3  # s, of cameras that read row after row
 EXCLUDED = 2.5  # error bars
 DRAG = 0.05  # 1/m: standard deviation of the prior of the air's drag
 RADIUS = 0.02  # of the scale by the ball's radius, which light and shadow change
@@ -57,18 +57,18 @@ def rows_direction(rotation: int) -> tuple[float, float]:
 
 def choose_readout(found: Sequence[tuple[float, float]], notes: list[str]) -> tuple[float, float]:
     """Return the readout of a camera and its error, s, from estimates with errors; 0 of a camera that reads all rows at once."""
-    weights = np.array([1 / error**2 for _value, error in found if error > 0])
-    if not len(weights):
+    known = [(value, error) for value, error in found if error > 0]
+    if not known:
         return 0.0, 0.0
-    value, error = (
-        float(np.array([one for one, error in found if error > 0]) @ weights / weights.sum()),
-        float(weights.sum() ** -0.5),
-    )
-    if value + EXCLUDED * error < LEAST_READOUT or value - EXCLUDED * error > MOST_READOUT:
+    # (what cameras have is known beforehand, so that what the film does not show is not taken from it)
+    known.append((0.0, USUAL_READOUT))
+    weights = np.array([1 / error**2 for _value, error in known])
+    value, error = float(np.array([one for one, _error in known]) @ weights / weights.sum()), float(weights.sum() ** -0.5)
+    if value + EXCLUDED * error < LEAST_READOUT:
         return 0.0, 0.0
     value = max(value, 0.0)
     notes.append(
-        f"rolling shutter: outlines and flights show a readout of {1e3 * value:.3g} ± {1e3 * error:.1g} ms from first to last row;"
+        f"rolling shutter: the readout from first to last row is {1e3 * value:.3g} ± {1e3 * error:.1g} ms by outlines and flights;"
         " used, and its error is part of all error bars (`readout` gives another, 0 for none)"
     )
     return value, error
