@@ -140,9 +140,7 @@ def sampled(film: FilmFile, keep: tuple[float, float]) -> list[tuple[Bytes, Byte
             if count % stride == 0:
                 kept.append((frame.y.copy(), frame.u.copy(), frame.v.copy()))
             count += 1
-            if len(kept) >= 2 * most or (
-                len(kept) > most and stride > 1 and count % stride == 0 and len(kept) > 2 * most
-            ):
+            if len(kept) >= 2 * most:
                 kept, stride = kept[::2], 2 * stride
         if len(kept) >= MANY_KEYS or not keys:
             return kept[:: -(-len(kept) // most)] if len(kept) > most else kept

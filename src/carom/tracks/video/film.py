@@ -44,6 +44,7 @@ from carom.tracks.video.scale import (
     fit_falls,
     row_phase,
     rows_direction,
+    sides,
     turning,
 )
 
@@ -143,26 +144,13 @@ def crops(film: TrackedFilm, ball: str, frames: Sequence[int]) -> Iterator[Crop]
     """
     if ball not in film.places:
         raise CaromError(Fault("crops", "ball", f"one of {', '.join(film.places)}", repr(ball)))
-    file, wanted = open_film(film.path), {int(k) for k in frames}
-    last = max(wanted, default=-1)
-    for frame in file.frames() if wanted else ():
-        if frame.number > last:
-            return
-        x, y = film.places[ball][frame.number] if frame.number < len(film.times) else (np.nan, np.nan)
-        if frame.number not in wanted or not np.isfinite(x):
-            continue
-        way = np.nan_to_num(film.velocity_px[ball][frame.number]) * film.exposure / 2
-        (left, right), (top, bottom) = (
-            np.clip([middle - half, middle + half], 0, most).astype(int) // 2 * 2
-            for middle, half, most in zip(
-                (x, y), AROUND * film.radius_px + np.abs(way) + 2, frame.y.shape[::-1], strict=True
-            )
-        )
-        if right > left and bottom > top:
-            rows, columns = slice(top, bottom), slice(left, right)
-            halves = slice(top // 2, bottom // 2), slice(left // 2, right // 2)
-            pixels = file.to_rgb(frame.y[rows, columns], frame.u[halves], frame.v[halves])
-            yield Crop(frame.number, (int(left), int(top)), pixels)
+    file, wanted = open_film(film.path), dict[int, list[Any]]()
+    for k in map(int, frames):
+        if 0 <= k < len(film.times) and np.isfinite(film.places[ball][k]).all():
+            way = float(np.abs(np.nan_to_num(film.velocity_px[ball][k])).max()) * film.exposure / 2
+            wanted[k] = [(k, film.places[ball][k], AROUND * film.radius_px + way + 2)]
+    for frame, patch in patches(file, None, wanted):
+        yield Crop(frame, patch.corner, file.to_rgb(*patch.planes))
 
 
 # ----------------------------------------------------------------------------------------------------
@@ -186,7 +174,10 @@ OTHER_LIGHT, OTHER_COLOUR = (0.4, 15.0), 20.0  # of the lighter of two rims, and
 FLAGGED = 8.0  # times the usual cost
 FAR = 25.0  # radii: the way of what surely moves
 GROWS = 0.03  # of the radius, that is said
-FAST, SLOW = 0.2, 0.3  # radii from frame to frame: a ball whose blur tells the exposure; of the largest speed: one that does not
+FAST, SLOW = (
+    0.2,
+    0.3,
+)  # radii from frame to frame: a ball whose blur tells the exposure; of the largest speed: one that does not
 LONGEST, STRETCHED = 1.2, 0.7  # of the time from frame to frame, an exposure; of the radius, a blur that says so
 LONG_EXPOSURE = 0.5  # of the time from frame to frame
 
@@ -224,7 +215,7 @@ class Candidate(NamedTuple):
 
 
 def patches(
-    film: FilmFile, ground: Background, wanted: Mapping[int, Sequence[tuple[Any, Array, float]]]
+    film: FilmFile, ground: Background | None, wanted: Mapping[int, Sequence[tuple[Any, Array, float]]]
 ) -> Iterator[tuple[Any, Patch]]:
     """Yield the pixels around places, with their keys: ``wanted`` has, by frame, keys, places (2,) and half widths, px."""
     last = max(wanted, default=-1)
@@ -237,11 +228,13 @@ def patches(
             high = np.minimum(np.ceil(place + half), [width, height]).astype(int) // 2 * 2
             if (high - low < 8).any():
                 continue
-            rows, columns = slice(low[1], high[1]), slice(low[0], high[0])
-            halves = slice(low[1] // 2, high[1] // 2), slice(low[0] // 2, high[0] // 2)
-            planes = frame.y[rows, columns].copy(), frame.u[halves].copy(), frame.v[halves].copy()
-            y, u, v = ground.planes
-            yield key, Patch(frame.number, (int(low[0]), int(low[1])), planes, (y[rows, columns], u[halves], v[halves]))
+            (left, top), (right, bottom) = low.tolist(), high.tolist()
+            windows = [(slice(top // n, bottom // n), slice(left // n, right // n)) for n in (1, 2, 2)]
+            planes, behind = (
+                tuple(plane[window].copy() for plane, window in zip(some, windows, strict=False))
+                for some in ((frame.y, frame.u, frame.v), () if ground is None else ground.planes)
+            )
+            yield key, Patch(frame.number, (left, top), planes, behind)
 
 
 def velocities(times: Array, places: Array) -> tuple[Array, Array, Array]:
@@ -480,14 +473,9 @@ def _fit_chunk(
 
 def _from_beside(k: int, times: Array, places: Array, costs: Array, most: float) -> list[tuple[Array, Array]]:
     """Return places and velocities in a frame by the parabolas through the good frames before it, and after it."""
-    found = []
-    good = np.flatnonzero((costs <= most) & np.isfinite(places[:, 0]))
-    for side in (good[good < k][-4:], good[good > k][:4]):
-        if len(side) >= 3 and abs(side - k).max() < 9:
-            t = times[side] - times[k]
-            fit = [np.polyfit(t, places[side, axis], 2) for axis in (0, 1)]
-            found.append((np.array([one[2] for one in fit]), np.array([one[1] for one in fit])))
-    return found
+    return [
+        (one[2], one[1]) for one in sides(k, np.flatnonzero((costs <= most) & np.isfinite(places[:, 0])), times, places)
+    ]
 
 
 def track_film(

@@ -63,7 +63,10 @@ def choose_readout(found: Sequence[tuple[float, float]], notes: list[str]) -> tu
     # (what cameras have is known beforehand, so that what the film does not show is not taken from it)
     known.append((0.0, USUAL_READOUT))
     weights = np.array([1 / error**2 for _value, error in known])
-    value, error = float(np.array([one for one, _error in known]) @ weights / weights.sum()), float(weights.sum() ** -0.5)
+    value, error = (
+        float(np.array([one for one, _error in known]) @ weights / weights.sum()),
+        float(weights.sum() ** -0.5),
+    )
     if value + EXCLUDED * error < LEAST_READOUT:
         return 0.0, 0.0
     value = max(value, 0.0)
@@ -89,6 +92,14 @@ def turning(times: Array, places: Array) -> Mask:
     return found
 
 
+def flights_of(times: Array, places: Array, used: Mask) -> list[NDArray[np.intp]]:
+    """Return the frames (n,) of each flight: those between which a ball, at places (F, 2) where it is ``used``, turns sharply."""
+    turns, rows = turning(times, np.where(used[:, None], places, np.nan)), np.flatnonzero(used)
+    cut = np.flatnonzero(turns[rows] | (np.diff(rows, prepend=rows[:1]) > 3))
+    parts = [part[~turns[part]] for part in np.split(rows, cut)]
+    return [part for part in parts if len(part) >= LEAST_FLIGHT]
+
+
 def fit_falls(
     balls: Sequence[tuple[Array, Array, Mask]], size: tuple[int, int], rotation: int, free: bool
 ) -> Falls | None:
@@ -97,16 +108,7 @@ def fit_falls(
     ``balls``: times (F,), s, places (F, 2), px, and which (F,) are used; ``size``: width and height of the picture.
     Returns None without flights.
     """
-    flights = []
-    for times, places, used in balls:
-        known = np.where(used[:, None], places, np.nan)
-        turns = turning(times, known)
-        rows = np.flatnonzero(used)
-        cut = np.flatnonzero(turns[rows] | (np.diff(rows, prepend=rows[:1]) > 3))
-        for between in np.split(rows, cut):
-            part = between[~turns[between]]
-            if len(part) >= LEAST_FLIGHT:
-                flights.append((times[part], places[part]))
+    flights = [(t[rows], x[rows]) for t, x, used in balls for rows in flights_of(t, x, used)]
     if not flights:
         return None
     columns, values = [], []
@@ -283,6 +285,12 @@ def choose_scale(
     return value
 
 
+def sides(k: int, rows: NDArray[np.intp], times: Array, places: Array) -> list[Array]:
+    """Return parabolas (3, 2), from the square on, about frame k through four of ``rows`` before it, and four after it."""
+    near = [one for one in (rows[rows < k][-4:], rows[rows > k][:4]) if len(one) >= 3 and abs(one - k).max() < 9]
+    return [np.polyfit(times[one] - times[k], places[one], 2) for one in near]
+
+
 def contacts_within(times: Array, places: Array, exposure: float) -> Mask:
     """Return the frames (F,) whose exposure, s, holds a contact that moves the middle of the blurred ball: places (F, 2), px."""
     found = np.zeros(len(times), bool)
@@ -290,15 +298,10 @@ def contacts_within(times: Array, places: Array, exposure: float) -> Mask:
     turns = turning(times, places)
     near = np.flatnonzero(np.convolve(turns, np.ones(3), "same") > 0)
     for k in near.tolist():
-        sides = []
-        for side in (rows[rows < k][-4:], rows[rows > k][:4]):
-            if len(side) < 3 or abs(side - k).max() > 8:
-                break
-            t = times[side] - times[k]
-            sides.append(np.array([np.polyfit(t, places[side, axis], 2) for axis in (0, 1)]))
-        if len(sides) == 2:
-            change = sides[1][:, 1] - sides[0][:, 1]
+        fits = sides(k, rows, times, places)
+        if len(fits) == 2:
+            change = fits[1][1] - fits[0][1]
             size = float(np.hypot(*change))
-            when = float((sides[0][:, 2] - sides[1][:, 2]) @ change) / max(size**2, 1e-12)
+            when = float((fits[0][2] - fits[1][2]) @ change) / max(size**2, 1e-12)
             found[k] = abs(when) < 0.55 * exposure and size * exposure > 1.6
     return found
