@@ -35,7 +35,7 @@ from carom import track_film
 from carom.errors import CaromError
 from carom.tracks import usable_stages
 from carom.tracks.films import measure_tracks
-from carom.tracks.video.film import TrackedFilm
+from carom.tracks.video.reading import TrackedFilm
 from carom.tracks.video.spin import flight_spins
 
 DRAWN, NAMES, SPIN = "drawn", "three balls", "spin of 60 rad/s, 60/s"

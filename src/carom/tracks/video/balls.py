@@ -168,9 +168,8 @@ def find_background(samples: Sequence[tuple[Bytes, Bytes, Bytes]]) -> Background
     ):
         # (what a ball at rest made of the scatter is none)
         off[_widened(_differ(now, before), 7) > least] = np.median(off)
-        limits.append(
-            np.clip(np.maximum(least, NOISES * 1.4826 * _widened(off).astype(float) + 2), 0, 250).astype(np.uint8)
-        )
+        level = np.maximum(least, NOISES * 1.4826 * _widened(off).astype(float) + 2)
+        limits.append(np.clip(level, 0, 250).astype(np.uint8))
     y, u, v = planes
     return Background((y, u, v), half_size(y), (limits[0], limits[1], limits[2]), (noise[0], noise[1], noise[2]))
 
@@ -343,10 +342,8 @@ class Linker:
             for j, blob in enumerate(blobs):
                 at = np.array([blob.x, blob.y])
                 off = float(np.hypot(*(at - place)))
-                size, tone = (
-                    abs(float(np.log(blob.radius / last.radius))),
-                    float(np.abs(np.subtract(blob.colour, colour)).max()),
-                )
+                size = abs(float(np.log(blob.radius / last.radius)))
+                tone = float(np.abs(np.subtract(blob.colour, colour)).max())
                 if off < reach and (size < ALIKE or blob.cut or last.cut) and tone < COLOUR:
                     part = float(np.clip((at - start) @ way / max(length**2, 1e-9), 0, 1))
                     aside = (off + float(np.hypot(*(at - start - part * way)))) / 2
@@ -386,10 +383,8 @@ class Linker:
         if len(claims) < 2:
             return [region]
         middles = np.array([way for _off, _k, way, _path in claims])
-        sizes, tones = (
-            np.array([one[-1].blobs[-1].radius for one in claims]),
-            np.array([one[-1].colour for one in claims]),
-        )
+        sizes = np.array([one[-1].blobs[-1].radius for one in claims])
+        tones = np.array([one[-1].colour for one in claims])
         unlike = (((region.tone[:, None] - tones) / TONES) ** 2).sum(axis=2)
         for _ in range(8):
             owner = (((pixels[:, None] - middles) ** 2).sum(axis=2) / sizes**2 + unlike).argmin(axis=1)
@@ -415,9 +410,8 @@ def likely_paths(paths: Sequence[Path], least: int) -> list[Path]:
         shadow = float(np.median([one.shade for one in whole])) > SHADE
         if shadow or extent < 1.5 * path.radius or path.radius < 2.0 or fill < 0.75:
             continue
-        found.append(
-            (len(path.frames) * fill**4 / (1 + (spread / 0.1) ** 2) * min(extent / path.radius / 6, 1.0), path)
-        )
+        score = len(path.frames) * fill**4 / (1 + (spread / 0.1) ** 2) * min(extent / path.radius / 6, 1.0)
+        found.append((score, path))
     return [path for _score, path in sorted(found, key=lambda one: -one[0])]
 
 

@@ -16,11 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-ORDER, MORE, SHADOW_ORDER = (
-    6,
-    (15.0, 16),
-    1,
-)  # of the Fourier series of ball, of one from so many px on, and of its shadow
+ORDER, MORE = 6, (15.0, 16)  # of the Fourier series of a ball, and of one from so many px on
 SHADOW = 1 / 30  # standard deviation of the shadow's prior, of the background
 INSIDE, OUTSIDE = (2.8, 0.5), (0.35, 3.5, 7.0)  # of the band: times the blur plus px; of the radius, least and most px
 CHROMA_BLUR = 1.3  # px, of colour planes, beside that of the lens
@@ -120,14 +116,9 @@ def _band(
             steep = np.maximum(GAMMA * seen ** (GAMMA - 1), LEAST_SLOPE)  # type: ignore[assignment]
             seen, behind = WHITE * seen**GAMMA, WHITE * behind**GAMMA
         ones = np.ones(len(rows))
-        parts.append(
-            np.stack(
-                [
-                    x[columns] + place[0], y[rows] + place[1], seen, behind, ones * (CHROMA_BLUR**2 if k else 0.0),
-                    ones / (optics.noise[k] * steep),
-                ]
-            )
-        )  # fmt: skip
+        where = x[columns] + place[0], y[rows] + place[1]
+        wide = CHROMA_BLUR**2 if k else 0.0
+        parts.append(np.stack([*where, seen, behind, ones * wide, ones / (optics.noise[k] * steep)]))
         planes.append(slice(count, count + len(rows)))
         count += len(rows)
     x, y, seen, behind, blur, weight = np.concatenate(parts, axis=1)
@@ -153,12 +144,9 @@ def _covered(pixels: _Pixels, p: Array, speed: Array, rows: Sequence[float], nam
     # (a row that is read later sees the ball further on)
     fast = (speed[0] * rows[0] + speed[1] * rows[1]) ** 2
     along = 1e3 * row * (long + more * fast)
-    dx = (dx - along * rows[0] - 1e3 * row * skew * rows[1] - lag * row * speed[0])[None, :] - part * (
-        exposure * speed[0]
-    )
-    dy = (dy - along * rows[1] + 1e3 * row * skew * rows[0] - lag * row * speed[1])[None, :] - part * (
-        exposure * speed[1]
-    )
+    turn = 1e3 * row * skew
+    dx = (dx - along * rows[0] - turn * rows[1] - lag * row * speed[0])[None, :] - part * (exposure * speed[0])
+    dy = (dy - along * rows[1] + turn * rows[0] - lag * row * speed[1])[None, :] - part * (exposure * speed[1])
     distance = np.maximum(np.sqrt(dx * dx + dy * dy), 1e-9)
     z = (radius - distance) / sigma
     density = np.exp(-0.5 * z * z) / (np.sqrt(2 * np.pi) * sigma)
@@ -311,9 +299,8 @@ def fit_optics(
     index = ["xyrseqbcd".index(name) for name in free]
     limit = np.array([0.15 * optics.radius, 0.5, 4.0, 20.0, 0.1, 0.1, 0.1])[np.array(index) - 2]
     # (nothing is seen of an exposure of zero that it should be longer)
-    least = np.array(
-        [1.0, 0.35, LEAST_WAY / max(1e-3 * max(float(np.hypot(*speed)) for *_rest, speed in frames), 1e-3)]
-    )
+    fastest = max(1e-3 * max(float(np.hypot(*speed)) for *_rest, speed in frames), 1e-3)
+    least = np.array([1.0, 0.35, LEAST_WAY / fastest])
     for turn in range(steps):
         total, pulls, inner = np.zeros((len(index), len(index))), [], []
         for pixels, place, (_patch, _place, speed) in zip(bands, places, frames, strict=True):

@@ -16,9 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError, Fault
-from carom.tracks.video.film import TrackedFilm, crops
-from carom.tracks.video.reading import Array
-from carom.tracks.video.scale import flights_of
+from carom.tracks.video.reading import Array, TrackedFilm, crops
+from carom.tracks.video.scale import FIELD, flights_of
 
 MOST_TURN = 1.2  # rad from frame to frame: more leaves too little in view of both
 LIMIT, GRID = 0.92, (25, 97)  # radii of the disc that are used; rows of its picture
@@ -30,7 +29,6 @@ SURE, AHEAD = 0.7, 0.08  # correlation of the rotation that fits, and how far be
 PEAKS = 4  # of the search, that are compared in detail
 APART = 0.5  # rad, of another rotation
 BLUR = 0.6  # radii of way in an exposure, from which marks are smeared
-FIELD = 0.8  # focal length of a usual camera, in sides of its picture
 FAINT, STILL = 0.06, 0.3  # contrast of marks; rad by which a pattern has to turn in a flight, to be none of the light
 DEGREE = 4  # of the polynomial of the light
 STANDING = 0.85  # correlation of a pattern with itself half a flight later
@@ -175,14 +173,9 @@ class _Pattern:
         count = inside.sum(axis=1)
         sums = np.zeros((3, len(turns)))
         for i, j, _dt in pairs:
-            a, b = (
-                np.where(inside, self._at(self.smooth[i], points), 0.0),
-                np.where(inside, self.smooth[j][row, column], 0.0),
-            )
-            a, b = (
-                np.where(inside, one - one.sum(axis=1, keepdims=True) / np.maximum(count, 1)[:, None], 0.0)
-                for one in (a, b)
-            )
+            sides = np.broadcast_arrays(self._at(self.smooth[i], points), self.smooth[j][row, column])
+            both = np.where(inside, np.stack(sides), 0.0)
+            a, b = np.where(inside, both - both.sum(axis=2, keepdims=True) / np.maximum(count, 1)[:, None], 0.0)
             sums += (a * b).sum(axis=1), (a * a).sum(axis=1), (b * b).sum(axis=1)
         found = sums[0] / np.sqrt(np.maximum(sums[1] * sums[2], 1e-12))
         return np.where(count < LEAST_OVERLAP * len(points), -1.0, found)
