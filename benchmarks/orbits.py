@@ -22,7 +22,7 @@ from rows import CPU, REPEATS, alone, paired, report, run_script, usually
 
 import carom
 from carom import billiards
-from carom.billiards.loop import MEMORY, compiled_follow
+from carom.billiards.loop import MEMORY, compiled_iterate
 from carom.billiards.setup import orbit_setup
 
 BY_HAND = r"""
@@ -88,8 +88,10 @@ def measure(name: str, table: billiards.Table, library: ctypes.CDLL, peer: str, 
     x, v, w = (0.1, 0.2, 0.0), (0.7, 0.4, 0.0), (0.0, 0.0, 0.9)
     ours, theirs = np.zeros((bounces, 6)), np.zeros((bounces, 6))
     met, side, last = np.zeros(bounces, np.int32), np.zeros(bounces, np.int32), np.zeros(10)
-    nx, ny, c = (np.ascontiguousarray(p) for p in (setup.pieces["n"][:, 0], setup.pieces["n"][:, 1], setup.pieces["c"]))
-    follow, world = compiled_follow(), setup.world[0]
+    nx, ny, c = (
+        np.ascontiguousarray(p) for p in (setup.pieces["n"][:, 0], setup.pieces["n"][:, 1], setup.pieces["offset"])
+    )
+    follow, world = compiled_iterate(), setup.world[0]
     number = ctypes.c_double
     pairs = []
     for _ in range(repeats):

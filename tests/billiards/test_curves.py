@@ -15,7 +15,7 @@ import carom
 from carom import billiards
 from carom.billiards.curved_wall import CurvedWall, curved_region
 from carom.billiards.intersections import next_hit
-from carom.billiards.loop import MEMORY, follow
+from carom.billiards.loop import MEMORY, iterate
 from carom.billiards.setup import orbit_setup, start_rows
 from carom.core.geometry.curve import curve_wall
 from carom.scene.figures import ArcPiece, EllipsePiece, OutlineFigure, Piece, SegmentPiece
@@ -249,7 +249,7 @@ def test_compiled_as_python(table: billiards.Table) -> None:
     row = [float(r) for r in rows[0]]
     world, pieces = setup.world.view(np.recarray)[0], setup.pieces.view(np.recarray)
     with np.errstate(all="ignore"):
-        follow(
+        iterate(
             world, pieces, setup.panels, tuple(row[:3]), tuple(row[3:6]), tuple(row[6:]), 12, 12, kept, piece, last,
             np.zeros(MEMORY),
         )  # fmt: skip

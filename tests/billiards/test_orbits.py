@@ -11,7 +11,7 @@ from reference.plane_tables import CLEARANCE, L_SHAPE, PLANE, first_outside
 import carom
 from carom import billiards
 from carom.billiards.intersections import ENDS, circle_exit
-from carom.billiards.loop import MEMORY, follow
+from carom.billiards.loop import MEMORY, iterate
 from carom.billiards.setup import orbit_setup, start_rows
 from carom.core.jit.kernel import dot
 from carom.laws.no_slip import no_slip_bounce, no_slip_reflection
@@ -117,7 +117,7 @@ def test_compiled_as_python(table):
     world, pieces = setup.world.view(np.recarray)[0], setup.pieces.view(np.recarray)
     memory, start = np.zeros(MEMORY), (tuple(row[:3]), tuple(row[3:6]), tuple(row[6:]))
     for done in (9, 18, 27, 36, 45, 54, 63, 70):  # in pieces, as long runs are
-        ended, count = follow(world, pieces, setup.panels, *start, 70, 9, kept, piece, last, memory)
+        ended, count = iterate(world, pieces, setup.panels, *start, 70, 9, kept, piece, last, memory)
         assert (ended, count) == (0, done)
     np.testing.assert_array_equal(kept[:, 0], found.t[0])
     np.testing.assert_array_equal(kept[:, 1:3], found.position[0])

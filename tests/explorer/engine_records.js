@@ -13,8 +13,8 @@ const text = (bytes) => {
 export function recordsOf(engine, scene, limits) {
   const { module } = engine;
   const { records } = module.layout;
-  const made = setUp(scene, module.layout, 0);
   module.memory.clear();
+  const made = setUp(scene, module);
   const at = {
     world: module.memory.records(records.world, [made.world]),
     features: module.memory.records(records.features, made.features),

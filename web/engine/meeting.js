@@ -51,8 +51,8 @@ export function firstMeeting(module, scene) {
   const [t, x, v, w, number] = ["t", "x", "v_before", "w_before", "other"].map((field) => memory.field(record, field)(hit));
   // (the surface as the wall has it: a law may hold some of it fixed)
   const plain = { ...scene, run: { ...scene.run, law: "two-step" }, walls: scene.walls.map((wall) => ({ ...wall, law: null })) };
-  const made = setUp(plain, layout, 0);
   memory.clear();
+  const made = setUp(plain, module);
   const features = memory.records(layout.records.features, made.features);
   const one = memory.records(layout.records.balls, [{ ...made.balls[0], x, v, w }]);
   const gaps = memory.take(8 * made.features.length);

@@ -29,7 +29,7 @@ export class Recorded extends Engine {
     const { memory, layout } = module;
     memory.clear();
     // (walls have met the balls already: neither they nor their laws are needed)
-    const made = setUp({ ...scene, walls: [] }, layout, 0);
+    const made = setUp({ ...scene, walls: [] }, module);
     const world = memory.records(layout.records.world, [made.world]);
     const balls = memory.records(layout.records.balls, made.balls);
     const at = memory.take(log.length);

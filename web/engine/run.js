@@ -32,7 +32,7 @@ export function follow(module, scene, limits) {
   const { memory, layout } = module;
   const { records, run: status } = layout;
   memory.clear();
-  const made = setUp(scene, layout, module.address("rim"));
+  const made = setUp(scene, module);
   const count = made.balls.length;
   const world = memory.records(records.world, [made.world]);
   const features = memory.records(records.features, made.features);

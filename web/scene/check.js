@@ -20,7 +20,7 @@ export function sceneFaults(module, scene) {
   if (faults.length > 0) return faults;
   const { balls, walls, ball_contact: pair } = scene;
   memory.clear();
-  const { features } = setUp(scene, layout, 0);
+  const { features } = setUp(scene, module);
   for (const [what, count] of Object.entries({ balls: balls.length, "features of walls": features.length })) {
     const most = layout.limits[/** @type {"balls"} */ (what)];
     if (count > most) faults.push(`${what}: expected at most ${most.toLocaleString("en")}, got ${count.toLocaleString("en")}; carom simulate takes more`);

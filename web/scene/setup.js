@@ -2,6 +2,7 @@
 
 /** @import { Ball, Restitution, Scene, Vec, Wall } from "../state/types.js" */
 /** @import { Law, Layout } from "../engine/types.js" */
+/** @import { Module } from "../engine/module.js" */
 import { extended } from "../engine/text.js";
 import { dot } from "../state/vectors.js";
 import { featuresOf, placeAt } from "./shapes.js";
@@ -124,8 +125,10 @@ function pairFields({ ball_contact: pair }, law, called, layout) {
   };
 }
 
-/** A scene as records; `address` is that of rims. @param {Scene} scene @param {Layout} layout @param {number} address @returns {Setup} */
-export function setUp(scene, layout, address) {
+/** A scene as records; tables of curves are put into the memory. @param {Scene} scene @param {Module} module @returns {Setup} */
+export function setUp(scene, module) {
+  const { layout, memory } = module;
+  const { rim, curve } = layout.features;
   const floor = scene.floor;
   const found = scene.walls.map((wall) => lawOf(scene, wall, layout));
   const pairLaw = pairLawOf(scene, layout);
@@ -147,11 +150,12 @@ export function setUp(scene, layout, address) {
     const { leaves, falls, goes_on: goesOn } = layout.gates;
     const common = { wall: i, contact_time: wall.contact_time, yield_time: wall.yield_time, law: number };
     const gate = placeAt(wall, [0, 0, 0]).encloses ? leaves : goesOn;
-    return featuresOf(wall).map(({ pocket, ...one }) => {
+    return featuresOf(wall).map(({ pocket, rows, ...one }) => {
       const { form, p, mu, beta } = surfaceOf(scene, surfaceAt(wall, pocket, layout), law, layout);
       const surface = { ...common, form, e: p, mu, beta };
       if (pocket >= 0) return { ...one, ...surface, ends: falls, at: pockets++ };
-      return { ...one, ...surface, ends: gate, at: one.kind === layout.features.rim ? address : 0 };
+      const entry = { [rim]: "rim", [curve]: "arc" }[one.kind];
+      return { ...one, ...surface, ends: gate, at: entry ? module.address(entry) : 0, ...(rows && { lo1: memory.put(rows.flat()) }) };
     });
   });
   const balls = scene.balls.map((ball) => ({

@@ -18,6 +18,7 @@ import { extended, filled } from "../engine/text.js";
  * @property {number} hi1
  * @property {number} lo2
  * @property {number} hi2
+ * @property {number[][]} [rows] the table of a smooth arc
  * @property {number} pocket place of the pocket whose edge it is, among those of its shape; -1 for none, layout.first_cushion - k for a part of cushion k
  */
 
@@ -54,6 +55,9 @@ function numbersOf(part, fields) {
   });
 }
 
+/** The table of an arc, whose first row begins with the number of its panels. @param {Wall} wall @param {number} first @returns {number[][]} */
+const tableOf = ({ panels }, first) => panels.slice(first, first + panels[first][0] + 2);
+
 /** @param {Wall} wall */
 const wallNumbers = (wall) => numbersOf(wall, engine().layout.shapes[wall.shape].numbers);
 
@@ -66,7 +70,7 @@ export function featuresOf(wall) {
     if (kept.size >= MOST_KEPT) kept.clear();
     found = engine().rows(`features_${wall.shape}`, [numbers], COLUMNS, ROOM).map((r) => ({
       kind: r[0], p: [r[1], r[2], r[3]], d: [r[4], r[5], r[6]], R: r[7], side: r[8], u: [r[9], r[10], r[11]],
-      lo1: r[12], hi1: r[13], lo2: r[14], hi2: r[15], pocket: r[16],
+      lo1: r[12], hi1: r[13], lo2: r[14], hi2: r[15], pocket: r[16], ...(r[0] === engine().layout.features.curve && { rows: tableOf(wall, r[12]) }),
     }));
     kept.set(key, found);
   }

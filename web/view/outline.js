@@ -11,6 +11,8 @@ import { featuresOf } from "../scene/shapes.js";
 
 const LEVEL = 1e-6;
 const [FACE, LINE, POINT, RIM] = [0, 2, 3, 4];
+// of a row of a smooth arc's table: the chord's beginning and direction, half its length, the coefficients (carom.core.geometry.curve)
+const [BEGIN, ALONG, HALF, COEFFICIENTS] = [4, 6, 8, 17];
 
 /** @param {Flat} center @param {number} radius @param {number} from @param {number} to degrees @returns {Flat[]} */
 function arc(center, radius, from, to) {
@@ -45,10 +47,18 @@ function trace({ p, d, ...rest }, others, at, reach) {
   return [{ points: ends.map((s) => [x - s * ny, y + s * nx]), face: { p, d, ...rest }, open: !Number.isFinite(from + to) }];
 }
 
+/** Points of a smooth arc in its frame at p along u. @param {Feature} f @returns {Flat[]} */
+const smooth = ({ p, u, rows = [] }) => rows.slice(1, -1).flatMap((row) => [-1, -0.5, 0, 0.5, 1].map((w) => {
+  const [xi, eta] = [row[HALF] * (1 + w), row.slice(COEFFICIENTS).reduceRight((sum, c) => sum * w + c, 0)];
+  const [x, y] = [row[BEGIN] + row[ALONG] * xi - row[ALONG + 1] * eta, row[BEGIN + 1] + row[ALONG + 1] * xi + row[ALONG] * eta];
+  return /** @type {Flat} */ ([p[0] + u[0] * x - u[1] * y, p[1] + u[1] * x + u[0] * y]);
+}));
+
 /** One feature from above; nothing where others show it. @param {Feature} f @param {Feature[]} all @param {Flat} at @param {number} reach @returns {Part[]} */
 function partsOf(f, all, at, reach) {
   const { kind, p, d, R, u } = f;
   const [x, y] = p;
+  if (f.rows) return [{ points: smooth(f), face: null, open: false }];
   if (kind === POINT && R > 0) return [{ points: arc([x, y], R, 0, 360), face: null, open: false }];
   if (kind === FACE && endless(f)) return trace(f, all.filter((one) => one !== f && endless(one)), at, reach);
   if (kind === FACE && R === 0) {

@@ -71,9 +71,9 @@ class Face(NamedTuple):
         return self.end - self.begin
 
     @property
-    def row(self) -> tuple[Any, ...]:
-        """Its record."""
-        return tuple(self)
+    def record(self) -> dict[str, Any]:
+        """Its fields of PIECES."""
+        return {"n": self.normal} | {name: getattr(self, name) for name in self._fields[1:]}
 
     def along(self, x: Array) -> Array:
         """Return arc lengths."""
@@ -123,9 +123,9 @@ class Circle(NamedTuple):
         return self.span * self.radius
 
     @property
-    def row(self) -> tuple[Any, ...]:
-        """Its record."""
-        return (self.x, self.y, 0.0), 1 / self.radius, self.radius, self.half, 0.0, -INF, INF
+    def record(self) -> dict[str, Any]:
+        """Its fields of PIECES."""
+        return {"center": (self.x, self.y), "radius": self.radius, "curvature": 1 / self.radius, "half": self.half}
 
     def along(self, x: Array) -> Array:
         """Return arc lengths."""
@@ -171,9 +171,9 @@ class WholeEllipse(NamedTuple):
         return self.piece.length
 
     @property
-    def row(self) -> tuple[Any, ...]:
-        """Its record."""
-        return (0.0, 0.0, 0.0), self.p, self.q, 0.0, 0.0, -INF, INF
+    def record(self) -> dict[str, Any]:
+        """Its fields of PIECES."""
+        return {"half_axes": (self.p, self.q)}
 
     def along(self, x: Array) -> Array:
         """Return arc lengths."""
@@ -267,19 +267,23 @@ class Boundary:
             "faces": self.faces, "windows": self.windows, "inside": self.inside, "outside": [*self.outside, *self.images],
             "ellipses": [self.ellipse] if self.ellipse else [], "curves": [] if self.curve is None else self.curve.walls,
         }  # fmt: skip
-        rows: list[tuple[Any, ...]] = []
+        rows: list[dict[str, Any]] = []
         world = np.zeros(1, BILLIARD)
         for name, some in kinds.items():
-            rows += [one.row for one in some]
+            rows += [one.record for one in some]
             world[name] = len(rows)
         if self.curve is not None:
             world["inset"], world["arc_corners"] = self.curve.inset, any(max(arc[3:]) for arc in self.curve.arcs)
         if self.sphere is not None:
-            rows.append(((0.0, 0.0, 0.0), 1 / self.sphere, self.sphere, 0.0, 0.0, -INF, INF))
+            rows.append({"radius": self.sphere, "curvature": 1 / self.sphere})
         world["spheres"] = len(rows)
         world["finite_faces"], world["corner_tolerance"] = self.finite_faces, 1e-12 * self.size
         world["extent"] = self.size
-        return world, np.array(rows, PIECES)
+        pieces = np.zeros(len(rows), PIECES)
+        for piece, row in zip(pieces, rows, strict=True):
+            for name, value in row.items():
+                piece[name] = value
+        return world, pieces
 
     def crossed_by(self, acceleration: Sequence[float]) -> bool:
         """Return whether an acceleration has a component across a wall or a window."""

@@ -388,10 +388,10 @@ class ArcWall(NamedTuple):
         return float(self.region.ways[self.arc.last])
 
     @property
-    def row(self) -> tuple[Any, ...]:
-        """Its record."""
-        first, last, direction, *corners = self.arc
-        return (*direction, 0.0), first, last, *corners, -math.inf, math.inf
+    def record(self) -> dict[str, Any]:
+        """Its fields of PIECES (:mod:`carom.billiards.intersections`)."""
+        first, last, (x, y), begins, ends = self.arc
+        return {"n": (x, y, 0), "first": first, "last": last, "begins_in_corner": begins, "ends_in_corner": ends}
 
     def _feet(self, x: Array) -> tuple[NDArray[np.int64], Array]:
         """Return the rows and w of points (N, 2)."""

@@ -36,32 +36,22 @@ from carom.core.jit.kernel import Vec, hot_kernel, kernel
 from carom.core.roots.bracketed import searches
 from carom.core.roots.first_root import hit2, hit4, next_hit4
 
-# A piece of the boundary of the region open to the ball's CENTRE. What the fields mean depends on the kind of piece:
-#
-#          face                                circle                    ellipse                               sphere
-#   n      normal, towards the ball            centre                    outward normal at the arc's corners   zeros
-#   c      distance: n.x = c on the face       1/radius                  half axis in x                        1/radius
-#   r      of a window: distance to its twin   radius                    half axis in y                        radius
-#   begin  where the face begins               -1, 1: only the half      side of the long axis (1, -1;         0
-#                                              left, right of the        0: the whole curve)
-#                                              centre; 0: all of it
-#   end    where it ends                       0                         distance of the corners from the      0
-#                                                                        middle, along the long axis
-#
-# Of an arc of a smooth curve: n, a direction along which it runs; c and r, the rows of its first and last nodes in the table of
-# panels (:mod:`carom.core.geometry.curve`); begin and end, whether it begins and ends in a corner.
-#
-# Positions along a face are measured along the tangent (ny, -nx): the ball is on its left. ``low`` and ``high`` are the ends
-# that are corners, infinite where the boundary goes on smoothly.
+# A piece of the boundary of the region open to the ball's CENTRE; fields of other kinds are zero.
 PIECES = np.dtype(
     [
+        # the normal of a face or a window, towards the ball; a direction along an arc of a smooth curve
         ("n", "f8", (3,)),
-        ("c", "f8"),
-        ("r", "f8"),
-        ("begin", "f8"),
-        ("end", "f8"),
-        ("low", "f8"),
-        ("high", "f8"),
+        # A face is at n.x = offset, from ``begin`` to ``end`` along the tangent (ny, -nx): the ball is on its left. ``low`` and
+        # ``high`` are the ends that are corners, infinite where the boundary goes on smoothly.
+        *((name, "f8") for name in ("offset", "begin", "end", "low", "high")),
+        ("separation", "f8"),  # of a window from its twin
+        # a circle or a sphere; of a circle only the half left (-1) or right (1) of the centre, or all of it (0)
+        ("center", "f8", (2,)),
+        *((name, "f8") for name in ("radius", "curvature", "half")),
+        ("half_axes", "f8", (2,)),  # of an ellipse
+        # of an arc: rows of its first and last nodes in the table of panels (:mod:`carom.core.geometry.curve`), and whether these
+        # are corners
+        *((name, "i8") for name in ("first", "last", "begins_in_corner", "ends_in_corner")),
     ]
 )
 
@@ -70,13 +60,7 @@ PIECES = np.dtype(
 # fields is the index at which its kind ends.
 BILLIARD = np.dtype(
     [
-        ("faces", "i8"),
-        ("windows", "i8"),
-        ("inside", "i8"),
-        ("outside", "i8"),
-        ("ellipses", "i8"),
-        ("curves", "i8"),
-        ("spheres", "i8"),
+        *((name, "i8") for name in ("faces", "windows", "inside", "outside", "ellipses", "curves", "spheres")),
         ("finite_faces", "i8"),  # 1: hits beyond the ends of a face are ignored (a stadium, a table that is not convex)
         ("arc_corners", "i8"),  # 1: the centre's curve in an ellipse or a smooth curve has corners
         ("planar", "i8"),  # 1: the table lies in the plane
@@ -213,7 +197,7 @@ def _falls_through_zero(c0: float, c1: float, c2: float, near: float) -> float:
 @kernel
 def _face(p: Any, near: float, x: Vec, v: Vec, k: Vec) -> float:
     """Return u at which a face is met: v and k, velocity and its quarter turn, are over |W|/2."""
-    d = p.n[0] * x[0] + p.n[1] * x[1] - p.c
+    d = p.n[0] * x[0] + p.n[1] * x[1] - p.offset
     return _falls_through_zero(d, p.n[0] * v[0] + p.n[1] * v[1], d + p.n[0] * k[0] + p.n[1] * k[1], near)
 
 
@@ -232,8 +216,9 @@ def _depth(x: float, y: float, v: Vec, k: Vec, r: float) -> tuple[float, float, 
 def _ellipse(p: Any, x: Vec, v: Vec, k: Vec) -> float:
     """Return u at which an ellipse is left."""
     # (1 + u^2) x(u), over the half axes
-    x0, x1, x2 = x[0] / p.c, v[0] / p.c, (x[0] + k[0]) / p.c
-    y0, y1, y2 = x[1] / p.r, v[1] / p.r, (x[1] + k[1]) / p.r
+    a, b = p.half_axes[0], p.half_axes[1]
+    x0, x1, x2 = x[0] / a, v[0] / a, (x[0] + k[0]) / a
+    y0, y1, y2 = x[1] / b, v[1] / b, (x[1] + k[1]) / b
     return hit4(
         1.0 - (x0 * x0 + y0 * y0),
         -2.0 * (x0 * x1 + y0 * y1),
@@ -385,13 +370,13 @@ def _hit_in_quarter(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec, k: Vec
             best, which = u, i
     for i in range(world.windows, world.inside):
         p = pieces[i]
-        c0, c1, c2 = _depth(x[0] - p.n[0], x[1] - p.n[1], v, k, p.r)
-        u = _falls_through_zero(c0, c1, c2, 2.0 * p.r * near if p.begin != 0.0 else NEVER)
-        if u < best and (p.begin == 0.0 or p.begin * (_at(x, v, k, u)[0] - p.n[0]) >= -near):
+        c0, c1, c2 = _depth(x[0] - p.center[0], x[1] - p.center[1], v, k, p.radius)
+        u = _falls_through_zero(c0, c1, c2, 2.0 * p.radius * near if p.half != 0.0 else NEVER)
+        if u < best and (p.half == 0.0 or p.half * (_at(x, v, k, u)[0] - p.center[0]) >= -near):
             best, which = u, i
     for i in range(world.inside, world.outside):
         p = pieces[i]
-        c0, c1, c2 = _depth(x[0] - p.n[0], x[1] - p.n[1], v, k, p.r)
+        c0, c1, c2 = _depth(x[0] - p.center[0], x[1] - p.center[1], v, k, p.radius)
         u = hit2(-c0, -c1, -c2, 1.0, 0.0)
         if u < best:
             best, which = u, i
@@ -401,7 +386,7 @@ def _hit_in_quarter(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec, k: Vec
             best, which = u, world.outside
     for i in range(world.ellipses, world.curves):
         p = pieces[i]
-        u = _curve(panels, int(p.c), int(p.r), world.inset, NOISE * world.extent, x, v, k, min(best, 1.0))
+        u = _curve(panels, p.first, p.last, world.inset, NOISE * world.extent, x, v, k, min(best, 1.0))
         if u < best:
             best, which = u, i
     return best, which
@@ -484,7 +469,7 @@ def straight_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple[
         p = pieces[i]
         u = p.n[0] * v[0] + p.n[1] * v[1] + p.n[2] * v[2]
         if u < 0.0:
-            d = p.n[0] * x[0] + p.n[1] * x[1] + p.n[2] * x[2] - p.c
+            d = p.n[0] * x[0] + p.n[1] * x[1] + p.n[2] * x[2] - p.offset
             t = -d / u
             if t < best:
                 if world.finite_faces:
@@ -502,25 +487,26 @@ def straight_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple[
         p = pieces[i]
         u = p.n[0] * v[0] + p.n[1] * v[1]
         if u < 0.0:
-            t = (p.c - p.n[0] * x[0] - p.n[1] * x[1]) / u
+            t = (p.offset - p.n[0] * x[0] - p.n[1] * x[1]) / u
             if t < best:
                 best = t
                 which = i
     for i in range(world.windows, world.inside):
         p = pieces[i]
-        t = circle_exit(x[0] - p.n[0], x[1] - p.n[1], v[0], v[1], p.r)
-        if t < best and (p.begin == 0.0 or p.begin * (x[0] + t * v[0] - p.n[0]) >= -world.corner_tolerance):
+        t = circle_exit(x[0] - p.center[0], x[1] - p.center[1], v[0], v[1], p.radius)
+        if t < best and (p.half == 0.0 or p.half * (x[0] + t * v[0] - p.center[0]) >= -world.corner_tolerance):
             best = t
             which = i
     for i in range(world.inside, world.outside):
         p = pieces[i]
-        t = circle_entry(x[0] - p.n[0], x[1] - p.n[1], v[0], v[1], p.r)
+        t = circle_entry(x[0] - p.center[0], x[1] - p.center[1], v[0], v[1], p.radius)
         if t < best:
             best = t
             which = i
     for i in range(world.outside, world.ellipses):
         p = pieces[i]
-        t = circle_exit(x[0] / p.c, x[1] / p.r, v[0] / p.c, v[1] / p.r, 1.0)
+        a, b = p.half_axes[0], p.half_axes[1]
+        t = circle_exit(x[0] / a, x[1] / b, v[0] / a, v[1] / b, 1.0)
         if t < best:
             best = t
             which = i
@@ -528,12 +514,12 @@ def straight_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple[
         near, squared = world.corner_tolerance * world.corner_tolerance, v[0] * v[0] + v[1] * v[1]
         for i in range(world.ellipses, world.curves):
             p = pieces[i]
-            t = curve_line(panels, int(p.c), int(p.r), world.inset, NOISE * world.extent, x[0], x[1], v[0], v[1])
+            t = curve_line(panels, p.first, p.last, world.inset, NOISE * world.extent, x[0], x[1], v[0], v[1])
             if t < best and (t >= 0.0 or t * t * squared < near):
                 best = t
                 which = i
     for i in range(world.curves, world.spheres):
-        t = sphere_exit(x, v, pieces[i].r)
+        t = sphere_exit(x, v, pieces[i].radius)
         if t < best:
             best = t
             which = i
@@ -548,19 +534,19 @@ def wall_normal(world: Any, pieces: Any, panels: Any, i: int, x: Vec) -> Vec:
     if i < world.windows:
         return (p.n[0], p.n[1], p.n[2])
     if i < world.outside:
-        dx, dy = x[0] - p.n[0], x[1] - p.n[1]
-        w = p.c
+        dx, dy = x[0] - p.center[0], x[1] - p.center[1]
+        w = p.curvature
         if i < world.inside:
             return (-dx * w, -dy * w, 0.0)
         return (dx * w, dy * w, 0.0)
     if i < world.ellipses:
-        nx, ny = x[0] / (p.c * p.c), x[1] / (p.r * p.r)
+        nx, ny = x[0] / (p.half_axes[0] * p.half_axes[0]), x[1] / (p.half_axes[1] * p.half_axes[1])
         w = 1.0 / math.sqrt(nx * nx + ny * ny)
         return (-nx * w, -ny * w, 0.0)
     if i < world.curves:
-        nx, ny, _kappa = curve_wall(panels, int(p.c), int(p.r), world.inset, p.n[0], p.n[1], x[0], x[1])
+        nx, ny, _kappa = curve_wall(panels, p.first, p.last, world.inset, p.n[0], p.n[1], x[0], x[1])
         return (nx, ny, 0.0)
-    w = (1.5 - (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) * (0.5 * p.c * p.c)) * p.c
+    w = (1.5 - (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) * (0.5 * p.curvature * p.curvature)) * p.curvature
     return (-x[0] * w, -x[1] * w, -x[2] * w)
 
 
@@ -592,11 +578,11 @@ def _depth_polynomial(
 @kernel
 def _parabolic_circle_exit(p: Any, near: float, x: float, y: float, u: float, v: float, g: float, h: float) -> float:
     """Return the time at which a falling point leaves a circle, or a half of one."""
-    dx, dy = x - p.n[0], y - p.n[1]
-    c = _depth_polynomial(dx, dy, u, v, g, h, p.r)
+    dx, dy = x - p.center[0], y - p.center[1]
+    c = _depth_polynomial(dx, dy, u, v, g, h, p.radius)
     t = hit4(c[0], c[1], c[2], c[3], c[4], NEVER, 0.0)
-    if p.begin != 0.0:
-        while t < NEVER and p.begin * (dx + (u + 0.5 * g * t) * t) < -near:
+    if p.half != 0.0:
+        while t < NEVER and p.half * (dx + (u + 0.5 * g * t) * t) < -near:
             t = next_hit4(c[0], c[1], c[2], c[3], c[4], t, NEVER)
     return t
 
@@ -611,7 +597,7 @@ def parabolic_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple
     for i in range(world.windows):
         p = pieces[i]
         n0, n1, n2 = p.n[0], p.n[1], p.n[2]
-        d = n0 * x[0] + n1 * x[1] + n2 * x[2] - p.c
+        d = n0 * x[0] + n1 * x[1] + n2 * x[2] - p.offset
         u = n0 * v[0] + n1 * v[1] + n2 * v[2]
         part = world.finite_faces and i < world.faces
         t = _face_hit(d, u, 0.5 * (n0 * g0 + n1 * g1 + n2 * g2), world.corner_tolerance if part else NEVER)
@@ -627,13 +613,14 @@ def parabolic_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple
             best, which = t, i
     for i in range(world.inside, world.outside):
         p = pieces[i]
-        c = _depth_polynomial(x[0] - p.n[0], x[1] - p.n[1], v[0], v[1], g0, g1, p.r)
+        c = _depth_polynomial(x[0] - p.center[0], x[1] - p.center[1], v[0], v[1], g0, g1, p.radius)
         t = hit4(-c[0], -c[1], -c[2], -c[3], -c[4], NEVER, 0.0)
         if t < best:
             best, which = t, i
     if world.outside < world.ellipses:
         p = pieces[world.outside]
-        c = _depth_polynomial(x[0] / p.c, x[1] / p.r, v[0] / p.c, v[1] / p.r, g0 / p.c, g1 / p.r, 1.0)
+        a, b = p.half_axes[0], p.half_axes[1]
+        c = _depth_polynomial(x[0] / a, x[1] / b, v[0] / a, v[1] / b, g0 / a, g1 / b, 1.0)
         t = hit4(c[0], c[1], c[2], c[3], c[4], NEVER, 0.0)
         if t < best:
             best, which = t, world.outside
@@ -643,13 +630,11 @@ def parabolic_hit(world: Any, pieces: Any, panels: Any, x: Vec, v: Vec) -> tuple
         for i in range(world.ellipses, world.curves):
             p = pieces[i]
             most = min(best, end)
-            t = curve_parabola(
-                panels, int(p.c), int(p.r), world.inset, size, near, x[0], x[1], v[0], v[1], g0, g1, most
-            )
+            t = curve_parabola(panels, p.first, p.last, world.inset, size, near, x[0], x[1], v[0], v[1], g0, g1, most)
             if t < best:
                 best, which = t, i
     for i in range(world.curves, world.spheres):
-        r = pieces[i].r
+        r = pieces[i].radius
         t = hit4(
             r * r - (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]),
             -2.0 * (x[0] * v[0] + x[1] * v[1] + x[2] * v[2]),

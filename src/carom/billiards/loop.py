@@ -40,7 +40,7 @@ from carom.laws.law import CONTACT_WALL, NO_SLIP_WALL, ROLLING_WALL
 from carom.laws.no_slip import no_slip_bounce
 
 LANES = 16  # (with 8 the compiler unrolls the loop over faces before it could be vectorised)
-CHUNK = 64  # bounces between two times at which ``follow`` restores the energy
+CHUNK = 64  # bounces between two times at which ``iterate`` restores the energy
 # Rows of LANES numbers in one array, whose strides show the compiler that they do not overlap: position, velocity, spin, time;
 # then the flight's duration, the piece that is met, its normal, its ends.
 X, Y, U, V, W, T, DT, PIECE, N0, N1, LOW, HIGH = (k * LANES for k in range(12))
@@ -60,7 +60,7 @@ def goes_in_step(world: Any, pieces: Any) -> bool:
 
 @kernel
 def chunk_in_step(world: Any, pieces: Any, s: Any) -> bool:
-    """Make CHUNK bounces of LANES orbits; False if one of them came to what only ``follow`` decides."""
+    """Make CHUNK bounces of LANES orbits; False if one of them came to what only ``iterate`` decides."""
     doubtful = 0
     for _ in range(CHUNK):
         if world.faces > 0:
@@ -79,7 +79,7 @@ def _fly_to_face(world: Any, pieces: Any, s: Any) -> int:
     for k in range(LANES):
         s[DT + k], s[PIECE + k] = math.inf, 0.0
     for i in range(world.faces):
-        n0, n1, c, number = pieces[i].n[0], pieces[i].n[1], pieces[i].c, float(i)
+        n0, n1, c, number = pieces[i].n[0], pieces[i].n[1], pieces[i].offset, float(i)
         for k in range(LANES):
             u = n0 * s[U + k] + n1 * s[V + k]
             d = n0 * s[X + k] + n1 * s[Y + k] - c
@@ -107,7 +107,7 @@ def _fly_to_face(world: Any, pieces: Any, s: Any) -> int:
 @kernel
 def _fly_to_circle(p: Any, s: Any) -> int:
     """Fly to the circle; return how many balls do not come from it."""
-    r, cx, cy, inverse = p.r, p.n[0], p.n[1], p.c
+    r, cx, cy, inverse = p.radius, p.center[0], p.center[1], p.curvature
     doubtful = 0
     for k in range(LANES):
         x, y, u, v = s[X + k] - cx, s[Y + k] - cy, s[U + k], s[V + k]
@@ -206,9 +206,9 @@ def energy_restored(v: Vec, w: Vec, should: float, has: float) -> tuple[Vec, Vec
 @kernel
 def at_arc_end(panels: Any, p: Any, x: Vec, near: float) -> bool:
     """Return whether a ball is at an end of an arc of a smooth curve that is a corner."""
-    first, last = panels[int(p.c)], panels[int(p.r)]
-    begins: bool = p.begin != 0.0 and abs(x[0] - first[0]) < near and abs(x[1] - first[1]) < near
-    ends: bool = p.end != 0.0 and abs(x[0] - last[0]) < near and abs(x[1] - last[1]) < near
+    first, last = panels[p.first], panels[p.last]
+    begins: bool = p.begins_in_corner != 0 and abs(x[0] - first[0]) < near and abs(x[1] - first[1]) < near
+    ends: bool = p.ends_in_corner != 0 and abs(x[0] - last[0]) < near and abs(x[1] - last[1]) < near
     return begins or ends
 
 
@@ -244,11 +244,11 @@ def fly_to_wall(
         along = arcs_joined(along, dt) if world.flight == ARC else along + dt
         if i < world.faces or i >= world.windows:
             break
-        # leave the cell through one side, enter through the opposite one at the distance r
+        # leave the cell through one side, enter through the opposite one
         p = pieces[i]
-        x = (x[0] + p.r * p.n[0], x[1] + p.r * p.n[1], x[2])
-        ax -= p.r * p.n[0]
-        ay -= p.r * p.n[1]
+        x = (x[0] + p.separation * p.n[0], x[1] + p.separation * p.n[1], x[2])
+        ax -= p.separation * p.n[0]
+        ay -= p.separation * p.n[1]
         cells += 1
         if cells > MAX_EMPTY_CELLS or (world.flight == ARC and along > FULL_CIRCLE):
             return FREE, -1, x, v, t, along, ax, ay
@@ -258,7 +258,7 @@ def fly_to_wall(
     return ended, i, x, v, t, along, ax, ay
 
 
-def follow(
+def iterate(
     world: Any,
     pieces: Any,
     panels: Any,
@@ -324,7 +324,7 @@ def follow(
 
 
 @kernel
-def _follow_in_step(world: Any, pieces: Any, memory: Any, until: int, s: Any) -> int:
+def _iterate_in_step(world: Any, pieces: Any, memory: Any, until: int, s: Any) -> int:
     """Follow LANES orbits in step from their memories on, up to a doubt; return how many bounces each has made then."""
     a, kappa = world.a, world.kappa
     count = int(memory[0, 3])
@@ -345,12 +345,12 @@ def _follow_in_step(world: Any, pieces: Any, memory: Any, until: int, s: Any) ->
     return count
 
 
-# What ``follow_many`` calls: replaced by the compiled function (a closure over it would not be cached).
-_follow: Any = follow
+# What ``iterate_many`` calls: replaced by the compiled function (a closure over it would not be cached).
+_iterate: Any = iterate
 
 
 @kernel
-def _follow_row(
+def _iterate_row(
     world: Any,
     pieces: Any,
     panels: Any,
@@ -364,7 +364,7 @@ def _follow_row(
     memory: Any,
 ) -> None:
     """Follow one row of the starts further."""
-    end.reason, end.bounces = _follow(
+    end.reason, end.bounces = _iterate(
         world,
         pieces,
         panels,
@@ -389,7 +389,7 @@ def _all_have_bounced(ends: Any, count: int) -> bool:
     return others == 0
 
 
-def follow_many(
+def iterate_many(
     worlds: Any,
     pieces: Any,
     panels: Any,
@@ -424,37 +424,37 @@ def follow_many(
         )
         if together:
             for m in range(first, first + LANES):
-                _follow_row(
+                _iterate_row(
                     worlds[0], pieces, panels, starts[m], bounces, few, rows[m], met[m], last[m], ends[m], memory[m]
                 )
             if _all_have_bounced(own, begin + few):
-                count = _follow_in_step(worlds[0], pieces, memory[these], min(bounces, begin + share), work[block])
+                count = _iterate_in_step(worlds[0], pieces, memory[these], min(bounces, begin + share), work[block])
                 for k in range(LANES):
                     own[k].bounces = count
         for m in range(first, first + len(own)):
             if ends[m].reason == DONE and (together or ends[m].bounces < bounces):
                 rest = begin + share - ends[m].bounces if together else share
-                _follow_row(
+                _iterate_row(
                     worlds[0], pieces, panels, starts[m], bounces, rest, rows[m], met[m], last[m], ends[m], memory[m]
                 )
 
 
 @functools.cache
-def compiled_follow() -> Callable[..., Any]:
-    """Return :func:`follow`, compiled or loaded from the cache."""
-    global _follow  # noqa: PLW0603
+def compiled_iterate() -> Callable[..., Any]:
+    """Return :func:`iterate`, compiled or loaded from the cache."""
+    global _iterate  # noqa: PLW0603
     pieces, table, vec, row = array_of(PIECES), array_of(float, 2), (float, float, float), array_of(float)
     one = signature(
         (int, int), BILLIARD, pieces, table, vec, vec, vec, int, int, table, array_of(np.dtype("i4")), row, row
     )
-    _follow = njit(follow, one, (register_calls,), _nrt=False)
-    return _follow  # type: ignore[no-any-return]
+    _iterate = njit(iterate, one, (register_calls,), _nrt=False)
+    return _iterate  # type: ignore[no-any-return]
 
 
 @functools.cache
 def compiled_many() -> Callable[..., Any]:
-    """Return :func:`follow_many` on all cores, compiled or loaded from the cache."""
-    compiled_follow()
+    """Return :func:`iterate_many` on all cores, compiled or loaded from the cache."""
+    compiled_iterate()
     pieces, table, met = array_of(PIECES), array_of(float, 2), array_of(np.dtype("i4"), 2)
     many = signature(
         None,
@@ -471,14 +471,14 @@ def compiled_many() -> Callable[..., Any]:
         table,
         table,
     )
-    return njit(follow_many, many, (register_calls,), parallel=True)
+    return njit(iterate_many, many, (register_calls,), parallel=True)
 
 
-def follow_one(worlds: Any, pieces: Any, panels: Any, starts: Any, bounces: int, share: int, *of_each: Any) -> None:
-    """Do what :func:`follow_many` does, for one row of starts: its loop, which takes as long to compile, is not needed."""
-    compiled_follow()
+def iterate_one(worlds: Any, pieces: Any, panels: Any, starts: Any, bounces: int, share: int, *of_each: Any) -> None:
+    """Do what :func:`iterate_many` does, for one row of starts: its loop, which takes as long to compile, is not needed."""
+    compiled_iterate()
     rows, met, last, ends, memory, _work = of_each
-    _follow_row(
+    _iterate_row(
         worlds[0],
         pieces,
         panels,

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from carom.billiards.boundary import Boundary, Face
 from carom.billiards.intersections import DONE, ENDING, ENDS, PARABOLA, POSITION, TIME
-from carom.billiards.loop import LANES, MEMORY, STATE, compiled_many, follow_one
+from carom.billiards.loop import LANES, MEMORY, STATE, compiled_many, iterate_one
 from carom.billiards.setup import OrbitSetup, Start, needs_surface, orbit_setup, start_rows
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Numbers, Surface
@@ -321,7 +321,7 @@ def _loop(
     shift = rows[:, :3] - setup.shape.folded(rows[:, :3])
     rows = rows - np.concatenate([shift, np.zeros((len(rows), 6))], axis=1)
     last, ends, memory = np.empty((len(rows), 10)), np.zeros(len(rows), ENDING), np.zeros((len(rows), MEMORY))
-    pace, advance = Pace(FIRST_BOUNCES), compiled_many() if len(rows) > 1 else follow_one
+    pace, advance = Pace(FIRST_BOUNCES), compiled_many() if len(rows) > 1 else iterate_one
     share = max(1, len(rows) if progress is None else min(len(rows), BOUNCES_PER_REPORT // bounces))
     for k in range(0, len(rows), share):
         here = slice(k, k + share)

@@ -43,19 +43,20 @@ from carom.laws.law import CALLED_WALL
 @hot_kernel
 def curvature_at(world: Any, pieces: Any, panels: Any, i: int, x: Vec) -> float:
     """Return the curvature k of the centre's curve: the normal turns by -k times the displacement along the wall."""
-    found: float = 1.0 / pieces[i].r
     if i < world.windows:
-        found = 0.0
-    elif world.inside <= i < world.outside:
+        return 0.0
+    found: float = 1.0 / pieces[i].radius if pieces[i].radius > 0.0 else 0.0
+    if world.inside <= i < world.outside:
         found = -found
     elif world.outside <= i < world.ellipses:
         p = pieces[i]
-        nx, ny = x[0] / (p.c * p.c), x[1] / (p.r * p.r)
+        a, b = p.half_axes[0], p.half_axes[1]
+        nx, ny = x[0] / (a * a), x[1] / (b * b)
         size = math.sqrt(nx * nx + ny * ny)
-        found = 1.0 / ((p.c * p.r) * (p.c * p.r) * (size * size * size))
+        found = 1.0 / ((a * b) * (a * b) * (size * size * size))
     elif world.ellipses <= i < world.curves:
         p = pieces[i]
-        kappa = curve_wall(panels, int(p.c), int(p.r), world.inset, p.n[0], p.n[1], x[0], x[1])[2]
+        kappa = curve_wall(panels, p.first, p.last, world.inset, p.n[0], p.n[1], x[0], x[1])[2]
         found = kappa / (1.0 - world.inset * kappa)
     return found
 
@@ -97,7 +98,7 @@ def _after_bounce(
     return (value_of(v1[0]), value_of(v1[1]), value_of(v1[2])), (value_of(w1[0]), value_of(w1[1]), value_of(w1[2]))
 
 
-def follow_tangents(
+def iterate_tangents(
     world: Any, pieces: Any, panels: Any, bodies: Any, slopes: Any, row: int, bounces: int, sums: Any, every: int, last: Any
 ) -> tuple[int, int, int]:  # fmt: skip
     """Follow a ball from just after a bounce, and its displacements; return why it ended, the bounces made, the last piece.
@@ -151,17 +152,17 @@ def orthonormalise(slopes: Any, row: int, sums: Any) -> None:
             slopes[0, row, c, m] /= size
 
 
-_follow_tangents: Any = follow_tangents
+_iterate_tangents: Any = iterate_tangents
 
 
-def follow_tangents_many(
+def iterate_tangents_many(
     worlds: Any, pieces: Any, panels: Any, bodies: Any, slopes: Any, bounces: int, sums: Any, every: int, last: Any, ends: Any
 ) -> None:  # fmt: skip
-    """Apply :func:`follow_tangents` to every row that goes on; ``sums`` (N, K)."""
+    """Apply :func:`iterate_tangents` to every row that goes on; ``sums`` (N, K)."""
     for m in prange(len(bodies)):
         if ends[m].reason != DONE:
             continue
-        ended, count, met = _follow_tangents(
+        ended, count, met = _iterate_tangents(
             worlds[0], pieces, panels, bodies, slopes, m, bounces, sums[m], every, last[m]
         )
         ends[m].reason, ends[m].bounces, ends[m].piece = ended, count, met
@@ -175,16 +176,16 @@ def register_tangents() -> None:
 
 @functools.cache
 def compiled_tangent_loop() -> Any:
-    """Compile :func:`follow_tangents_many`, or load it from the cache."""
-    global _follow_tangents  # noqa: PLW0603
+    """Compile :func:`iterate_tangents_many`, or load it from the cache."""
+    global _iterate_tangents  # noqa: PLW0603
     needs = (register_tangents,)
     pieces, row, table, bodies, slopes = (
         array_of(PIECES), array_of(float), array_of(float, 2), array_of(BODY), array_of(float, 4)
     )  # fmt: skip
     one = signature((int, int, int), BILLIARD, pieces, table, bodies, slopes, int, int, row, int, row)
-    _follow_tangents = njit(follow_tangents, one, needs, _nrt=False)
+    _iterate_tangents = njit(iterate_tangents, one, needs, _nrt=False)
     many = signature(None, array_of(BILLIARD), pieces, table, bodies, slopes, int, table, int, table, array_of(ENDING))
-    return njit(follow_tangents_many, many, needs, parallel=True)
+    return njit(iterate_tangents_many, many, needs, parallel=True)
 
 
 # ----------------------------------------------------------------------------------------------------
@@ -315,7 +316,7 @@ def _after_first_bounce(setup: OrbitSetup, start: Any) -> tuple[Array, tuple[int
     return states, np.shape(begin.count), normals
 
 
-def _follow(
+def _advance(
     setup: OrbitSetup, states: Array, bounces: int, vectors: Array, sums: Array, every: int, last: Array,
     ends: NDArray[np.void],
 ) -> None:  # fmt: skip
@@ -328,7 +329,7 @@ def _follow(
         world = world.copy()
         world["user"] = dual_law_address(setup.kernel)
     if len(states) < FEW_ORBITS:  # (to wake threads takes longer than to follow a few)
-        loop, ends = follow_tangents_many, ends.view(np.recarray)
+        loop, ends = iterate_tangents_many, ends.view(np.recarray)
     last[:, TIME] = 0.0
     while done < bounces and (ends["reason"] == DONE).any():
         share = min(max(pace.begin() // len(states), 1), bounces - done)
@@ -347,7 +348,7 @@ def tangents_of_bounces(
     """
     vectors = _displacements(setup, n, states[:, 3:6])
     last, ends = np.empty((len(states), 10)), np.zeros(len(states), ENDING)
-    _follow(setup, states, bounces, vectors, np.zeros(vectors.shape[:2]), 0, last, ends)
+    _advance(setup, states, bounces, vectors, np.zeros(vectors.shape[:2]), 0, last, ends)
     return vectors, last, ends, setup.shape.normals(ends["piece"], last[:, 1 : 1 + setup.table.dimension])
 
 
@@ -466,7 +467,7 @@ def lyapunov(
         share = bounces * (block + 1) // blocks - done
         before = sums.copy()
         ends = np.zeros(len(states), ENDING)
-        _follow(setup, states, share, vectors, sums, 1, last, ends)
+        _advance(setup, states, share, vectors, sums, 1, last, ends)
         bad = np.where(bad != 0, bad, ends["reason"])
         states = np.where((bad == DONE)[:, None], last[:, 1:], states)
         time += last[:, TIME]

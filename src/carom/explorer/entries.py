@@ -11,6 +11,8 @@ from typing import Any, NamedTuple
 
 from carom.core.geometry.circles import NUMBERS as RIM_NUMBERS
 from carom.core.geometry.circles import rim_entry
+from carom.core.geometry.curve_arcs import NUMBERS as ARC_NUMBERS
+from carom.core.geometry.curve_arcs import arc_entry
 from carom.core.geometry.features import FEATURES, contact_normal, gap_to_feature
 from carom.core.jit.compile import array_of
 from carom.core.jit.kernel import Vec, dot, kernel, vector
@@ -68,6 +70,7 @@ def entries() -> list[ModuleFunction]:
         *(one for name, shape in PAGE_SHAPES.items() for one in _of_shape(name, shape.kernels)),
         *_rules(),
         ModuleFunction("rim", rim_entry, None, (), RIM_NUMBERS),
+        ModuleFunction("arc", arc_entry, None, (), ARC_NUMBERS),
         *(ModuleFunction(f"law_{law.name.replace('-', '_')}", law_entry(law.kernel), None, (), LAW_NUMBERS)
           for law in laws().values() if law.kernel is not None),
     ]  # fmt: skip

@@ -18,7 +18,8 @@ from typing import Any
 
 import numpy as np
 
-from carom.core.geometry.features import FACE, FALLS, FEATURES, GOES_ON, LEAVES, LINE, OVER, POINT, RIM
+from carom.core.geometry.features import CURVE, FACE, FALLS, FEATURES, GOES_ON, LEAVES, LINE, OVER, POINT, RIM
+from carom.core.jit.calls import register_tables
 from carom.core.jit.kernel import kernel
 from carom.core.jit.kernel_hash import kernel_hash
 from carom.core.motion.phases import FORMS, PHASES
@@ -76,7 +77,7 @@ def _described() -> dict[str, Any]:
             name: _record(dtype) for name, dtype in (("world", WORLD), ("features", FEATURES), ("balls", BALLS), ("log", LOG))
         },
         "functions": [entry.name for entry in entries()],
-        "features": {"face": FACE, "over": OVER, "line": LINE, "point": POINT, "rim": RIM},
+        "features": {"face": FACE, "over": OVER, "line": LINE, "point": POINT, "rim": RIM, "curve": CURVE},
         "first_cushion": FIRST_CUSHION,
         "gates": {"goes_on": GOES_ON, "leaves": LEAVES, "falls": FALLS},
         "kinds": list(SEEN),
@@ -188,6 +189,7 @@ def build() -> tuple[bytes, str, str]:
     # (in the engine's own loop another process compiles this part)
     kernel(joint_impact)
     register_calls()
+    register_tables()
     exports = [
         Export(one.name, one.function, plain_signature(one.numbers), True) if one.numbers
         else Export(one.name, one.function, signature(one.returns, *one.arguments))

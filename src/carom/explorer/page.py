@@ -284,7 +284,7 @@ def _scene(scene: Scene | str | os.PathLike[str], faults: FaultList) -> Scene | 
 def with_outlines(scene: Scene) -> Scene:
     """Return a scene whose walls of figures are outlines: the page has their pieces, not their sizes."""
     walls = tuple(
-        wall.as_outline.model_copy(update={"name": name}) if isinstance(wall, FigureWall) and wall.is_of_arcs else wall
+        wall.as_outline.model_copy(update={"name": name}) if isinstance(wall, FigureWall) else wall
         for wall, name in zip(scene.walls, scene.wall_names, strict=True)
     )
     return scene if walls == scene.walls else scene.model_copy(update={"walls": walls})

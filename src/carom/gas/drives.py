@@ -184,7 +184,7 @@ def motion_of_walls(faces: Any, names: Sequence[str], now: float, oscillating: b
     """
     found = {}
     for name in dict.fromkeys(names):
-        those = [k for k, one in enumerate(names) if one == name and faces[k]["moving"] != 0]
+        those = [k for k, one in enumerate(names) if one == name and (faces[k]["mass"] > 0 or faces[k]["is_belt"])]
         if those:
             displacement, speed, _half = place(faces.view(np.recarray)[those[0]], now)
             found[name] = WallMotion(float(displacement), float(speed))
@@ -217,7 +217,6 @@ def face_records(container: Container, drives: Mapping[str, Drive], widest: floa
     faces, rows = np.zeros(len(container.faces), WALL_FACE), 0  # (of the tables of curves so far)
     for record, face in zip(faces, container.faces, strict=True):
         record["form"], record["area"], record["temperature"] = face.form, face.area, -1.0
-        record["stop"], record["rotor"] = math.inf, -1
         for part, numbers in (("n", face.vector), ("m", face.centre), ("a", face.along)):
             for axis, component in zip("xyz", numbers, strict=True):
                 record[part + axis] = component
@@ -243,9 +242,12 @@ def _set_drive(record: Any, drive: Drive) -> None:
             drive.temperature if drive.temperature_rotational is None else drive.temperature_rotational
         )
     if drive.mass is not None:
-        record["moving"], record["speed"], record["mass"] = 1, drive.speed or 0.0, drive.mass
-        record["reach"], record["pull"] = math.inf, (drive.force or 0.0) / drive.mass
+        record["mass"], record["speed"], record["pull"] = (
+            drive.mass,
+            drive.speed or 0.0,
+            (drive.force or 0.0) / drive.mass,
+        )
     if drive.surface_velocity is not None:
-        record["moving"] = 2
+        record["is_belt"] = 1
         for axis, speed in zip("xyz", drive.surface_velocity, strict=False):
             record["u" + axis] = speed

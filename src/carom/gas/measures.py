@@ -379,7 +379,7 @@ class Measures:
         self.profiles, self.depth = None, self.reach
         if self.container.faces:
             faces = gas.arrays.walls.faces
-            drives = (faces["amplitude"] > 0) | (faces["temperature"] >= 0) | (faces["moving"] == 1)
+            drives = (faces["amplitude"] > 0) | (faces["temperature"] >= 0) | (faces["mass"] > 0)
             driven = {name for name, k in zip(gas.faces, drives, strict=True) if k}
             gravity = one["gravity"].tolist()
             if layers(self.container, gravity, driven)[1]:  # what is counted around a ball is where centres can be

@@ -151,25 +151,14 @@ def _take(one: Any, names: tuple[str, ...], state: Arrays, free: Mapping[str, tu
 TOTAL = ("collisions", "lost_normal", "lost_tangential", "to_spin")
 CHANGES = {
     "species": (), "pairs": TOTAL, "pair_forms": (), "contacts": TOTAL, "contact_forms": (), "shear": ("offset",), "curves": (),
-    "faces": ("start", "offset", "speed", "since", "stop", "collisions", "impulse", "energy"),
+    "faces": ("start", "offset", "speed", "since", "collisions", "impulse", "energy"),
 }  # fmt: skip
 FIXED = (
     "side", "periodic", "cells", "cell_size", "dimensions", "gravity", "contact_time", "volume", "scale", "growth", "key", "rate",
     "temperature", "spin_temperature",
 )  # fmt: skip
-MAY_BE_INFINITE = {
-    "event_time",
-    "collision_time",
-    "last_contact",
-    "stop",
-    "reach",
-    "overlap",
-    "mu",
-    "low",
-    "high",
-    "clock",
-}
-MAY_BE_NEGATIVE = {"axis", "rotor", "image", "key"}
+MAY_BE_INFINITE = {"event_time", "collision_time", "last_contact", "overlap", "mu", "low", "high", "clock"}
+MAY_BE_NEGATIVE = {"axis", "image", "key"}
 SQUARED = {"motions", "bodies", "frame"}
 OUTSIDE = 1e-6  # of a cell, by which rounding may have a ball outside its own
 

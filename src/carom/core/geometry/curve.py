@@ -166,40 +166,103 @@ def panel_crossing(
 
 
 @hot_kernel
-def _at_node(panels: Any, j: int, x: float, y: float, u: float, v: float) -> float:
+def _turning(table: Any, j: int, last: int, u: float, v: float) -> int:
+    """Return the panel, of those from j to the last one, in which v x T, above zero before it, changes its sign."""
+    count = last - j + 1
+    while count > 1:
+        half = count // 2
+        j = j + (half if u * table[j + half, TY] - v * table[j + half, TX] > 0.0 else 0)
+        count = count - half
+    return j
+
+
+def line_times(side: Callable[..., float], guess: Callable[..., float], beyond: float) -> Callable[..., float]:
+    """Return the kernel of when a straight line leaves an arc.
+
+    ``side(table, k, a, x, y, u, v)``: c at a node; ``guess(table, j, low, high, c0, c1, u, v)``: roughly w of the root of c, which
+    is c0 < 0 and c1 >= 0 at two places of a panel. ``beyond``, of w: so much beyond its ends still belongs to a panel.
+    """
+
+    @kernel
+    def line_time(
+        table: Any, j0: int, w0: float, j1: int, w1: float, begins: bool, ends: bool, first: float, last: float, a: float,
+        near: float, x: float, y: float, u: float, v: float,
+    ) -> float:  # fmt: skip
+        """Return the time at which a point on a line leaves through an arc, possibly negative; infinity where it does not.
+
+        From w0 of the panel j0 to w1 of j1; at these ends c is ``first`` and ``last``, and rises or not (``begins``, ``ends``). A
+        graze whose depth is below ``near`` (m) counts where the curve bends towards the line from both sides, as it does at the
+        start of a flight along the wall.
+        """
+        if begins:
+            if first >= 0.0 or (ends and last < 0.0):
+                return NEVER
+        elif not ends or last < 0.0:
+            return NEVER
+        # c rises from low to high; where it does not rise throughout, from or to the panel in which v x T changes its sign
+        low, high, part = j0, j1, 0
+        if begins != ends:
+            turn = _turning(table, j0, j1, u, v) if begins else _turning(table, j0, j1, -u, -v)
+            if begins and turn > j0 and side(table, turn, a, x, y, u, v) >= 0.0:
+                high = turn - 1
+            elif ends and turn < j1 and side(table, turn + 1, a, x, y, u, v) < 0.0:
+                low = turn + 1
+            else:
+                low, high = turn, turn
+                if begins:
+                    part = 0 if (last if turn == j1 else side(table, turn + 1, a, x, y, u, v)) >= 0.0 else -1
+                else:
+                    part = 0 if (first if turn == j0 else side(table, turn, a, x, y, u, v)) < 0.0 else 1
+        j, count = low, high - low + 1
+        while count > 1:
+            half = count // 2
+            # (a choice between numbers, for which the processor need not guess)
+            j = j + (half if side(table, j + half, a, x, y, u, v) < 0.0 else 0)
+            count = count - half
+        # in the chord's frame
+        ex, ey = table[j, CX], table[j, CY]
+        dx, dy = x - table[j, OX], y - table[j, OY]
+        x1, y1, u1, v1 = ex * dx + ey * dy, ex * dy - ey * dx, ex * u + ey * v, ex * v - ey * u
+        squared = u * u + v * v
+        left, right = w0 if j == j0 else table[j, W0], w1 if j == j1 else table[j, W1]
+        if part == 0:
+            c0 = first if j == j0 else side(table, j, a, x, y, u, v)
+            c1 = last if j == j1 else side(table, j + 1, a, x, y, u, v)
+            w = guess(table, j, left, right, c0, c1, u, v)
+        else:
+            m = min(max(panel_where_slope_is(table, j, u1, v1), left), right)
+            px, py, _slope, _rate = offset_point(table, j, a, m)
+            c = u1 * (py - y1) - v1 * (px - x1)
+            if part < 0:
+                if c < 0.0:
+                    return NEVER
+                right = m
+                w = 0.5 * (left + right)
+            else:
+                if c >= 0.0:
+                    if c > near * math.sqrt(squared):
+                        return NEVER
+                    along: float = u1 * (px - x1) + v1 * (py - y1)
+                    return along / squared
+                left = m
+                w = right
+        # (a root at a node may lie beyond it by rounding)
+        time: float = panel_crossing(table, j, a, x1, y1, u1, v1, left - beyond, right + beyond, w) / squared
+        return time
+
+    return line_time
+
+
+@hot_kernel
+def _at_node(panels: Any, j: int, _a: float, x: float, y: float, u: float, v: float) -> float:
     """Return c at a node."""
     c: float = u * (panels[j, Y] - y) - v * (panels[j, X] - x)
     return c
 
 
 @hot_kernel
-def _rising_between(panels: Any, first: int, last: int, x: float, y: float, u: float, v: float) -> int:
-    """Return the panel in which c rises through zero, between nodes where it is negative and where it is not."""
-    count = last - first
-    while count > 1:
-        half = count // 2
-        # (a choice between numbers, for which the processor need not guess)
-        first = first + (half if _at_node(panels, first + half, x, y, u, v) < 0.0 else 0)
-        count = count - half
-    return first
-
-
-@hot_kernel
-def _turn_between(panels: Any, first: int, last: int, u: float, v: float, sign: float) -> int:
-    """Return the panel in which v x T changes its sign, between nodes where ``sign`` times it is above zero and where it is not."""
-    u, v = sign * u, sign * v
-    count = last - first
-    while count > 1:
-        half = count // 2
-        first = first + (half if u * panels[first + half, TY] - v * panels[first + half, TX] > 0.0 else 0)
-        count = count - half
-    return first
-
-
-@hot_kernel
-def _guess(panels: Any, j: int, c0: float, c1: float, u: float, v: float) -> float:
+def _guess(panels: Any, j: int, low: float, high: float, c0: float, c1: float, u: float, v: float) -> float:
     """Return roughly w of the root of c in a panel: xi as a cubic in c, by its values and slopes at the nodes."""
-    low, high = panels[j, W0], panels[j, W1]
     tx0, ty0, tx1, ty1 = panels[j, TX], panels[j, TY], panels[j + 1, TX], panels[j + 1, TY]
     ex, ey = panels[j, CX], panels[j, CY]
     rise, length = c1 - c0, panels[j, LAST_XI] - panels[j, FIRST_XI]
@@ -214,70 +277,22 @@ def _guess(panels: Any, j: int, c0: float, c1: float, u: float, v: float) -> flo
     return w
 
 
+_line_time = line_times(_at_node, _guess, 0.0)
+
+
 @kernel
-def curve_line(  # noqa: PLR0911  (one return per outcome)
+def curve_line(
     panels: Any, first: int, last: int, a: float, near: float, x: float, y: float, u: float, v: float
 ) -> float:
-    """Return the time at which a point on a straight line leaves through an arc, possibly negative; infinity where it does not.
-
-    ``first`` and ``last``: rows of the arc's first and last nodes. A graze whose depth is below ``near`` (m) counts where the curve
-    bends towards the line from both sides, as it does at the start of a flight along the wall.
-    """
+    """Return when a point on a line leaves through the arc between the nodes of two rows: see :func:`line_times`."""
     begins = u * panels[first, TY] - v * panels[first, TX] > 0.0
     ends = u * panels[last, TY] - v * panels[last, TX] > 0.0
     if not begins and not ends:
         return NEVER
-    j, part = -1, 0
-    if begins and ends:
-        if _at_node(panels, first, x, y, u, v) < 0.0 <= _at_node(panels, last, x, y, u, v):
-            j = _rising_between(panels, first, last, x, y, u, v)
-    elif ends:
-        # c falls to its least value in the panel k, and rises from there
-        if _at_node(panels, last, x, y, u, v) < 0.0:
-            return NEVER
-        k = _turn_between(panels, first, last, u, v, -1.0)
-        if _at_node(panels, k + 1, x, y, u, v) < 0.0:
-            j = _rising_between(panels, k + 1, last, x, y, u, v)
-        else:
-            j, part = k, 0 if _at_node(panels, k, x, y, u, v) < 0.0 else 1
-    else:
-        # c rises to its greatest value in the panel k, and falls from there
-        if _at_node(panels, first, x, y, u, v) >= 0.0:
-            return NEVER
-        k = _turn_between(panels, first, last, u, v, 1.0)
-        if _at_node(panels, k, x, y, u, v) >= 0.0:
-            j = _rising_between(panels, first, k, x, y, u, v)
-        else:
-            j, part = k, 0 if _at_node(panels, k + 1, x, y, u, v) >= 0.0 else -1
-    if j < 0:
-        return NEVER
-    # in the chord's frame
-    ex, ey = panels[j, CX], panels[j, CY]
-    dx, dy = x - panels[j, OX], y - panels[j, OY]
-    x1, y1, u1, v1 = ex * dx + ey * dy, ex * dy - ey * dx, ex * u + ey * v, ex * v - ey * u
-    squared = u * u + v * v
-    low, high = panels[j, W0], panels[j, W1]
-    if part != 0:
-        m = panel_where_slope_is(panels, j, u1, v1)
-        px, py, _slope, _rate = offset_point(panels, j, a, m)
-        c = u1 * (py - y1) - v1 * (px - x1)
-        if part < 0:
-            if c < 0.0:
-                return NEVER
-            high = m
-            w = 0.5 * (low + high)
-        else:
-            if c >= 0.0:
-                if c > near * math.sqrt(squared):
-                    return NEVER
-                along: float = u1 * (px - x1) + v1 * (py - y1)
-                return along / squared
-            low = m
-            w = high
-    else:
-        w = _guess(panels, j, _at_node(panels, j, x, y, u, v), _at_node(panels, j + 1, x, y, u, v), u, v)
-    time: float = panel_crossing(panels, j, a, x1, y1, u1, v1, low, high, w) / squared
-    return time
+    return _line_time(
+        panels, first, panels[first, W0], last - 1, panels[last - 1, W1], begins, ends, _at_node(panels, first, a, x, y, u, v),
+        _at_node(panels, last, a, x, y, u, v), a, near, x, y, u, v,
+    )  # fmt: skip
 
 
 # --- a place on the curve -----------------------------------------------------------------------------------------------------

@@ -35,9 +35,7 @@ from carom.core.geometry.curve import (
     curvature,
     curve_graph,
     cut_into_panels,
-    offset_point,
-    panel_crossing,
-    panel_where_slope_is,
+    line_times,
 )
 from carom.core.jit.calls import Answer, address_of, answer_at, python_address, register_tables, table_at
 from carom.core.jit.kernel import Vec, hot_kernel, kernel, vector, without_slopes
@@ -228,7 +226,6 @@ def arc_gap(table: Any, base: int, d: float, x: float, y: float) -> tuple[float,
 BEHIND = 1e-3  # of the ball's radius: a ball that is deeper in the wall is behind it, or before another part of it
 NOISE = 4e-16  # of the size: so much of a gap is rounding
 SMALL = 1e-16  # of the size: so short a way is none
-OVERLAP = 1e-9  # of w: so much beyond its ends still belongs to a panel
 POINT = 1e-6  # of the size: tolerances of a smaller ball, or of a point, are those of a ball of this radius
 ROUNDS = 8  # so often may a parabola enter and leave an arc's convex set
 FEW = 4  # nodes whose tangents are asked first
@@ -304,39 +301,17 @@ def _side(table: Any, k: int, a: float, x: float, y: float, u: float, v: float) 
 
 
 @kernel
-def _rising_part(
-    table: Any, ends: Ends, a: float, x: float, y: float, u: float, v: float, sign: float, first: float, last: float
-) -> tuple[int, int, int]:
-    """Return the panels between which c rises through zero, from (``sign`` -1) or to (1) that in which v x T changes its sign.
+def _guess(_table: Any, _j: int, low: float, high: float, c0: float, c1: float, _u: float, _v: float) -> float:
+    """Return roughly w of the root of c in a panel."""
+    return low + (high - low) * (-c0 / (c1 - c0)) if c0 < 0.0 < c1 else 0.5 * (low + high)
 
-    Last, 0, or 1 or -1 where it does so after or before its extreme value within that panel. first, last: c at the ends.
-    """
-    j0, _w0, j1, _w1, _base = ends
-    turn, count = j0, j1 - j0 + 1
-    while count > 1:
-        half = count // 2
-        k = turn + half
-        turn = turn + (half if sign * (u * table[k, TY] - v * table[k, TX]) > 0.0 else 0)
-        count = count - half
-    if sign < 0.0:
-        if turn < j1 and _side(table, turn + 1, a, x, y, u, v) < 0.0:
-            return turn + 1, j1, 0
-        before = first if turn == j0 else _side(table, turn, a, x, y, u, v)
-        return turn, turn, 0 if before < 0.0 else 1
-    if turn > j0 and _side(table, turn, a, x, y, u, v) >= 0.0:
-        return j0, turn - 1, 0
-    after = last if turn == j1 else _side(table, turn + 1, a, x, y, u, v)
-    return turn, turn, 0 if after >= 0.0 else -1
+
+_leaving_time = line_times(_side, _guess, 1e-9)
 
 
 @kernel
-def _line_time(  # noqa: PLR0911  (one return per outcome)
-    table: Any, ends: Ends, a: float, near: float, x: float, y: float, u: float, v: float
-) -> float:
-    """Return the time at which a straight way leaves the parallel curve of an arc, possibly negative; or infinity.
-
-    A graze whose depth is below ``near`` (m) counts where the curve bends towards the line from both sides.
-    """
+def _line_time(table: Any, ends: Ends, a: float, near: float, x: float, y: float, u: float, v: float) -> float:
+    """Return when a point on a line leaves the parallel curve of an arc: :func:`carom.core.geometry.curve.line_times`."""
     j0, w0, j1, w1, _base = ends
     ax, ay, au, av = node_of(table, j0, w0)
     bx, by, bu, bv = node_of(table, j1, w1)
@@ -345,58 +320,7 @@ def _line_time(  # noqa: PLR0911  (one return per outcome)
         return NEVER
     first = u * (ay + a * au - y) - v * (ax - a * av - x)
     last = u * (by + a * bu - y) - v * (bx - a * bv - x)
-    # c rises between two places; where it does not rise throughout, from or to the panel in which v x T changes its sign
-    low, high, part, sign = j0, j1, 0, 0.0
-    if begins and ends_so:
-        if not first < 0.0 <= last:
-            return NEVER
-    elif ends_so:
-        if last < 0.0:
-            return NEVER
-        sign = -1.0
-    else:
-        if first >= 0.0:
-            return NEVER
-        sign = 1.0
-    if sign != 0.0:
-        low, high, part = _rising_part(table, ends, a, x, y, u, v, sign, first, last)
-    count = high - low + 1
-    while count > 1:
-        half = count // 2
-        low = low + (half if _side(table, low + half, a, x, y, u, v) < 0.0 else 0)
-        count = count - half
-    j = low
-    # in the chord's frame
-    ex, ey = table[j, CX], table[j, CY]
-    dx, dy = x - table[j, OX], y - table[j, OY]
-    x1, y1, u1, v1 = ex * dx + ey * dy, ex * dy - ey * dx, ex * u + ey * v, ex * v - ey * u
-    squared = u * u + v * v
-    left, right = w0 if j == j0 else -1.0, w1 if j == j1 else 1.0
-    if part != 0:
-        m = panel_where_slope_is(table, j, u1, v1)
-        m = min(max(m, left), right)
-        px, py, _slope, _rate = offset_point(table, j, a, m)
-        c = u1 * (py - y1) - v1 * (px - x1)
-        if part < 0:
-            if c < 0.0:
-                return NEVER
-            right = m
-            w = 0.5 * (left + right)
-        else:
-            if c >= 0.0:
-                if c > near * math.sqrt(squared):
-                    return NEVER
-                along: float = u1 * (px - x1) + v1 * (py - y1)
-                return along / squared
-            left = m
-            w = right
-    else:
-        c0 = first if j == j0 else _side(table, j, a, x, y, u, v)
-        c1 = last if j == j1 else _side(table, j + 1, a, x, y, u, v)
-        w = left + (right - left) * (-c0 / (c1 - c0)) if c0 < 0.0 < c1 else 0.5 * (left + right)
-    # (a root at a node may lie beyond it by rounding)
-    time: float = panel_crossing(table, j, a, x1, y1, u1, v1, left - OVERLAP, right + OVERLAP, w) / squared
-    return time
+    return _leaving_time(table, j0, w0, j1, w1, begins, ends_so, first, last, a, near, x, y, u, v)
 
 
 @kernel

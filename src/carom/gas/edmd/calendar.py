@@ -183,7 +183,6 @@ def start_cycle(system: Any, balls: Any, faces: Any) -> None:
         face = faces[k]
         face.start -= start
         face.since -= start
-        face.stop -= start
         if face.amplitude != 0.0:
             # the oscillation that now belongs to
             face.start += math.floor((system.now - face.start) / (2.0 * face.half_period)) * 2.0 * face.half_period
@@ -432,7 +431,7 @@ def _reached_cells(system: Any, face: Any, distance: float, curves: NDArray[np.f
         along_low = along_low + np.minimum(a * low, a * high).reshape(shape)
         along_high = along_high + np.maximum(a * low, a * high).reshape(shape)
     if face["form"] == PLANE:
-        reached = least <= distance + face["amplitude"] + face["reach"]
+        reached = (least <= distance + face["amplitude"]) | (face["mass"] > 0)
     elif face["form"] == INSIDE:
         reached = least + distance * distance <= 0
     else:

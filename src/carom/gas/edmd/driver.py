@@ -294,7 +294,7 @@ def _features(arrays: GasArrays) -> Features | None:
     """Return None where all walls are fixed planes, else what the general loop needs, which takes twice as long to compile."""
     one, faces = arrays.system[0], arrays.walls.faces
     special = (faces["form"] != PLANE) | (faces["bounded"] != 0) | (faces["temperature"] >= 0)
-    special |= (faces["amplitude"] != 0) | (faces["moving"] != 0)
+    special |= (faces["amplitude"] != 0) | (faces["mass"] > 0) | (faces["is_belt"] != 0)
     if not (special.any() or one["growth"] != 0 or one["rate"] != 0 or len(arrays.shear) or len(arrays.heat)):
         return None
     curved = (faces["form"] == CURVE).any()

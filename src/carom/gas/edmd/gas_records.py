@@ -107,16 +107,11 @@ WALL_FACE = np.dtype(
         ("temperature", _FLOAT),
         ("spin_temperature", _FLOAT),
         ("area", _FLOAT),
-        # A steadily moving plane or surface (edmd.moving_walls): displacement, speed and acceleration along the normal since a
-        # time, until another; the mass of a piston (0: its motion is given); the velocity of its surface along itself.
-        # ``moving`` is 1 for a plane that moves, 2 where only a surface does, which stays where it is.
-        ("moving", "i8"),
-        *((name, _FLOAT) for name in ("offset", "speed", "pull", "since", "stop", "mass", "ux", "uy", "uz")),
-        ("reach", _FLOAT),  # how far into the gas it comes
-        # A rotor: the face that has its motion (-1: none), its moment of inertia (0: its spin is given), its spin.
-        ("rotor", "i8"),
-        *((name, _FLOAT) for name in ("moment", "wx", "wy", "wz")),
-        *((name, _FLOAT) for name in ("tx", "ty", "tz")),  # gradient of a heated wall's temperature
+        # A piston: its mass (0: none), its acceleration, its displacement and speed along the normal since the last contact.
+        *((name, _FLOAT) for name in ("mass", "pull", "offset", "speed", "since")),
+        # a belt, whose surface moves along itself with this velocity
+        ("is_belt", "i8"),
+        *((name, _FLOAT) for name in ("ux", "uy", "uz")),
         # totals
         ("collisions", "i8"),
         ("impulse", _FLOAT),  # against the normal
@@ -187,7 +182,7 @@ SYSTEM = np.dtype(
     ]
 )
 
-# Of a gas that is sheared (edmd.shear): the shear rate; the speed of the images across y, rate times side; how far those above are
+# Of a gas that is sheared: the shear rate; the speed of the images across y, rate times side; how far those above are
 # displaced along x at the start of the cycle.
 SHEAR = np.dtype([("rate", _FLOAT), ("speed", _FLOAT), ("offset", _FLOAT)])
 

@@ -74,71 +74,19 @@ def oscillating_collision_time(
 
 @kernel
 def place(face: Any, now: float) -> tuple[float, float, float]:
-    """Return a moving plane's displacement along its normal, its speed, and half its acceleration."""
-    t = min(now, face.stop) - face.since
-    if now >= face.stop:
-        return face.offset + face.speed * t, 0.0, 0.0
-    h = face.pull / 2.0
+    """Return a piston's displacement along its normal, its speed, and half its acceleration."""
+    t, h = now - face.since, face.pull / 2.0
     return face.offset + (face.speed + h * t) * t, face.speed + face.pull * t, h
 
 
 @kernel
-def moving_collision_time(face: Any, c: tuple[float, ...], now: float, most: float, slow: float) -> float:
-    """Return when a gap c to a plane that moves steadily closes, at most ``most``; or infinity."""
-    d0, d1, d2 = place(face, now)
-    if now < face.stop:
-        left = face.stop - now
-        s = hit2(c[0] - d0, c[1] - d1, c[2] - d2, min(left, most), slow)
-        if s <= min(left, most) or left > most:
-            return s
-        # the gap once it rests
-        c0, c1 = c[0] + (c[1] + c[2] * left) * left, c[1] + 2.0 * c[2] * left
-        rests: float = left + hit2(c0 - place(face, face.stop)[0], c1, c[2], most - left, slow)
-        return rests
-    return hit2(c[0] - d0, c[1], c[2], most, slow)
-
-
-@kernel
-def move_on(face: Any, now: float, change: float) -> None:
-    """Begin a new flight of a piston, whose speed changes now."""
-    offset, speed, _half = place(face, now)
-    face.offset, face.speed = offset, speed + change
-    face.since = now
-
-
-@kernel
-def is_yielding(faces: Any, face: Any) -> bool:
-    """Return whether a contact changes the motion of a wall: of a piston, or of a rotor with a moment of inertia."""
-    return face.mass > 0.0 or (face.rotor >= 0 and faces[U64(face.rotor)].moment > 0.0)  # type: ignore[no-any-return]
-
-
-@kernel
-def surface_velocity(faces: Any, face: Any, n: Vec, reach: float, now: float) -> Vec:
-    """Return the velocity of a wall's surface where a ball touches it; ``reach``: the radius of a rotor."""
-    u = (face.ux, face.uy, face.uz)
-    if face.rotor >= 0:
-        one = faces[U64(face.rotor)]
-        w = cross((one.wx, one.wy, one.wz), n)
-        return (u[0] + reach * w[0], u[1] + reach * w[1], u[2] + reach * w[2])
-    speed = place(face, now)[1]
-    return (u[0] + speed * n[0], u[1] + speed * n[1], u[2] + speed * n[2])
-
-
-@kernel
-def heat_at(face: Any, ball: Any) -> float:
-    """Return the temperature of a heated wall where a ball touches it, relative to the one at the corner of the box."""
-    return face.temperature + face.tx * ball.x + face.ty * ball.y + face.tz * ball.z  # type: ignore[no-any-return]
-
-
-@kernel
-def yielding_impact(
-    system: Any, faces: Any, face: Any, record: Any, form: Any, body: Any, one: Any, n: Vec, v0: Vec, w0: Vec, now: float
-) -> tuple[Vec, Vec, float]:  # fmt: skip
-    """Return velocity, spin and normal impulse per mass of a ball after a contact with a piston or a rotor, which it changes."""
+def piston_impact(
+    system: Any, face: Any, record: Any, form: Any, body: Any, one: Any, n: Vec, v0: Vec, w0: Vec, now: float
+) -> tuple[Vec, Vec, float]:
+    """Return velocity, spin and normal impulse per mass of a ball after a contact with a piston, whose speed it changes."""
     arm = abs(record.radius_part)  # (walls that bound centres touch the centre of the ball)
-    reach = record.distance - record.radius_part
-    u = surface_velocity(faces, face, n, reach, now)
-    un, ut = slip_velocity((v0[0] - u[0], v0[1] - u[1], v0[2] - u[2]), w0, n, arm)
+    offset, speed, _half = place(face, now)
+    un, ut = slip_velocity((v0[0] - speed * n[0], v0[1] - speed * n[1], v0[2] - speed * n[2]), w0, n, arm)
     e, mu = restitution_of(system, record.e, form, -un), record.mu
     if form.drop > 0.0:
         mu = friction_at_slip(mu, form.drop, form.rate, math.sqrt(squared_length(ut)))
@@ -147,33 +95,19 @@ def yielding_impact(
             e = 1.0
         body.last_contact = now
     m, moment = one.mass, one.kappa * one.radius * one.radius
-    along, across, theta = 1.0, 1.0 + arm * arm / moment, 0.0
-    if face.mass > 0.0:
-        along += m / face.mass
-    if face.rotor >= 0:
-        theta = faces[U64(face.rotor)].moment
-        across += m * reach * reach / theta
+    along, across = 1.0 + m / face.mass, 1.0 + arm * arm / moment
     pn, f, _required, _regime = contact(un, ut, 1.0 / along, 1.0 / across, e, mu, record.beta)
     j = (pn * n[0] + f[0], pn * n[1] + f[1], pn * n[2] + f[2])
     v = (v0[0] + j[0], v0[1] + j[1], v0[2] + j[2])
-    turn = cross(n, f)
-    c = arm / moment
+    turn, c = cross(n, f), arm / moment
     w = (w0[0] - c * turn[0], w0[1] - c * turn[1], w0[2] - c * turn[2])
     half = m / 2.0
     moved = half * (j[0] * (v0[0] + v[0]) + j[1] * (v0[1] + v[1]) + j[2] * (v0[2] + v[2]))
     turned = half * moment * (squared_length(w) - squared_length(w0))
-    # the reaction on the wall, and what its energy gains
-    given = 0.0
-    if face.mass > 0.0:
-        speed, change = place(face, now)[1], -m * pn / face.mass
-        given = face.mass * change * (speed + change / 2.0)
-        move_on(face, now, change)
-    if face.rotor >= 0:
-        rotor = faces[U64(face.rotor)]
-        c = -m * reach / theta
-        before = (rotor.wx, rotor.wy, rotor.wz)
-        rotor.wx, rotor.wy, rotor.wz = before[0] + c * turn[0], before[1] + c * turn[1], before[2] + c * turn[2]
-        given = theta / 2.0 * (squared_length((rotor.wx, rotor.wy, rotor.wz)) - squared_length(before))
+    # the reaction on the piston, which begins a new flight, and what its energy gains
+    change = -m * pn / face.mass
+    face.offset, face.speed, face.since = offset, speed + change, now
+    given = face.mass * change * (speed + change / 2.0)
     face.energy -= given
     add_energies(record, half * (e - 1.0) * pn * un, moved + given, turned)
     return v, w, pn
@@ -287,8 +221,9 @@ def wall_collision_time(
         slow = 2.0 * slow * max(face.nx, face.ny, face.nz) * (contact.distance + abs(contact.radius_part))
     if face.amplitude != 0.0:
         return oscillating_collision_time(face, c, now, most, slow)
-    if face.moving == 1:
-        return moving_collision_time(face, c, now, most, slow), True
+    if face.mass > 0.0:
+        d0, d1, d2 = place(face, now)
+        return hit2(c[0] - d0, c[1] - d1, c[2] - d2, most, slow), True
     if face.bounded != 0 and face.form == PLANE and c[0] < -(face.depth + contact.radius_part * scale):
         # the ball is behind it, in another part of the container, and can touch it only after coming to the front
         s = next_hit4(c[0], c[1], c[2], 0.0, 0.0, 0.0, most) if c[1] > 0.0 and c[2] < 0.0 else math.inf
@@ -364,13 +299,10 @@ def _draw_maxwellian(system: Any, flat: bool, body: Any, one: Any, temperature: 
 
 
 @kernel
-def _leave_heated_wall(
-    system: Any, face: Any, ball: Any, body: Any, one: Any, n: Vec, v0: Vec, w0: Vec
-) -> tuple[Vec, Vec, float]:
+def _leave_heated_wall(system: Any, face: Any, body: Any, one: Any, n: Vec, v0: Vec, w0: Vec) -> tuple[Vec, Vec, float]:
     """Return velocity, spin and normal impulse per mass of a ball that leaves a heated wall: Maxwellian, weighted by v_n."""
-    heat, spin_heat = heat_at(face, ball), face.spin_temperature + (heat_at(face, ball) - face.temperature)
-    v = _draw_maxwellian(system, system.dimensions == 2, body, one, heat, spin_heat)
-    vn = math.sqrt(2.0 * heat / one.mass * exponential(system.key[0], system.key[1], system.drawn))
+    v = _draw_maxwellian(system, system.dimensions == 2, body, one, face.temperature, face.spin_temperature)
+    vn = math.sqrt(2.0 * face.temperature / one.mass * exponential(system.key[0], system.key[1], system.drawn))
     system.drawn += 1
     c = vn - dot(v, n)
     v, spin = (v[0] + c * n[0], v[1] + c * n[1], v[2] + c * n[2]), (body.wx, body.wy, body.wz)
@@ -459,16 +391,13 @@ def collide_wall(
         v, spin, pn = _wall_impact(features, system, gravity, face, contact, form, ball, body, one, n, v0, w0, now)
     else:
         n = _normal(features, face, ball)
-        if face.moving != 0 and is_yielding(walls.faces, face):
-            v, spin, pn = yielding_impact(system, walls.faces, face, contact, form, body, one, n, v0, w0, now)
+        if face.mass > 0.0:
+            v, spin, pn = piston_impact(system, face, contact, form, body, one, n, v0, w0, now)
             _note_collision(system, grid, averages, face, ball, body, plan, one, v, spin, before, w0, pn, now)
             return
-        speed, u = 0.0, (0.0, 0.0, 0.0)
-        if face.moving != 0:
-            # (the surface drags the ball along; what moves along the normal does so at this speed)
-            u = surface_velocity(walls.faces, face, n, contact.distance - contact.radius_part, now)
-            speed = dot(u, n)
-            u = (u[0] - speed * n[0], u[1] - speed * n[1], u[2] - speed * n[2])
+        # the surface drags the ball along
+        speed, u = 0.0, (face.ux, face.uy, face.uz)
+        if face.is_belt != 0:
             v0 = (v0[0] - u[0], v0[1] - u[1], v0[2] - u[2])
         if face.amplitude != 0.0:
             speed = oscillation(face, now)[1]
@@ -477,13 +406,13 @@ def collide_wall(
             speed = abs(contact.radius_part) * system.growth
         v0 = (v0[0] - speed * n[0], v0[1] - speed * n[1], v0[2] - speed * n[2])
         if face.temperature >= 0.0:
-            v, spin, pn = _leave_heated_wall(system, face, ball, body, one, n, v0, w0)
+            v, spin, pn = _leave_heated_wall(system, face, body, one, n, v0, w0)
             contact.collisions += 1  # (what it gives or takes is the wall's energy)
         else:
             v, spin, pn = _wall_impact(features, system, gravity, face, contact, form, ball, body, one, n, v0, w0, now)
         v = (v[0] + speed * n[0], v[1] + speed * n[1], v[2] + speed * n[2])
         face.energy += one.mass * pn * speed
-        if face.moving != 0:
+        if face.is_belt != 0:
             v = (v[0] + u[0], v[1] + u[1], v[2] + u[2])
             face.energy += one.mass * dot(u, (v[0] - before[0], v[1] - before[1], v[2] - before[2]))
     _note_collision(system, grid, averages, face, ball, body, plan, one, v, spin, before, w0, pn, now)

@@ -12,29 +12,35 @@ from numpy.typing import NDArray
 from pydantic import BeforeValidator, create_model, model_validator
 
 from carom.core.geometry.angles import direction
-from carom.core.geometry.curve_arcs import arc_circle, arc_tables, join_ends
+from carom.core.geometry.curve import COEFFICIENTS, CX, DEGREE, HALF, OX, ROW, X
+from carom.core.geometry.curve_arcs import COUNT, arc_circle, arc_tables, join_ends
 from carom.core.geometry.features import CURVE, FACE, LINE
-from carom.core.geometry.outlines import outline_faults, polygon_depth
+from carom.core.geometry.outlines import outline_faults
 from carom.core.jit.calls import address_of_table
 from carom.core.jit.kernel import kernel
 from carom.errors import Fault
-from carom.scene.feature_builders import UP, Feature, Flat, built, circle, put, put_line, put_post, put_round
+from carom.scene.feature_builders import UP, Feature, circle, put, put_line, put_post, put_round
 from carom.scene.figures import FIGURES, ArcPiece, Piece, PlaneFigure, SegmentPiece
 from carom.scene.figures.curve import CurveFigure
 from carom.scene.figures.figure import joints
 from carom.scene.schema import Angle, Coefficient, Components, Flag, Place, Vector, raise_faults, with_faults_of_part
 from carom.scene.wall import Outline, ShapeKernels, WallShape
 
+Array = NDArray[np.float64]
 Numbers = Sequence[float]
+SAMPLES = 9  # places of a panel in a drawing
 COLUMNS = 10  # of a piece: way, x, y, ux, uy, size, cosine, x and y of its end, whether a re-entrant corner is there
-# (way 0: a segment about (x, y) along u, of half the length ``size``; 1, -1: an arc about (x, y) with the middle direction u, the
-# radius ``size`` and the cosine of half its angle, with the centre on the open side, or not)
+# way 0: a segment about (x, y) along u, of half the length ``size``; 1, -1: an arc about (x, y) with the middle direction u, the
+# radius ``size`` and the cosine of half its angle, with the centre on the open side, or not; SMOOTH: an arc of a smooth curve whose
+# frame is at (x, y) along u, with the first row of its table in place of the cosine, within ``size`` of the end, in that frame;
+# POST: an edge at (x, y)
+SMOOTH, POST = 2.0, 3.0
 REENTRANT = -1e-12  # sine of the turn at a corner
 
 
 @kernel
 def pieces_features(p: Numbers, out: Any) -> int:
-    """Write a face or a part of a cylinder for each piece, and an edge at each re-entrant corner."""
+    """Write a face, a part of a cylinder or of a curve, or an edge for each piece, and an edge at each re-entrant corner."""
     i = 0
     for k in range(int(p[0])):
         j = 1 + COLUMNS * k
@@ -42,6 +48,11 @@ def pieces_features(p: Numbers, out: Any) -> int:
         if p[j] == 0:
             at, n, half = (p[j + 1], p[j + 2], 0.0), (-p[j + 4], p[j + 3], 0.0), p[j + 5]
             i = put(out, i, FACE, at, n, 0.0, 1.0, u, -half, half, -math.inf, math.inf, -1)
+        elif p[j] == SMOOTH:
+            at, middle = (p[j + 1], p[j + 2], 0.0), (p[j + 7], p[j + 8], 0.0)
+            i = put(out, i, CURVE, at, middle, p[j + 5], 1.0, u, p[j + 6], 0.0, -math.inf, math.inf, -1)
+        elif p[j] == POST:
+            i = put_post(p[j + 1], p[j + 2], -math.inf, math.inf, i, out)
         else:
             i = put_round(LINE, p[j + 1], p[j + 2], p[j + 5], -p[j], u, p[j + 6], -math.inf, math.inf, i, out)
         if p[j + 9] != 0:
@@ -50,9 +61,25 @@ def pieces_features(p: Numbers, out: Any) -> int:
 
 
 @kernel
+def _passes_chord(p: Numbers, j: int, one: int, x: Vector) -> bool:
+    """Return whether an odd number of chord and panel of a smooth arc lie between a point and what is right of it at its y."""
+    dx, dy, u, v = x[0] - p[j + 1], x[1] - p[j + 2], p[j + 3], p[j + 4]
+    # the nodes from the point, and the point in the frame of the chord
+    two = one + ROW
+    y0, y1 = v * p[one + X] + u * p[one + X + 1] - dy, v * p[two + X] + u * p[two + X + 1] - dy
+    x0, x1 = u * p[one + X] - v * p[one + X + 1] - dx, u * p[two + X] - v * p[two + X + 1] - dx
+    odd = (y0 > 0.0) != (y1 > 0.0) and x0 - y0 * (x1 - x0) / (y1 - y0) > 0.0
+    q, r, ex, ey = u * dx + v * dy - p[one + OX], u * dy - v * dx - p[one + OX + 1], p[one + CX], p[one + CX + 1]
+    w, eta, f = (ex * q + ey * r) / p[one + HALF] - 1.0, ex * r - ey * q, 0.0
+    for m in range(DEGREE + 1):
+        f = f * w + p[one + COEFFICIENTS + DEGREE - m]
+    return odd != (-1.0 <= w <= 1.0 and (eta > 0.0) != (eta > f))
+
+
+@kernel
 def _outside(p: Numbers, x: Vector) -> bool:
-    """Return whether a point is outside: the pieces to the right of it at its y are even in number."""
-    inside = False
+    """Return whether no ball can be at a point: an even number of pieces is right of it at its y (sense 1), or an odd one (-1)."""
+    inside, panels = False, 2 + COLUMNS * int(p[0])
     for k in range(int(p[0])):
         j = 1 + COLUMNS * k
         cx, cy, ux, uy, size = p[j + 1], p[j + 2], p[j + 3], p[j + 4], p[j + 5]
@@ -61,26 +88,35 @@ def _outside(p: Numbers, x: Vector) -> bool:
             one, two = cy - size * uy, cy + size * uy
             if (one > x[1]) != (two > x[1]) and x[0] < cx + dy * ux / uy:
                 inside = not inside
-        elif abs(dy) < size:
+        elif p[j] == SMOOTH:
+            first = panels + ROW * int(p[j + 6])
+            for m in range(int(p[first + COUNT])):
+                inside = inside != _passes_chord(p, j, first + ROW * (m + 1), x)
+        elif p[j] != POST and abs(dy) < size:
             w = math.sqrt(size * size - dy * dy)
             for dx in (-w, w):
                 if cx + dx > x[0] and dx * ux + dy * uy >= size * p[j + 6]:
                     inside = not inside
-    return not inside
+    sense = p[panels + ROW * int(p[panels - 1])]
+    return sense != 0.0 and inside != (sense > 0.0)
 
 
 KERNELS = ShapeKernels(pieces_features, _outside)
 _PIECE = Components("a piece: way, x, y, ux, uy, size, cosine, x and y of its end, re-entrant", (COLUMNS,))
+_PANEL = Components("a row of the table of an arc", (ROW,))
+Rows = tuple[tuple[float, ...], ...]
 
 
 class OutlineWall(WallShape):
-    """A closed loop of straight sides and arcs, with the balls inside: the wall of any figure, as the explorer's page has it.
+    """The wall of any figure by its pieces, as the explorer's page has it.
 
     Parameters
     ----------
-    pieces : rows of 10 numbers: way (0: a segment; 1, -1: an arc with its centre on the open side, or not), x and y of its middle
-        or its centre, ux and uy of its direction or its middle direction, half its length or its radius, the cosine of half its
-        angle, x and y of its end, 1 where a re-entrant corner is there
+    pieces : rows of 10 numbers: way (0: a segment; 1, -1: an arc with its centre on the open side, or not; 2: an arc of a smooth
+        curve; 3: a post), x and y of its middle or its centre, ux and uy of its direction or its middle direction, half its length
+        or its radius, the cosine of half its angle, x and y of its end, 1 where a re-entrant corner is there
+    panels : rows of the tables of all smooth arcs (:mod:`carom.core.geometry.curve_arcs`)
+    sense : 1 with the balls inside, -1 outside, 0 for an open curve
     restitution, friction, tangential_restitution, stiffness_ratio, contact_time, law, name : fields of every wall
     """
 
@@ -88,19 +124,43 @@ class OutlineWall(WallShape):
     shape: Literal["outline"] = "outline"
     pieces: Annotated[
         tuple[Annotated[tuple[Coefficient, ...], BeforeValidator(_PIECE)], ...],
-        BeforeValidator(Components("2 or more pieces", range(1, 1_000_000))),
+        BeforeValidator(Components("1 or more pieces", range(1, 1_000_000))),
     ]
+    panels: Annotated[
+        tuple[Annotated[tuple[Coefficient, ...], BeforeValidator(_PANEL)], ...],
+        BeforeValidator(Components("rows of tables", range(1_000_000))),
+    ] = ()
+    sense: Coefficient = 1.0
+
+    def features(self) -> tuple[Feature, ...]:
+        """Return its faces, arcs and edges."""
+        return tuple(
+            one._replace(lo1=float(address_of_table(self._table(int(one.lo1))))) if one.kind == CURVE else one
+            for one in super().features()
+        )
+
+    def _table(self, first: int) -> Array:
+        return np.array(self.panels[first : first + int(self.panels[first][COUNT]) + 2])
 
     def outline(self) -> Outline:
-        """Return its closed outline."""
+        """Return its closed outline; the parts of one with smooth arcs."""
         parts = []
         for way, x, y, ux, uy, size, cosine, *_end in self.pieces:
-            if way:
+            if way == SMOOTH:
+                rows, w = self._table(int(cosine))[1:-1, :, None], np.linspace(-1, 1, SAMPLES)
+                xi, f = (
+                    rows[:, HALF] * (1 + w),
+                    (rows[:, COEFFICIENTS:] * w ** np.arange(DEGREE + 1)[:, None]).sum(axis=1),
+                )
+                p = (rows[:, OX] + rows[:, CX] * xi - rows[:, CX + 1] * f).ravel()
+                q = (rows[:, OX + 1] + rows[:, CX + 1] * xi + rows[:, CX] * f).ravel()
+                parts.append(np.stack([x + ux * p - uy * q, y + uy * p + ux * q], axis=-1))
+            elif abs(way) == 1:
                 middle, half = math.atan2(uy, ux), math.acos(max(-1.0, min(1.0, cosine)))
                 parts.append(circle((x, y), size, middle - way * half, middle + way * half))
-            else:
+            elif way == 0:
                 parts.append(np.array([(x - size * ux, y - size * uy), (x + size * ux, y + size * uy)]))
-        return [np.concatenate([*parts, parts[0][:1]])]
+        return parts if self.panels else [np.concatenate([*parts, parts[0][:1]])]
 
     def describe(self) -> str:
         """Return a description of a few words."""
@@ -137,19 +197,17 @@ class FigureWall(WallShape):
         fields = {name: getattr(self, name) for name in self.of.model_fields}
         return self.of(**{name: value for name, value in fields.items() if value is not None})
 
-    @property
-    def is_of_arcs(self) -> bool:
-        """Whether it is straight sides and arcs of circles alone, with the balls inside: the page has its outline."""
-        return True
-
     @functools.cached_property
     def as_outline(self) -> OutlineWall:
         """The same wall by its pieces."""
         loops = self.figure.outline()
         if len(loops) > 1:
             raise_faults([Fault("", "", "a figure without obstacles of its own", f"a {self.kind}")])
-        surface = {name: getattr(self, name) for name in WallShape.model_fields}
-        return OutlineWall(pieces=placed_pieces(self.kind, loops[0], self.center, self.angle), **surface)
+        return OutlineWall(pieces=placed_pieces(self.kind, loops[0], self.center, self.angle), **self._surface)
+
+    @property
+    def _surface(self) -> dict[str, Any]:
+        return {name: getattr(self, name) for name in WallShape.model_fields}
 
     @property
     def numbers(self) -> tuple[float, ...]:
@@ -201,26 +259,16 @@ def placed_piece(piece: Any, corner: bool, center: Place, angle: float) -> tuple
 # Walls of figures with smooth pieces: rooms and posts, and open curves, which have two sides and two ends.
 
 
-Array = NDArray[np.float64]
 OPEN = 1e-9  # of the size: so far may the last place of a closed curve be from the first one
 DRAWN = 360  # places of a smooth piece in a drawing
 
 
-@kernel
-def _no_features(p: Sequence[float], out: Any) -> int:
-    """Write nothing: the features of a curve need its table (:meth:`CurvedWallShape.features`)."""
-    return 0
-
-
 class _Built(NamedTuple):
-    """A boundary in the frame of its figure."""
+    """A boundary: the same by its pieces, their features, which hold addresses of this process, and how it is drawn."""
 
-    arcs: tuple[tuple[int, float, float, float], ...]
-    """Of each arc: the address of its table, a circle in which it lies."""
-    others: tuple[tuple[Piece, bool], ...]
-    """Straight sides and arcs of circles, and whether a re-entrant corner is at their ends."""
-    posts: tuple[Flat, ...]
-    """Ends of open curves, and re-entrant corners at the ends of smooth pieces."""
+    wall: OutlineWall
+    numbers: tuple[float, ...]
+    features: tuple[Feature, ...]
     outline: Array
     """(N, 2)."""
 
@@ -230,7 +278,9 @@ def _way_round(pieces: Sequence[Piece]) -> list[Piece]:
 
 
 @functools.lru_cache(256)
-def _built(of: type[Any], fields: tuple[tuple[str, Hashable], ...], inside: bool, closed: bool) -> _Built:
+def _built(
+    of: type[Any], fields: tuple[tuple[str, Hashable], ...], inside: bool, closed: bool, center: Place, angle: float
+) -> _Built:
     """Return the boundary of a figure, seen from the inside or the outside, or an open curve; a fault where it is none."""
     figure = of(**dict(fields))
     loops = figure.outline()
@@ -253,20 +303,28 @@ def _built(of: type[Any], fields: tuple[tuple[str, Hashable], ...], inside: bool
     if closed and not inside:
         pieces = _way_round(pieces)
     sides = [pieces] if closed else [pieces, _way_round(pieces)]
-    arcs = [arc for side in sides for arc in _arcs(side)]
-    posts: list[Any] = []
-    others: list[tuple[Piece, bool]] = []
-    if closed:
-        at = joints(pieces)
-        for one, turn, (_first, last) in zip(pieces, at.turn, at.ends.tolist(), strict=True):
-            corner = bool(turn < REENTRANT)
-            if _is_simple(one):
-                others.append((one, corner))
-            elif corner:
-                posts.append(tuple(last))
-    else:
-        posts = [tuple(one) for one in (ends[0, 0].tolist(), ends[-1, 1].tolist())]
-    return _Built(tuple(arcs), tuple(others), tuple(posts), outline)
+    (c, s), (x, y) = direction(angle), center
+    rows: list[tuple[float, ...]] = []
+    tables = [table for side in sides for table in _arcs(side)]
+    first = 0
+    for table in tables:
+        p, q, far = arc_circle(table)
+        rows.append((SMOOTH, x, y, c, s, far, float(first), p, q, 0.0))
+        first += len(table)
+    ends_of = joints(pieces) if closed else None
+    posts = [ends[0, 0].tolist(), ends[-1, 1].tolist()] if not closed else []
+    for one, turn, last in zip(pieces, ends_of.turn, ends_of.ends[:, 1].tolist(), strict=True) if ends_of else ():
+        corner = bool(turn < REENTRANT)
+        row = placed_piece(one, corner, center, angle)
+        rows += [] if row is None else [row]
+        posts += [last] if corner and row is None else []
+    rows += [(POST, x + c * p - s * q, y + c * q + s * p, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0) for p, q in posts]
+    panels = tuple(tuple(row) for table in tables for row in table.tolist())
+    wall = OutlineWall(pieces=tuple(rows), panels=panels, sense=float(closed) * (1 if inside else -1))
+    placed = np.array(center) + np.stack(
+        [c * outline[:, 0] - s * outline[:, 1], s * outline[:, 0] + c * outline[:, 1]], axis=-1
+    )
+    return _Built(wall, wall.numbers, wall.features(), placed)
 
 
 def _is_simple(piece: Piece) -> bool:
@@ -281,8 +339,8 @@ def _polylines(pieces: Sequence[Piece]) -> list[Array]:
     return [piece.at(np.linspace(*piece.span(), _samples(piece)))[0] for piece in pieces]
 
 
-def _arcs(pieces: Sequence[Piece]) -> list[tuple[int, float, float, float]]:
-    """Return the arcs of the smooth pieces of a side."""
+def _arcs(pieces: Sequence[Piece]) -> list[Array]:
+    """Return the tables of the arcs of the smooth pieces of a side."""
     found: list[Array] = []
     for piece in pieces:
         try:
@@ -292,7 +350,7 @@ def _arcs(pieces: Sequence[Piece]) -> list[tuple[int, float, float, float]]:
             got = f"one that has none near ({x:.6g}, {y:.6g})"
             raise_faults([Fault("", "", "a curve with a continuous tangent and curvature", got)])
     join_ends([*found, *found[:1]])
-    return [(address_of_table(table), *arc_circle(table)) for table in found]
+    return found
 
 
 class CurvedWallShape(FigureWall):
@@ -306,7 +364,6 @@ class CurvedWallShape(FigureWall):
     restitution, friction, tangential_restitution, stiffness_ratio, contact_time, law, name : fields of every wall
     """
 
-    kernels: ClassVar = ShapeKernels(_no_features)
     inside: Flag = True
 
     @model_validator(mode="after")
@@ -320,48 +377,27 @@ class CurvedWallShape(FigureWall):
 
     @property
     def _boundary(self) -> _Built:
-        """Return its boundary in the frame of the figure. (No property that is kept: an address is one of this process.)"""
+        """Return its boundary. (No property that is kept: an address is one of this process.)"""
         fields = tuple((name, getattr(self, name)) for name in self.of.model_fields if getattr(self, name) is not None)
-        return _built(self.of, fields, self.inside, self._is_closed)
+        return _built(self.of, fields, self.inside, self._is_closed, self.center, self.angle)
 
     @property
-    def is_of_arcs(self) -> bool:
-        """Whether it is straight sides and arcs of circles alone, with the balls inside: the page has its outline."""
-        return self._is_closed and self.inside and not self._boundary.arcs
+    def as_outline(self) -> OutlineWall:
+        """The same wall by its pieces."""
+        return self._boundary.wall.model_copy(update=self._surface)
 
     @property
     def numbers(self) -> tuple[float, ...]:
-        """Return nothing: its kernels take none."""
-        return ()
+        """Return those of its pieces."""
+        return self._boundary.numbers
 
     def features(self) -> tuple[Feature, ...]:
         """Return its arcs, its straight and round sides, and the edges at its ends and corners."""
-        found, (c, s), (x, y) = self._boundary, direction(self.angle), self.center
-        arcs = [
-            Feature(
-                CURVE, (x, y, 0.0), (p, q, 0.0), far, 1.0, (c, s, 0.0), float(address), 0.0, -math.inf, math.inf, -1
-            )
-            for address, p, q, far in found.arcs
-        ]
-        rows = [placed_piece(piece, corner, self.center, self.angle) for piece, corner in found.others]
-        numbers = [float(len(rows)), *(number for row in rows if row is not None for number in row)]
-        posts = [
-            built(put_post, x + c * p - s * q, y + c * q + s * p, -math.inf, math.inf, 0)[0] for p, q in found.posts
-        ]
-        return (*arcs, *built(pieces_features, numbers), *posts)
-
-    def blocked(self, x: Vector) -> bool:
-        """Return whether a point is outside of the room, or in the post; an open curve blocks no place."""
-        if not self._is_closed:
-            return False
-        (c, s), (p, q) = direction(self.angle), (x[0] - self.center[0], x[1] - self.center[1])
-        depth = float(polygon_depth(self._boundary.outline, np.array([[c * p + s * q, c * q - s * p]]))[0])
-        return (depth > 0) != self.inside
+        return self._boundary.features
 
     def outline(self) -> Outline:
         """Return its outline."""
-        (c, s), at = direction(self.angle), self._boundary.outline
-        found = np.array(self.center) + np.stack([c * at[:, 0] - s * at[:, 1], s * at[:, 0] + c * at[:, 1]], axis=-1)
+        found = self._boundary.outline
         return [np.concatenate([found, found[:1]]) if self._is_closed else found]
 
 
