@@ -35,7 +35,7 @@ from carom import track_film
 from carom.errors import CaromError
 from carom.tracks import usable_stages
 from carom.tracks.films import measure_tracks
-from carom.tracks.video.film import TrackedFilm
+from carom.tracks.video.reading import TrackedFilm
 from carom.tracks.video.spin import flight_spins
 
 DRAWN, NAMES, SPIN = "drawn", "three balls", "spin of 60 rad/s, 60/s"
@@ -188,7 +188,8 @@ def middle(values: Sequence[float], form: str = ".2g") -> str:
 def report(run: Campaign, kind: str) -> None:
     """Print a line of a kind."""
     count = {DRAWN: run.count, NAMES: NAMED_FILMS}.get(kind, FILMS)
-    rows = run.go_through([(kind, seed) for seed in range(1 if run.small else count)], one_film)
+    first = run.given.first
+    rows = run.go_through([(kind, first + k) for k in range(1 if run.small else count)], one_film)
     refused = [row["refused"] for row in rows if "refused" in row]
     good = [row for row in rows if "refused" not in row and "frames" not in row]
     said = f"; refused: {len(refused)}" if refused else ""
@@ -229,7 +230,8 @@ def report(run: Campaign, kind: str) -> None:
 def main(words: Sequence[str] | None = None) -> None:
     """A line a kind."""
     kinds = [DRAWN, NAMES, SPIN, *KINDS]
-    with campaign("rendered_films", __doc__, words, count=200, small=1) as run:
+    first = {"type": int, "default": 0, "help": "the first seed (default: 0)"}
+    with campaign("rendered_films", __doc__, words, count=200, small=1, first=first) as run:
         for kind in kinds:
             if run.wants(kind, kinds):
                 report(run, kind)

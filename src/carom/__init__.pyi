@@ -87,7 +87,7 @@ from .sweeps.space import Space as Space
 from .sweeps.sweep import Sweep as Sweep
 from .sweeps.sweep import sweep as sweep
 from .tracks.films import measure_tracks as measure_tracks
-from .tracks.video.film import TrackedFilm as TrackedFilm
 from .tracks.video.film import track_film as track_film
+from .tracks.video.reading import TrackedFilm as TrackedFilm
 
 __version__: str

@@ -13,7 +13,7 @@ from reference.tracked_truth import as_tracked
 
 from carom.plot.film_sheet import COLUMNS, RED, SHOWN, outline_of, plot_film, smooth_residuals, write_overlay
 from carom.plot.fit import film_parts
-from carom.tracks.video.film import TrackedFilm
+from carom.tracks.video.reading import TrackedFilm
 
 FLAGGED = (8, 21)
 

@@ -6,7 +6,7 @@ import av
 import numpy as np
 from reference.rendered_films import RenderedFilm
 
-from carom.tracks.video.film import TrackedFilm
+from carom.tracks.video.reading import TrackedFilm
 
 
 def as_tracked(film: RenderedFilm, noise: float = 0.05, flagged: tuple[int, ...] = (), seed: int = 0) -> TrackedFilm:

@@ -12,7 +12,7 @@ import pytest
 import carom
 from carom.errors import CaromError
 from carom.tracks import Track, judge
-from carom.tracks.video.film import TrackedFilm
+from carom.tracks.video.reading import TrackedFilm
 
 pytest.importorskip("av")
 from reference.rendered_films import (

@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+import carom
 from carom.errors import CaromError
-from carom.tracks.video.film import TrackedFilm, crops
-from carom.tracks.video.reading import Frame, film_times, is_film, open_film
+from carom.tracks.video.reading import Frame, TrackedFilm, crops, film_times, is_film, open_film
+from carom.tracks.video.scale import TableView, parse_corners
 
 av = pytest.importorskip("av")
 RED, GREY = np.array([200, 30, 30]), np.array([60, 60, 60])
@@ -128,3 +129,49 @@ def test_what_is_no_film_is_refused_in_one_line(tmp_path: Path) -> None:
             open_film(one)
         assert str(error.value).count("\n") == 0
     assert is_film(path)
+
+
+@pytest.mark.parametrize("tilt", [0.0, 0.5])
+def test_corners_of_a_table_with_their_height_give_the_places_of_balls(tilt: float) -> None:
+    """A pinhole camera of its own looks at a table of 2.84 m; its corners, 37 mm above the cloth, are known to a pixel."""
+    focal, size, radius = 1400.0, (1920, 1080), 0.03
+    eye = np.array([1.42, 0.71 - 3.0 * np.sin(tilt), 3.0 * np.cos(tilt)])
+    axes = np.array([[1, 0, 0], [0, -np.cos(tilt), -np.sin(tilt)], [0, np.sin(tilt), -np.cos(tilt)]])
+
+    def seen(points: np.ndarray) -> np.ndarray:
+        rays = (points - eye) @ axes.T
+        return (np.array(size) - 1) / 2 + focal * rays[:, :2] / rays[:, 2:]
+
+    rng = np.random.default_rng(1)
+    corners = seen(np.array([[0, 1.42, 0.037], [2.84, 1.42, 0.037], [2.84, 0, 0.037], [0, 0, 0.037]]))
+    corners = corners + rng.normal(0, 0.5, (4, 2))
+    text = ",".join(f"{x:.1f}" for x in corners.ravel()) + "=2.84mx1.42m@37mm"
+    table = TableView.seen(parse_corners(text), size, radius)
+    places = np.column_stack([rng.uniform(0.1, 2.7, 50), rng.uniform(0.1, 1.3, 50), np.full(50, radius)])
+    assert np.abs(table(seen(places)) - places[:, :2]).max() < 0.006
+    other = ",".join(f"{x:.1f}" for x in np.roll(corners, -2, axis=0).ravel()) + "=2.84x1.42@0.037"
+    turned = TableView.seen(parse_corners(other), size, radius)
+    assert np.abs(turned(seen(places)) - (np.array([2.84, 1.42]) - places[:, :2])).max() < 0.006
+    with pytest.raises(CaromError):
+        TableView.seen(parse_corners(text.replace("2.84mx1.42m", "1.42mx2.84m")), size, radius)
+
+
+def test_the_readout_of_a_camera_is_taken_out_of_the_files_of_other_programs() -> None:
+    """Rows of a picture 0.8 m high are read within 15 ms; a ball falls, and rises with 0.8 of its speed."""
+    stamps = np.arange(52) / 60.0
+    hit, g = 0.35, 9.81
+
+    def height(t: np.ndarray) -> np.ndarray:
+        down = 0.5 * g * (hit**2 - t**2)
+        return np.where(t < hit, down, 0.8 * g * hit * (t - hit) - 0.5 * g * (t - hit) ** 2)
+
+    t = stamps.copy()
+    for _ in range(50):
+        t = stamps + 0.015 * (0.5 - height(t) / 0.8)
+    table = {"t [s]": stamps, "x [m]": 0.2 * t, "y [m]": height(t) + 0.02}
+    given = {"view": "side", "noise": 2e-5, "drag": 0.0}
+    found = carom.measure_tracks(table, **given, film={"readout": 0.015, "picture_height": 0.8}).measured[0].contacts[0]
+    assert found.fit is not None
+    assert abs(found.fit["vn_out"] / -found.fit["vn_in"] - 0.8) < 0.0005
+    with pytest.raises(CaromError, match="picture_height"):
+        carom.measure_tracks(table, **given, film={"readout": 0.015})

@@ -75,7 +75,7 @@ _NAMES = {
     FLOOR: "floor_restitution floor_friction floor_tangential_restitution floor_contact gravity rolling_resistance slope",
     RUN: "seed starts law",
     TRACK: "format scale rate down view balls noise wall hard drag window blind",
-    FILM: "length readout ball colour region start end",
+    FILM: "length readout ball colour region corners picture_height start end",
     REBOUNDS: "kind stage where by sigma_v sigma_spin spin every_contact scatter suffix strict",
 }
 SPLIT = ("laws", "fit", "itinerary")  # at commas
@@ -97,6 +97,8 @@ OPTIONS: dict[str, dict[str, Any]] = {
     "ball": {"metavar": "X,Y@T"},
     "colour": {"metavar": "#RRGGBB"},
     "region": {"metavar": "X0,Y0,X1,Y1"},
+    "corners": {"metavar": "X1,Y1,...,X4,Y4=2.84mx1.42m@37mm"},
+    "spin": {"flags": ("--spin",)},
     "start": {"flags": ("--from",)},
     "end": {"flags": ("--to",)},
     "kind": {"metavar": "planar|table"},

@@ -377,7 +377,9 @@ def show(
         wrote(plot)
 
 
-@of_library("tracks.video.film:track_film", without=("path",), panels={FILM: "balls scale rate gravity"})
+@of_library(
+    "tracks.video.film:track_film", without=("path", "picture_height"), panels={FILM: "balls scale rate gravity spin"}
+)
 def track(
     film: Annotated[
         Path, typer.Argument(metavar="FILM", help="A film, from a camera at rest: .mp4, .mov, .webm, .avi ...")
@@ -392,7 +394,6 @@ def track(
     overlay: Annotated[Path | None, typer.Option(help="Write the film with the outlines: .mp4.")] = None,
     as_json: Annotated[bool, shared("json")] = False,
     given: Given,
-    spin: Annotated[bool, option(FILM, "Measure the spin from marks on the ball.", "--spin")] = False,
 ) -> None:
     """Track balls in a film by their outlines, with the times of its container.
 
@@ -412,10 +413,6 @@ def track(
     faults.raise_if_any()
     with working("balls", err()) as bar:
         found = track_film(film, progress=bar, **given)
-        if spin:
-            from carom.tracks.video.spin import with_spins
-
-            found = with_spins(found)
     if as_json:
         columns = {name: column.tolist() for name, column in found.table().items()}
         say_json({

@@ -14,8 +14,7 @@ from carom.files import as_path, atomic_path, import_optional, require_writable
 from carom.plot.style import GREY, INK, PALE, drawn, literal, new_figure
 from carom.plot.tracks import COLOURS
 from carom.tracks.track import position_noise
-from carom.tracks.video.film import TrackedFilm, crops
-from carom.tracks.video.reading import open_film
+from carom.tracks.video.reading import TrackedFilm, crops, open_film
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from carom.fitting.design import Plan
     from carom.fitting.shots import ShotsRanking
     from carom.fitting.tracks import TrackFit, TrackRanking
-    from carom.tracks.video.film import TrackedFilm
+    from carom.tracks.video.reading import TrackedFilm
 
 SHOWN = 4  # laws in one picture
 NAMES = ("normal speed after", "speed along the wall after", "spin after")

@@ -98,12 +98,8 @@ class ContactFitter:
             found, verdict = on_either_floor(found, straight, excess)
             if excess > 0:
                 said = say
-                self.noise, self.blind, self.correlation, self.floor = (
-                    bare.noise,
-                    bare.blind,
-                    bare.correlation,
-                    bare.floor,
-                )
+                self.noise, self.blind = bare.noise, bare.blind
+                self.correlation, self.floor = bare.correlation, bare.floor
             said += verdict
         notes += said
         return found

@@ -15,9 +15,8 @@ from carom.tracks.track import Track
 
 Array = NDArray[np.float64]
 TURN_TIME_S = 0.06  # within which a ball has to turn visibly
-TOUCH_DISTANCE_M = (
-    0.010  # between surfaces: a closer pass counts as a contact of two balls, since the frames cannot exclude it
-)
+# Between surfaces: a closer pass counts as a contact of two balls, since the frames cannot exclude it
+TOUCH_DISTANCE_M = 0.010
 BEYOND_WALL_M = 0.03  # below a wall's line: a lower stair, not the wall
 SIDES = (("left", 0, 1), ("right", 0, -1), ("bottom", 1, 1), ("top", 1, -1))
 

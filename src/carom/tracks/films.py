@@ -155,7 +155,10 @@ def air_together(films: Sequence[Measured]) -> tuple[list[Measured], list[str]]:
 # Films to one measurement and one table: track files are read, measured with what they share, and their rebounds joined.
 
 
-FILM_ARGUMENTS = ("balls", "length", "readout", "ball", "colour", "region", "start", "end")  # of carom.track_film
+# Of carom.track_film
+FILM_ARGUMENTS = (
+    "balls", "length", "readout", "ball", "colour", "region", "corners", "picture_height", "spin", "start", "end",
+)  # fmt: skip
 START_BYTES = 4096  # in which the header of a table shows
 REBOUND_COLUMNS = (
     "v_n_in, v_t_in, v_n_out, v_t_out (m/s, toward the wall, along it, away from it, along it), and spin_in, spin_out if they were"

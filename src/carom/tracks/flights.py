@@ -384,10 +384,8 @@ MAX_PIECES = 400  # of a track
 # cosine of its angle to the vertical, its error bars within that, and their scatter in units of the noise
 FALLS, FALL_FRAMES = ((0.3, 1), (0.2, 1), (0.15, 1), (0.1, 2)), 6
 FALL_SHARE, UPRIGHT, FALL_ERRORS, FALL_SCATTER = 0.15, 0.966, 3.0, 1.8
-CORNERS, NO_CORNER = (
-    (-0.5, -0.25, 0.0, 0.25, 0.5),
-    9.0,
-)  # where a bounce in its place is tried, and by how much chi2 excludes it
+# Where a bounce in its place is tried, and by how much chi2 excludes it
+CORNERS, NO_CORNER = (-0.5, -0.25, 0.0, 0.25, 0.5), 9.0
 # Of gravity, the largest deceleration on a table; a speed, m/s, that counts as motion; slope of a path that is level
 MAX_SLIDING, MOVING, LEVEL = 0.7, 0.15, 0.1
 UNIT_SHARE = 0.15

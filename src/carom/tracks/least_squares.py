@@ -17,9 +17,8 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 FADES, SHARES = (0.3, 0.5, 0.65, 0.8, 0.87, 0.92, 0.95, 0.98), (1.0, 0.85, 0.7, 0.5, 0.3)
-SIGNIFICANT = (
-    14.0  # of twice the difference of log likelihoods, for two more parameters: by chance in one film of 1,000
-)
+# Of twice the difference of log likelihoods, for two more parameters: by chance in one film of 1,000
+SIGNIFICANT = 14.0
 MAX_FITS, MAX_FRAMES = 12, 200  # of a film, and of a fit: more would only take longer
 # If a side of a contact has more frames than this, they are averaged in this number of groups, except for those next to it.
 MAX_SINGLE_FRAMES, GROUPS, NEAR_FRAMES = 160, 56, 8

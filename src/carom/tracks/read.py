@@ -29,8 +29,8 @@ from carom.tracks.formats.projects import START, foreign_file
 from carom.tracks.formats.tables import Calibration, first_rows
 from carom.tracks.preprocess import with_one_name, with_own_names
 from carom.tracks.track import Track, position_noise
-from carom.tracks.video.film import TrackedFilm, track_film
-from carom.tracks.video.reading import is_film
+from carom.tracks.video.film import track_film
+from carom.tracks.video.reading import TrackedFilm, is_film
 
 MESSAGE_PACK = ".msgpack"
 OF_REBOUNDS = ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in")  # columns
@@ -169,7 +169,18 @@ def _with_positions(path: Path, name: str, tracks: list[Track], calibration: Cal
         raise CaromError(f"{path}: {FORMATS[name].title}: expected positions of a ball, got none")
     if name != "columns":  # (which does so before its units are converted)
         tracks = [without_marked_places(track, calibration.scale or 1.0) for track in tracks]
-    return _checked_tracks(path, name, tracks, calibration)
+    found = _checked_tracks(path, name, tracks, calibration)
+    readout, height = (calibration.film.get(one) for one in ("readout", "picture_height"))
+    if not readout:
+        return found
+    if not height:
+        wanted = "the height of the picture in the scene, m, with `readout`"
+        raise CaromError(Fault(f"{path}", "`picture_height`", wanted, "none"))
+    # (a row that is lower in the picture is read later; where the picture begins shifts all times alike)
+    seen = [one.select(one.seen) for one in found.tracks]
+    return replace(found, tracks=tuple(
+        replace(one, time=one.time - readout * one.position[:, 1] / height, stamped=True) for one in seen
+    ))  # fmt: skip
 
 
 def _checked_tracks(path: Path, name: str, tracks: Sequence[Track], calibration: Calibration) -> TrackFile:

@@ -296,20 +296,9 @@ def require_calibration(
 # Used only in a table without a column x or y: a table with them may have a height, or a distance, besides.
 X_WORDS = ("horizontal", "distance", "weite", "strecke", "abscisse", "abszisse")
 Y_WORDS = (
-    "vertical",
-    "height",
-    "höhe",
-    "hoehe",
-    "hauteur",
-    "altura",
-    "altezza",
-    "ordonnée",
-    "ordinate",
-    "altitude",
-    "elevation",
-    "position",
-    "h",
-)
+    "vertical", "height", "höhe", "hoehe", "hauteur", "altura", "altezza", "ordonnée", "ordinate", "altitude", "elevation",
+    "position", "h",
+)  # fmt: skip
 NAMED = ColumnNames({
     "time": ("time", ("t", "seconds", "sec", "secs", "second", "elapsed", "elapsed_time", "zeit", "temps", "tiempo", "tempo",
                       "tijd", "tid", "czas", "timestamp", "time_stamp")),

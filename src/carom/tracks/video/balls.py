@@ -22,7 +22,7 @@ CHANGED = 0.2  # share of a picture that changes where the camera moves
 PARTS = 6  # of the samples, whose medians are compared
 GHOST = 0.8  # of the gradient along a region's edge: what was seen at another time is the background
 LOST = 6  # frames after which a ball is no longer followed
-REACH = 6.0  # radii that a ball moves at most between its first two frames
+REACH = 14.0  # radii that a ball moves at most between its first two frames
 ALIKE = 0.35  # by which radii of blobs of one ball differ, in a frame and the next (as a logarithm)
 COLOUR, TONE = 35.0, 10.0  # levels by which colours of one ball differ at most, and usually
 TONES = (60.0, 15.0, 15.0)  # of y, u, v: of the pixels of one ball
@@ -140,9 +140,7 @@ def sampled(film: FilmFile, keep: tuple[float, float]) -> list[tuple[Bytes, Byte
             if count % stride == 0:
                 kept.append((frame.y.copy(), frame.u.copy(), frame.v.copy()))
             count += 1
-            if len(kept) >= 2 * most or (
-                len(kept) > most and stride > 1 and count % stride == 0 and len(kept) > 2 * most
-            ):
+            if len(kept) >= 2 * most:
                 kept, stride = kept[::2], 2 * stride
         if len(kept) >= MANY_KEYS or not keys:
             return kept[:: -(-len(kept) // most)] if len(kept) > most else kept
@@ -170,9 +168,8 @@ def find_background(samples: Sequence[tuple[Bytes, Bytes, Bytes]]) -> Background
     ):
         # (what a ball at rest made of the scatter is none)
         off[_widened(_differ(now, before), 7) > least] = np.median(off)
-        limits.append(
-            np.clip(np.maximum(least, NOISES * 1.4826 * _widened(off).astype(float) + 2), 0, 250).astype(np.uint8)
-        )
+        level = np.maximum(least, NOISES * 1.4826 * _widened(off).astype(float) + 2)
+        limits.append(np.clip(level, 0, 250).astype(np.uint8))
     y, u, v = planes
     return Background((y, u, v), half_size(y), (limits[0], limits[1], limits[2]), (noise[0], noise[1], noise[2]))
 
@@ -345,13 +342,13 @@ class Linker:
             for j, blob in enumerate(blobs):
                 at = np.array([blob.x, blob.y])
                 off = float(np.hypot(*(at - place)))
-                size, tone = (
-                    abs(float(np.log(blob.radius / last.radius))),
-                    float(np.abs(np.subtract(blob.colour, colour)).max()),
-                )
+                size = abs(float(np.log(blob.radius / last.radius)))
+                tone = float(np.abs(np.subtract(blob.colour, colour)).max())
                 if off < reach and (size < ALIKE or blob.cut or last.cut) and tone < COLOUR:
                     part = float(np.clip((at - start) @ way / max(length**2, 1e-9), 0, 1))
                     aside = (off + float(np.hypot(*(at - start - part * way)))) / 2
+                    if len(path.frames) == 1:  # (nothing is known of its way)
+                        aside *= UNSEEN[0] / REACH / 2
                     area = 0.0 if blob.cut or last.cut else abs(float(np.log(blob.area / usual))) / 2
                     costs[i, j] = aside / max(last.radius, 1.0) + 2 * size + tone / TONE + area + gap - 1
         linked: set[int] = set()
@@ -386,10 +383,8 @@ class Linker:
         if len(claims) < 2:
             return [region]
         middles = np.array([way for _off, _k, way, _path in claims])
-        sizes, tones = (
-            np.array([one[-1].blobs[-1].radius for one in claims]),
-            np.array([one[-1].colour for one in claims]),
-        )
+        sizes = np.array([one[-1].blobs[-1].radius for one in claims])
+        tones = np.array([one[-1].colour for one in claims])
         unlike = (((region.tone[:, None] - tones) / TONES) ** 2).sum(axis=2)
         for _ in range(8):
             owner = (((pixels[:, None] - middles) ** 2).sum(axis=2) / sizes**2 + unlike).argmin(axis=1)
@@ -415,9 +410,8 @@ def likely_paths(paths: Sequence[Path], least: int) -> list[Path]:
         shadow = float(np.median([one.shade for one in whole])) > SHADE
         if shadow or extent < 1.5 * path.radius or path.radius < 2.0 or fill < 0.75:
             continue
-        found.append(
-            (len(path.frames) * fill**4 / (1 + (spread / 0.1) ** 2) * min(extent / path.radius / 6, 1.0), path)
-        )
+        score = len(path.frames) * fill**4 / (1 + (spread / 0.1) ** 2) * min(extent / path.radius / 6, 1.0)
+        found.append((score, path))
     return [path for _score, path in sorted(found, key=lambda one: -one[0])]
 
 

@@ -2,7 +2,8 @@
 
 A picture is (1 - A) B (1 + G) + A F: A is the part of a pixel that the ball covers, B the background, F and G are Fourier series
 around the rim (what the ball looks like there; its shadow), found anew for each A (variable projection). Only pixels beside the
-edge enter, the same ones for all that is compared.
+edge enter, the same ones for all that is compared. Light is what mixes in a pixel, so brightness is taken out of the camera's
+gamma: as stored, an edge is off by an amount that changes with the ground behind it.
 """
 
 from __future__ import annotations
@@ -15,20 +16,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-ORDER, MORE, SHADOW_ORDER = (
-    6,
-    (15.0, 10),
-    1,
-)  # of the Fourier series of ball, of one from so many px on, and of its shadow
+ORDER, MORE = 6, (15.0, 16)  # of the Fourier series of a ball, and of one from so many px on
 SHADOW = 1 / 30  # standard deviation of the shadow's prior, of the background
 INSIDE, OUTSIDE = (2.8, 0.5), (0.35, 3.5, 7.0)  # of the band: times the blur plus px; of the radius, least and most px
 CHROMA_BLUR = 1.3  # px, of colour planes, beside that of the lens
 PLACES = 25  # of the exposure, at most
 HUBER = 3.0
-STEPS = 8
+STEPS = 6
 BLOCK = 256  # pixels
+GAMMA, BLACK, WHITE = 2.2, 16.0, 219.0  # of brightness as stored; levels: of black, and from there to white
+LEAST_SLOPE = 0.15  # of light over brightness, by which noise is multiplied
 LEAST_WAY = 0.4  # px, in an exposure of the fastest
-MOST_PIXELS = 2600  # of a plane, evenly taken from the band
+MOST_PIXELS = 1300  # of a plane, evenly taken from the band
+LEAST_PIXELS, LEAST_SEEN = 30, 0.2  # of a band; of a rim
 SECTORS = 16
 
 
@@ -74,6 +74,8 @@ class Outline(NamedTuple):
     """Of what the picture differs from the background, explained."""
     seen: float
     """Part of the rim at which ball and ground differ."""
+    colour: Array
+    """(3,) of the ball at its rim: light, u, v, levels."""
 
 
 @dataclass
@@ -108,15 +110,15 @@ def _band(
         rows, columns = np.nonzero((distance > -wide) & (distance < beyond))
         every = -(-len(rows) // MOST_PIXELS) if len(rows) else 1
         rows, columns = rows[::every], columns[::every]
-        parts.append(
-            np.stack(
-                [
-                    x[columns] + place[0], y[rows] + place[1], plane[rows, columns].astype(float),
-                    ground[rows, columns].astype(float), np.full(len(rows), CHROMA_BLUR**2 if k else 0.0),
-                    np.full(len(rows), 1 / optics.noise[k]),
-                ]
-            )
-        )  # fmt: skip
+        seen, behind, steep = plane[rows, columns].astype(float), ground[rows, columns].astype(float), 1.0
+        if k == 0:
+            seen, behind = (np.maximum(one - BLACK, 1.0) / WHITE for one in (seen, behind))
+            steep = np.maximum(GAMMA * seen ** (GAMMA - 1), LEAST_SLOPE)  # type: ignore[assignment]
+            seen, behind = WHITE * seen**GAMMA, WHITE * behind**GAMMA
+        ones = np.ones(len(rows))
+        where = x[columns] + place[0], y[rows] + place[1]
+        wide = CHROMA_BLUR**2 if k else 0.0
+        parts.append(np.stack([*where, seen, behind, ones * wide, ones / (optics.noise[k] * steep)]))
         planes.append(slice(count, count + len(rows)))
         count += len(rows)
     x, y, seen, behind, blur, weight = np.concatenate(parts, axis=1)
@@ -142,12 +144,9 @@ def _covered(pixels: _Pixels, p: Array, speed: Array, rows: Sequence[float], nam
     # (a row that is read later sees the ball further on)
     fast = (speed[0] * rows[0] + speed[1] * rows[1]) ** 2
     along = 1e3 * row * (long + more * fast)
-    dx = (dx - along * rows[0] - 1e3 * row * skew * rows[1] - lag * row * speed[0])[None, :] - part * (
-        exposure * speed[0]
-    )
-    dy = (dy - along * rows[1] + 1e3 * row * skew * rows[0] - lag * row * speed[1])[None, :] - part * (
-        exposure * speed[1]
-    )
+    turn = 1e3 * row * skew
+    dx = (dx - along * rows[0] - turn * rows[1] - lag * row * speed[0])[None, :] - part * (exposure * speed[0])
+    dy = (dy - along * rows[1] + turn * rows[0] - lag * row * speed[1])[None, :] - part * (exposure * speed[1])
     distance = np.maximum(np.sqrt(dx * dx + dy * dy), 1e-9)
     z = (radius - distance) / sigma
     density = np.exp(-0.5 * z * z) / (np.sqrt(2 * np.pi) * sigma)
@@ -219,9 +218,11 @@ def fit_outline(
         p[3] = 0.12 * optics.radius + 1.0
         wide = max(0.5 * optics.radius, 3.0)
         pixels = _band(patch, p[:2], speed * optics.exposure, optics.radius, wide, wide, optics)
-        p = _descended(pixels, p, v, "xy", 1, 3, optics)[0]
+        p = _descended(pixels, p, v, "xy", 1, 3, optics)[0] if len(pixels.x) >= LEAST_PIXELS else p
         p[3] = optics.psf
     pixels = _rim(patch, *(like[0] if like else (p[:2], speed)), optics, "r" in free)
+    if len(pixels.x) < LEAST_PIXELS:
+        return Outline(p[:2].copy(), optics.radius, np.inf, 0.0, 0.0, np.full(3, np.nan))
     p, residual, differ = _descended(pixels, p, v, free, order or _order(optics), STEPS, optics)
     away = pixels.seen - pixels.ground
     scaled = (residual * pixels.weight) ** 2
@@ -230,7 +231,10 @@ def fit_outline(
     sector = np.floor((angle / (2 * np.pi) + 0.5) * SECTORS).astype(int) % SECTORS
     strong = np.bincount(sector, np.abs(differ) * pixels.weight, SECTORS)
     seen = float((strong > 4.0 * np.maximum(np.bincount(sector, minlength=SECTORS), 1)).mean())
-    return Outline(p[:2].copy(), float(p[2]), float(scaled.mean()) if len(scaled) else np.inf, share, seen)
+    if seen < LEAST_SEEN:
+        return Outline(p[:2].copy(), float(p[2]), np.inf, share, seen, np.full(3, np.nan))
+    colour = np.array([np.median((differ + pixels.ground)[part]) for part in pixels.planes])
+    return Outline(p[:2].copy(), float(p[2]), float(scaled.mean()), share, seen, colour)
 
 
 def _rim(patch: Patch, place: Array, speed: Array, optics: Optics, loose: bool) -> _Pixels:
@@ -295,9 +299,8 @@ def fit_optics(
     index = ["xyrseqbcd".index(name) for name in free]
     limit = np.array([0.15 * optics.radius, 0.5, 4.0, 20.0, 0.1, 0.1, 0.1])[np.array(index) - 2]
     # (nothing is seen of an exposure of zero that it should be longer)
-    least = np.array(
-        [1.0, 0.35, LEAST_WAY / max(1e-3 * max(float(np.hypot(*speed)) for *_rest, speed in frames), 1e-3)]
-    )
+    fastest = max(1e-3 * max(float(np.hypot(*speed)) for *_rest, speed in frames), 1e-3)
+    least = np.array([1.0, 0.35, LEAST_WAY / fastest])
     for turn in range(steps):
         total, pulls, inner = np.zeros((len(index), len(index))), [], []
         for pixels, place, (_patch, _place, speed) in zip(bands, places, frames, strict=True):

@@ -1,23 +1,20 @@
-"""A film in which balls were tracked: places, times, outline of each frame, and the pixels around a ball."""
+"""From a film to tracks: what moves; the optics from some frames of each candidate; then the outlines in all frames."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from os import PathLike
+import functools
+from collections.abc import Callable, Sequence
 from pathlib import Path as FilePath
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from carom.errors import CaromError, Fault, noting
-from carom.files import as_path, write_text
+from carom.files import as_path
 from carom.formatting import counted
 from carom.public.defaults import GRAVITY
-from carom.public.other_rooms import figure_maker
 from carom.public.progress import Progress
-from carom.tracks.track import Track
+from carom.tracks.track import Track, position_noise
 from carom.tracks.video.balls import (
     CHANGED,
     LOST,
@@ -33,10 +30,11 @@ from carom.tracks.video.balls import (
     sampled,
 )
 from carom.tracks.video.edges import Optics, Patch, fit_optics, fit_outline
-from carom.tracks.video.reading import Array, Bytes, FilmFile, film_times, open_film
+from carom.tracks.video.reading import Array, FilmFile, TrackedFilm, film_times, open_film, patches
 from carom.tracks.video.scale import (
     MOST_MISFIT,
     Asked,
+    TableView,
     check_arguments,
     choose_readout,
     choose_scale,
@@ -44,137 +42,16 @@ from carom.tracks.video.scale import (
     fit_falls,
     row_phase,
     rows_direction,
+    sides,
     turning,
 )
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-Mask = NDArray[np.bool_]
-AROUND = 1.6  # radii that a crop shows around the middle of the ball
-
-
-@dataclass(frozen=True, eq=False)
-class TrackedFilm:
-    """Balls tracked in a film, in pixels: x to the right and y down, from the middle of the first pixel of the upright picture.
-
-    F is the number of frames.
-    """
-
-    path: FilePath
-    times: Array
-    """(F,) s, from the first frame on: the middle of each exposure, in the row of the picture's middle."""
-    places: Mapping[str, Array]
-    """By ball: (F, 2) px, the middle of its outline; NaN where it was not seen."""
-    radius_px: float
-    """Radius of the balls, px."""
-    outline_cost: Array
-    """(F,) mean square misfit of the outline, 1 for the usual frame; the worst of the balls, NaN where none was seen."""
-    flagged: Mask
-    """(F,): frames in which the outline of a ball does not fit."""
-    exposure: float
-    """s."""
-    psf: float
-    """Standard deviation of the blur of the camera, px."""
-    background: Bytes
-    """(H, W, 3): red, green, blue of the picture without what moves."""
-    velocity_px: Mapping[str, Array]
-    """By ball: (F, 2) px/s, in the frame; NaN where it was not seen."""
-    notes: tuple[str, ...] = ()
-    used: Mapping[str, Mask] = field(default_factory=dict)
-    """By ball: (F,) frames whose place is used: seen, not flagged, without a contact within the exposure."""
-    tracks: tuple[Track, ...] = ()
-    """In m, upward from the picture's lower left corner, with the times of the balls' rows."""
-    scale: float = np.nan
-    """m per px."""
-    readout: float = 0.0
-    """s, from the first to the last row of the camera."""
-    readout_error: float = 0.0
-    """s, where it was found; shared by all times of rows, and so part of the error bars of what is measured."""
-
-    def table(self) -> dict[str, NDArray[Any]]:
-        """Return the columns ``t [s]``, ``x [m]``, ``y [m]``, ``ball`` of the tracks, a row per ball and frame; and their spins."""
-        rows = {"t [s]": [one.time for one in self.tracks]}
-        rows |= {f"{axis} [m]": [one.position[:, k] for one in self.tracks] for k, axis in enumerate("xy")}
-        for name, label in (
-            ("spin", "spin [rad/s]"),
-            ("sigma_spin", "sigma_spin [rad/s]"),
-            ("sigma_time", "sigma_t [s]"),
-        ):
-            more = [part for one in self.tracks if (part := getattr(one, name)) is not None]
-            if np.isfinite(np.concatenate([np.zeros(0), *more])).any():
-                rows[label] = more
-        found = {name: np.concatenate([np.zeros(0), *parts]) for name, parts in rows.items()}
-        return found | {"ball": np.array([one.name for one in self.tracks for _ in range(len(one))], dtype=object)}
-
-    def save(self, path: str | PathLike[str]) -> FilePath:
-        """Write the table as .csv: ``t [s]``, ``x [m]``, ``y [m]``, ``ball``, with all digits."""
-        file, columns = as_path("TrackedFilm.save", path), self.table()
-        rows = zip(*(column.tolist() for column in columns.values()), strict=True)
-        lines = [",".join(columns), *(",".join(map(str, row)) for row in rows), ""]
-        write_text(file, "\n".join(lines))
-        return file
-
-    def sheet(self, file: str | PathLike[str]) -> Figure:
-        """Draw the contact sheet, to look at what was tracked: .png, .svg or .pdf."""
-        return figure_maker("plot_film")(self, file)  # type: ignore[no-any-return]
-
-    def __repr__(self) -> str:
-        """Return one line: the number of balls and frames."""
-        balls = ", ".join(f"{name} {int(np.isfinite(x[:, 0]).sum())}" for name, x in self.places.items())
-        return f"<TrackedFilm {self.path.name}: {counted(len(self.times), 'frame')}; seen: {balls}>"
-
-
-class Crop(NamedTuple):
-    """Pixels around a ball in a frame."""
-
-    frame: int
-    corner: tuple[int, int]
-    """x, y of the first pixel, px."""
-    pixels: Bytes
-    """(h, w, 3): red, green, blue; parts beyond the picture's edge are left out."""
-
-
-def crops(film: TrackedFilm, ball: str, frames: Sequence[int]) -> Iterator[Crop]:
-    """Yield the pixels around a ball in some frames, in the order of the film; frames in which it was not seen are left out.
-
-    Each shows 1.6 radii around the middle, and the way of the exposure. The film is read again from its beginning.
-    Raises CaromError for a ball that is none of the film's, and if the film can no longer be read.
-    """
-    if ball not in film.places:
-        raise CaromError(Fault("crops", "ball", f"one of {', '.join(film.places)}", repr(ball)))
-    file, wanted = open_film(film.path), {int(k) for k in frames}
-    last = max(wanted, default=-1)
-    for frame in file.frames() if wanted else ():
-        if frame.number > last:
-            return
-        x, y = film.places[ball][frame.number] if frame.number < len(film.times) else (np.nan, np.nan)
-        if frame.number not in wanted or not np.isfinite(x):
-            continue
-        way = np.nan_to_num(film.velocity_px[ball][frame.number]) * film.exposure / 2
-        (left, right), (top, bottom) = (
-            np.clip([middle - half, middle + half], 0, most).astype(int) // 2 * 2
-            for middle, half, most in zip(
-                (x, y), AROUND * film.radius_px + np.abs(way) + 2, frame.y.shape[::-1], strict=True
-            )
-        )
-        if right > left and bottom > top:
-            rows, columns = slice(top, bottom), slice(left, right)
-            halves = slice(top // 2, bottom // 2), slice(left // 2, right // 2)
-            pixels = file.to_rgb(frame.y[rows, columns], frame.u[halves], frame.v[halves])
-            yield Crop(frame.number, (int(left), int(top)), pixels)
-
-
-# ----------------------------------------------------------------------------------------------------
-# From the file to the record: background, blobs, paths; the optics from some frames of each candidate; then all frames.
+from carom.tracks.video.spin import with_spins
 
 LEAST_FRAMES = 6
 SAMPLED = 10  # frames of a candidate from which the optics are found
 FEW, MANY = 24, 80  # frames of a ball from which the camera's readout is found, at first and in the end
-LAG_ERROR, LAG_SHARE = (
-    (1.3, 4.0),
-    0.04,
-)  # times the error by the frames' scatter, rows from top to bottom, sideways; of the readout
+LAG_ERROR = 1.3, 4.0  # times the error by the frames' scatter, of rows from top to bottom, and of those read sideways
+LAG_SHARE = 0.04  # of the readout, its error at least
 MOST_BYTES = 150e6  # of patches that are kept at once
 SHARE, RIM = 0.75, 0.6  # of what a candidate's picture shows, explained by a disc; of its rim, seen
 WHOLE_RIM, SHIFT = 0.85, 0.25  # of the rim, seen in brightness and in colour; px between these two, usually
@@ -182,10 +59,12 @@ ALIKE_SIZE = 0.12  # scatter of a ball's radius in the frames, at most
 SHARPER = 0.85  # blur of a ball without its shadow, of that with it
 LIKE = 0.5  # of the frames of the best candidate: another one with as many is as likely
 ASTRAY = 5.0, 0.06  # from where frames before, and those after, have the ball: times the usual, and radii
+OTHER_LIGHT, OTHER_COLOUR = (0.4, 15.0), 20.0  # of the lighter of two rims, and levels; levels: no pattern makes that
 FLAGGED = 8.0  # times the usual cost
 FAR = 25.0  # radii: the way of what surely moves
+UNSTEADY = 0.04  # of the radius: scatter about a smooth path
 GROWS = 0.03  # of the radius, that is said
-FAST = 0.2  # radii from frame to frame: a ball whose blur tells the exposure
+FAST, SLOW = 0.2, 0.3  # radii from frame to frame, and of the largest speed: a ball whose blur tells the exposure
 LONGEST, STRETCHED = 1.2, 0.7  # of the time from frame to frame, an exposure; of the radius, a blur that says so
 LONG_EXPOSURE = 0.5  # of the time from frame to frame
 
@@ -213,34 +92,8 @@ class Candidate(NamedTuple):
     @property
     def is_ball(self) -> bool:
         """Whether a disc explains what is seen."""
-        outline = (
-            self.share > SHARE
-            and self.seen > RIM
-            and self.scatter < ALIKE_SIZE / 2 + 0.25 / self.optics.radius
-            and self.optics.radius > 2.5
-        )
-        return outline and not self.stretched
-
-
-def patches(
-    film: FilmFile, ground: Background, wanted: Mapping[int, Sequence[tuple[Any, Array, float]]]
-) -> Iterator[tuple[Any, Patch]]:
-    """Yield the pixels around places, with their keys: ``wanted`` has, by frame, keys, places (2,) and half widths, px."""
-    last = max(wanted, default=-1)
-    for frame in film.frames() if wanted else ():
-        if frame.number > last:
-            return
-        height, width = frame.y.shape
-        for key, place, half in wanted.get(frame.number, ()):
-            low = np.maximum(np.floor(place - half), 0).astype(int) // 2 * 2
-            high = np.minimum(np.ceil(place + half), [width, height]).astype(int) // 2 * 2
-            if (high - low < 8).any():
-                continue
-            rows, columns = slice(low[1], high[1]), slice(low[0], high[0])
-            halves = slice(low[1] // 2, high[1] // 2), slice(low[0] // 2, high[0] // 2)
-            planes = frame.y[rows, columns].copy(), frame.u[halves].copy(), frame.v[halves].copy()
-            y, u, v = ground.planes
-            yield key, Patch(frame.number, (int(low[0]), int(low[1])), planes, (y[rows, columns], u[halves], v[halves]))
+        even = self.scatter < ALIKE_SIZE / 2 + 0.25 / self.optics.radius
+        return self.share > SHARE and self.seen > RIM and even and self.optics.radius > 2.5 and not self.stretched
 
 
 def velocities(times: Array, places: Array) -> tuple[Array, Array, Array]:
@@ -271,12 +124,8 @@ def _dense(path: Path, count: int, times: Array) -> Array:
     found = np.full((count, 2), np.nan)
     frames, places = np.array(path.frames), path.places
     inner = np.arange(frames[0], frames[-1] + 1)
-    gap = (
-        np.diff(frames)[np.clip(np.searchsorted(frames, inner, side="right") - 1, 0, len(frames) - 2)]
-        if len(frames) > 1
-        else 1
-    )
-    known = inner[(gap <= LOST) | np.isin(inner, frames)]
+    after = np.searchsorted(frames, inner)
+    known = inner[frames[after] - frames[np.maximum(after - 1, 0)] <= np.where(frames[after] == inner, np.inf, LOST)]
     for axis in (0, 1):
         found[known, axis] = np.interp(times[known], times[frames], places[:, axis])
     return found
@@ -318,11 +167,10 @@ def _some_patches(
         good = sorted(steady if len(steady) >= LEAST_FRAMES else usual, key=lambda i: path.blobs[i].blur)
         for i in {good[round(one)] for one in np.linspace(0, len(good) - 1, SAMPLED)} if good else ():
             blob = path.blobs[i]
-            wanted.setdefault(path.frames[i], []).append(
-                ((k, i), np.array([blob.x, blob.y]), 1.7 * size + blob.blur / 2 + 8)
-            )
+            half = 1.7 * size + blob.blur / 2 + 8
+            wanted.setdefault(path.frames[i], []).append(((k, i), np.array([blob.x, blob.y]), half))
     rows: list[list[tuple[Patch, Blob, Array]]] = [[] for _ in paths]
-    for (k, i), patch in patches(film, ground, wanted):
+    for (k, i), patch in patches(film, ground.planes, wanted):
         rows[k].append((patch, paths[k].blobs[i], np.nan_to_num(speeds[k][patch.frame])))
     return list(zip(paths, rows, strict=True))
 
@@ -330,11 +178,9 @@ def _some_patches(
 def _candidate(path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Background, interval: float) -> Candidate:
     """Return a candidate from its pixels in some frames, with blobs and velocities."""
     noise = tuple(max(2 * one, least) for one, least in zip(ground.noise, (1.5, 0.8, 0.8), strict=True))
-    quick, blur = (
-        np.array([np.hypot(*speed) for *_rest, speed in some]),
-        np.array([one.blur for _patch, one, _speed in some]),
-    )
-    fast = quick * interval > FAST * path.radius
+    quick = np.array([np.hypot(*speed) for *_rest, speed in some])
+    blur = np.array([one.blur for _patch, one, _speed in some])
+    fast = quick > max(FAST * path.radius / interval, SLOW * quick.max())
     exposure = float(np.median(blur[fast] / quick[fast])) if fast.any() else 0.0
     optics = Optics(0.95 * path.radius, 1.0, min(exposure, interval), noise, rows=ground.rows, lag=ground.lag)  # type: ignore[arg-type]
     first = [
@@ -385,7 +231,7 @@ def _followed(
     """Return the places (F, 2) and costs (F,) of a ball's outline in all frames of its path."""
     count = len(times)
     seeds = _dense(ball.path, count, times)
-    places, costs = np.full((count, 2), np.nan), np.full(count, np.nan)
+    places, costs, colours = np.full((count, 2), np.nan), np.full(count, np.nan), np.full((count, 3), np.nan)
     speed = velocities(times, seeds)[0]
     blurs = dict(zip(ball.path.frames, (one.blur for one in ball.path.blobs), strict=True))
     radii = _radius_of_frames(ball, count)
@@ -402,10 +248,10 @@ def _followed(
     held = 0.0
 
     def finish() -> None:
-        _fit_chunk(chunk, ball.optics, radii, times, seeds, places, costs)
+        _fit_chunk(chunk, ball.optics, radii, times, seeds, places, costs, colours)
         chunk.clear()
 
-    for _key, patch in patches(film, ground, wanted):
+    for _key, patch in patches(film, ground.planes, wanted):
         chunk.append(patch)
         held += 2 * sum(one.nbytes for one in patch.planes)
         if held > MOST_BYTES:
@@ -419,7 +265,12 @@ def _followed(
         if len(near) == 2:
             off[k] = min(float(np.hypot(*(at - places[k]))) for at, _speed in near)
     usual = float(np.nanmedian(off)) if np.isfinite(off).any() else 0.0
-    costs[off > np.maximum(ASTRAY[0] * usual, ASTRAY[1] * radii)] = 1e6  # (the outline of something else)
+    strange = off > np.maximum(ASTRAY[0] * usual, ASTRAY[1] * radii)
+    if np.isfinite(colours).any():
+        away = np.abs(colours - np.nanmedian(colours, axis=0))
+        light = away[:, 0] > OTHER_LIGHT[0] * np.fmax(colours[:, 0], np.nanmedian(colours[:, 0])) + OTHER_LIGHT[1]
+        strange |= light | (away[:, 1:].max(axis=1) > OTHER_COLOUR)
+    costs[strange] = 1e6  # (the outline of something else, or of nothing)
     return places, costs
 
 
@@ -440,14 +291,14 @@ def _radius_of_frames(ball: Candidate, count: int) -> Array:
 
 
 def _fit_chunk(
-    chunk: Sequence[Patch], optics: Optics, radii: Array, times: Array, seeds: Array, places: Array, costs: Array
-) -> None:
+    chunk: Sequence[Patch], optics: Optics, radii: Array, times: Array, seeds: Array, places: Array, costs: Array, colours: Array
+) -> None:  # fmt: skip
     """Fit the outlines in some frames, in rounds: with the way of the blobs, of the places found, and, where bad, from beside."""
     by_frame = {patch.frame: patch for patch in chunk}
     speed = np.nan_to_num(velocities(times, seeds)[0])
     for k, patch in by_frame.items():
         found = fit_outline(patch, seeds[k], speed[k], optics._replace(radius=radii[k]))
-        places[k], costs[k] = found.place, found.cost
+        places[k], costs[k], colours[k] = found.place, found.cost, found.colour
     for turn in range(3):
         both, before, after = velocities(times, places)
         usual = float(np.nanmedian(costs)) if np.isfinite(costs).any() else 1.0
@@ -468,19 +319,15 @@ def _fit_chunk(
             tried = [fit_outline(patch, *one, at, coarse=bad, like=same[:1]) for one in starts]
             best = min(range(len(tried)), key=lambda i: tried[i].cost)
             if not np.isfinite(costs[k]) or tried[best].cost < costs[k] or not bad:
-                places[k], costs[k], speed[k] = tried[best].place, tried[best].cost, starts[best][1]
+                places[k], costs[k], colours[k] = tried[best].place, tried[best].cost, tried[best].colour
+                speed[k] = starts[best][1]
 
 
 def _from_beside(k: int, times: Array, places: Array, costs: Array, most: float) -> list[tuple[Array, Array]]:
     """Return places and velocities in a frame by the parabolas through the good frames before it, and after it."""
-    found = []
-    good = np.flatnonzero((costs <= most) & np.isfinite(places[:, 0]))
-    for side in (good[good < k][-4:], good[good > k][:4]):
-        if len(side) >= 3 and abs(side - k).max() < 9:
-            t = times[side] - times[k]
-            fit = [np.polyfit(t, places[side, axis], 2) for axis in (0, 1)]
-            found.append((np.array([one[2] for one in fit]), np.array([one[1] for one in fit])))
-    return found
+    return [
+        (one[2], one[1]) for one in sides(k, np.flatnonzero((costs <= most) & np.isfinite(places[:, 0])), times, places)
+    ]
 
 
 def track_film(
@@ -495,6 +342,9 @@ def track_film(
     ball: Sequence[str] | str = (),
     colour: str | None = None,
     region: str | None = None,
+    corners: str | None = None,
+    picture_height: float | None = None,
+    spin: bool = False,
     start: float | None = None,
     end: float | None = None,
     gravity: float = GRAVITY,
@@ -524,6 +374,13 @@ def track_film(
         Colour of the balls, such as '#e0b020'.
     region : str, optional
         Part of the picture in which balls move, px: x0,y0,x1,y1.
+    corners : str, optional
+        Corners of a table, px, one after the other, its sides and the corners' height above the cloth:
+        x1,y1,x2,y2,x3,y3,x4,y4=2.84mx1.42m@37mm, the first side from the first corner to the second; needs ``radius``.
+    picture_height : float, optional
+        Height of the picture in the scene, m; with ``readout``, for files of other programs.
+    spin : bool
+        Measure the spin from marks on the ball.
     start : float, optional
         Begin at this time of the film, s.
     end : float, optional
@@ -551,7 +408,9 @@ def track_film(
     """
     if balls is None:
         balls = 1 if isinstance(ball, str) else max(len(ball), 1)
-    asked = check_arguments(balls, radius, scale, length, readout, rate, ball, colour, region, start, end)
+    asked = check_arguments(
+        balls, radius, scale, length, readout, rate, ball, colour, region, corners, start, end
+    )  # fmt: skip
     file = open_film(as_path("track_film", path))
     notes = list(file.notes)
     part = (file.start + (start or 0.0), np.inf if end is None else file.start + end)
@@ -583,13 +442,14 @@ def track_film(
 
         places[name], costs[name] = _followed(file, ground, one, times, said)
         costs[name] /= max(float(np.nanmedian(costs[name])), 1e-9)
-    chosen, lags = (
-        _by_rows(file, ground, chosen, times, list(places.values()), list(costs.values()))
-        if readout is None
-        else (chosen, [])
-    )
+    lags: list[tuple[float, float]] = []
+    if readout is None:
+        chosen, lags = _by_rows(file, ground, chosen, times, list(places.values()), list(costs.values()))
     optics = max(chosen, key=lambda one: len(one.path.frames)).optics
-    return _record(file, ground, times, places, costs, optics, (scale, length, radius, readout, gravity), lags, notes)
+    found = _record(
+        file, ground, times, places, costs, optics, (scale, length, radius, readout, gravity), asked, lags, notes
+    )
+    return with_spins(found) if spin else found
 
 
 def _by_rows(
@@ -614,33 +474,31 @@ def _by_rows(
         if costs:
             steady &= costs[n] < FLAGGED / 2
         rows = np.flatnonzero(steady)
-        for k in (
-            rows[np.unique(np.linspace(0, len(rows) - 1, MANY if places else FEW).astype(int))].tolist()
-            if len(rows)
-            else ()
-        ):
+        quick = np.hypot(*speeds[n][rows].T)
+        fast = rows[quick > SLOW * quick.max(initial=0.0)]
+        rows = fast if len(fast) >= FEW else np.sort(rows[np.argsort(-quick)[:FEW]])
+        some = np.linspace(0, len(rows) - 1, MANY if places else FEW).astype(int)
+        for k in np.unique(rows[some]).tolist() if len(rows) else ():
             half = 1.7 * ball.optics.radius + float(np.abs(speeds[n][k]).max()) * ball.optics.exposure / 2 + 8
             wanted.setdefault(k, []).append((n, place[k], half))
     frames: list[list[tuple[Patch, Array, Array]]] = [[] for _ in balls]
-    for n, patch in patches(file, ground, wanted):
+    for n, patch in patches(file, ground.planes, wanted):
         place, speed = known[n][patch.frame], speeds[n][patch.frame]
-        if not places:
-            outline = fit_outline(patch, place, speed, balls[n].optics)
-            place = outline.place
-        frames[n].append((patch, place, speed))
+        at = place if places else fit_outline(patch, place, speed, balls[n].optics).place
+        frames[n].append((patch, at, speed))
     found, lags = [], []
     size = file.width if file.rotation % 2 else file.height
-    for ball, some in zip(balls, frames, strict=True):
-        if len(some) < LEAST_FRAMES:
+    for ball, its in zip(balls, frames, strict=True):
+        if len(its) < LEAST_FRAMES:
             found.append(ball)
             continue
-        optics, errors, _places = fit_optics(some, ball.optics, "rseqbcd")
+        optics, errors, _places = fit_optics(its, ball.optics, "rseqbcd")
         value, error = optics.lag * size, 1e-6 * float(errors[3]) * size
         # (rows read sideways only show as a slant, which light and blur make, too)
         times_error = LAG_ERROR[file.rotation % 2]
         lags.append((value, float(np.hypot(times_error * error, LAG_SHARE * value))))
         seen = ball.optics._replace(lag=optics.lag if value > 3 * error else 0.0)
-        exposure = fit_optics(some, seen, "rse", steps=4)[0].exposure
+        exposure = fit_optics(its, seen, "rse", steps=4)[0].exposure
         found.append(ball._replace(optics=seen._replace(exposure=min(exposure, float(np.median(np.diff(times)))))))
     return found, lags
 
@@ -669,65 +527,38 @@ def _chosen(
     file: FilmFile, ground: Background, paths: Sequence[Path], times: Array, asked: Asked, balls: int, changed: float
 ) -> list[Candidate]:
     """Return the candidates that are balls. Raises CaromError where they are not, or others are as likely."""
-    where = f"{file.path}"
+    refused, some = functools.partial(Fault, f"{file.path}"), counted(balls, "ball")
     if changed > 0.5:
         got = f"a picture that changes as a whole in {100 * changed:.0f} % of the frames"
-        raise CaromError(
-            Fault(where, "", "a camera at rest", got, "put it on a stand, or cut the film (`start`, `end`)")
-        )
+        advice = "put it on a stand, or cut the film (`start`, `end`)"
+        raise CaromError(refused("", "a camera at rest", got, advice))
     likely = likely_paths(paths, LEAST_FRAMES)
     if asked.colour is not None:
         likely = [one for one in likely if np.abs(_rgb(file, one) - asked.colour).max() < 70]
     if asked.seeds:
-        first = [_nearest(where, paths, times, seed) for seed in asked.seeds]
-        found = _usual_optics(file, ground, [joined(one, likely) for one in first], times)
-        if len(found) == balls:
-            return found
-        raise CaromError(
-            Fault(
-                where,
-                "`ball`",
-                f"outlines of {counted(balls, 'ball')}",
-                f"{len(found)}",
-                "name a frame in which it is seen alone",
-            )
-        )
+        named = [joined(_nearest(f"{file.path}", paths, times, seed), likely) for seed in asked.seeds]
+        found = _usual_optics(file, ground, named, times)
+        if len(found) < balls:
+            advice = "name a frame in which it is seen alone"
+            raise CaromError(refused("`ball`", f"outlines of {some}", f"{len(found)}", advice))
+        return found
     found = _usual_optics(file, ground, likely[: balls + 4], times)
-    good = sorted((one for one in found if one.is_ball), key=lambda one: -one.score)
     apart: list[Candidate] = []
-    for one in good:
+    for one in sorted((one for one in found if one.is_ball), key=lambda one: -one.score):
         # (what goes on under another name is the same ball)
-        if any(_one_ball(one.path, other.path) for other in apart):
-            continue
-        apart.append(one)
+        if not any(_one_ball(one.path, other.path) for other in apart):
+            apart.append(one)
     if len(apart) < balls:
-        raise CaromError(
-            Fault(
-                where,
-                "",
-                f"{counted(balls, 'round thing')} that move{'s' if balls == 1 else ''}",
-                _what_moves(found, likely, times, len(apart)),
-                "is the ball as bright as the ground, or too small? `ball` x,y@t names it",
-            )
-        )
-    rest = [one for one in apart[balls:] if one.score > LIKE * apart[balls - 1].score]
-    if rest:
-        said = "; ".join(_said(one, times) for one in [*apart[:balls], *rest][:4])
-        raise CaromError(
-            Fault(
-                where,
-                "",
-                counted(balls, "ball"),
-                f"{len(apart[:balls]) + len(rest)} that are as likely: {said}",
-                f"carom track `balls` {balls + len(rest)} tracks all, `ball` x,y@t names one",
-            )
-        )
-    kept = [
-        one._replace(
-            path=joined(one.path, [path for path in likely if not any(path is other.path for other in apart[:balls])])
-        )
-        for one in apart[:balls]
-    ]
+        wanted = f"{counted(balls, 'round thing')} that move{'s' if balls == 1 else ''}"
+        advice = "is the ball as bright as the ground, or too small? `ball` x,y@t names it"
+        raise CaromError(refused("", wanted, _what_moves(found, likely, times, len(apart)), advice))
+    count = sum(one.score > LIKE * apart[balls - 1].score for one in apart[balls:]) + balls
+    if count > balls:
+        got = f"{count} that are as likely: {'; '.join(_said(one, times) for one in apart[: min(count, 4)])}"
+        advice = f"carom track `balls` {count} tracks all, `ball` x,y@t names one"
+        raise CaromError(refused("", some, got, advice))
+    rest = [path for path in likely if not any(path is one.path for one in apart[:balls])]
+    kept = [one._replace(path=joined(one.path, rest)) for one in apart[:balls]]
     return sorted(kept, key=lambda one: (one.path.frames[0], one.path.blobs[0].x)) if balls > 1 else kept
 
 
@@ -745,19 +576,17 @@ def _nearest(where: str, paths: Sequence[Path], times: Array, seed: tuple[float,
     x, y, t = seed
     frame = int(np.argmin(np.abs(times - t)))
     near: list[tuple[float, int, Path, Blob]] = []
-    for path in paths:
+    for n, path in enumerate(paths):
         k = int(np.argmin(np.abs(np.array(path.frames) - frame)))
         if abs(path.frames[k] - frame) <= 2:
-            near.append((float(np.hypot(path.blobs[k].x - x, path.blobs[k].y - y)), len(near), path, path.blobs[k]))
-    best = min(near, default=None)
-    if best is None or best[0] > 2 * best[3].radius + 5 or len(best[2].frames) < LEAST_FRAMES:
-        got = (
-            "nothing"
-            if best is None
-            else f"at ({best[3].x:.0f}, {best[3].y:.0f}) the nearest, in {counted(len(best[2].frames), 'frame')}"
-        )
-        raise CaromError(Fault(where, "`ball`", f"something that moves near ({x:g}, {y:g}) at {t:g} s", got))
-    return best[2]
+            near.append((float(np.hypot(path.blobs[k].x - x, path.blobs[k].y - y)), n, path, path.blobs[k]))
+    got = "nothing"
+    if near:
+        off, _n, path, blob = min(near)
+        if off <= 2 * blob.radius + 5 and len(path.frames) >= LEAST_FRAMES:
+            return path
+        got = f"at ({blob.x:.0f}, {blob.y:.0f}) the nearest, in {counted(len(path.frames), 'frame')}"
+    raise CaromError(Fault(where, "`ball`", f"something that moves near ({x:g}, {y:g}) at {t:g} s", got))
 
 
 def _said(one: Candidate, times: Array) -> str:
@@ -792,10 +621,8 @@ def _outline_notes(chosen: Sequence[Candidate], times: Array) -> list[str]:
             )
     one = max(chosen, key=lambda one: len(one.path.frames))
     if one.optics.exposure > LONG_EXPOSURE * interval:
-        blur = (
-            float(np.nanmax(np.hypot(*velocities(times, _dense(one.path, len(times), times))[0].T)))
-            * one.optics.exposure
-        )
+        speed = velocities(times, _dense(one.path, len(times), times))[0]
+        blur = float(np.nanmax(np.hypot(*speed.T))) * one.optics.exposure
         notes.append(
             f"exposure of {1e3 * one.optics.exposure:.3g} ms of {1e3 * interval:.3g} ms from frame to frame: a blur of up to"
             f" {blur:.0f} px; frames whose exposure holds a contact are left out. 1/500 s would give more"
@@ -805,12 +632,13 @@ def _outline_notes(chosen: Sequence[Candidate], times: Array) -> list[str]:
 
 def _record(
     file: FilmFile, ground: Background, times: Array, places: dict[str, Array], costs: dict[str, Array], optics: Optics,
-    asked: tuple[float | str | None, str | None, float | None, float | None, float], lags: Sequence[tuple[float, float]],
-    notes: list[str],
+    given: tuple[float | str | None, str | None, float | None, float | None, float], asked: Asked,
+    lags: Sequence[tuple[float, float]], notes: list[str],
 ) -> TrackedFilm:  # fmt: skip
     """Return the record: flagged frames, frames with contacts in them, the readout, the scale and the tracks."""
-    scale, length, radius, given, gravity = asked
+    scale, length, radius, row_time, gravity = given
     size = (file.width, file.height)
+    table = TableView.seen(asked.corners, size, radius) if asked.corners and radius else None
     flags = {name: costs[name] > FLAGGED for name in places}
     used, speed = {}, {}
     held = 0
@@ -828,31 +656,37 @@ def _record(
         )
     if held:
         notes.append(f"{counted(held, 'frame')} whose exposure holds a contact left out")
-    readout, error = (given, 0.0) if given is not None else (0.0, 0.0)
-    phases = {name: np.nan_to_num(row_phase(place, size, file.rotation)) for name, place in places.items()}
-    falls = None
-    if given is None:
-        balls = [(times, place, used[name]) for name, place in places.items()]
-        falls = fit_falls(balls, size, file.rotation, free=True)
-        flights = (
-            [(falls.readout, falls.readout_error)]
-            if falls is not None and falls.rises and falls.rms < MOST_MISFIT
-            else []
+    noise = max(position_noise(times[good], place[good], float(np.median(np.diff(times)))) for place, good in
+                ((places[name], used[name]) for name in places))  # fmt: skip
+    if noise > UNSTEADY * optics.radius:
+        notes.append(
+            f"outlines scatter by {noise:.2g} px about a smooth path: a part of the rim is not seen, or it is no ball; look at the"
+            " sheet"
         )
-        readout, error = choose_readout([*lags, *flights], notes)
+    readout, error = row_time or 0.0, 0.0
+    phases = {name: np.nan_to_num(row_phase(place, size, file.rotation)) for name, place in places.items()}
+    if row_time is None:
+        free = fit_falls([(times, place, used[name]) for name, place in places.items()], size, file.rotation, free=True)
+        if free is not None and free.rises and free.rms < MOST_MISFIT:
+            lags = [*lags, (free.readout, free.readout_error)]
+        readout, error = choose_readout(lags, notes)
     balls = [(times + readout * phases[name], place, used[name]) for name, place in places.items()]
     falls = fit_falls(balls, size, file.rotation, free=False)
-    value = choose_scale(optics.radius, falls, scale=scale, length=length, radius=radius, gravity=gravity, notes=notes)
+    value = choose_scale(
+        optics.radius, falls, scale=scale, length=length, radius=radius, gravity=gravity, table=table, notes=notes
+    )  # fmt: skip
     tracks = []
     for name, place in places.items():
         rows = np.flatnonzero(used[name])
         t = times[rows] + readout * phases[name][rows]
-        up = np.stack([place[rows, 0], file.height - 1 - place[rows, 1]], axis=1) * value
+        up = (
+            table(place[rows])
+            if table
+            else value * np.stack([place[rows, 0], file.height - 1 - place[rows, 1]], axis=1)
+        )
         shared = error * phases[name][rows] if error else None
         tracks.append(Track(name, t, up, frame=rows.astype(float), stamped=True, sigma_time=shared))
-    cost = np.full(len(times), np.nan)
-    for one in costs.values():
-        cost = np.fmax(cost, one)
+    cost = functools.reduce(np.fmax, costs.values())
     y, u, v = ground.planes
     return TrackedFilm(
         file.path, times, places, optics.radius, cost, flagged, optics.exposure, optics.psf, file.to_rgb(y, u, v), speed,

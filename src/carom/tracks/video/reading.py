@@ -1,22 +1,31 @@
-"""Frames of a film with the times of the container: planes of brightness and colour as they are stored, upright, one by one."""
+"""Frames of a film with the container's times: planes of brightness and colour as stored, upright; and balls tracked in them."""
 
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from os import PathLike
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError, Fault
-from carom.files import import_optional, open_regular
+from carom.files import as_path, import_optional, open_regular, write_text
+from carom.formatting import counted
+from carom.public.other_rooms import figure_maker
 from carom.tracks.clock import even_interval
+from carom.tracks.track import Track
+from carom.tracks.video.edges import Patch
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 Bytes = NDArray[np.uint8]
+Mask = NDArray[np.bool_]
 STORED = ("yuv420p", "yuvj420p")  # pixel formats of which the planes are used as they are
 SUFFIXES = (".mp4", ".mov", ".m4v", ".webm", ".mkv", ".avi", ".mts", ".m2ts", ".3gp", ".mpg", ".mpeg", ".wmv", ".ogv")
 SIDE = 64, 16384  # px, least and largest
@@ -24,6 +33,7 @@ EVEN = 0.02  # of a frame: stamps so near an even clock are of one
 MOST_FRAMES = 1_000_000
 STANDARDS = {1: (0.2126, 0.0722), 9: (0.2627, 0.0593)}  # weights of red and blue: BT.709, BT.2020; else BT.601
 FULL_RANGE = 2
+AROUND = 1.6  # radii that a crop shows around the middle of the ball
 
 
 class Frame(NamedTuple):
@@ -89,11 +99,8 @@ class FilmFile:
 
     def _planes(self, picture: Any) -> list[Bytes]:
         stored = (self.width, self.height) if self.rotation % 2 == 0 else (self.height, self.width)
-        if (
-            picture.format.name not in STORED
-            or abs(picture.width - stored[0]) > 1
-            or abs(picture.height - stored[1]) > 1
-        ):
+        off = max(abs(picture.width - stored[0]), abs(picture.height - stored[1]))
+        if picture.format.name not in STORED or off > 1:
             picture = picture.reformat(width=stored[0], height=stored[1], format="yuv420p")
         found = []
         for part, plane in zip((1, 2, 2), picture.planes[:3], strict=True):
@@ -175,10 +182,8 @@ def _matrix(space: int, full: bool) -> Array:
     green = 1 - red - blue
     low, span, colour = (0.0, 255.0, 255.0) if full else (16.0, 219.0, 224.0)
     scale, c = 255 / span, 255 / colour
-    of_v, of_u = (
-        np.array([2 * (1 - red), -2 * red * (1 - red) / green, 0.0]),
-        np.array([0.0, -2 * blue * (1 - blue) / green, 2 * (1 - blue)]),
-    )
+    of_v = np.array([2 * (1 - red), -2 * red * (1 - red) / green, 0.0])
+    of_u = np.array([0.0, -2 * blue * (1 - blue) / green, 2 * (1 - blue)])
     return np.stack([np.full(3, scale), c * of_u, c * of_v, -scale * low - 128 * c * (of_u + of_v)], axis=1)
 
 
@@ -231,3 +236,128 @@ def film_times(film: FilmFile, stamps: Sequence[float] | Array, rate: float | No
     if abs(rate * usual - 1) > EVEN:
         notes.append(f"the container plays {1 / usual:.4g} frames per second, `rate` {rate:g} overrides it")
     return np.asarray(times / (usual * rate))
+
+
+# ----------------------------------------------------------------------------------------------------
+# Balls that were tracked in a film, and the pixels around them.
+
+
+@dataclass(frozen=True, eq=False)
+class TrackedFilm:
+    """Balls tracked in a film, in pixels: x to the right and y down, from the middle of the first pixel of the upright picture.
+
+    F is the number of frames.
+    """
+
+    path: Path
+    times: Array
+    """(F,) s, from the first frame on: the middle of each exposure, in the row of the picture's middle."""
+    places: Mapping[str, Array]
+    """By ball: (F, 2) px, the middle of its outline; NaN where it was not seen."""
+    radius_px: float
+    """Radius of the balls, px."""
+    outline_cost: Array
+    """(F,) mean square misfit of the outline, 1 for the usual frame; the worst of the balls, NaN where none was seen."""
+    flagged: Mask
+    """(F,): frames in which the outline of a ball does not fit."""
+    exposure: float
+    """s."""
+    psf: float
+    """Standard deviation of the blur of the camera, px."""
+    background: Bytes
+    """(H, W, 3): red, green, blue of the picture without what moves."""
+    velocity_px: Mapping[str, Array]
+    """By ball: (F, 2) px/s, in the frame; NaN where it was not seen."""
+    notes: tuple[str, ...] = ()
+    used: Mapping[str, Mask] = field(default_factory=dict)
+    """By ball: (F,) frames whose place is used: seen, not flagged, without a contact within the exposure."""
+    tracks: tuple[Track, ...] = ()
+    """In m, upward from the picture's lower left corner, with the times of the balls' rows."""
+    scale: float = np.nan
+    """m per px."""
+    readout: float = 0.0
+    """s, from the first to the last row of the camera."""
+    readout_error: float = 0.0
+    """s, where it was found; shared by all times of rows, and so part of the error bars of what is measured."""
+
+    def table(self) -> dict[str, NDArray[Any]]:
+        """Return the columns ``t [s]``, ``x [m]``, ``y [m]``, ``ball`` of the tracks, a row per ball and frame; and their spins."""
+        rows = {"t [s]": [one.time for one in self.tracks]}
+        rows |= {f"{axis} [m]": [one.position[:, k] for one in self.tracks] for k, axis in enumerate("xy")}
+        more = {"spin": "spin [rad/s]", "sigma_spin": "sigma_spin [rad/s]", "sigma_time": "sigma_t [s]"}
+        for name, label in more.items():
+            parts = [part for one in self.tracks if (part := getattr(one, name)) is not None]
+            if np.isfinite(np.concatenate([np.zeros(0), *parts])).any():
+                rows[label] = parts
+        found = {name: np.concatenate([np.zeros(0), *parts]) for name, parts in rows.items()}
+        return found | {"ball": np.array([one.name for one in self.tracks for _ in range(len(one))], dtype=object)}
+
+    def save(self, path: str | PathLike[str]) -> Path:
+        """Write the table as .csv: ``t [s]``, ``x [m]``, ``y [m]``, ``ball``, with all digits."""
+        file, columns = as_path("TrackedFilm.save", path), self.table()
+        rows = zip(*(column.tolist() for column in columns.values()), strict=True)
+        lines = [",".join(columns), *(",".join(map(str, row)) for row in rows), ""]
+        write_text(file, "\n".join(lines))
+        return file
+
+    def sheet(self, file: str | PathLike[str]) -> Figure:
+        """Draw the contact sheet, to look at what was tracked: .png, .svg or .pdf."""
+        return figure_maker("plot_film")(self, file)  # type: ignore[no-any-return]
+
+    def __repr__(self) -> str:
+        """Return one line: the number of balls and frames."""
+        balls = ", ".join(f"{name} {int(np.isfinite(x[:, 0]).sum())}" for name, x in self.places.items())
+        return f"<TrackedFilm {self.path.name}: {counted(len(self.times), 'frame')}; seen: {balls}>"
+
+
+class Crop(NamedTuple):
+    """Pixels around a ball in a frame."""
+
+    frame: int
+    corner: tuple[int, int]
+    """x, y of the first pixel, px."""
+    pixels: Bytes
+    """(h, w, 3): red, green, blue; parts beyond the picture's edge are left out."""
+
+
+def crops(film: TrackedFilm, ball: str, frames: Sequence[int]) -> Iterator[Crop]:
+    """Yield the pixels around a ball in some frames, in the order of the film; frames in which it was not seen are left out.
+
+    Each shows 1.6 radii around the middle, and the way of the exposure. The film is read again from its beginning.
+    Raises CaromError for a ball that is none of the film's, and if the film can no longer be read.
+    """
+    if ball not in film.places:
+        raise CaromError(Fault("crops", "ball", f"one of {', '.join(film.places)}", repr(ball)))
+    file, wanted = open_film(film.path), dict[int, list[Any]]()
+    for k in map(int, frames):
+        if 0 <= k < len(film.times) and np.isfinite(film.places[ball][k]).all():
+            way = float(np.abs(np.nan_to_num(film.velocity_px[ball][k])).max()) * film.exposure / 2
+            wanted[k] = [(k, film.places[ball][k], AROUND * film.radius_px + way + 2)]
+    for frame, patch in patches(file, (), wanted):
+        yield Crop(frame, patch.corner, file.to_rgb(*patch.planes))
+
+
+def patches(
+    film: FilmFile, ground: Sequence[Bytes], wanted: Mapping[int, Sequence[tuple[Any, Array, float]]]
+) -> Iterator[tuple[Any, Patch]]:
+    """Yield the pixels around places, and of the planes of the background there, with their keys.
+
+    ``wanted`` has, by frame, keys, places (2,) and half widths, px.
+    """
+    last = max(wanted, default=-1)
+    for frame in film.frames() if wanted else ():
+        if frame.number > last:
+            return
+        height, width = frame.y.shape
+        for key, place, half in wanted.get(frame.number, ()):
+            low = np.maximum(np.floor(place - half), 0).astype(int) // 2 * 2
+            high = np.minimum(np.ceil(place + half), [width, height]).astype(int) // 2 * 2
+            if (high - low < 8).any():
+                continue
+            (left, top), (right, bottom) = low.tolist(), high.tolist()
+            windows = [(slice(top // n, bottom // n), slice(left // n, right // n)) for n in (1, 2, 2)]
+            planes, behind = (
+                tuple(plane[window].copy() for plane, window in zip(some, windows, strict=False))
+                for some in ((frame.y, frame.u, frame.v), ground)
+            )
+            yield key, Patch(frame.number, (left, top), planes, behind)

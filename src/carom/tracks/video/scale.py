@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -20,10 +21,12 @@ LEAST_FLIGHT = 6  # frames
 SHARP_TURN, TURN_SHARE = 8.0, 0.12  # times the usual change of velocity in a frame, and of the largest speed: a contact
 MOST_MISFIT = 1.5  # px, rms of places about flights
 UPRIGHT = 0.35  # rad between gravity and the picture's vertical
-MOST_READOUT, LEAST_READOUT = 0.06, 2e-3  # s, of cameras that read row after row
+USUAL_READOUT, LEAST_READOUT = 0.02, 2e-3  # s, of cameras that read row after row
 EXCLUDED = 2.5  # error bars
 DRAG = 0.05  # 1/m: standard deviation of the prior of the air's drag
 RADIUS = 0.02  # of the scale by the ball's radius, which light and shadow change
+FIELD, FIELD_DOUBT = 0.8, 0.3  # focal length of a usual camera, in sides of its picture; and by which factor it differs
+MOST_CORNERS = 8.0  # px, of the corners of a table
 DIFFERENT = 0.03  # of two scales, which is said
 
 
@@ -57,18 +60,18 @@ def rows_direction(rotation: int) -> tuple[float, float]:
 
 def choose_readout(found: Sequence[tuple[float, float]], notes: list[str]) -> tuple[float, float]:
     """Return the readout of a camera and its error, s, from estimates with errors; 0 of a camera that reads all rows at once."""
-    weights = np.array([1 / error**2 for _value, error in found if error > 0])
-    if not len(weights):
+    known = [(value, error) for value, error in found if error > 0]
+    if not known:
         return 0.0, 0.0
-    value, error = (
-        float(np.array([one for one, error in found if error > 0]) @ weights / weights.sum()),
-        float(weights.sum() ** -0.5),
-    )
-    if value + EXCLUDED * error < LEAST_READOUT or value - EXCLUDED * error > MOST_READOUT:
+    # (what cameras have is known beforehand, so that what the film does not show is not taken from it)
+    known.append((0.0, USUAL_READOUT))
+    weights = np.array([1 / error**2 for _value, error in known])
+    value, error = float(np.average([one for one, _error in known], weights=weights)), float(weights.sum() ** -0.5)
+    if value + EXCLUDED * error < LEAST_READOUT:
         return 0.0, 0.0
     value = max(value, 0.0)
     notes.append(
-        f"rolling shutter: outlines and flights show a readout of {1e3 * value:.3g} ± {1e3 * error:.1g} ms from first to last row;"
+        f"rolling shutter: the readout from first to last row is {1e3 * value:.3g} ± {1e3 * error:.1g} ms by outlines and flights;"
         " used, and its error is part of all error bars (`readout` gives another, 0 for none)"
     )
     return value, error
@@ -89,6 +92,14 @@ def turning(times: Array, places: Array) -> Mask:
     return found
 
 
+def flights_of(times: Array, places: Array, used: Mask) -> list[NDArray[np.intp]]:
+    """Return the frames (n,) of each flight: those between which a ball, at places (F, 2) where it is ``used``, turns sharply."""
+    turns, rows = turning(times, np.where(used[:, None], places, np.nan)), np.flatnonzero(used)
+    cut = np.flatnonzero(turns[rows] | (np.diff(rows, prepend=rows[:1]) > 3))
+    parts = [part[~turns[part]] for part in np.split(rows, cut)]
+    return [part for part in parts if len(part) >= LEAST_FLIGHT]
+
+
 def fit_falls(
     balls: Sequence[tuple[Array, Array, Mask]], size: tuple[int, int], rotation: int, free: bool
 ) -> Falls | None:
@@ -97,16 +108,7 @@ def fit_falls(
     ``balls``: times (F,), s, places (F, 2), px, and which (F,) are used; ``size``: width and height of the picture.
     Returns None without flights.
     """
-    flights = []
-    for times, places, used in balls:
-        known = np.where(used[:, None], places, np.nan)
-        turns = turning(times, known)
-        rows = np.flatnonzero(used)
-        cut = np.flatnonzero(turns[rows] | (np.diff(rows, prepend=rows[:1]) > 3))
-        for between in np.split(rows, cut):
-            part = between[~turns[between]]
-            if len(part) >= LEAST_FLIGHT:
-                flights.append((times[part], places[part]))
+    flights = [(t[rows], x[rows]) for t, x, used in balls for rows in flights_of(t, x, used)]
     if not flights:
         return None
     columns, values = [], []
@@ -139,9 +141,7 @@ def fit_falls(
         left = target - matrix @ solved
         noise = float(np.sqrt((left**2).sum() / max(len(left) - len(solved), 1))) + 1e-6
     spread = np.linalg.inv(normal)
-    rises = any(((x[-1] - x[0]) @ usual[:2] < 0) for _t, x in flights) or any(
-        (np.diff(x @ usual[:2]) < 0).any() and (np.diff(x @ usual[:2]) > 0).any() for _t, x in flights
-    )
+    rises = any((np.diff(x @ usual[:2]) < 0).any() for _t, x in flights)
     # (errors of neighbouring frames are alike: twice the formal error)
     error, of_readout = (2 * float(np.sqrt(one)) for one in (max(spread[0, 0], spread[1, 1]), spread[2, 2]))
     return Falls(np.asarray(solved[:2], dtype=np.float64), error, noise, float(solved[2]), of_readout, rises)
@@ -162,17 +162,129 @@ def parse_length(text: str) -> tuple[Array, float]:
     wanted = "two points in px and their distance, x1,y1,x2,y2=1m"
     if found is None:
         raise CaromError(Fault("`length`", "", wanted, repr(text)))
-    points = np.array([float(one) for one in found.groups()[:4]]).reshape(2, 2)
-    try:
-        metres = float(found[5])
-    except ValueError:
-        try:
-            metres = float(parse_quantity(found[5], "m"))
-        except ValueError:
-            metres = np.nan
+    points, metres = np.array([float(one) for one in found.groups()[:4]]).reshape(2, 2), _metres(found[5])
     if not 0 < metres < 1e4 or not np.hypot(*(points[1] - points[0])) > 0:
         raise CaromError(Fault("`length`", "", wanted, repr(text)))
     return points, metres
+
+
+def _metres(text: str) -> float:
+    """Return a length, m, with its unit or without; NaN of another text."""
+    for read in (float, lambda text: float(parse_quantity(text, "m"))):
+        with contextlib.suppress(ValueError):
+            return read(text)
+    return np.nan
+
+
+class Corners(NamedTuple):
+    """Corners of a table in the picture."""
+
+    points: Array
+    """(4, 2) px."""
+    sides: tuple[float, float]
+    """From the first to the second corner, and from there to the third, m."""
+    height: float
+    """Above the cloth, m."""
+
+
+def parse_corners(text: str) -> Corners:
+    """Return the corners of a table of a text such as ``"100,90,900,90,900,490,100,490=2.84mx1.42m@37mm"``.
+
+    Raises CaromError for another text.
+
+    Examples
+    --------
+    >>> parse_corners("100,90,900,90,900,490,100,490=2.84x1.42@37mm")[1:]
+    ((2.84, 1.42), 0.037)
+    """
+    wanted = "four corners in px, sides and height, x1,y1,x2,y2,x3,y3,x4,y4=2.84mx1.42m@37mm"
+    pattern = ",".join([rf"\s*({NUMBER})\s*"] * 8) + r"=\s*([\d.]+\s*[a-z]*?)\s*x\s*([\d.]+\s*[a-z]*)\s*@\s*(.+)"
+    found = re.fullmatch(pattern, text)
+    if found is None:
+        raise CaromError(Fault("`corners`", "", wanted, repr(text)))
+    points = np.array([float(one) for one in found.groups()[:8]]).reshape(4, 2)
+    long, wide, height = (_metres(one) for one in found.groups()[8:])
+    side = np.roll(points, -1, axis=0) - points
+    turns = side[:, 0] * np.roll(side, -1, axis=0)[:, 1] - side[:, 1] * np.roll(side, -1, axis=0)[:, 0]
+    if not (0 < long < 1e3 and 0 < wide < 1e3 and abs(height) < 1 and abs(np.sign(turns).sum()) == 4):
+        raise CaromError(Fault("`corners`", "", f"{wanted}, around the table", repr(text)))
+    return Corners(points, (long, wide), height)
+
+
+class TableView(NamedTuple):
+    """A camera above a table, from the table's corners: calling it gives places on the table of places in the picture."""
+
+    corners: Corners
+    middle: Array
+    """(2,) px."""
+    focal: float
+    """px."""
+    turn: Array
+    """(3, 3): from the table, x along the first side, y to its left as seen from above, z up from the corners, to the camera."""
+    shift: Array
+    """(3,) m."""
+    ball: float
+    """Height of the balls' middles above the corners, m."""
+
+    @classmethod
+    def seen(cls, corners: Corners, size: tuple[int, int], radius: float) -> TableView:
+        """Return the camera whose picture, width and height ``size``, has the corners there: a pinhole, its axis in the middle.
+
+        How wide it sees is little known from four corners: a usual camera's is the prior.
+        """
+        from scipy.optimize import least_squares
+        from scipy.spatial.transform import Rotation
+
+        middle, usual = (np.array(size) - 1) / 2, FIELD * max(size)
+        x, y = corners.sides
+        at = np.array([[0, 0, 0], [x, 0, 0], [x, y, 0], [0, y, 0]], dtype=float)
+        area = np.roll(corners.points, -1, axis=0)
+        left = float((corners.points[:, 0] * area[:, 1] - corners.points[:, 1] * area[:, 0]).sum()) > 0
+        if left:  # (clockwise as shown: the first side is the far one)
+            at[:, 1] = y - at[:, 1]
+
+        def projected(p: Array) -> Array:
+            seen = at @ Rotation.from_rotvec(p[:3]).as_matrix().T + p[3:6]
+            return np.asarray(middle + usual * np.exp(p[6]) * seen[:, :2] / np.maximum(seen[:, 2:], 1e-6))
+
+        def off(p: Array) -> Array:
+            return np.append((projected(p) - corners.points).ravel(), p[6] / FIELD_DOUBT)
+
+        step = corners.points[1] - corners.points[0]
+        far = usual * x / float(np.hypot(*step))
+        side = step / np.hypot(*step)
+        # (from straight above: the table's y is up in the picture, its z toward the camera)
+        down = np.array([[side[0], side[1], 0], [side[1], -side[0], 0], [0, 0, -1.0]])
+        centre = np.append((corners.points.mean(axis=0) - middle) / usual * far, far)
+        start = np.concatenate([Rotation.from_matrix(down).as_rotvec(), centre - down @ at.mean(axis=0), [0.0]])
+        found = least_squares(off, start, x_scale=[1, 1, 1, far, far, far, 1])
+        p, worst = found.x, float(np.hypot(*(projected(found.x) - corners.points).T).max())
+        if worst > MOST_CORNERS or abs(p[6]) > 3 * FIELD_DOUBT:
+            got = f"at best {worst:.2g} px off, with a focal length of {np.exp(p[6]) * FIELD:.2g} widths of the picture"
+            raise CaromError(
+                Fault("`corners`", "", "corners of a rectangle, as a camera sees it", got, "is the first side right?")
+            )
+        return cls(
+            corners,
+            middle,
+            float(usual * np.exp(p[6])),
+            Rotation.from_rotvec(p[:3]).as_matrix(),
+            p[3:6],
+            radius - corners.height,
+        )
+
+    def __call__(self, places: Array) -> Array:
+        """Return places (n, 2), m, of balls' middles that are seen at places (n, 2), px: from the lower left corner."""
+        rays = np.column_stack([(places - self.middle) / self.focal, np.ones(len(places))]) @ self.turn
+        eye = -self.shift @ self.turn
+        return np.asarray(eye[:2] + rays[:, :2] * ((self.ball - eye[2]) / rays[:, 2])[:, None])
+
+    @property
+    def scale(self) -> float:
+        """m per px, in the middle of the table."""
+        middle = self.corners.points.mean(axis=0)
+        x, y = np.diff(self(middle + np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 0.0], [0.0, 1.0]])), axis=0)[::2]
+        return float(np.sqrt(abs(x[0] * y[1] - x[1] * y[0])))
 
 
 class Asked(NamedTuple):
@@ -182,11 +294,13 @@ class Asked(NamedTuple):
     """x, y, t of each ball."""
     colour: Array | None
     region: tuple[float, ...] | None
+    corners: Corners | None = None
 
 
 def check_arguments(
     balls: int, radius: float | None, scale: float | str | None, length: str | None, readout: float | None, rate: float | None,
-    ball: Sequence[str] | str, colour: str | None, region: str | None, start: float | None, end: float | None,
+    ball: Sequence[str] | str, colour: str | None, region: str | None, corners: str | None, start: float | None,
+    end: float | None,
 ) -> Asked:  # fmt: skip
     """Read the arguments of track_film. Raises CaromError with all that are wrong."""
     faults = FaultList()
@@ -210,11 +324,16 @@ def check_arguments(
     tone = re.fullmatch(r"#[0-9a-fA-F]{6}", colour or "")
     if colour is not None and tone is None:
         faults.add("`colour`", "red, green, blue as in '#e0b020'", repr(colour))
-    corners = _numbers(",".join([f"({NUMBER})"] * 4), region or "")
-    if region is not None and not (corners and corners[2] > corners[0] and corners[3] > corners[1]):
+    part = _numbers(",".join([f"({NUMBER})"] * 4), region or "")
+    if region is not None and not (part and part[2] > part[0] and part[3] > part[1]):
         faults.add("`region`", "x0,y0,x1,y1 in px, x0 < x1 and y0 < y1", repr(region))
+    table = None if corners is None else faults.attempt(parse_corners, corners)
+    if corners is not None and not radius:
+        faults.add("`radius`", "the radius of the balls, with `corners`", "none")
     faults.raise_if_any()
-    return Asked(seeds, None if tone is None else np.array(list(bytes.fromhex(tone[0][1:])), float), corners or None)
+    return Asked(
+        seeds, None if tone is None else np.array(list(bytes.fromhex(tone[0][1:])), float), part or None, table
+    )
 
 
 def _numbers(pattern: str, text: str) -> tuple[float, ...]:
@@ -225,7 +344,7 @@ def _numbers(pattern: str, text: str) -> tuple[float, ...]:
 
 def choose_scale(
     radius_px: float, falls: Falls | None, *, scale: float | str | None, length: str | None, radius: float | None, gravity: float,
-    notes: list[str],
+    table: TableView | None, notes: list[str],
 ) -> float:  # fmt: skip
     """Return the length of a pixel, m: as given, of a length in the picture, gravity, or the ball's radius; notes compare them.
 
@@ -238,6 +357,8 @@ def choose_scale(
         points, metres = parse_length(length)
         size = float(np.hypot(*(points[1] - points[0])))
         known["the length in the picture"] = metres / size, 1 / size
+    if table is not None:
+        known["the table's corners"] = table.scale, 0.002
     fall = 0.0 if falls is None else float(np.hypot(*falls.gravity))
     side = (
         falls is not None and falls.rms < MOST_MISFIT and falls.error < 0.1 * fall
@@ -249,19 +370,16 @@ def choose_scale(
         known["the ball's radius"] = radius / radius_px, RADIUS
     if scale == "gravity":
         if "gravity" not in known:
-            got = (
-                "no flight that rises and falls"
-                if falls is None or not falls.rises
-                else "no motion with one acceleration downward"
-            )
-            raise CaromError(
-                Fault("`scale`", "", "a ball in free flight, seen from the side, for gravity", got, "give `length`")
-            )
+            got = f"no {'motion with one acceleration downward' if falls and falls.rises else 'flight that rises and falls'}"
+            wanted = "a ball in free flight, seen from the side, for gravity"
+            raise CaromError(Fault("`scale`", "", wanted, got, "give `length`"))
         order = ["gravity"]
     else:
-        order = ["the scale given", "the length in the picture", "the ball's radius", "gravity"]
-        if "gravity" in known and abs(known["gravity"][0] / known.get(order[2], known["gravity"])[0] - 1) < 2 * RADIUS:
-            order[2:] = order[:1:-1]  # (the better of the two, where the radius says that the film is not slowed down)
+        order = ["the table's corners", "the scale given", "the length in the picture", "the ball's radius", "gravity"]
+        if "gravity" in known and abs(known["gravity"][0] / known.get(order[-2], known["gravity"])[0] - 1) < 2 * RADIUS:
+            order[-2:] = order[
+                :-3:-1
+            ]  # (the better of the two, where the radius says that the film is not slowed down)
     first = next((name for name in order if name in known), None)
     if first is None:
         advice = "give `length` x1,y1,x2,y2=1m (two points in px and their distance), or `radius` of the ball"
@@ -283,6 +401,12 @@ def choose_scale(
     return value
 
 
+def sides(k: int, rows: NDArray[np.intp], times: Array, places: Array) -> list[Array]:
+    """Return parabolas (3, 2), from the square on, about frame k through four of ``rows`` before it, and four after it."""
+    near = [one for one in (rows[rows < k][-4:], rows[rows > k][:4]) if len(one) >= 3 and abs(one - k).max() < 9]
+    return [np.polyfit(times[one] - times[k], places[one], 2) for one in near]
+
+
 def contacts_within(times: Array, places: Array, exposure: float) -> Mask:
     """Return the frames (F,) whose exposure, s, holds a contact that moves the middle of the blurred ball: places (F, 2), px."""
     found = np.zeros(len(times), bool)
@@ -290,15 +414,10 @@ def contacts_within(times: Array, places: Array, exposure: float) -> Mask:
     turns = turning(times, places)
     near = np.flatnonzero(np.convolve(turns, np.ones(3), "same") > 0)
     for k in near.tolist():
-        sides = []
-        for side in (rows[rows < k][-4:], rows[rows > k][:4]):
-            if len(side) < 3 or abs(side - k).max() > 8:
-                break
-            t = times[side] - times[k]
-            sides.append(np.array([np.polyfit(t, places[side, axis], 2) for axis in (0, 1)]))
-        if len(sides) == 2:
-            change = sides[1][:, 1] - sides[0][:, 1]
+        fits = sides(k, rows, times, places)
+        if len(fits) == 2:
+            change = fits[1][1] - fits[0][1]
             size = float(np.hypot(*change))
-            when = float((sides[0][:, 2] - sides[1][:, 2]) @ change) / max(size**2, 1e-12)
+            when = float((fits[0][2] - fits[1][2]) @ change) / max(size**2, 1e-12)
             found[k] = abs(when) < 0.55 * exposure and size * exposure > 1.6
     return found

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError, Fault
-from carom.tracks.video.film import TrackedFilm, crops
-from carom.tracks.video.reading import Array
+from carom.tracks.video.reading import Array, TrackedFilm, crops
+from carom.tracks.video.scale import FIELD, flights_of
 
 MOST_TURN = 1.2  # rad from frame to frame: more leaves too little in view of both
 LIMIT, GRID = 0.92, (25, 97)  # radii of the disc that are used; rows of its picture
@@ -29,7 +29,6 @@ SURE, AHEAD = 0.7, 0.08  # correlation of the rotation that fits, and how far be
 PEAKS = 4  # of the search, that are compared in detail
 APART = 0.5  # rad, of another rotation
 BLUR = 0.6  # radii of way in an exposure, from which marks are smeared
-FIELD = 0.8  # focal length of a usual camera, in sides of its picture
 FAINT, STILL = 0.06, 0.3  # contrast of marks; rad by which a pattern has to turn in a flight, to be none of the light
 DEGREE = 4  # of the polynomial of the light
 STANDING = 0.85  # correlation of a pattern with itself half a flight later
@@ -63,7 +62,7 @@ def flight_spins(film: TrackedFilm, ball: str) -> list[FlightSpin]:
     way = np.hypot(*np.nan_to_num(film.velocity_px[ball]).T) * film.exposure
     good = np.isfinite(place).all(axis=1) & ~film.flagged
     pattern = _Pattern(film, ball, np.flatnonzero(good & (way < BLUR * film.radius_px)))
-    return [_of_flight(film, pattern, ball, first, last) for first, last in _flights(film.times, place, good)]
+    return [_of_flight(film, pattern, ball, first, last) for first, *_rest, last in flights_of(film.times, place, good)]
 
 
 def spin_columns(film: TrackedFilm, flights: Sequence[FlightSpin]) -> tuple[Array, Array, list[str]]:
@@ -92,26 +91,6 @@ def with_spins(film: TrackedFilm) -> TrackedFilm:
         tracks.append(replace(track, spin=spin[rows], sigma_spin=sigma[rows]))
         notes += [f"{track.name}, {one}" for one in said]
     return replace(film, tracks=tuple(tracks), notes=tuple(notes))
-
-
-def _flights(t: Array, x: Array, good: NDArray[np.bool_]) -> Iterator[tuple[int, int]]:
-    """Yield first and last frames between which the ball moves with constant acceleration."""
-    rows = np.flatnonzero(good)
-    start = 0
-    while start < len(rows) - 2:
-        end = min(start + 5, len(rows))
-        while end < len(rows):
-            near = rows[max(start, end - 8) : end]
-            s = t[near] - t[rows[end]]
-            design = np.vander(s, 3)
-            fit = np.linalg.lstsq(design, x[near], rcond=None)[0]
-            noise = max(float(np.sqrt(np.square(x[near] - design @ fit).sum() / max(2 * len(s) - 6, 1))), 0.15)
-            leverage = float(np.sqrt(1 + np.linalg.pinv(design.T @ design)[-1, -1]))
-            if np.abs(x[rows[end]] - fit[-1]).max() > 5 * noise * leverage:
-                break
-            end += 1
-        yield int(rows[start]), int(rows[end - 1])
-        start = end
 
 
 class _Pattern:
@@ -194,14 +173,9 @@ class _Pattern:
         count = inside.sum(axis=1)
         sums = np.zeros((3, len(turns)))
         for i, j, _dt in pairs:
-            a, b = (
-                np.where(inside, self._at(self.smooth[i], points), 0.0),
-                np.where(inside, self.smooth[j][row, column], 0.0),
-            )
-            a, b = (
-                np.where(inside, one - one.sum(axis=1, keepdims=True) / np.maximum(count, 1)[:, None], 0.0)
-                for one in (a, b)
-            )
+            sides = np.broadcast_arrays(self._at(self.smooth[i], points), self.smooth[j][row, column])
+            both = np.where(inside, np.stack(sides), 0.0)
+            a, b = np.where(inside, both - both.sum(axis=2, keepdims=True) / np.maximum(count, 1)[:, None], 0.0)
             sums += (a * b).sum(axis=1), (a * a).sum(axis=1), (b * b).sum(axis=1)
         found = sums[0] / np.sqrt(np.maximum(sums[1] * sums[2], 1e-12))
         return np.where(count < LEAST_OVERLAP * len(points), -1.0, found)
