@@ -376,7 +376,10 @@ def _judged(code: Any, out: str, err: str, as_json: bool) -> str:
         return "a traceback on standard error"
     lines = err.splitlines()
     if code == 2:
-        clean = lines and all(re.match(r"(carom|note): \S", line) for line in lines) and lines[0].startswith("carom: ")
+        # (notes on what runs come before a refusal that comes while it runs)
+        clean = all(re.match(r"(carom|note): \S", line) for line in lines) and any(
+            x.startswith("carom: ") for x in lines
+        )
         return "refused" if clean and not out else "refused, with other lines"
     if code:
         return f"exit code {code}"

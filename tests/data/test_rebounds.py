@@ -172,12 +172,15 @@ def test_mixed_units_are_remarked(tmp_path: Path) -> None:
 
 @pytest.mark.filterwarnings("error")
 def test_the_smallest_speed_and_the_smallest_error_bar_give_no_warnings_of_numpy() -> None:
-    """1e-320 m/s: a quotient by it overflows, its square is 0."""
+    """1e-320 m/s: a quotient by it overflows, its square is 0. It is no speed; 1e-90 m/s is the first that is one."""
     rng = np.random.default_rng(1)
     v_n, v_t = rng.uniform(1, 3, 20), rng.uniform(-1, 1, 20)
     columns = {"v_n_in": v_n.copy(), "v_t_in": v_t, "spin_in": 0.0, "v_n_out": 0.8 * v_n, "v_t_out": 0.9 * v_t}
     columns |= {"sigma_v_n_out": np.full(20, 0.01), "sigma_v_t_out": np.full(20, 0.01)}
     columns["v_n_in"][3] = 1e-320
+    with pytest.raises(CaromError, match="v_n_in: expected a speed toward the wall, above 0, got 1e-320"):
+        make_rebounds("planar", columns)
+    columns["v_n_in"][3] = 1e-90
     found = make_rebounds("planar", columns)
     assert "restitution above 1" in " ".join(found.notes)
     columns["v_n_in"][3], columns["sigma_v_t_out"][5] = v_n[3], 1e-320

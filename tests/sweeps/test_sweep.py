@@ -218,6 +218,7 @@ def test_orbits_and_gases() -> None:
         (["events.wall.x.time"], "got 'events.wall.x.time'"),
         ([], "expected a list of outcomes"),
         ("final.phase", "expected a list of outcomes"),
+        (["final.phase", []], "expected a list of outcomes"),
     ],
 )
 def test_unknown_outcomes(keep: object, said: str) -> None:

@@ -24,6 +24,20 @@ def test_a_tiny_step_of_time_does_not_make_a_clock():
     assert file_interval(time, 120.0) in (None, pytest.approx(1 / 120, rel=1e-3))
 
 
+def test_a_row_of_another_age_does_not_make_a_clock():
+    time = np.round(np.arange(80) / 120, 5)
+    time[58] = 1e23
+    assert file_interval(time, 120.0) in (None, pytest.approx(1 / 120, rel=1e-3))
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_height_that_is_infinite_is_refused_in_one_line(tmp_path):
+    rows = "".join(f"{k / 120:.5f}\t{0.1 + 0.5 * k / 120 - 4.9 * (k / 120) ** 2:.5f}\n" for k in range(30))
+    (tmp_path / "a.csv").write_text("t\ty\n" + rows.replace("0.10000", "inf", 1))
+    with pytest.raises(CaromError):
+        judge(tmp_path / "a.csv")
+
+
 def test_a_fit_without_an_error_has_the_prior_s_fraction():
     assert shared_fraction(0.0, 1.0, 0.0) == 0.0
     assert shared_fraction(0.1, 0.2, 0.0) == pytest.approx(1.0)

@@ -25,7 +25,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.data.headers import ColumnNames
 from carom.data.table_cells import parse_numbers
-from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, first_bad_index, float_array, shortened_list, suggestion
+from carom.errors import (
+    MAX_MAGNITUDE,
+    MIN_MAGNITUDE,
+    CaromError,
+    FaultList,
+    first_bad_index,
+    float_array,
+    shortened_list,
+    suggestion,
+)
 from carom.files import as_path, atomic_file, import_optional
 
 if TYPE_CHECKING:
@@ -351,7 +360,7 @@ def _check_cells(given: Mapping[str, Array], rows: Sequence[str], faults: FaultL
             check(name, far, "a finite number", "leave the row out, or fill in the cell")
     if "v_n_in" in given:
         v = given["v_n_in"]
-        check("v_n_in", np.isfinite(v) & ~(v > 0), "a speed toward the wall, above 0",
+        check("v_n_in", np.isfinite(v) & ~(v >= MIN_MAGNITUDE), "a speed toward the wall, above 0",
               "v_n is positive toward the wall before the contact and away from it after: change the signs")  # fmt: skip
     if "v_n_out" in given:
         v = given["v_n_out"]

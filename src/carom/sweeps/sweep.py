@@ -411,7 +411,7 @@ def sweep_over(space: Space, keep: tuple[str, ...] | list[str], store: Any, bloc
         raise CaromError(
             f"sweep: space: expected a Space or the name of a store, got {type(space).__name__} {space!r:.60}"
         )
-    if isinstance(keep, str) or not keep:
+    if isinstance(keep, str) or not keep or not all(isinstance(one, str) for one in keep):
         raise CaromError(f"sweep: keep: expected a list of outcomes such as ['final.position'], got {keep!r:.60}")
     if isinstance(block, bool) or not isinstance(block, int) or block < 1:
         raise CaromError(f"sweep: block: expected a whole number >= 1, got {block!r:.60}")

@@ -439,9 +439,9 @@ def _slowest_clock(time: Array, step: Array) -> tuple[float, float]:
         some, wide = time[:count] - time[0], half[:count]
         # intervals so near each other that the last of these rows moves by an eighth of its rounding at most
         finer = max(int(np.ceil(2 * spacing * (some[-1] / low) / float(wide.min()))), 1)
-        within = spacing * ((np.arange(finer) + 0.5) / finer - 0.5)
         if len(tried) * finer > MOST_TRIED:
             return np.inf, 0.0
+        within = spacing * ((np.arange(finer) + 0.5) / finer - 0.5)
         spacing /= finer
         tried = _fitting(some, wide, (tried[:, None] - within).ravel())[: max(MOST_NUMBERS // (PHASES * count), 4)]
         if not len(tried):

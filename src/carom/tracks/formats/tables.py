@@ -733,7 +733,8 @@ def _track(
     place = np.stack([_in_si(raw[:, k], columns[axis][1], calibration) for k, axis in enumerate(axes)], axis=-1)
     if axes == ["y"]:
         above = calibration.view == "above"
-        place = np.stack([place[:, 0], 0 * place[:, 0]][:: 1 if above else -1], axis=-1)
+        other = np.where(np.isfinite(place[:, 0]), 0.0, np.nan)
+        place = np.stack([place[:, 0], other][:: 1 if above else -1], axis=-1)
         taken, normal = ("x, with y = 0", "wall") if above else ("the height, with x = 0", "floor")
         notes.append(
             f"{label}one coordinate against time, {header.name(columns['y'][0])!r}: taken as {taken}; it holds the velocities"
