@@ -245,7 +245,7 @@ def test_no_build_product_is_tracked() -> None:
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
     "fitting": 10330,
-    "gas": 6847,
+    "gas": 6849,
     "billiards": 5544,
     "tracks": 8894,
     "simulation": 5975,
@@ -256,7 +256,7 @@ CAPS = {
     "plot": 3630,
     "derive": 3165,
     "sweeps": 3110,
-    "data": 2675,
+    "data": 2681,
     "interop": 1070,
     "explorer": 945,
     "public": 328,
