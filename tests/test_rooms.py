@@ -251,7 +251,7 @@ CAPS = {
     "simulation": 5975,
     "core": 5189,
     "laws": 4849,
-    "scene": 4416,
+    "scene": 4417,
     "cli": 4182,
     "plot": 3630,
     "derive": 3165,
