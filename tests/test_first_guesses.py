@@ -149,8 +149,8 @@ def test_what_cannot_be_meant_is_said_once_with_what_is_meant(tmp_path: Path) ->
         (lambda: carom.measure_tracks([3]),
          "measure_tracks: files: expected the name of a track file, columns t, x, y, or Tracks, got int 3"),
         (lambda: carom.Scene(walls=[{"shape": "boks"}], balls=balls),
-         "Scene: walls[0].shape: expected one of plane, segment, polygon, table, box, strip, wedge, cylinder, arc, sphere, stadium,"
-         " outline, regular, rectangle, tokarsky, curve, limacon, oval, flower, superellipse, circle, ellipse, sector, squash,"
+         "Scene: walls[0].shape: expected one of plane, segment, polygon, table, box, strip, wedge, cylinder, arc, sphere, outline,"
+         " regular, rectangle, tokarsky, curve, limacon, oval, flower, superellipse, circle, ellipse, sector, stadium, squash,"
          " lemon, mushroom, got 'boks'; did you mean 'box'?"),
     ):  # fmt: skip
         with pytest.raises(carom.CaromError) as error:

@@ -245,13 +245,13 @@ def test_no_build_product_is_tracked() -> None:
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
     "fitting": 10330,
-    "gas": 6849,
+    "gas": 6847,
     "billiards": 5544,
     "tracks": 8894,
     "simulation": 5975,
     "core": 5189,
     "laws": 4849,
-    "scene": 4417,
+    "scene": 4416,
     "cli": 4182,
     "plot": 3630,
     "derive": 3165,

@@ -25,7 +25,20 @@ TWINS: dict[str, str] = {
     "fit": "fitting.files:fit", "track": "tracks.video.film:track_film", "tracks show": "tracks.films:measure_tracks",
     "judge": "tracks.judgement:judge", "compare": "laws.comparison:incoming",
 }  # fmt: skip
-OTHERS = {"progress", "say", "film", "fine", "path", "files", "file", "table", "kappa", "gravity", "sizes"}
+OTHERS = {
+    "progress",
+    "say",
+    "film",
+    "fine",
+    "path",
+    "files",
+    "file",
+    "table",
+    "kappa",
+    "gravity",
+    "sizes",
+    "picture_height",
+}
 
 
 def commands(group: Any, path: str = "") -> dict[str, Any]:

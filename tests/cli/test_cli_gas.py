@@ -273,7 +273,13 @@ def test_a_signal_ends_it_with_a_checkpoint(folder, struck, which):
 
 def test_a_signal_while_the_gas_is_made_ends_the_command(folder, monkeypatch, capsys):
     """A dense start takes minutes; a note of the signal was kept until it was made."""
-    monkeypatch.setattr("carom.gas.session.build", lambda *_: signal.raise_signal(signal.SIGINT))
+
+    def made(*_):
+        signal.raise_signal(signal.SIGINT)
+        for _ in range(100_000):  # (Python looks for signals where a loop goes back)
+            pass
+
+    monkeypatch.setattr("carom.gas.session.build", made)
     monkeypatch.setattr(sys, "argv", ["carom", "gas", "rough.toml"])
     with pytest.raises(SystemExit) as ended:
         main()

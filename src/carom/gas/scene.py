@@ -41,7 +41,6 @@ from carom.scene.schema import (
     Model,
     Number,
     Time,
-    Whole,
     from_file,
     raise_faults,
     refused,
@@ -49,7 +48,6 @@ from carom.scene.schema import (
 from carom.scene.toml import toml_text
 
 MOST_EVENTS = 1 << 62  # of a gas that is run by hand
-MOST_BEFORE = 10**12  # collisions of equilibration, which nothing else ends: weeks of computing
 _ENDINGS = (".csv", ".npz", ".gsd")
 
 
@@ -78,7 +76,7 @@ class GasSettings(Model):
     """
 
     start: Annotated[str, BeforeValidator(_start)] = "lattice"
-    equilibrate: Annotated[int, BeforeValidator(Whole("a whole number >= 0", 0, MOST_BEFORE))] | None = None
+    equilibrate: CountOrZero | None = None
     from_time: Time | None = None
     max_events: Count | None = None
     duration: Time | None = None
