@@ -173,5 +173,7 @@ def test_the_readout_of_a_camera_is_taken_out_of_the_files_of_other_programs() -
     found = carom.measure_tracks(table, **given, film={"readout": 0.015, "picture_height": 0.8}).measured[0].contacts[0]
     assert found.fit is not None
     assert abs(found.fit["vn_out"] / -found.fit["vn_in"] - 0.8) < 0.0005
+    with pytest.raises(CaromError, match="`picture_height`: expected none for a film"):
+        carom.track_film("a.mp4", picture_height=0.8)
     with pytest.raises(CaromError, match="picture_height"):
         carom.measure_tracks(table, **given, film={"readout": 0.015})

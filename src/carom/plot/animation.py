@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import tempfile
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -58,7 +59,7 @@ def _spots(q: Array, side: bool) -> Array:
     return rim
 
 
-class Frames:
+class Frames(ABC):
     """Frames of a film, in pixels: what stands still is drawn once, what moves over it."""
 
     def __init__(self, figure: Any, times: Array, size: tuple[int, int]) -> None:
@@ -72,9 +73,9 @@ class Frames:
         self.background = self.canvas.copy_from_bbox(figure.bbox)
         self.moving: list[Any] = []
 
+    @abstractmethod
     def move(self, n: int) -> None:
         """Bring what moves to the n-th frame."""
-        raise NotImplementedError
 
     def frame(self, n: int) -> Array:
         """Return the n-th frame, (high, wide, 4) bytes."""

@@ -408,6 +408,9 @@ def track_film(
     """
     if balls is None:
         balls = 1 if isinstance(ball, str) else max(len(ball), 1)
+    if picture_height is not None:
+        expected = "none for a film, whose picture is known: it is for files of other programs"
+        raise CaromError(Fault("track_film", "`picture_height`", expected, f"{picture_height!r:.40}"))
     asked = check_arguments(
         balls, radius, scale, length, readout, rate, ball, colour, region, corners, start, end
     )  # fmt: skip
