@@ -24,6 +24,7 @@ from carom.fitting import Setting
 from carom.fitting.laws import ALONG, PARAMETERS
 from carom.fitting.rows import FORM_PARAMETERS
 from carom.fitting.tracks.model import FLOOR as TRACK_PARAMETERS
+from carom.scene.air import SceneAir
 from carom.scene.ball import BallContact, CueStrike, SceneBall, SceneCue
 from carom.scene.floor import Floor
 from carom.scene.restitution import Exponential, Polynomial, Viscoelastic
@@ -38,6 +39,7 @@ ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "reference" / "names.md"
 SCENE = {
     "": Scene, "run.": Run, "balls[].": SceneBall, "balls[].strike.": CueStrike, "balls[].strike.cue.": SceneCue, "floor.": Floor,
+    "air.": SceneAir,
     "ball_contact.": BallContact, "walls[].": Table, "walls[].corner_pockets.": Pockets, "walls[].restitution.": (
         Polynomial, Viscoelastic, Exponential),
 }  # fmt: skip
@@ -47,7 +49,7 @@ FUNCTIONS = (
 )  # fmt: skip
 # Scenes' parts, and arguments that are no quantities: files, choices, counts, and how to run.
 _CHOICES = (
-    "after angles_deg ball_contact balls bootstrap bound bounds by center chained corner_pockets cue cushions down duration "
+    "after air angles_deg ball_contact balls bootstrap bound bounds by center chained corner_pockets cue cushions down duration "
     "every_contact file files film fine fit fix fixed floor floor_contact form format forms hard hops kind law laws max_events "
     "name odds out overlap preset profiles progress rack rate robust rolling run say scale scatter seed "
     "shape side_pockets sides shot slides sliding speeds spin_prior spins stage strict strike suffix table truth view wall "
@@ -135,6 +137,17 @@ ROWS = {
         Quantity("top of a cushion", "", "m", "walls[].height"),
         Quantity("length of a table", "", "m", "walls[].length", "between the noses"),
         Quantity("width of a table", "", "m", "walls[].width", "between the noses"),
+    ),
+    "The air": (
+        Quantity("density of the air", "ρ", "kg/m³", "air.density", "left out: by `air.temperature` and `air.pressure`"),
+        Quantity("temperature of the air", "T", "K", "air.temperature"),
+        Quantity("pressure of the air", "p", "Pa", "air.pressure"),
+        Quantity("viscosity of the air", "η", "Pa s", "air.viscosity"),
+        Quantity("wind", "", "m/s", "air.wind"),
+        Quantity("whether the air bears its own weight", "", "", "air.buoyancy"),
+        Quantity("coefficient of drag", "C_D", "1", "balls[].drag"),
+        Quantity("coefficient of lift", "C_L", "1", "balls[].lift"),
+        Quantity("decay of a spin in flight", "λ", "1", "balls[].spin_decay"),
     ),
     "The floor": (
         Quantity("friction", "μ", "1", "floor.friction floor_friction"),

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from reference.air_events import drawn_room
 from reference.exploring import tried
 from reference.scenes_of_all_laws import may_call_libm, scene_of_all_laws
 from reference.table_shots import shot
@@ -80,7 +81,8 @@ def records(text: str, kind: np.dtype[Any]) -> np.ndarray:
 @pytest.fixture(scope="module")
 def scenes() -> list[carom.Scene]:
     found = [with_outlines(scene_of_all_laws(seed)) for seed in range(SCENES)]
-    return found + [table for seed in range(SHOTS) for table in tables(seed)] + [with_outlines(one) for one in curves()]
+    found += [*map(in_air, range(4)), *(table for seed in range(SHOTS) for table in tables(seed))]
+    return found + [with_outlines(one) for one in curves()]
 
 
 def curves() -> list[carom.Scene]:
@@ -121,6 +123,16 @@ def curves() -> list[carom.Scene]:
             gravity=[0, -1, 0], walls=[{**flower, "friction": 0.0}], balls=[{**thrown, "position": [0, 0, 0]}], run=run
         ),
     ]
+
+
+def in_air(seed: int) -> carom.Scene:
+    """Return a scene with flights in air, under laws by name and numbers."""
+    room = drawn_room(seed)
+    drag = ("table-tennis", "smooth-sphere", 0.5, 0.3)[seed]
+    return carom.Scene(**{
+        **{name: getattr(room, name) for name in ("air", "floor", "walls", "run")},
+        "balls": [ball.model_copy(update={"drag": drag, "lift": "tennis" if seed < 3 else 0.2}) for ball in room.balls],
+    })  # fmt: skip
 
 
 def tables(seed: int) -> list[carom.Scene]:

@@ -16,6 +16,8 @@ from reference.hertz_contacts import POISSON, YOUNG, Wall, damping_of
 
 Array = Any
 
+SLOW = 1e-9  # m/s: what moves no faster is at rest, but for its last digits
+
 
 class Layout(NamedTuple):
     """Balls at the beginning: radii and masses (N,), places, velocities and spins (N, 3); walls."""
@@ -80,7 +82,7 @@ def _rates(x: Array, v: Array, w: Array, a: Array, m: Array, walls: Array, modul
             far = math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])
             depth = a[i] + a[j] - far
             if depth > 0:
-                closed = True
+                closed = closed or depth > 1e-12  # (what touches but for its last digits is not pressed)
                 n /= far
                 u = v[i] - v[j]
                 mn = m[i] * m[j] / (m[i] + m[j])
@@ -98,7 +100,7 @@ def _rates(x: Array, v: Array, w: Array, a: Array, m: Array, walls: Array, modul
                 (x[i, 0] - walls[s, 0]) * n[0] + (x[i, 1] - walls[s, 1]) * n[1] + (x[i, 2] - walls[s, 2]) * n[2]
             )
             if depth > 0:
-                closed = True
+                closed = closed or depth > 1e-12  # (what touches but for its last digits is not pressed)
                 rate = math.pi / walls[s, 6]
                 opening = v[i, 0] * n[0] + v[i, 1] * n[1] + v[i, 2] * n[2]
                 push = m[i] * rate * max(rate * depth - 2 * walls[s, 7] * opening, 0.0)
@@ -115,11 +117,11 @@ def _will_touch(x: Array, v: Array, a: Array, walls: Array, ahead: float) -> boo
         for j in range(i):
             r, u, reach = x[i] - x[j], v[i] - v[j], a[i] + a[j]
             b, c, d = (r * u).sum(), (r * r).sum() - reach * reach, (u * u).sum()
-            if b < 0 and b * b >= c * d and c <= ahead * (-b + math.sqrt(b * b - c * d)):
+            if b < -SLOW * reach and b * b >= c * d and c <= ahead * (-b + math.sqrt(b * b - c * d)):
                 return True
         for s in range(len(walls)):
             gap, rate = ((x[i] - walls[s, 0:3]) * walls[s, 3:6]).sum() - a[i], (v[i] * walls[s, 3:6]).sum()
-            if rate < 0 and gap < -rate * ahead:
+            if rate < -SLOW and gap < -rate * ahead:
                 return True
     return False
 
@@ -129,7 +131,7 @@ def _follow(x: Array, v: Array, w: Array, a: Array, m: Array, walls: Array, modu
             step: float, ahead: float, longest: float) -> float:  # fmt: skip
     acc, turn, t, count = np.zeros_like(x), np.zeros_like(x), 0.0, 0
     closed = _rates(x, v, w, a, m, walls, modulus, alpha, mu, step, acc, turn)
-    while (closed or _will_touch(x, v, a, walls, ahead)) and t < longest:
+    while closed or (_will_touch(x, v, a, walls, ahead) and t < longest):
         for _ in range(200):
             half, spin = v + acc * (step / 2), w + turn * (step / 2)
             x += half * step

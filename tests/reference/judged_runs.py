@@ -1,4 +1,4 @@
-"""Runs of carom of every kind, drawn: on level and tilted floors, among cushions, in the air, from racks, frozen to a cushion."""
+"""Runs of carom of every kind, drawn: on level and tilted floors, among cushions on either, in the air, from racks, frozen."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from carom.tracks import judge
 RATES = (60, 120, 240, 480)
 R = 0.0286
 BALL = {"radius": R, "mass": 0.17}
-KINDS = ("slope", "table", "frozen", "air", "rack")
+KINDS = ("slope", "table", "frozen", "air", "rack", "leaning")
 
 
 def scene_of(kind: str, seed: int) -> carom.Scene:
     """Return a scene; the same for the same kind and seed."""
     rng = np.random.default_rng([KINDS.index(kind), seed])
-    slope = tuple(rng.normal(scale=0.03, size=2)) if kind == "slope" else (0.0, 0.0)
+    slope = tuple(rng.normal(scale=0.03, size=2)) if kind in ("slope", "leaning") else (0.0, 0.0)
     floor = {
         "friction": rng.uniform(0.05, 0.6), "rolling_resistance": float(rng.choice([0.0, 0.01, 0.03])), "slope": slope,
         "restitution": float(rng.choice([0.0, 0.5, 0.9])), "spin_friction": float(rng.choice([0.0, 0.0127])),

@@ -31,6 +31,7 @@ from carom.scene import (
     Rack,
     Run,
     Scene,
+    SceneAir,
     SceneBall,
     Segment,
     Sphere,
@@ -260,8 +261,8 @@ def test_the_new_scene_is_sound_and_shows_every_field(tmp_path: Path) -> None:
         "a floor, a table of 2.84 m by 1.42 m, cushion noses at 37 mm, 1 ball, law two-step, 20 s"
     )  # fmt: skip
     shown = {line.lstrip("# ").split(" =")[0] for line in scene_text().splitlines() if " = " in line}
-    for model in (Scene, Floor, Table, Plane, Segment, Rack, SceneBall, BallContact, Run):
-        tables = {"floor", "walls", "rack", "balls", "ball_contact", "run"}
+    for model in (Scene, Floor, SceneAir, Table, Plane, Segment, Rack, SceneBall, BallContact, Run):
+        tables = {"floor", "air", "walls", "rack", "balls", "ball_contact", "run"}
         assert set(model.model_fields) - tables <= shown, model
 
 

@@ -82,6 +82,7 @@
  * @property {Record<string, string>} refusals
  * @property {Record<string, number>} responses
  * @property {Law[]} laws
+ * @property {Record<string, Record<"drag" | "lift", number[][]>>} air_laws segments: p0, p1, p2, p3, q, r, their end, and whether that is of S
  * @property {Record<"least_firm" | "balls" | "features of walls", number>} limits of laws, and of a page
  * @property {Record<string, Ruled>} shapes
  * @property {Record<string, Ruled>} parts

@@ -125,6 +125,34 @@ function pairFields({ ball_contact: pair }, law, called, layout) {
   };
 }
 
+/** What the air of a scene is to the world and to its balls: rows of the laws of drag and lift, and the places of each ball's. @param {Scene} scene @param {Layout} layout @param {boolean} [share] rows of the same numbers, where there are too many @returns {{world: Row, balls: Row[]}} */
+function airOf({ air, balls }, layout, share = false) {
+  if (!air) return { world: {}, balls: balls.map(() => ({})) };
+  /** @type {number[]} */
+  const laws = [];
+  /** @type {Map<string, number>} */
+  const known = new Map(); // the first rows of laws, by their numbers
+  const own = balls.map((ball) => {
+    const [a, perSpeed] = [ball.radius, (2 * ball.radius * air.density) / air.viscosity];
+    const places = /** @type {const} */ (["drag", "lift"]).map((name) => {
+      const law = ball[name] ?? 0;
+      const segments = typeof law === "string" ? layout.air_laws[law][name] : [[law, 0, 0, 0, 0, 0, Infinity, 0]];
+      const rows = segments.map(([p0, p1, p2, p3, q, r, high, overSpin]) => {
+        const top = extended(/** @type {any} */ (high));
+        return [Number(overSpin), overSpin ? top : top / perSpeed, p0, p1 * perSpeed, p2 / perSpeed, p3 / (perSpeed * perSpeed), q, r];
+      });
+      const first = (share ? known.get(JSON.stringify(rows)) : undefined) ?? laws.length / 8;
+      if (first === laws.length / 8) laws.push(...rows.flat());
+      known.set(JSON.stringify(rows), first);
+      return { [name]: first, [`${name}_last`]: first + rows.length - 1 };
+    });
+    const moved = ((air.density * 4) / 3 * Math.PI * (a * a * a)) / ball.mass;
+    return { ...places[0], ...places[1], air: (air.density * Math.PI * (a * a)) / (2 * ball.mass), buoyancy: air.buoyancy ? moved : 0, spin_decay: ball.spin_decay ?? 0 };
+  });
+  const most = layout.records.world.fields.laws.count;
+  return laws.length > most && !share ? airOf(/** @type {Scene} */ ({ air, balls }), layout, true) : { world: { wind: air.wind, laws }, balls: own };
+}
+
 /** A scene as records; tables of curves are put into the memory. @param {Scene} scene @param {Module} module @returns {Setup} */
 export function setUp(scene, module) {
   const { layout, memory } = module;
@@ -141,7 +169,7 @@ export function setUp(scene, module) {
     ...(floor && { resistance: floor.rolling_resistance, spin_friction: floor.spin_friction }),
     ...(floor && { rolling_drag: floor.rolling_drag, spin_damping: floor.spin_damping, spin_drag: floor.spin_drag }),
     ...pairFields(scene, pairLaw, called, layout),
-    together: scene.run.floor_contact === "with",
+    together: scene.run.floor_contact === "with", ...airOf(scene, layout).world,
   };
   let pockets = 0; // of the walls before
   const features = scene.walls.flatMap((wall, i) => {
@@ -158,8 +186,9 @@ export function setUp(scene, module) {
       return { ...one, ...surface, ends: gate, at: entry ? module.address(entry) : 0, ...(rows && { lo1: memory.put(rows.flat()) }) };
     });
   });
-  const balls = scene.balls.map((ball) => ({
-    radius: ball.radius, mass: ball.mass, kappa: kappaOf(ball), x: centerOf(scene, ball), v: ball.velocity, w: spinOf(ball),
+  const inAir = airOf(scene, layout).balls;
+  const balls = scene.balls.map((ball, i) => ({
+    ...inAir[i], radius: ball.radius, mass: ball.mass, kappa: kappaOf(ball), x: centerOf(scene, ball), v: ball.velocity, w: spinOf(ball),
   }));
   return { world, features, balls, called };
 }

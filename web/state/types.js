@@ -27,6 +27,9 @@
  * @property {boolean} rolling
  * @property {Vec | null} spin
  * @property {number | null} spin_z
+ * @property {number | string | null} [drag]
+ * @property {number | string | null} [lift]
+ * @property {number} [spin_decay]
  * @property {string | null} name
  */
 
@@ -35,6 +38,7 @@
  * @typedef {object} Scene
  * @property {Vec} gravity
  * @property {Floor | null} floor
+ * @property {{density: number, viscosity: number, wind: Vec, buoyancy: boolean} | null} [air]
  * @property {Wall[]} walls
  * @property {Ball[]} balls
  * @property {Omit<Surface, "friction"> & {friction: Extended | {at_rest: number, at_speed: number, speed: number}, law?: string, stiffness_ratio: number | null, young: number, poisson: number, overlap: boolean}} ball_contact

@@ -14,6 +14,7 @@ from pydantic.fields import FieldInfo
 from carom.explorer.entries import PARTS
 from carom.formatting import json_value
 from carom.laws.registry import laws, laws_of_pairs
+from carom.scene.air import DRAG, LIFT, SceneAir
 from carom.scene.ball import KAPPA, RUBBING, BallContact
 from carom.scene.presets import presets
 from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, Power, Viscoelastic
@@ -38,6 +39,7 @@ NAMED: dict[str, type[Model]] = {
     **PARTS,
     "ball_contact": BallContact,
     "run": Run,
+    "air": SceneAir,
     **{
         part.__name__.lower(): part
         for shape in PAGE_SHAPES.values()
@@ -70,15 +72,19 @@ def scene_fields() -> dict[str, Any]:
 
 
 def _part(model: type[Model], rules: str | None = None, **own: Any) -> dict[str, Any]:
-    # (a strike has become velocity and spin, and a rack positions, before a scene is shown)
-    names = [name for name in model.model_fields if name not in ("strike", "rack")]
+    # (a strike has become velocity and spin, a rack positions, and temperature and pressure density, before a scene is shown)
+    without = ("strike", "rack", "temperature", "pressure")
+    names = [name for name in model.model_fields if name not in without]
     fields = {name: own.get(name) or _field(model, name, model.model_fields[name]) for name in names}
     return {"kind": "part", "what": "a table of fields", "fields": fields, "rules": rules}
 
 
-def _field(model: type[Model], name: str, info: FieldInfo) -> dict[str, Any]:
+def _field(model: type[Model], name: str, info: FieldInfo) -> dict[str, Any]:  # noqa: PLR0911  (one return a kind)
     if name == "inertia":
         return {**_number(KAPPA), "words": ["solid", "hollow"]}
+    if name in ("drag", "lift"):
+        own = DRAG if name == "drag" else LIFT
+        return {**_number(own.number), "words": own.names, "optional": True}
     if name == "gravity":
         return {"kind": "vector", "what": GRAVITY.what, "counts": [3, 3], "each": _described(Acceleration, [])}
     if name == "friction" and model is BallContact:

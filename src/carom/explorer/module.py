@@ -27,6 +27,8 @@ from carom.errors import CaromError
 from carom.explorer.entries import PARTS, entries, rule_name, rules_of
 from carom.explorer.fields import scene_fields
 from carom.files import write_text
+from carom.formatting import json_value
+from carom.laws.air import AIR_LAWS
 from carom.laws.callbacks import register_calls
 from carom.laws.landing import REGIME_NAMES, WHY
 from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL, ROLLING_WALL, TWO_STEP_WALL
@@ -94,6 +96,10 @@ def _described() -> dict[str, Any]:
         },
         "limits": {"least_firm": LEAST_FIRM, "balls": MOST_BALLS, "features of walls": MOST_FEATURES},
         "laws": [_law(law) for law in laws().values() if law.kernel is not None],
+        "air_laws": {
+            name: {what: [list(one) for one in json_value(getattr(law, what), infinite=True)] for what in ("drag", "lift")}
+            for name, law in AIR_LAWS.items()
+        },
         "shapes": {name: {**_ruled(shape), "pockets": list(shape.pocket_places)} for name, shape in PAGE_SHAPES.items()},
         "parts": {name: _ruled(part) for name, part in PARTS.items()},
         "scene_faults": [text._asdict() for text in SCENE_FAULTS],
@@ -162,7 +168,7 @@ def _law(law: Any) -> dict[str, Any]:
 # ``python -m carom.explorer.module`` writes ``assets/engine.wasm``, ``assets/engine.json`` and musl's licence.
 
 
-MAX_BYTES = 300_000
+MAX_BYTES = 330_000
 
 
 def build() -> tuple[bytes, str, str]:

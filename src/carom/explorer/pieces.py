@@ -7,9 +7,10 @@ from typing import Any
 
 from carom.core.jit.kernel import Vec, kernel, vector
 from carom.core.motion.phases import BOUNCING, HELD
-from carom.simulation.motion import begin_phase, move_by, write_vector
+from carom.simulation.motion import begin_phase, is_in_air, move_by, set_to_row
 
 PIECE = 0.05  # s: a ball whose acceleration decays is drawn by parabolas so short, 1e-7 m from its path
+IN_AIR_PIECE = 0.01  # s: so is one in air, 1e-5 m from its path
 PIECE_COLUMNS = 18  # time, duration; position, velocity, spin, acceleration, change of the spin; phase
 ZERO: Vec = (0.0, 0.0, 0.0)
 
@@ -39,10 +40,8 @@ def piece_rows(worlds: Any, balls: Any, log: Any, number: int, end: float, until
 @kernel
 def _begin(world: Any, ball: Any, row: Any) -> None:
     """Bring the ball into the state of a row of the log."""
-    write_vector(ball.x, vector(row.x))
-    write_vector(ball.v, vector(row.v))
-    write_vector(ball.w, vector(row.w))
-    ball.phase, ball.clock = row.phase, 0.0
+    set_to_row(ball, row)
+    ball.clock = 0.0
     begin_phase(world, ball)
 
 
@@ -63,14 +62,15 @@ def _put_motion(world: Any, ball: Any, row: Any, end: float, is_last: bool, i: i
             move_by(world, ball, lasts, 0.0)
             v = ((ball.x[0] - x[0]) / lasts, (ball.x[1] - x[1]) / lasts, 0.0)
         return _put(row.t, lasts, x, v, w, ZERO, turn, row.phase, i, out)
-    parts = math.ceil(lasts / PIECE) if ball.decays != 0 and PIECE < lasts < math.inf else 1
+    piece = IN_AIR_PIECE if is_in_air(ball) else PIECE
+    parts = math.ceil(lasts / piece) if ball.decays != 0 and piece < lasts < math.inf else 1
     for k in range(parts):
-        begin = k * PIECE
+        begin = k * piece
         if k > 0:
             _begin(world, ball, row)
             move_by(world, ball, begin, 0.0)
             begin_phase(world, ball)
-        long = lasts - begin if k == parts - 1 else PIECE
+        long = lasts - begin if k == parts - 1 else piece
         i = _put_until_spin_ends(
             row.t + begin,
             long,

@@ -1,3 +1,4 @@
+from .air import SceneAir as SceneAir
 from .ball import BallContact as BallContact
 from .ball import Rack as Rack
 from .ball import SceneBall as SceneBall

@@ -18,6 +18,7 @@ from carom.formatting import format_length
 from carom.laws.law import Law
 from carom.laws.pair import POISSON, YOUNG, contact_modulus
 from carom.laws.strike import DEFAULT_CUE, Cue, Strike, strike
+from carom.scene.air import Drag, Lift
 from carom.scene.restitution import Bounce, Constant, FasterThanNothing
 from carom.scene.ruled import FaultText, Ruled, put_fault
 from carom.scene.scene_rules import least_young
@@ -152,6 +153,10 @@ class SceneBall(Ruled):
     spin : 3 numbers, rad/s: angular velocity of a ball that does not roll; default: none
     spin_z : rad/s: sidespin of a ball that rolls; default: 0
     strike : how a cue strikes it, in place of velocity and spin: speed, azimuth, elevation, offset, cue (:class:`CueStrike`)
+    drag, lift : in a scene with air, C_D and C_L: numbers; names of laws (``carom laws``); or forms, {"form": "spin", "still": C,
+        "per_spin": C}, {"form": "saturating", "slope": C, "saturation": C} or {"form": "table", "reynolds": [..], "values": [..]}
+        (or "spin_ratio"). C_L is along spin x velocity relative to the air; default: none
+    spin_decay : in air the spin w fades at the rate spin_decay |u| w / radius, u the velocity relative to it; default: 0
     name : its name in tables; default: its number
 
     Every number with a unit may also be a text such as "61.5 mm". Raises CaromError, one line per problem.
@@ -194,6 +199,9 @@ class SceneBall(Ruled):
     ) = None
     spin_z: Spin | None = None
     strike: CueStrike | None = None
+    drag: Drag | None = None
+    lift: Lift | None = None
+    spin_decay: NotNegative = 0.0
     name: str | None = None
 
     @model_validator(mode="after")

@@ -23,6 +23,7 @@ from carom.formatting import format_time, json_value
 from carom.laws.law import CALLED_WALL, Law, Meeting
 from carom.laws.pair import YOUNG
 from carom.laws.registry import find_law, laws
+from carom.scene.air import SceneAir, air_faults, has_no_overlap
 from carom.scene.ball import BallContact, Rack, SceneBall, default_is_too_soft, fastest, near_pairs
 from carom.scene.floor import Floor, gravity_on_slope
 from carom.scene.restitution import Constant
@@ -87,6 +88,7 @@ class Scene(Model):
     ----------
     gravity : m/s^2: a number, downwards, or 3 numbers; default: 9.80665
     floor : Floor; default: none
+    air : SceneAir (:class:`carom.scene.SceneAir`); default: none
     walls : walls of any shape (:mod:`carom.scene`); default: none
     rack : Rack: which balls lie in a rack, and the gaps between them; default: none
     balls : SceneBalls, at least one
@@ -112,6 +114,7 @@ class Scene(Model):
         -9.80665,
     )
     floor: Floor | None = None
+    air: SceneAir | None = None
     walls: tuple[AnyWall, ...] = ()
     rack: Rack | None = None
     balls: Annotated[tuple[SceneBall, ...], Field(validate_default=True)] = ()
@@ -143,7 +146,8 @@ class Scene(Model):
 
     @model_validator(mode="after")
     def _sound(self) -> Scene:
-        if default_is_too_soft(self.ball_contact, self.balls):
+        untimed = len(self.balls) > 1 and has_no_overlap(self.air, list(self.ball_contact.model_fields_set))
+        if self.ball_contact.overlap and (untimed or default_is_too_soft(self.ball_contact, self.balls)):
             # (nobody gave these balls a modulus, so their contacts take no time)
             object.__setattr__(self, "ball_contact", self.ball_contact.model_copy(update={"overlap": False}))
             self.model_fields_set.add("ball_contact")
@@ -266,6 +270,7 @@ class Scene(Model):
         law += "" if pair == "contact" else f", balls by {pair}"
         run = [] if self.run.duration is None else [format_time(self.run.duration)]
         run += [] if self.run.max_events is None else [f"at most {self.run.max_events:,} events"]
+        floor += [] if self.air is None else ["air"]
         return ", ".join([*floor, *shown, balls, law, *run])
 
 
@@ -279,6 +284,7 @@ def scene_faults(scene: Scene) -> list[Fault]:
     rack = [] if scene.rack is None else scene.rack.faults(scene.ball_names, scene.balls)
     return [
         *_floor_faults(scene, balls),
+        *air_faults(scene),
         *_law_faults(scene),
         *_wall_faults(scene, balls),
         *_among_balls(scene, balls),
@@ -433,6 +439,13 @@ def scene_dict(scene: Scene) -> dict[str, Any]:
     """
     found = plain_model(scene)
     del found["rack"]
+    if scene.air is not None:
+        air = scene.air
+        found["air"] = {"density": air.rho, "viscosity": air.eta, "wind": list(air.wind), "buoyancy": air.buoyancy}
+    else:
+        for part in (found, *found["balls"]):
+            for name in ("air", "drag", "lift", "spin_decay"):
+                part.pop(name, None)
     for entry, wall in zip(found["walls"], scene.walls, strict=True):
         if "sides" in entry and not wall.own_surfaces:
             del entry["sides"]

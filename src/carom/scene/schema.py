@@ -222,6 +222,7 @@ Vector = tuple[float, float, float]
 EXAMPLES = {
     "m": "61.5 mm", "m/s": "2 m/s", "m/s^2": "9.81 m/s^2", "kg": "210 g", "s": "10 s", "rad/s": "30 rev/s", "degree": "0.5 rad",
     "J": "2 uJ", "1/s": "50 Hz", "s/m": "0.002 s/m", "rad/m": "2 rad/m", "Pa": "5.84 GPa",
+    "K": "20 degC", "kg/m^3": "1.2 kg/m^3", "Pa*s": "18.1 uPa*s",
 }  # fmt: skip
 
 

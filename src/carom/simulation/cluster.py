@@ -5,11 +5,10 @@ time is over, one pair at a time is not right, in whatever order. So at a meetin
 contact's duration tau is compared with the gaps to all other balls: where a gap is at most tau times the larger speed at which it
 closes, before the contact or after it, all balls nearby are taken together. Their contacts (carom.laws.pair, with Coulomb's
 friction) are integrated in the event's own time until all have opened (carom.simulation.cluster_steps). Velocities and spins
-are kept and the places are put back, so that the event takes no time, as any other. Where balls that have passed each other would
-meet once more there, or a wall was touched, they are put on the ways on which they leave, as far back as the event has lasted, or
-less where they would be in each other's way or in that wall. So it is where one of the two comes to touch a wall, and at a meeting
-of a ball and a wall where another ball, or another wall, touches the ball before the wall's contact time is over; or where the
-ball is sent back to another one, if the wall's law is the contact's, so that nothing of the law is lost.
+are kept, and the balls are put back on the ways on which they leave, so that the event takes no time, as any other: as far back as
+it has lasted, or less where they would be in each other's way or in a wall. So it is where one of the two comes to touch a wall,
+and at a meeting of a ball and a wall where another ball, or another wall, touches the ball before the wall's contact time is over;
+or where the ball is sent back to another one, if the wall's law is the contact's, so that nothing of the law is lost.
 
 Neglected are the floor's forces meanwhile (they come after, as for a pair), the time itself and the places that change with it
 (some 0.1 mm; the loop's balls are rigid wherever they meet), and the spring of the tangent: whatever the law of the pair, friction
@@ -21,9 +20,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.core.geometry.features import OVER, gap_to_feature, is_out_of_reach
+from carom.core.geometry.features import OVER, contact_normal, gap_to_feature, is_out_of_reach
 from carom.core.jit.kernel import Vec, dot, kernel, vector
 from carom.core.motion.phases import CONSTANT, HELD
+from carom.laws.law import CONTACT_WALL
 from carom.laws.pair import LEAST_RESTITUTION, lasts_longer, stiffness
 from carom.simulation.cluster_steps import (
     AHEAD_AT_WALL,
@@ -34,7 +34,6 @@ from carom.simulation.cluster_steps import (
     acts_in_time,
     add,
     apart,
-    closing_rate,
     find_walls,
     follow,
     has_hit,
@@ -50,9 +49,9 @@ from carom.simulation.motion import move_by, state_after, write_vector
 
 NEAR = 0.15  # of the mean radius: a ball with such a gap to a member is a member too
 CLOSES = 1e-9  # of the speed of approach: slower balls do not approach a third one
-# Balls that touch and approach by more than this share of the largest speed with the places put back; how far they can be moved, of
-# the radius
-TURNS, LEAP = 4e-3, 0.5
+# how far balls are moved at most, of the radius, so that none overlap; and at all
+HOP, LEAP = 0.1, 0.5
+DELAY = 4.0  # times gravity, a speed over the time of a cluster: balls that leave each other more slowly never overlap
 OUTSIDE = -2
 # What is left between balls that touch is stopped by this share at a time, down to this share of the largest speed
 SHARE, LEAST_CHANGE, MOST_SWEEPS = 0.25, 1e-14, 10_000
@@ -196,23 +195,6 @@ def _join(balls: Any, count: int, slow: float) -> None:
 
 
 @kernel
-def _have_turned(balls: Any, count: int, slow: float) -> bool:
-    """Return whether what touches with the places put back, though it has parted, approaches faster than ``slow``."""
-    for p in range(count):
-        one = balls[balls[p].member]
-        for s in range(one.walls):
-            if closing_rate(one, s) > slow:
-                return True
-        for q in range(p):
-            other, bit = balls[balls[q].member], 1 << min(q, LAST_BIT)
-            if balls[p].near & bit != 0 and balls[p].joined & bit == 0 and _are_near(one, other, 1 + LEAST_DEPTH):
-                r, v, u = apart(other, one), one.cv, other.cv
-                if dot(r, (v[0] - u[0], v[1] - u[1], v[2] - u[2])) < -slow * (one.radius + other.radius):
-                    return True
-    return False
-
-
-@kernel
 def _since_walls(one: Any, time: float) -> float:
     """Return the time, or less: for how long a ball, which is at dx, has been on its way from the walls that it has touched."""
     for s in range(one.walls):
@@ -221,29 +203,50 @@ def _since_walls(one: Any, time: float) -> float:
 
 
 @kernel
-def _time_back(balls: Any, touched: int, time: float) -> tuple[float, float]:
-    """Return how far back on their ways after a cluster, at most its time, all balls, which are at dx, leave each other and their
-    walls; and how far they leave each other.
+def _share(one: Any, other: Any, overlap: bool, slow: float) -> bool:
+    """Put two balls less far back, where they would be in each other's way or will meet; return whether this changes anything.
+
+    They may ``overlap`` while they leave each other faster than ``slow``.
     """
-    back = time
-    for p in range(touched):
-        one = balls[balls[p].touched]
-        x, v = vector(one.dx), one.cv
-        back = _since_walls(one, back)
-        for q in range(p):
-            other = balls[balls[q].touched]
-            y, u = other.dx, other.cv
-            r, u = (x[0] - y[0], x[1] - y[1], x[2] - y[2]), (v[0] - u[0], v[1] - u[1], v[2] - u[2])
-            b, square, reach = dot(r, u), dot(u, u), one.radius + other.radius
-            if b > 0 and dot(r, r) - b * b / square < reach * reach:
-                time = min(time, b / (2 * square))
-    return min(back, time), time
+    x, y, v, u, reach = one.dx, other.dx, one.cv, other.cv, one.radius + other.radius
+    r, c = (x[0] - y[0], x[1] - y[1], x[2] - y[2]), (v[0] - u[0], v[1] - u[1], v[2] - u[2])
+    a, b = one.ago, other.ago
+    far = (r[0] - a * v[0] + b * u[0], r[1] - a * v[1] + b * u[1], r[2] - a * v[2] + b * u[2])
+    time, rate, square = max(a, b), dot(r, c), dot(c, c)
+    root = rate * rate - square * (dot(r, r) - reach * reach)
+    overlap = overlap and square > slow * slow
+    if rate > 0 and root > 0:
+        time = min(time, rate / (2 * square) if overlap else max((rate - math.sqrt(root)) / square, 0 * rate))
+    in_way = dot(far, far) < reach * reach and not (overlap and dot(far, c) > 0)
+    if in_way or (rate < 0 and root > 0) or time < max(a, b):
+        one.ago = other.ago = min(time, a, b)
+    return bool(one.ago != a or other.ago != b)
 
 
 @kernel
-def _is_room(world: Any, features: Any, balls: Any, touched: int, back: float) -> bool:
-    """Return whether the balls that were touched can be put a time back on their ways after it, but not into walls that they have
-    touched; across the pull and along the floor.
+def _go_back(world: Any, balls: Any, touched: int, time: float, overlap: bool) -> None:
+    """Write to all balls that a cluster has moved, which are at dx, how far back they can be put on their ways after it.
+
+    It is the time that the cluster has lasted, so that they are on their true ways, or less where they would be in a wall that they
+    have touched or in each other's way; they may ``overlap`` while they leave each other. Balls that will meet are put back by
+    the same time.
+    """
+    for p in range(touched):
+        one = balls[balls[p].touched]
+        one.ago = _since_walls(one, time)
+    # (friction and the pull of a slope stop slower balls before they have left each other)
+    slow = DELAY * math.sqrt(dot(vector(world.force), vector(world.force))) * time
+    changes = True
+    while changes:
+        changes = False
+        for p in range(touched):
+            for q in range(p):
+                changes = _share(balls[balls[p].touched], balls[balls[q].touched], overlap, slow) or changes
+
+
+@kernel
+def _is_room(world: Any, features: Any, balls: Any, touched: int, leap: float) -> bool:
+    """Return whether the balls that were touched can be put back on their ways (:func:`_go_back`), across the pull, on the floor.
 
     They can go a little way, where nothing else is; near a pocket they stay.
     """
@@ -251,20 +254,23 @@ def _is_room(world: Any, features: Any, balls: Any, touched: int, back: float) -
     square = dot(pull, pull)
     for p in range(touched):
         one = balls[balls[p].touched]
-        x, v, a, ago = one.x, one.cv, one.radius, _since_walls(one, back)
+        x, v, a, ago = one.x, one.cv, one.radius, one.ago
         d = (one.dx[0] - ago * v[0] - x[0], one.dx[1] - ago * v[1] - x[1], one.dx[2] - ago * v[2] - x[2])
         c = dot(d, pull) / square if square > 0 else 0 * square
         d = (d[0] - c * pull[0], d[1] - c * pull[1], d[2] - c * pull[2])
         x = (one.x[0] + d[0], one.x[1] + d[1], one.x[2] + (d[2] if world.floor == 0 else 0 * d[2]))
-        write_vector(one.cx, x)
-        if dot(d, d) > LEAP * LEAP * a * a:
+        if dot(d, d) > leap * leap * a * a:
             return False
         for k in range(features.shape[0]):
             f = features[k]
-            if not is_out_of_reach(f, a, vector(one.x), LEAP * a) and (
-                f.kind == OVER or -a < gap_to_feature(f, a, x) < -2 * SLACK * a
-            ):
-                return False
+            if not is_out_of_reach(f, a, vector(one.x), leap * a):
+                gap = gap_to_feature(f, a, x)
+                if f.kind == OVER or -a < gap < -2 * SLACK * a:
+                    return False
+                if -a < gap < 0:
+                    n = contact_normal(f, x, vector(v))
+                    x = (x[0] - gap * n[0], x[1] - gap * n[1], x[2] - gap * n[2])
+        write_vector(one.cx, x)
     t = balls[balls[0].touched].clock
     for p in range(touched):
         i = balls[p].touched
@@ -402,7 +408,9 @@ def collide_cluster(world: Any, features: Any, balls: Any, i: int, k: int, f: in
         if balls[i].coupled & 1 == 0 or not has_hit(balls[i], 0):
             return 0
     else:
-        if ((touched <= 2 or later) and coupled == 0) or balls[i].met == NO_BALL or balls[k].met == NO_BALL:
+        # (two balls alone are left to the law of the pair, unless it is that of the integration, which moves them truly)
+        alone = world.pair_law != CONTACT_WALL or world.pair_beta > 0
+        if ((touched <= 2 or later) and alone and coupled == 0) or balls[i].met == NO_BALL or balls[k].met == NO_BALL:
             return 0
         if hits != 0 and coupled == 0:
             hits = 0
@@ -412,7 +420,7 @@ def collide_cluster(world: Any, features: Any, balls: Any, i: int, k: int, f: in
             for p in range(count):
                 balls[balls[p].member].walls = balls[balls[p].member].hits = 0
             touched, fastest, time, later = follow(world, features, balls, count, i, False)
-            if touched <= 2 or later or balls[i].met == NO_BALL or balls[k].met == NO_BALL:
+            if ((touched <= 2 or later) and alone) or balls[i].met == NO_BALL or balls[k].met == NO_BALL:
                 return 0
     plastic = world.pair_form == CONSTANT and world.pair_p[0] < LEAST_RESTITUTION
     _join(balls, count, 2 * LEAST_RESTITUTION * fastest if plastic else -1)
@@ -431,12 +439,12 @@ def collide_cluster(world: Any, features: Any, balls: Any, i: int, k: int, f: in
         one.was = one.phase
         write_vector(one.dx, vector(one.cx))
         write_vector(one.cx, vector(one.x))
-    back, time = _time_back(balls, touched, time)
-    if (hits != 0 or _have_turned(balls, count, TURNS * fastest)) and (
-        _is_room(world, features, balls, touched, back)
-        or _is_room(world, features, balls, touched, time)
-        or _is_room(world, features, balls, touched, 0 * time)
-    ):
+    room, tries = False, 0
+    while not room and tries < 3:
+        _go_back(world, balls, touched, time, tries == 1)
+        room = _is_room(world, features, balls, touched, HOP if tries == 0 else LEAP)
+        tries += 1
+    if room:
         for p in range(touched):
             write_vector(balls[balls[p].touched].x, vector(balls[balls[p].touched].cx))
     for p in range(touched):

@@ -522,9 +522,9 @@ def _push(
     touched = _touch(balls, i, k, touched)
     f = (push * n[0], push * n[1], push * n[2])
     if world.pair_mu > 0 or world.pair_drop > 0:
-        if begins(one.rub, slot):
-            write_slip(one.rub, slot, _slip(one, other, n))
-        g = friction_before(one.rub, slot, share, push)
+        if begins(one.work, slot):
+            write_slip(one.work, slot, _slip(one, other, n))
+        g = friction_before(one.work, slot, share, push)
         f = (f[0] + g[0], f[1] + g[1], f[2] + g[2])
         twist = cross(n, g)
         add(one.twist, twist, 1)
@@ -545,16 +545,16 @@ def _slip(one: Any, other: Any, n: Vec) -> Vec:
 @kernel
 def _rub(world: Any, one: Any, other: Any, slot: int, h: float, last: bool) -> None:
     """Add the changes of the impulse of friction between two balls at the end of a step h."""
-    if not rubbed(one.rub, slot):
+    if not rubbed(one.work, slot):
         return
     r = apart(other, one)
     far = math.sqrt(dot(r, r))
     n = (r[0] / far, r[1] / far, r[2] / far)
     t = _slip(one, other, n)
-    mean = mean_slip(one.rub, slot, t)
+    mean = mean_slip(one.work, slot, t)
     mt = 1 / (one.parts * (1 + 1 / one.kappa) / one.mass + other.parts * (1 + 1 / other.kappa) / other.mass)
     mu = friction_at_slip(world.pair_mu, world.pair_drop, world.pair_rate, math.sqrt(dot(mean, mean)))
-    f = friction_of_step(one.rub, slot, n, t, mean, mt, mu, h, last)
+    f = friction_of_step(one.work, slot, n, t, mean, mt, mu, h, last)
     twist = cross(n, f)
     add(one.push, f, 1)
     add(other.push, f, -1)
@@ -740,7 +740,7 @@ def follow(world: Any, features: Any, balls: Any, count: int, i: int, alone: boo
         write_vector(one.dv, none)
         write_vector(one.dw, none)
         for s in range(SLOTS):
-            write_friction(one.rub, s, none)
+            write_friction(one.work, s, none)
         for s in range(one.walls):
             write_friction(one.wall_rub, s, none)
     alpha = damping(world.pair_p[0]) if world.pair_form == CONSTANT else 0 * h

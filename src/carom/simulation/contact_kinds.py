@@ -37,7 +37,7 @@ from carom.laws.two_step import UNDEFINED, first_impact_and_way
 from carom.laws.wall_and_floor.solver import JAM, STALL
 from carom.scene.scene import Scene
 from carom.simulation.cluster import collide_cluster, overlaps_at_wall, overlaps_in_time, place_all
-from carom.simulation.motion import is_on_floor, on_floor_with, phase_on_floor, write_vector
+from carom.simulation.motion import feels_air, is_on_floor, phase_on_floor, set_on_floor, write_vector
 from carom.simulation.records import (
     BALL,
     FLOOR,
@@ -57,9 +57,12 @@ from carom.simulation.records import (
 from carom.simulation.resting_contact import (
     continue_ball_contact,
     continue_wall_contact,
+    is_calm,
     is_driven_into_wall,
+    is_low_on_slope,
     is_pressed_on_ball,
     keep_on_floor,
+    settle_along_wall,
     sum_bounces,
 )
 
@@ -106,15 +109,14 @@ def without_impulse() -> Outcome:
 @kernel
 def leave(world: Any, ball: Any, v: Vec, w: Vec, from_floor: bool) -> None:
     """Set velocity and spin after an impact, and the phase that follows: on the floor, or in flight."""
-    phase = FLIGHT
+    ball.phase, ball.borne_by = FLIGHT, 0
+    write_vector(ball.v, v)
+    write_vector(ball.w, w)
     if from_floor:
         speed = math.sqrt(dot(v, v)) + ball.radius * math.sqrt(dot(w, w))
         if abs(v[2]) <= ROUNDING * speed:
             ball.x[2] = ball.radius
-            phase, v, w = on_floor_with(world, ball, v, w)
-    ball.phase = phase
-    write_vector(ball.v, v)
-    write_vector(ball.w, w)
+            set_on_floor(world, ball, v, w)
 
 
 @kernel
@@ -158,7 +160,7 @@ def meet_ball(world: Any, features: Any, balls: Any, i: int, k: int, users: Any)
     n = line_of_centres(ball, other)
     v, w, v2, w2 = vector(ball.v), vector(ball.w), vector(other.v), vector(other.w)
     approach = dot((v2[0] - v[0], v2[1] - v[1], v2[2] - v[2]), n)
-    pressed, driven = is_pressed_on_ball(world, ball, other, n, approach)
+    pressed, driven, bend = is_pressed_on_ball(world, ball, other, n, approach)
     e = 1.0 if driven else restitution(world.pair_form, vector(world.pair_p), max(approach, 0.0))
     a, m, kappa, a2, m2, kappa2 = ball.radius, ball.mass, ball.kappa, other.radius, other.mass, other.kappa
     mu, last, law = pair_friction(world, ball, other, n), world.pair_beta, world.pair_law
@@ -184,7 +186,7 @@ def meet_ball(world: Any, features: Any, balls: Any, i: int, k: int, users: Any)
         v, v2 = keep_on_floor(world, ball, v, one_lies), keep_on_floor(world, other, v2, other_lies)
     leave(world, ball, v, w, one_lies)
     leave(world, other, v2, w2, other_lies)
-    p = continue_ball_contact(world, ball, other, n, approach)
+    p = continue_ball_contact(world, ball, other, n, approach, bend)
     if p != 0:
         j = (j[0] + p * n[0], j[1] + p * n[1], j[2] + p * n[2])
     return j, NO_IMPULSE, required, regime, DONE, 0
@@ -301,6 +303,19 @@ HOLDING = ContactKind(HELD_EVENT, hold, sentence=_is_held, last=True)
 def end_phase(world: Any, features: Any, balls: Any, i: int, who: int, users: Any) -> Outcome:
     """Begin the phase that follows the one of ball i."""
     ball = balls[i]
+    if is_calm(world, ball):
+        none = 0 * ball.radius
+        ball.phase, ball.borne_by = REST, 0
+        write_vector(ball.v, (none, none, none))
+        write_vector(ball.w, (none, none, none))
+        return without_impulse()
+    if ball.borne_by != 0:
+        # (it may lie where the friction of its spin has held it)
+        ends = ball.borne_by < 0 or gap_to_feature(features[ball.borne_by - 1], ball.radius, vector(ball.x)) == math.inf
+        settle_along_wall(world, ball)
+        if ends:
+            set_on_floor(world, ball, vector(ball.v), vector(ball.w))
+        return without_impulse()
     phase, v, w = next_phase(ball.phase, vector(ball.v), vector(ball.w), ball.radius, ball.kappa)
     ball.phase = phase_on_floor(world, ball, phase)
     write_vector(ball.v, v)
@@ -311,10 +326,7 @@ def end_phase(world: Any, features: Any, balls: Any, i: int, who: int, users: An
 @kernel
 def settle_on_floor(world: Any, features: Any, balls: Any, i: int, who: int, users: Any) -> Outcome:
     """Let ball i, whose bounces have ended, slide, roll or rest on the floor."""
-    ball = balls[i]
-    ball.phase, v, w = on_floor_with(world, ball, vector(ball.v), vector(ball.w))
-    write_vector(ball.v, v)
-    write_vector(ball.w, w)
+    set_on_floor(world, balls[i], vector(balls[i].v), vector(balls[i].w))
     return without_impulse()
 
 
@@ -353,7 +365,7 @@ def register_joint_impact() -> None:
 # The impact of a ball on a wall: by the wall's law, with wall and floor at once where the wall presses the ball down.
 
 
-REFUSED_ROLLING, REFUSED_UNDEFINED, REFUSED_STALL = 1, 2, 3
+REFUSED_ROLLING, REFUSED_UNDEFINED, REFUSED_STALL, REFUSED_ON_FLOOR, REFUSED_ENDLESS = range(1, 6)
 REFUSALS = {
     REFUSED_ROLLING: "the wall's law is for a ball that rolls into a vertical wall (carom laws conventional); this one slides or"
     " flies there; the law two-step takes any ball",
@@ -361,6 +373,9 @@ REFUSALS = {
     " tangential_restitution = 0, or floor_contact = 'after'",
     REFUSED_STALL: "wall and floor lock the ball between them, which is not followed to its end; take a smaller friction,"
     " or floor_contact = 'after'",
+    REFUSED_ON_FLOOR: "in air only flights are followed, and here the ball comes to slide, roll or hop without end on the floor, or"
+    " lies there in the wind; end the run before (run.duration), or leave out air",
+    REFUSED_ENDLESS: "it flies on through the air and meets nothing; give run.duration",
 }
 
 # Relative errors of a speed that are rounding: below the first it has no digits left, above the second it is not rounding.
@@ -380,7 +395,7 @@ def keeps_energy(world: Any, ball: Any) -> bool:
     """Return whether a ball moves on without a loss of energy: in flight, or rolling without resistance."""
     rolls = ball.phase == ROLLING and not world.resistance > 0 and not world.spin_friction > 0
     rolls = rolls and not world.rolling_drag > 0 and not world.spin_damping > 0 and not world.spin_drag > 0
-    return bool(ball.phase == FLIGHT or rolls)
+    return bool((ball.phase == FLIGHT and not feels_air(world, ball)) or (rolls and ball.borne_by == 0))
 
 
 @kernel
@@ -426,7 +441,7 @@ def _with_kick(j: Vec, kick: Vec, m: float) -> Vec:
 
 
 @kernel
-def meet_wall(world: Any, features: Any, balls: Any, i: int, who: int, users: Any) -> Outcome:
+def meet_wall(world: Any, features: Any, balls: Any, i: int, who: int, users: Any) -> Outcome:  # noqa: PLR0915
     """Resolve the impact of ball i on feature ``who`` by the law of its wall."""
     f, ball = features[who], balls[i]
     a, kappa, mu, beta, law = ball.radius, ball.kappa, f.mu, f.beta, f.law
@@ -473,8 +488,10 @@ def meet_wall(world: Any, features: Any, balls: Any, i: int, who: int, users: An
         none = (0 * approach, 0 * approach, 0 * approach)
         return none, none, 0 * approach, NO_REGIME, DONE, many
     if refusal == DONE:
+        v1 = keep_on_floor(world, ball, v1, on_floor and is_low_on_slope(world, ball, n, approach))
         leave(world, ball, v1, w1, on_floor)
-        j = _with_kick(j, continue_wall_contact(world, f, ball, n, approach, law == ROLLING_WALL), ball.mass)
+        kick = continue_wall_contact(world, features, who, ball, n, approach, law == ROLLING_WALL)
+        j = _with_kick(j, kick, ball.mass)
         # two-step keeps it where friction does not act, or turns all of the slip round
         one = law == CONTACT_WALL or (law == TWO_STEP_WALL and not on_floor)
         elastic = e == 1 and (law == MIRROR_WALL or (one and (mu == 0 or beta == -1)))

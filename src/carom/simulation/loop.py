@@ -24,6 +24,7 @@ from carom.core.jit.compile import array_of, is_cached, njit, signature
 from carom.core.jit.kernel import Vec, as_objects, dot, kernel, vector, write_back
 from carom.core.jit.threads import Pace
 from carom.core.motion.phases import BOUNCING, CONSTANT, FLIGHT, HELD, PIVOTING
+from carom.core.motion.tilt import is_tilted
 from carom.errors import CaromError
 from carom.laws.callbacks import register_calls
 from carom.scene.scene import Scene
@@ -32,13 +33,23 @@ from carom.simulation.contact_kinds import (
     ALL_REFUSALS,
     DONE,
     NO_IMPULSE,
+    REFUSED_ENDLESS,
+    REFUSED_ON_FLOOR,
     Outcome,
     met_at,
     register_joint_impact,
     resolve_event,
     without_impulse,
 )
-from carom.simulation.motion import begin_phase, move_by, on_floor_with, write_vector
+from carom.simulation.motion import (
+    begin_next_piece,
+    begin_phase,
+    feels_air,
+    is_slow,
+    move_by,
+    set_on_floor,
+    write_vector,
+)
 from carom.simulation.predict import predict
 from carom.simulation.records import (
     BALL,
@@ -49,13 +60,14 @@ from carom.simulation.records import (
     MEETINGS,
     NOTHING,
     PHASE,
+    PIECE,
     POCKETED_EVENT,
     START,
     WALL,
     WALL_IN_CLUSTER,
     WORLD,
 )
-from carom.simulation.resting_contact import stays_clear
+from carom.simulation.resting_contact import CALM, IN_TOUCH, is_calm, is_lying, stays_clear
 from carom.simulation.setup import SceneArrays, set_up
 
 # Which events are logged: bit ``kind``; for the end of a phase, bit PHASES_FROM + the phase that begins.
@@ -94,6 +106,9 @@ def _note(log: Any, ball: Any, kind: int, i: int, met: int, other: int, before: 
     write_vector(log.impulse, outcome[0])
     write_vector(log.floor_impulse, outcome[1])
     log.required, log.regime = outcome[2], outcome[3]
+    log.borne_by = ball.borne_by
+    for k in range(4):
+        log.borne[k] = ball.borne[k]
 
 
 @kernel
@@ -199,6 +214,8 @@ def note_event(
 # How a call of ``run`` ends, apart from the refusals of contacts: DONE (no more events before the end), the log is full (call
 # again), the number of events is reached, or no event will ever follow and nothing moves.
 FULL, LIMIT, QUIET = 10, 11, 12
+# Pieces of paths in air, without any event
+MOST_PIECES = 20_000
 # A ball with so many events at one place is caught between things that send it to and fro without end.
 PINNED = 10_000
 # Below this share of the speeds a ball in contact is not approaching. It is far above rounding, and no distance in any run.
@@ -209,22 +226,18 @@ SLOW = 1e-14
 def _start(world: Any, features: Any, balls: Any) -> float:
     """Set phases, clocks and first events; return the speed below which a ball in contact is not approaching."""
     force = vector(world.force)
-    pull = math.sqrt(dot(force, force))
+    pull, wind = math.sqrt(dot(force, force)), vector(world.wind)
     fastest = 0.0
     for i in range(balls.shape[0]):
         ball = balls[i]
         v, w, a = vector(ball.v), vector(ball.w), ball.radius
-        speed = math.sqrt(dot(v, v)) + a * math.sqrt(dot(w, w)) + math.sqrt(pull * a)
+        speed = math.sqrt(dot(v, v)) + math.sqrt(dot(wind, wind)) + a * math.sqrt(dot(w, w)) + math.sqrt(pull * a)
         fastest = max(fastest, speed)
-        phase = FLIGHT
+        ball.phase, ball.clock, ball.repeats, ball.energy, ball.borne_by = FLIGHT, 0.0, 0, math.nan, 0
         if world.floor != 0 and abs(ball.x[2] - a) <= 1e-9 * a:
             ball.x[2] = a
             if abs(v[2]) <= 1e-12 * speed:
-                phase, v, w = on_floor_with(world, ball, v, w)
-        ball.phase = phase
-        write_vector(ball.v, v)
-        write_vector(ball.w, w)
-        ball.clock, ball.repeats, ball.energy = 0.0, 0, math.nan
+                set_on_floor(world, ball, v, w)
         begin_phase(world, ball)
         ball.next_at = ball.next_in = ball.lasts
         ball.next_kind, ball.next_who = NOTHING, -1
@@ -258,6 +271,21 @@ def _earliest(balls: Any) -> int:
 
 
 @kernel
+def _wake(world: Any, balls: Any, i: int, t: float) -> None:
+    """If ball i has set off, let go the balls that lie still on a tilted floor and touch it, by an event of theirs at once."""
+    ball = balls[i]
+    sets_off = ball.repeats <= 0 or not is_slow(world, vector(ball.v), vector(ball.w), ball.radius)
+    if is_lying(world, ball) or not sets_off:
+        return
+    for k in range(balls.shape[0]):
+        other = balls[k]
+        r = (ball.x[0] - other.x[0], ball.x[1] - other.x[1], ball.x[2] - other.x[2])
+        if is_lying(world, other) and math.sqrt(dot(r, r)) <= (1 + IN_TOUCH) * (ball.radius + other.radius):
+            other.next_at, other.next_in, other.next_kind, other.next_who = t, t - other.clock, PHASE, -1
+            other.repeats = -100  # (less than that event counts: carom.simulation.motion.move_by)
+
+
+@kernel
 def _look_ahead(world: Any, features: Any, balls: Any, i: int, k: int, t: float, slow: float) -> None:
     """Predict what comes next after balls i and k (the same, or a pair) have changed their phases at time t."""
     begin_phase(world, balls[i])
@@ -272,12 +300,33 @@ def _look_ahead(world: Any, features: Any, balls: Any, i: int, k: int, t: float,
             ball.phase = FLIGHT
             begin_phase(world, ball)
             predict(world, features, balls, m, slow)
+    if is_tilted(vector(world.force)):
+        _wake(world, balls, i, t)
+        _wake(world, balls, k, t)
     predict(world, features, balls, i, slow)
     if k != i:
         predict(world, features, balls, k, slow)
     for m in range(balls.shape[0]):
         if _overtaken(balls, m):
             predict(world, features, balls, m, slow)
+
+
+@kernel
+def _go_on_in_air(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
+    """Begin the next piece of the path of ball i, and predict what comes next; this is no event."""
+    ball = balls[i]
+    begin_next_piece(world, ball)
+    ball.clock = ball.next_at
+    predict(world, features, balls, i, slow)
+    for m in range(balls.shape[0]):
+        if _overtaken(balls, m):
+            predict(world, features, balls, m, slow)
+
+
+@kernel
+def _is_refused(world: Any, ball: Any) -> bool:
+    """Return whether a ball would slide, roll or bounce infinitely often in air, or lie in wind, which is not followed."""
+    return bool(feels_air(world, ball) and ball.phase != FLIGHT)
 
 
 @kernel
@@ -317,7 +366,7 @@ def _last(balls: Any) -> float:
 
 
 @kernel
-def run(
+def run(  # noqa: PLR0911
     world: Any, features: Any, balls: Any, log: Any, slow: float, until: float, most: int, users: Any, keep: int
 ) -> tuple[int, int, int, int, float, float]:
     """Run events until the time ``until``, or ``most`` of them, or until the log is full, or no event follows.
@@ -328,9 +377,12 @@ def run(
     Returns the status, how many events happened, how many rows were written, the ball for which a law has no answer (or -1),
     ``slow``, and the time of the last event.
     """
-    events = rows = 0
+    events = rows = pieces = 0
     if slow < 0:
         slow = _start(world, features, balls)
+        for i in range(balls.shape[0]):
+            if _is_refused(world, balls[i]):
+                return REFUSED_ON_FLOOR, events, rows, i, slow, _last(balls)
         if keep == ALL:
             note_starts(log, balls)
             rows = balls.shape[0]
@@ -343,6 +395,13 @@ def run(
         if _overtaken(balls, i):
             predict(world, features, balls, i, slow)
             continue
+        if ball.next_kind == PIECE:
+            pieces += 1
+            if pieces > MOST_PIECES:
+                return REFUSED_ENDLESS, events, rows, i, slow, _last(balls)
+            _go_on_in_air(world, features, balls, i, slow)
+            continue
+        pieces = 0
         if events >= most:
             return LIMIT, events, rows, -1, slow, _last(balls)
         room = rows + rows_of_an_event(balls.shape[0], features.shape[0], keep, log.shape[0]) <= log.shape[0]
@@ -356,11 +415,16 @@ def run(
             move_by(world, other, t - other.clock, t)
         before, before_k = motion_of(ball), motion_of(other)
         kind = HELD_EVENT if ball.repeats > PINNED else ball.next_kind
+        if is_tilted(vector(world.force)) and (kind == HELD_EVENT or ball.repeats > CALM):
+            # what it meets may move
+            kind = PHASE if is_calm(world, ball) and is_calm(world, other) else ball.next_kind
         if met_at(ball.next_kind) != WALL:
             ball.energy = other.energy = math.nan
         outcome = resolve_event(kind, world, features, balls, i, ball.next_who, users)
         if outcome[4] != DONE:
             return outcome[4], events, rows, i, slow, _last(balls)
+        if _is_refused(world, ball) or _is_refused(world, other):
+            return REFUSED_ON_FLOOR, events, rows, i if _is_refused(world, ball) else k, slow, _last(balls)
         rows = note_event(log, rows, features, balls, i, k, kind, before, before_k, outcome, keep if room else 0)
         if outcome[5] > 0:
             _look_ahead_of(world, features, balls, outcome[5], t, slow)

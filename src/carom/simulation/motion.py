@@ -13,12 +13,22 @@ from numpy.typing import NDArray
 
 from carom.core.contact import slip_velocity
 from carom.core.jit.compile import is_cached, njit
-from carom.core.jit.kernel import Vec, as_objects, dot, hot_kernel, kernel, vector, write_back
+from carom.core.jit.kernel import Vec, as_objects, dot, hot_kernel, kernel, vector, without_slopes, write_back
 from carom.core.jit.threads import sliced
+from carom.core.motion.air import (
+    IN_AIR,
+    acceleration_in_piece,
+    air_rates,
+    begin_piece,
+    error_in_piece,
+    place_in_piece,
+    turn_in_piece,
+)
 from carom.core.motion.phases import (
     BOUNCING,
     FLIGHT,
     HELD,
+    PIVOTING,
     REST,
     ROLLING,
     SLIDING,
@@ -32,10 +42,17 @@ from carom.core.motion.phases import (
     decays,
     grounded,
 )
-from carom.core.motion.rotation import orientation_after, orientation_after_bounces, orientation_after_decay
+from carom.core.motion.rotation import (
+    compose,
+    orientation_after,
+    orientation_after_bounces,
+    orientation_after_decay,
+    rotation,
+)
 from carom.core.motion.tilt import (
     Lean,
     advance_on_slope,
+    along_wall,
     course_error,
     is_tilted,
     lean_of,
@@ -43,7 +60,8 @@ from carom.core.motion.tilt import (
     slope_acceleration,
 )
 
-STILL = 1e-12  # of the radius: a ball that moved by less is where it was
+STILL, NEAR = 1e-12, 1e-5  # of the radius: a ball that moved by less is where it was, and one that is slow, on a slope
+ELASTIC_HEIGHT = 1e-6  # of the radius: bounces under a lasting force that are lower are elastic (resting_contact)
 
 
 @hot_kernel
@@ -59,6 +77,12 @@ def lean(ball: Any) -> Lean:
 
 
 @hot_kernel
+def is_in_air(ball: Any) -> bool:
+    """Return whether a ball is on a path that the air bends (carom.core.motion.air)."""
+    return bool(ball.decays == IN_AIR)
+
+
+@hot_kernel
 def is_turned_downhill(ball: Any) -> bool:
     """Return whether a ball is on a path that is no parabola, as a tilted floor turns it."""
     return bool(ball.decays != 0 and ball.lean[3] > 0)
@@ -67,6 +91,8 @@ def is_turned_downhill(ball: Any) -> bool:
 @kernel
 def state_at(ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
     """Return position, velocity and spin of a ball a time s after its clock, in its present phase."""
+    if is_in_air(ball):
+        return place_in_piece(ball, s)
     if ball.decays != 0:
         x, v, w = advance_decaying(
             vector(ball.x), vector(ball.v), vector(ball.w), vector(ball.acc), vector(ball.turn),
@@ -96,20 +122,52 @@ def state_after(world: Any, ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
 
 
 @kernel
+def set_to_row(ball: Any, row: Any) -> None:
+    """Bring a ball into the state of a row of a log."""
+    write_vector(ball.x, vector(row.x))
+    write_vector(ball.v, vector(row.v))
+    write_vector(ball.w, vector(row.w))
+    ball.phase, ball.borne_by = row.phase, row.borne_by
+    for k in range(4):
+        ball.borne[k] = row.borne[k]
+
+
+@kernel
+def is_slow(world: Any, v: Vec, w: Vec, a: float) -> bool:
+    """Return whether a slope gives a ball such a velocity and spin between bounces too low to see."""
+    pull = math.sqrt(world.force[0] * world.force[0] + world.force[1] * world.force[1])
+    return bool(dot(v, v) + a * a * dot(w, w) <= 8 * ELASTIC_HEIGHT * a * pull)
+
+
+@kernel
 def move_by(world: Any, ball: Any, s: float, t: float) -> None:
     """Advance a ball by s, to the time t."""
-    v = vector(ball.v)
+    y, v, whole = vector(ball.x), vector(ball.v), s
+    while is_in_air(ball) and without_slopes(s) > without_slopes(ball.lasts):
+        s = s - without_slopes(ball.lasts)
+        begin_next_piece(world, ball)
     x, v1, w = state_after(world, ball, s)
     write_vector(ball.x, x)
     write_vector(ball.v, v1)
     write_vector(ball.w, w)
-    ball.repeats = ball.repeats + 1 if s * math.sqrt(dot(v, v)) <= STILL * ball.radius else 0
+    stays, count = whole * math.sqrt(dot(v, v)) <= STILL * ball.radius, 1
+    if is_tilted(vector(world.force)):
+        d = (x[0] - y[0], x[1] - y[1], x[2] - y[2])
+        stays = dot(d, d) <= NEAR * NEAR * ball.radius * ball.radius and is_slow(world, v, w, ball.radius)
+        count = 100 if whole == 0 and dot(v, v) + dot(w, w) == 0 else 1
+    ball.repeats = ball.repeats + count if stays else 0
     ball.clock = t
 
 
 @kernel
 def accelerations_of(world: Any, ball: Any) -> tuple[Vec, Vec, float]:
     """Return acceleration, angular acceleration and duration of the phase that a ball is in."""
+    if ball.borne_by != 0:
+        _phase, _v, _w, acc, turn, lasts = motion_along_wall(world, ball)
+        return acc, turn, lasts
+    if feels_air(world, ball):
+        acc, turn = air_rates(world, ball, vector(ball.v), vector(ball.w), -1.0)
+        return acc, turn, math.inf
     acc, turn, lasts = accelerations(
         ball.phase, vector(ball.v), vector(ball.w), ball.radius, ball.kappa,
         vector(world.force), world.g, world.floor_mu, world.resistance, world.spin_friction,
@@ -126,9 +184,19 @@ def accelerations_of(world: Any, ball: Any) -> tuple[Vec, Vec, float]:
 
 
 @kernel
+def motion_along_wall(world: Any, ball: Any) -> tuple[int, Vec, Vec, Vec, Vec, float]:
+    """Return :func:`along_wall` of a ball that a wall bears."""
+    n = (ball.borne[0], ball.borne[1], ball.borne[2])
+    return along_wall(
+        vector(ball.v), vector(ball.w), ball.radius, ball.kappa, vector(world.force), world.g,
+        world.floor_mu, world.resistance, world.spin_friction, n, ball.borne[3],
+    )  # fmt: skip
+
+
+@kernel
 def _is_on_slope(world: Any, ball: Any) -> bool:
     """Return whether a ball slides or rolls on a tilted floor (one that is infinitely rough ends its slip at once)."""
-    moves = ball.phase == ROLLING or (ball.phase == SLIDING and world.floor_mu < math.inf)
+    moves = ball.borne_by == 0 and (ball.phase == ROLLING or (ball.phase == SLIDING and world.floor_mu < math.inf))
     return bool(moves and world.floor != 0 and is_tilted(vector(world.force)))
 
 
@@ -145,6 +213,15 @@ def on_floor_with(world: Any, ball: Any, v: Vec, w: Vec) -> tuple[int, Vec, Vec]
     """Return the phase of a ball that is on the floor with velocity v and spin w, and both without rounding errors."""
     phase, v, w = grounded(v, w, ball.radius, ball.kappa, world.g, world.floor_mu)
     return phase_on_floor(world, ball, phase), v, w
+
+
+@kernel
+def set_on_floor(world: Any, ball: Any, v: Vec, w: Vec) -> None:
+    """Let a ball go on with velocity v and spin w on the floor, which alone bears it."""
+    ball.phase, v, w = on_floor_with(world, ball, v, w)
+    ball.borne_by = 0
+    write_vector(ball.v, v)
+    write_vector(ball.w, w)
 
 
 @kernel
@@ -177,8 +254,41 @@ def begin_phase(world: Any, ball: Any) -> None:
         ball.lean[0], ball.lean[1], ball.lean[2], ball.lean[3] = found
     elif ball.decays != 0:
         ball.lean[3] = 0 * ball.radius
-    if ball.phase != BOUNCING:  # whose end was set when its bounces were found to be clear of everything else
+    if feels_air(world, ball):
+        ball.decays, ball.fade, ball.lean[3] = IN_AIR, 0 * ball.radius, 0 * ball.radius
+        begin_piece(world, ball, 0.0, _time_to_floor(world, ball, acc))
+    elif ball.phase != BOUNCING:  # whose end was set when its bounces were found to be clear of everything else
         ball.lasts = lasts
+
+
+@kernel
+def feels_air(world: Any, ball: Any) -> bool:
+    """Return whether the air acts on a ball in its phase: on one that lies, or spins on the spot, only wind does."""
+    blows = world.wind[0] != 0 or world.wind[1] != 0 or world.wind[2] != 0
+    moves = ball.phase in (FLIGHT, BOUNCING) or SLIDING <= ball.phase < PIVOTING
+    acts_on = ball.air > 0 or ball.spin_decay > 0 or ball.buoyancy != 0
+    return bool(acts_on and (moves or (blows and ball.phase < HELD)))
+
+
+@kernel
+def _time_to_floor(world: Any, ball: Any, acc: Vec) -> float:
+    """Return about how long a ball that will meet the floor flies: its piece need not be much longer."""
+    z, v, g = without_slopes(ball.x[2] - ball.radius), without_slopes(ball.v[2]), without_slopes(-acc[2])
+    square = v * v + 2 * g * z
+    if world.floor == 0 or not g > 0 or not square > 0:
+        return math.inf
+    t = (v + math.sqrt(square)) / g
+    return float(1.1 * t if t > 0 else math.inf)
+
+
+@kernel
+def begin_next_piece(world: Any, ball: Any) -> None:
+    """Move a ball in air to the end of its piece, and begin the next one; its clock and its count of events stay."""
+    x, v, w = place_in_piece(ball, without_slopes(ball.lasts))
+    write_vector(ball.x, x)
+    write_vector(ball.v, v)
+    write_vector(ball.w, w)
+    begin_piece(world, ball, without_slopes(ball.guess), _time_to_floor(world, ball, vector(ball.acc)))
 
 
 @hot_kernel
@@ -190,7 +300,7 @@ def slows_down(ball: Any) -> bool:
 @hot_kernel
 def has_no_parabola(ball: Any) -> bool:
     """Return whether the acceleration of a ball's centre changes."""
-    return bool(ball.decays != 0 and (ball.fade > 0 or ball.lean[3] > 0))
+    return bool(ball.decays == IN_AIR or (ball.decays != 0 and (ball.fade > 0 or ball.lean[3] > 0)))
 
 
 @kernel
@@ -203,6 +313,8 @@ def motion_in(ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
 @kernel
 def acceleration_in(ball: Any, v: Vec, w: Vec, s: float) -> Vec:
     """Return the acceleration of a ball a time s after its clock, where it moves with v and w."""
+    if is_in_air(ball):
+        return acceleration_in_piece(ball, s)
     if is_turned_downhill(ball):
         fx, fy, m, q = lean(ball)
         _un, u = slip_velocity(v, w, UP, ball.radius)
@@ -216,10 +328,20 @@ def acceleration_in(ball: Any, v: Vec, w: Vec, s: float) -> Vec:
 
 @hot_kernel
 def error_ahead(ball: Any, s: float, ahead: float) -> float:
-    """Return how far from its present parabola a tilted floor can turn a ball, a time s after its clock, within ``ahead``."""
+    """Return how far from its present parabola a floor or the air can turn a ball, a time s after its clock, within ``ahead``."""
+    if is_in_air(ball):
+        return error_in_piece(ball, s, ahead)
     if not is_turned_downhill(ball):
         return 0 * ahead
     _x, v, w = state_at(ball, s)
+    return error_from(ball, v, w, s, ahead)
+
+
+@kernel
+def error_from(ball: Any, v: Vec, w: Vec, s: float, ahead: float) -> float:
+    """Return the same of a ball on a path that is no parabola, which moves with v and w at that time."""
+    if is_in_air(ball):
+        return error_in_piece(ball, s, ahead)
     return course_error(ball.phase, v, w, ball.radius, lean(ball), ahead)
 
 
@@ -254,7 +376,14 @@ def _turn_rows(worlds: Any, balls: Any, after: Any, q: Any) -> None:
         else:
             begin_phase(world, ball)
             turn = vector(ball.turn)
-            if ball.decays == 0:
+            if is_in_air(ball):  # the axis of the spin stays
+                s = after[i]
+                while s > ball.lasts:
+                    old = compose(rotation(turn_in_piece(ball, ball.lasts)), old)
+                    s = s - ball.lasts
+                    begin_next_piece(world, ball)
+                new = compose(rotation(turn_in_piece(ball, s)), old)
+            elif ball.decays == 0:
                 new = orientation_after(old, w, turn, after[i])
             else:
                 slope = (ball.phase, v, ball.radius, ball.kappa, lean(ball))
@@ -284,7 +413,7 @@ def _run(loop: Callable[..., None], world: Any, balls: Any, after: Array, *q: Ar
 def _rows(balls: Any, which: Any, log: Any) -> Any:
     """Return the balls in the states of a log's rows."""
     rows = balls[which].copy()
-    for field in ("x", "v", "w", "phase"):
+    for field in ("x", "v", "w", "phase", "borne_by", "borne"):
         rows[field] = log[field]
     rows["clock"] = 0
     return rows

@@ -23,32 +23,35 @@ from carom.core.geometry.features import (
     is_out_of_reach,
     least_gap,
     never_closes,
+    time_to_end,
 )
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, vector
+from carom.core.motion.air import way_of_piece
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, decay_integrals, time_of_path
-from carom.core.motion.tilt import course_error
 from carom.core.roots.first_root import hit2, hit4
 from carom.simulation.motion import (
     acceleration_in,
     error_ahead,
+    error_from,
     has_no_parabola,
+    is_in_air,
     is_turned_downhill,
-    lean,
     motion_in,
     slows_down,
     state_at,
 )
-from carom.simulation.records import BALL, FLOOR, LEFT_EVENT, NOTHING, PHASE, POCKETED_EVENT, SETTLED, WALL
+from carom.simulation.records import BALL, FLOOR, LEFT_EVENT, NOTHING, PHASE, PIECE, POCKETED_EVENT, SETTLED, WALL
 
-# Two balls so near, as a share of their distance, touch; the shortest and the longest step of the search for that, s, and how many.
-TOUCH, SHORTEST, LONGEST, MOST_STEPS = 4e-16, 1e-7, 1e6, 10_000
+# Two balls so near, as a share of their distance, touch; the shortest step of the search for that, s, the longest but for the time
+# that has passed, how many, and the latest touch that is looked for, s.
+TOUCH, SHORTEST, LONGEST, MOST_STEPS, LATEST = 4e-16, 1e-7, 1e6, 10_000, 1e12
 MOST_ROUNDS = 60  # of Newton's steps
 ROUNDING = 1e-12  # of the radius: a distance that is none
 
 
 @kernel
 def _turning_touch_time(f: Any, ball: Any, a: float, until: float, slow: float) -> float:
-    """:func:`_touch_time` on a path that a tilted floor turns: no contact is passed, as in :func:`_slowing_pair_hit`."""
+    """:func:`_touch_time` on a path that a slope, or the air, turns: no contact is passed, as in :func:`_slowing_pair_hit`."""
     t = 0 * a
     for _ in range(MOST_STEPS):
         left = until - t
@@ -58,12 +61,36 @@ def _turning_touch_time(f: Any, ball: Any, a: float, until: float, slow: float) 
         if first == 0 or t + first == t:
             return t
         # the error of the parabola stays below half of the gap, or the rounding of places
-        ahead = min(left, 2 * first, LONGEST)
+        ahead = min(left, 2 * first, LONGEST + t)
         allowed = max(abs(feature_gap(f, a, y)) / 2, ROUNDING * ball.radius)
-        while course_error(ball.phase, v, w, ball.radius, lean(ball), ahead) > allowed:
+        while error_from(ball, v, w, t, ahead) > allowed:
             ahead = ahead / 2
-        error = course_error(ball.phase, v, w, ball.radius, lean(ball), ahead)
+        error = error_from(ball, v, w, t, ahead)
         step = feature_hit(f, a, y, v, acc, ahead, slow, error)
+        if step == 0:
+            step = min(first, ahead)
+        t = t + min(step, ahead)
+        if not t < min(until, LATEST):
+            break
+    return math.inf
+
+
+@kernel
+def _landing_time(ball: Any, until: float, slow: float) -> float:
+    """Return the time in [0, until] at which a ball in air touches the floor, or infinity: as :func:`_turning_touch_time`."""
+    t = 0 * until
+    for _ in range(MOST_STEPS):
+        left = until - t
+        x, v, acc = motion_in(ball, t)
+        gap = x[2] - ball.radius
+        first = hit2(gap, v[2], acc[2] / 2, left, slow)
+        if first == 0 or t + first == t:
+            return t
+        ahead = min(left, 2 * first)
+        allowed = max(abs(gap) / 2, ROUNDING * ball.radius)
+        while error_ahead(ball, t, ahead) > allowed:
+            ahead = ahead / 2
+        step = hit2(gap - error_ahead(ball, t, ahead), v[2], acc[2] / 2, ahead, slow)
         if step == 0:
             step = min(first, ahead)
         t = t + min(step, ahead)
@@ -75,7 +102,7 @@ def _turning_touch_time(f: Any, ball: Any, a: float, until: float, slow: float) 
 @kernel
 def _touch_time(f: Any, ball: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: float) -> float:
     """Return the time in [0, until] at which a ball, as if its radius were a, touches feature f, or infinity."""
-    if is_turned_downhill(ball):
+    if is_turned_downhill(ball) or is_in_air(ball):
         return _turning_touch_time(f, ball, a, until, slow)
     if not slows_down(ball):
         return feature_hit(f, a, x, v, acc, until, slow)
@@ -155,7 +182,7 @@ def _pair_polynomial(r: Vec, v: Vec, b: Vec, reach: float) -> tuple[float, float
 
 @kernel
 def _slowing_pair_hit(ball: Any, other: Any, now: float, until: float, slow: float) -> float:
-    """:func:`pair_hit` where the acceleration of a ball decays, or a tilted floor turns it.
+    """:func:`pair_hit` where the acceleration of a ball decays, or a tilted floor or the air turns it.
 
     From any time on the relative motion is a parabola, but for J s^3/6 at most: J is how fast its acceleration changes, which
     decays. Balls that are larger by what that is for a time ahead do not meet on the parabola before the balls do, so that no
@@ -183,6 +210,8 @@ def _slowing_pair_hit(ball: Any, other: Any, now: float, until: float, slow: flo
             if c1 >= -tol:
                 # in touch and not closing: on for a time in which the error stays below what they part by
                 later = hit4(c0, c1, c2, c3, c4, left, tol) / 2
+                if 0 < later <= 1e-16 * t:
+                    return t
                 step = max(math.sqrt(max(c1, 0 * c1) / (2 * reach * jerk)) / 2 if jerk > 0 else left, SHORTEST)
                 parts = max(c1, 0 * c1) / (2 * reach) / 2
                 while (
@@ -193,7 +222,7 @@ def _slowing_pair_hit(ball: Any, other: Any, now: float, until: float, slow: flo
                 if not t < until:
                     break
                 continue
-        ahead = min(left, 2 * hit4(c0, c1, c2, c3, c4, left, tol), LONGEST)
+        ahead = min(left, 2 * hit4(c0, c1, c2, c3, c4, left, tol), LONGEST + t)
         gap = c0 / (math.sqrt(dot(r, r)) + reach)
         error = jerk * ahead * ahead * ahead + error_ahead(ball, mine, ahead) + error_ahead(other, yours, ahead)
         while error > gap / 2 and ahead > SHORTEST * SHORTEST:
@@ -204,7 +233,7 @@ def _slowing_pair_hit(ball: Any, other: Any, now: float, until: float, slow: flo
         if step < math.inf and step <= 1e-16 * t:
             return t
         t = t + min(step, ahead)
-        if not t < until:
+        if not t < min(until, LATEST):
             break
     return math.inf
 
@@ -230,7 +259,7 @@ def pair_hit(ball: Any, other: Any, now: float, until: float, slow: float) -> fl
 @kernel
 def _lands_first(world: Any, features: Any, ball: Any, slow: float) -> bool:
     """Return whether a ball in flight comes down on the floor before it has come as far as any wall; most hops do."""
-    if ball.phase != FLIGHT or world.floor == 0:
+    if ball.phase != FLIGHT or world.floor == 0 or is_in_air(ball):
         return False
     x, v, acc, a = vector(ball.x), vector(ball.v), vector(ball.acc), ball.radius
     s = hit2(x[2] - a, v[2], acc[2] / 2, math.inf, slow)
@@ -244,6 +273,17 @@ def _lands_first(world: Any, features: Any, ball: Any, slow: float) -> bool:
 
 
 @kernel
+def _first_on_parabola(features: Any, ball: Any, until: float, slow: float) -> int:
+    """Return what a ball that a slope or air turns would meet first on its parabola, or -1: it bounds the searches on its path."""
+    best, first = until, -1
+    turns = is_turned_downhill(ball) or is_in_air(ball)
+    for k in range(features.shape[0] if turns else 0):
+        s = feature_hit(features[k], ball.radius, vector(ball.x), vector(ball.v), vector(ball.acc), best, slow)
+        best, first = (s, k) if s < best else (best, first)
+    return first
+
+
+@kernel
 def _kind_of(f: Any) -> int:
     """Return the kind of event at a feature: a wall is met; at a gate a ball falls into a pocket, or clears a wall."""
     if f.kind != OVER:
@@ -252,7 +292,7 @@ def _kind_of(f: Any) -> int:
 
 
 @kernel
-def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
+def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:  # noqa: PLR0915
     """Predict the next event of ball i and store it, for the other ball too where two will meet."""
     ball = balls[i]
     phase, a = ball.phase, ball.radius
@@ -262,7 +302,18 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
     if phase < REST:
         x, v, acc = vector(ball.x), vector(ball.v), vector(ball.acc)
         bends = has_no_parabola(ball)
-        for f in range(0 if _lands_first(world, features, ball, slow) else features.shape[0]):
+        guess = _first_on_parabola(features, ball, best, slow)
+        for k in range(-1, 0 if _lands_first(world, features, ball, slow) else features.shape[0]):
+            f = k if k >= 0 else guess
+            if f < 0 or k == guess:
+                continue
+            if is_in_air(ball) and is_out_of_reach(features[f], a, x, way_of_piece(ball)):
+                continue
+            if ball.borne_by == f + 1:  # it moves along it, up to its end
+                s = time_to_end(features[f], a, x, v, acc, best)
+                if s < best:
+                    best, kind, who = s, NOTHING, -1
+                continue
             if bends or features[f].yield_time > 0:
                 s = _feature_time(features, f, ball, x, v, acc, best, slow)
             else:
@@ -270,7 +321,7 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
             if s < best or (s == best and kind == NOTHING and s < math.inf):
                 best, kind, who = s, _kind_of(features[f]), f
         if phase == FLIGHT and world.floor != 0:
-            s = hit2(x[2] - a, v[2], acc[2] / 2, best, slow)
+            s = _landing_time(ball, best, slow) if is_in_air(ball) else hit2(x[2] - a, v[2], acc[2] / 2, best, slow)
             if s < best or (s == best and kind == NOTHING and s < math.inf):
                 best, kind, who = s, FLOOR, -1
     if phase < HELD:
@@ -283,12 +334,14 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
             # the other ball stays on its path up to its next event, after which the pair is predicted anew
             now = max(ball.clock, other.clock)
             until = min(best - (now - ball.clock), other.next_at - now)
+            if is_in_air(other):
+                until = min(until, other.clock + other.lasts - now)
             if until >= 0:
                 s = pair_hit(ball, other, now, until, slow) + (now - ball.clock)
                 if s < best or (s == best and kind == NOTHING and s < math.inf):
                     best, kind, who = s, BALL, k
     if kind == NOTHING and best < math.inf:
-        kind = SETTLED if phase == BOUNCING else PHASE
+        kind = SETTLED if phase == BOUNCING else PIECE if is_in_air(ball) else PHASE
     ball.next_in, ball.next_at, ball.next_kind, ball.next_who = best, ball.clock + best, kind, who
     if kind == BALL:
         other = balls[who]

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Numbers, State
+from carom.core.motion.air import LAWS
 from carom.core.motion.phases import PHASES
 from carom.formatting import format_number
 from carom.scene.scene import Scene
@@ -24,6 +25,8 @@ from carom.scene.scene import Scene
 (
     START, WALL, FLOOR, BALL, PHASE, SETTLED, LEFT_EVENT, HELD_EVENT, NOTHING, POCKETED_EVENT, IN_CLUSTER, WALL_IN_CLUSTER
 ) = range(12)  # fmt: skip
+# The end of a piece of a path in air, which is no event
+PIECE = 12
 # As files have them. People see that a phase ends by the name of the one that begins, and "ball" or "wall" in a cluster.
 KINDS = (
     "start", "wall", "floor", "ball", "phase", "settled", "left", "held", "nothing", "pocketed", "in-cluster", "wall-in-cluster",
@@ -63,6 +66,8 @@ WORLD = np.dtype(
             _WHOLE,
         ),  # CONTACT_WALL, or from CALLED_WALL on the place of a law that is called, whose last number is pair_beta
         ("pair_modulus", _NUMBER),  # E* of the balls, Pa; 0: contacts take no time, one pair after the other
+        ("wind", *_VECTOR),
+        ("laws", _NUMBER, (8 * LAWS,)),  # segments of laws of drag and lift (carom.core.motion.air)
         ("together", _WHOLE),  # wall and floor act at once on a ball that the wall pushes down
     ]
 )
@@ -87,6 +92,10 @@ BALLS = np.dtype(
         ("spin_gain", _NUMBER),
         # how a tilted floor turns it downhill (carom.core.motion.tilt.Lean), if ``decays``; the last is 0 where it does not
         ("lean", _NUMBER, (4,)),
+        # the feature, counted from 1, that bears it on a tilted floor, else 0; its normal there, and its friction
+        # (carom.core.motion.tilt.along_wall)
+        ("borne_by", _WHOLE),
+        ("borne", _NUMBER, (4,)),
         ("lasts", _NUMBER),  # how long the phase lasts from the clock on
         ("next_in", _NUMBER),  # time from the clock to the next event; the absolute time is next_at
         ("next_at", _NUMBER),
@@ -115,17 +124,20 @@ BALLS = np.dtype(
         ("hits", _WHOLE),
         ("pushes", _WHOLE),  # what pushes it now
         ("parts", _NUMBER),  # how many did in the step that has ended
+        ("ago", _NUMBER),  # how far it is put back on its way after a cluster, s
         ("coupled", _WHOLE),  # whether a wall and something else have pushed it at once
         ("rests", _WHOLE),  # whether the floor bears it
         ("wall_n", _NUMBER, (9,)),  # normals
         ("wall_at", _NUMBER, (3,)),  # where the contacts begin, along the normals
         ("wall_push", _NUMBER, (9,)),  # impulses
-        (
-            "rub",
-            _NUMBER,
-            (96,),
-        ),  # friction at the members before it that are near (carom.simulation.cluster_friction), and walls
+        # friction at the members before it that are near (carom.simulation.cluster_friction); in air, where there are no clusters,
+        # the piece of its path (carom.core.motion.air)
+        ("work", _NUMBER, (96,)),
         ("wall_rub", _NUMBER, (24,)),
+        # in air: rho pi a^2/(2 m), the share of its weight that air bears, the decay of its spin; first and last segment of its
+        # laws of drag and lift, and those of the piece; the piece's span, s, and about how long the next one will be
+        *((name, _NUMBER) for name in ("air", "buoyancy", "spin_decay", "span", "guess")),
+        *((f"{name}{which}", _WHOLE) for name in ("drag", "lift") for which in ("", "_last", "_now")),
     ]
 )
 
@@ -146,6 +158,8 @@ LOG = np.dtype(
         ("impulse", *_VECTOR),  # N s, on the ball
         ("floor_impulse", *_VECTOR),  # N s: what the floor gave while the wall acted
         ("required", _NUMBER),  # friction
+        ("borne_by", _WHOLE),  # as a ball has them
+        ("borne", _NUMBER, (4,)),
         ("regime", _WHOLE),  # what the contact did (carom.core.contact.REGIMES); NO_REGIME where a law does not say
     ]
 )

@@ -9,6 +9,10 @@ motion meanwhile, so the ball goes on in bounces too low to see. These are elast
 (as in Luding & McNamara, Granular Matter 1, 113 (1998), where contacts that follow each other too soon are elastic); their mean
 momentum transfer is the normal force, with the friction that it causes. A bounce that starts from rest in contact takes its energy
 from the motion of the ball, so that none is created.
+
+On a tilted floor no ball is held: one that leans on a straight wall stays in contact with it (carom.core.motion.tilt.along_wall),
+and one that lies still between walls, or has hardly moved through many contacts with others, is at rest until something strikes it,
+or what it touches sets off.
 """
 
 from __future__ import annotations
@@ -16,11 +20,40 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.core.geometry.features import FALLS, OVER, gap_derivatives, gap_to_feature, pocket_distance
+from carom.core.geometry.features import (
+    FACE,
+    FALLS,
+    LINE,
+    OVER,
+    contact_normal,
+    gap_derivatives,
+    gap_to_feature,
+    pocket_distance,
+)
 from carom.core.jit.kernel import Vec, cross, dot, kernel, vector
-from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, bounces, series_lasts
-from carom.core.motion.tilt import is_tilted
-from carom.simulation.motion import accelerations_of, on_floor_with, write_vector
+from carom.core.motion.phases import (
+    BOUNCING,
+    FLIGHT,
+    HELD,
+    PIVOTING,
+    REST,
+    ROUNDING,
+    acts,
+    bounces,
+    rolls_at_last,
+    series_lasts,
+)
+from carom.core.motion.tilt import MOST_FRICTION, is_tilted
+from carom.laws.law import CONTACT_WALL, MIRROR_WALL, TWO_STEP_WALL
+from carom.simulation.motion import (
+    ELASTIC_HEIGHT,
+    accelerations_of,
+    is_in_air,
+    is_slow,
+    motion_along_wall,
+    set_on_floor,
+    write_vector,
+)
 
 # Bounces lower than this share of the radius are no longer events of their own where they can be summed ...
 MAX_SUMMED_HEIGHT = 1e-6
@@ -44,6 +77,8 @@ def stays_clear(features: Any, balls: Any, i: int, time: float) -> bool:
             return False
     for k in range(balls.shape[0]):
         other = balls[k]
+        if k != i and is_in_air(other):
+            return False
         if k != i and other.phase < HELD:
             s = ball.clock - other.clock + time
             u, b, w = vector(other.v), vector(other.acc), vector(other.w)
@@ -87,10 +122,14 @@ def keep_on_floor(world: Any, ball: Any, v: Vec, on_floor: bool) -> Vec:
     return (v[0], v[1], 0 * v[2]) if low else v
 
 
-# Heights of bounces under a lasting force, as shares of the radius: below the first they are elastic; below the last a new one
-# begins, which has the second height and takes no more than so large a share of the kinetic energy.
-ELASTIC_HEIGHT, LOW_HEIGHT, LEAST_HEIGHT = 1e-6, 2.5e-7, 1e-9
-MAX_ENERGY_SHARE = 1e-6
+# Heights of bounces under a lasting force, as shares of the radius: below ELASTIC_HEIGHT they are elastic; below the last a new
+# one begins, which has the first height and takes no more than so large a share of the kinetic energy.
+LOW_HEIGHT, LEAST_HEIGHT = 2.5e-7, 1e-9
+MAX_ENERGY_SHARE, SHARE_ON_SLOPE = 1e-6, 1e-2
+IN_TOUCH = 1e-6  # of the radius: a wall with such a gap to a ball touches it
+CALM = (
+    1000  # contacts through which a ball has hardly moved, or ten without any motion (carom.simulation.motion.move_by)
+)
 
 
 @kernel
@@ -113,6 +152,18 @@ def _free_share(n: Vec, lies: bool) -> float:
 
 
 @kernel
+def _speed_of_bounce(world: Any, bend: float, a: float, energy: float, ease: float) -> float:
+    """Return the speed at which a low bounce begins, which takes a small share of the energy.
+
+    On a slope a ball that comes to a stop and goes back bounces on: there the share is as large as it has to be.
+    """
+    most = MAX_ENERGY_SHARE * energy * ease
+    if is_tilted(vector(world.force)):
+        most = max(SHARE_ON_SLOPE * energy * ease, min(-2 * bend * LEAST_HEIGHT * a, energy * ease / 2))
+    return math.sqrt(min(-2 * bend * LOW_HEIGHT * a, most))
+
+
+@kernel
 def _change_velocity(world: Any, ball: Any, p: Vec, lies: bool, c: float, keeps_rolling: bool) -> None:
     """Scale the motion of a ball by c, then change its velocity by p (along the floor, if it is there)."""
     v, w, a = vector(ball.v), vector(ball.w), ball.radius
@@ -120,53 +171,181 @@ def _change_velocity(world: Any, ball: Any, p: Vec, lies: bool, c: float, keeps_
     v, w = (c * v[0] + p[0], c * v[1] + p[1], c * v[2] + up), (c * w[0], c * w[1], c * w[2])
     if keeps_rolling:
         w = (-v[1] / a, v[0] / a, w[2])
-    if ball.phase != FLIGHT:
-        ball.phase, v, w = on_floor_with(world, ball, v, w)
     write_vector(ball.v, v)
     write_vector(ball.w, w)
+    if ball.phase != FLIGHT:
+        set_on_floor(world, ball, v, w)
 
 
 @kernel
-def _bears_weight(world: Any, ball: Any, n: Vec) -> bool:
-    """Return whether a feature of normal n bears the weight of a ball, or of one that lies still on the floor, its part along that.
+def _leans(world: Any, ball: Any, n: Vec) -> bool:
+    """Return whether a ball on a tilted floor leans with its weight on what has the normal n, and is not lifted by that."""
+    push = -(world.force[0] * n[0] + world.force[1] * n[1])
+    if world.floor == 0 or not is_tilted(vector(world.force)) or not _on_floor(world, ball):
+        return False
+    return bool(push > 1e-12 * world.g and n[2] * push < world.g * (n[0] * n[0] + n[1] * n[1]))
 
-    A ball that moves along a wall at the foot of a tilted floor goes on in low bounces, as one that topspin drives there.
+
+@kernel
+def _low_square(world: Any, ball: Any, n: Vec) -> float:
+    """Return the square of the speed at which a slope brings a ball back along n from a bounce too low to see."""
+    return 2 * ELASTIC_HEIGHT * ball.radius * abs(world.force[0] * n[0] + world.force[1] * n[1])  # type: ignore[no-any-return]
+
+
+@kernel
+def _is_still(world: Any, ball: Any) -> bool:
+    """Return whether a ball on a tilted floor neither moves nor rolls; it may spin on the spot."""
+    return is_slow(world, vector(ball.v), (ball.w[0], ball.w[1], 0 * ball.w[2]), ball.radius)
+
+
+@kernel
+def _moves_along(world: Any, f: Any, ball: Any, n: Vec) -> bool:
+    """Return whether a ball that leans on feature f, of normal n, can move along it in contact.
+
+    The wall is straight, its law tells the friction under a load, nothing fades with the speed, and the ball has hardly a spin that
+    rubs floor and wall across its way: else the floor drives it into the wall, or from it, and it goes on in low bounces.
     """
+    straight = (f.kind == FACE and not f.R > 0) or (f.kind == LINE and abs(f.d[2]) <= ROUNDING)
+    fades = acts(world.rolling_drag) or acts(world.spin_damping) or acts(world.spin_drag)
+    rubs = ball.radius * (n[0] * ball.w[1] - n[1] * ball.w[0])
+    has_law = f.law in (CONTACT_WALL, TWO_STEP_WALL, MIRROR_WALL)
+    return bool(straight and has_law and not fades and rubs * rubs <= _low_square(world, ball, n))
+
+
+@kernel
+def is_low_on_slope(world: Any, ball: Any, n: Vec, approach: float) -> bool:
+    """Return whether a ball comes back to a wall of normal n, on which a tilted floor presses it, from a bounce too low to see."""
+    return bool(_leans(world, ball, n) and approach * approach <= _low_square(world, ball, n))
+
+
+@kernel
+def _bears_weight(world: Any, f: Any, ball: Any, n: Vec) -> bool:
+    """Return whether feature f, of normal n, bears the weight of a ball, or of one on a tilted floor the part along that."""
     force = vector(world.force)
     if _on_floor(world, ball):
-        v, down = ball.v, (force[0], force[1], 0 * force[2])
-        still = 2 * ELASTIC_HEIGHT * ball.radius * math.sqrt(dot(down, down))
-        return bool(dot(down, n) < -1e-12 * math.sqrt(dot(force, force)) and dot(v, v) <= still)
-    return bool(dot(force, n) < -1e-12 * math.sqrt(dot(force, force)))
+        return _leans(world, ball, n) and (_moves_along(world, f, ball, n) or _is_still(world, ball))
+    hops = world.floor != 0 and is_tilted(force)
+    return bool(not hops and dot(force, n) < -1e-12 * math.sqrt(dot(force, force)))
 
 
 @kernel
 def is_driven_into_wall(world: Any, f: Any, ball: Any, n: Vec, approach: float) -> bool:
     """Return whether a ball meets a feature again only because topspin, or the curvature of the wall, drives it there."""
     _rate, bend = gap_derivatives(f, vector(ball.x), vector(ball.v), accelerations_of(world, ball)[0])
-    return bool(approach * approach < -2 * bend * ELASTIC_HEIGHT * ball.radius and not _bears_weight(world, ball, n))
+    return bool(approach * approach < -2 * bend * ELASTIC_HEIGHT * ball.radius and not _bears_weight(world, f, ball, n))
 
 
 @kernel
-def continue_wall_contact(world: Any, f: Any, ball: Any, n: Vec, approach: float, keeps_rolling: bool) -> Vec:
-    """Continue the contact of a ball with feature f, if a force lasts: hold a ball that rests there, let any other bounce low.
+def _friction_of(f: Any) -> float:
+    """Return the friction of a wall under a load."""
+    return float(f.mu if f.law in (CONTACT_WALL, TWO_STEP_WALL) else 0 * f.mu)
 
-    Return the impulse that begins a bounce: as far as it moves the ball, if the floor takes the rest.
+
+@kernel
+def _rub_at_rest(world: Any, features: Any, ball: Any, who: int, n: Vec) -> float:
+    """Return the friction, per mass, of a ball's spin where it lies between feature ``who``, of normal n, and another, or infinity.
+
+    Pushes N, N' >= 0 and the friction are in balance along the floor: F + N (n + mu t) + N' (n' + mu' t') = 0 with t = z x n, or
+    the other way.
     """
+    x, y, w = world.force[0], world.force[1], ball.w[2]
+    turns = 1 if w > 0 else -1 if w < 0 else 0
+    mu = min(_friction_of(features[who]), MOST_FRICTION)
+    p, q = n[0] - turns * mu * n[1], n[1] + turns * mu * n[0]
+    for k in range(features.shape[0]):
+        f = features[k]
+        if f.kind != OVER and abs(gap_to_feature(f, ball.radius, vector(ball.x))) <= IN_TOUCH * ball.radius:
+            o, other_mu = contact_normal(f, vector(ball.x), vector(ball.v)), min(_friction_of(f), MOST_FRICTION)
+            r, s = o[0] - turns * other_mu * o[1], o[1] + turns * other_mu * o[0]
+            d = p * s - q * r
+            if abs(d) > IN_TOUCH and (r * y - s * x) / d >= 0 and (q * x - p * y) / d >= 0:
+                return float((mu * (r * y - s * x) + other_mu * (q * x - p * y)) / d)
+    return math.inf + 0 * mu
+
+
+@kernel
+def _bear(world: Any, ball: Any, who: int, n: Vec, mu: float) -> None:
+    """Let feature ``who`` (-2: several things) bear a ball on a tilted floor (carom.core.motion.tilt.along_wall)."""
+    if world.floor_mu == math.inf:
+        v, w = rolls_at_last(vector(ball.v), vector(ball.w), ball.radius, ball.kappa)
+        write_vector(ball.v, v)
+        write_vector(ball.w, w)
+    ball.borne_by = who + 1
+    ball.borne[0], ball.borne[1], ball.borne[2], ball.borne[3] = n[0], n[1], n[2], mu
+    settle_along_wall(world, ball)
+
+
+@kernel
+def settle_along_wall(world: Any, ball: Any) -> None:
+    """Give a ball that a wall bears its phase, and velocity and spin without rounding; one at rest needs no more."""
+    ball.phase, v, w, _acc, _turn, _lasts = motion_along_wall(world, ball)
+    write_vector(ball.v, v)
+    write_vector(ball.w, w)
+    if ball.phase == REST:
+        ball.borne_by = 0
+
+
+@kernel
+def is_lying(world: Any, ball: Any) -> bool:
+    """Return whether a ball on a tilted floor lies still, or spins on the spot."""
+    lies = ball.phase == REST or (ball.borne_by != 0 and ball.phase == PIVOTING)
+    return bool(lies and is_tilted(vector(world.force)))
+
+
+@kernel
+def is_calm(world: Any, ball: Any) -> bool:
+    """Return whether a ball on a tilted floor has hardly moved through so many contacts that it lies still."""
+    return bool(ball.repeats > CALM and ball.phase != FLIGHT and is_tilted(vector(world.force)))
+
+
+@kernel
+def _stays_at_wall(world: Any, features: Any, who: int, ball: Any, n: Vec) -> bool:
+    """Let a ball on a tilted floor stay in contact with feature ``who``, of normal n, if it can.
+
+    It moves along a straight wall; it lies, or spins on the spot, between two walls, or where rolling resistance holds it.
+    """
+    v, w, phase, none = vector(ball.v), vector(ball.w), ball.phase, (0 * n[0], 0 * n[0], 0 * n[0])
+    still, moves = _is_still(world, ball), _moves_along(world, features[who], ball, n)
+    rub = _rub_at_rest(world, features, ball, who, n) if still else math.inf + none[0]
+    if rub < math.inf:
+        _bear(world, ball, -2, none, rub)
+    else:
+        _bear(world, ball, who, n, _friction_of(features[who]))
+    if rub < math.inf or moves or (still and ball.phase in (PIVOTING, REST)):
+        return True
+    ball.phase, ball.borne_by = phase, 0
+    write_vector(ball.v, v)
+    write_vector(ball.w, w)
+    return False
+
+
+@kernel
+def continue_wall_contact(
+    world: Any, features: Any, who: int, ball: Any, n: Vec, approach: float, keeps_rolling: bool
+) -> Vec:
+    """Continue the contact of a ball with feature ``who``, if a force lasts: the ball stays there, or bounces low.
+
+    On a tilted floor it leans on the wall, at rest or along it; a ball that rests without a floor is held. Return the impulse that
+    begins a bounce: as far as it moves the ball, if the floor takes the rest.
+    """
+    f = features[who]
     none = (0 * approach, 0 * approach, 0 * approach)
     rate, bend = gap_derivatives(f, vector(ball.x), vector(ball.v), accelerations_of(world, ball)[0])
     if not (bend < 0 and rate * rate <= -2 * bend * LEAST_HEIGHT * ball.radius):
         return none
-    if _bears_weight(world, ball, n):
-        # (one that comes back with all its speed goes on hopping, however low; one that does not come in lies there)
-        if rate <= 0.999999 * approach:
+    # (one that comes back with all its speed goes on hopping, however low; one that does not come in lies there)
+    settles = rate <= 0.999999 * approach
+    if settles and _leans(world, ball, n) and _stays_at_wall(world, features, who, ball, n):
+        return none
+    if _bears_weight(world, f, ball, n) and not (_on_floor(world, ball) and settles):
+        if settles:
             ball.phase = HELD
         return none
     # (the floor lets a ball that comes down on it be lifted: held to the floor, it would be given what it is yet to lose there)
     lies = _on_floor(world, ball) and not (ball.phase == FLIGHT and ball.v[2] < 0 and n[2] > 0)
     ease = _free_share(n, lies) / ball.mass
     energy = _energy(ball) / (1 + ball.kappa if keeps_rolling else 1.0)
-    speed = math.sqrt(min(-2 * bend * LOW_HEIGHT * ball.radius, MAX_ENERGY_SHARE * energy * ease))
+    speed = _speed_of_bounce(world, bend, ball.radius, energy, ease)
     if ease > 0 and energy > 0:
         c = math.sqrt(1 - speed * speed / (ease * energy))
         p = (speed - c * rate) / (ease * ball.mass)
@@ -178,11 +357,14 @@ def continue_wall_contact(world: Any, f: Any, ball: Any, n: Vec, approach: float
 
 @kernel
 def _motion_on_floor(world: Any, ball: Any) -> tuple[Vec, Vec, Vec]:
-    """Return velocity and acceleration of a ball as far as the floor admits them, and the acceleration without friction."""
+    """Return velocity and acceleration of a ball as far as the floor admits them, and the acceleration without friction.
+
+    One that lies still at the foot of a slope is borne there by what it touches.
+    """
     v, (b, _turn, _lasts) = vector(ball.v), accelerations_of(world, ball)
     if _on_floor(world, ball):
         zero = 0 * b[2]
-        c = 1 / (1 + ball.kappa)
+        c = zero if is_lying(world, ball) else 1 / (1 + ball.kappa)
         free = (b[0], b[1], zero) if ball.phase == FLIGHT else (c * world.force[0], c * world.force[1], zero)
         return (v[0], v[1], 0 * v[2]), (b[0], b[1], zero), free
     return v, b, b
@@ -210,14 +392,13 @@ def _pair_contact(world: Any, ball: Any, other: Any, n: Vec) -> tuple[float, flo
 
 
 @kernel
-def is_pressed_on_ball(world: Any, ball: Any, other: Any, n: Vec, approach: float) -> tuple[bool, bool]:
-    """Return whether two balls meet again only because a force presses them together, and whether neither rests on the other.
-
-    Then it is the floor's friction, or weight, that drives one against the other.
+def is_pressed_on_ball(world: Any, ball: Any, other: Any, n: Vec, approach: float) -> tuple[bool, bool, float]:
+    """Return whether two balls meet again only because a force presses them together; whether, besides, neither rests on the other
+    (it is the floor's friction, or weight, that drives one against the other); and their acceleration apart.
     """
     _rate, bend, lies = _pair_contact(world, ball, other, n)
-    pressed = bool(approach * approach < -2 * bend * ELASTIC_HEIGHT * min(ball.radius, other.radius))
-    return pressed, pressed and not lies
+    pressed = approach * approach < -2 * bend * ELASTIC_HEIGHT * min(ball.radius, other.radius)
+    return bool(pressed), bool(pressed and not lies), bend
 
 
 @kernel
@@ -227,8 +408,7 @@ def _separate(world: Any, ball: Any, other: Any, n: Vec, rate: float, bend: floa
     one_lies, other_lies = _on_floor(world, ball), _on_floor(world, other)
     ease = _free_share(n, one_lies) / m + _free_share(n, other_lies) / k
     energy = _energy(ball) + _energy(other)
-    # the speed of parting: 2 b h its square, but not all that they have
-    speed = math.sqrt(min(-2 * bend * LOW_HEIGHT * min(ball.radius, other.radius), MAX_ENERGY_SHARE * energy * ease))
+    speed = _speed_of_bounce(world, bend, min(ball.radius, other.radius), energy, ease)
     if ease > 0 and energy > 0:
         c = math.sqrt(1 - speed * speed / (ease * energy))
         p = (speed - c * rate) / ease
@@ -239,14 +419,17 @@ def _separate(world: Any, ball: Any, other: Any, n: Vec, rate: float, bend: floa
 
 
 @kernel
-def continue_ball_contact(world: Any, ball: Any, other: Any, n: Vec, approach: float) -> float:
-    """Continue the contact of two balls, if a force presses them together: hold one that rests on the other, else separate them.
+def continue_ball_contact(world: Any, ball: Any, other: Any, n: Vec, approach: float, before: float) -> float:
+    """Continue the contact of two balls, if a force presses them together: they are held, or bounce low.
 
-    Return the impulse along n that begins a bounce.
+    n points to the first; ``before``: their acceleration apart before the impact, borne by walls of a slope as they were. There
+    they can be struck, elsewhere balls that rest on each other are held. Return the impulse along n that begins a bounce.
     """
     rate, bend, lies = _pair_contact(world, ball, other, n)
+    slope = world.floor != 0 and is_tilted(vector(world.force))
+    bend = before if slope else bend
     if bend < 0 and rate * rate <= -2 * bend * LEAST_HEIGHT * min(ball.radius, other.radius):
-        if not lies:
+        if not lies or slope:
             return _separate(world, ball, other, n, rate, bend)
         if rate <= 0.999999 * approach:
             ball.phase = other.phase = HELD

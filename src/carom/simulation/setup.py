@@ -18,6 +18,7 @@ from carom.core.jit.threads import row_slices
 from carom.errors import CaromError, FaultList
 from carom.laws.callbacks import user_address
 from carom.laws.law import CALLED_WALL, CONTACT_WALL
+from carom.scene.air import balls_in_air
 from carom.scene.scene import Scene
 from carom.scene.scene_rules import BALLS_TOUCH, TOUCH
 from carom.simulation.records import BALLS, WORLD
@@ -67,6 +68,9 @@ def _set_up(scene: Scene, compiled: bool) -> SceneArrays:
         world["resistance"], world["spin_friction"] = floor.rolling_resistance, floor.spin_friction
         for name in ("rolling_drag", "spin_damping", "spin_drag"):
             world[name] = getattr(floor, name)
+    in_air, rows = balls_in_air(scene) if scene.air is not None else ([], [])
+    if scene.air is not None:
+        world["wind"], world["laws"][0, : 8 * len(rows)] = scene.air.wind, np.ravel(rows)
     law = scene.pair_law
     _surface(world, "pair", scene.ball_contact.contact_of(law))
     world["pair_law"] = CONTACT_WALL if law.one_contact else CALLED_WALL + scene.called_laws.index(law)
@@ -78,6 +82,12 @@ def _set_up(scene: Scene, compiled: bool) -> SceneArrays:
         state = ball.state
         row["radius"], row["mass"], row["kappa"] = ball.radius, ball.mass, ball.ball.kappa
         row["x"], row["v"], row["w"] = ball.center, state.velocity, state.spin
+    for row, ball, own in zip(balls if in_air else (), scene.balls, in_air, strict=False):
+        row["air"], row["buoyancy"], row["spin_decay"] = own.strength, own.buoyancy, ball.spin_decay
+        for name in ("drag", "lift"):
+            row[name], row[f"{name}_last"] = getattr(own, name)
+        if not any(any(one[2:]) for k in (own.drag, own.lift) for one in rows[k[0] : k[1] + 1]):
+            row["air"] = 0
     kernels = [law.kernel for law in scene.called_laws]
     users = [user_address(kernel, compiled) for kernel in kernels if kernel is not None]
     features = scene.features()

@@ -651,9 +651,9 @@ def _slip(ball: BallPath, piece: PathPiece, a: Array, error: float, found: Judge
     dv = math.hypot(piece.velocity(t0)[1], piece.velocity(t1)[1], ball.radius * piece.spin_error)
     rolls = SAME * speed + SIGMAS * dv
     if size <= rolls:
-        share = size1 / max(speed, 1e-300)
+        fast = max(speed, float(np.linalg.norm(piece.velocity(t1)[0])), 1e-300)  # (it may start from rest)
         text = "a ball that rolls begins to slip"
-        found.check("slip", t0, [ball.name], share - 2 * SAME, dv / max(speed, 1e-300), LEAST, text)
+        found.check("slip", t0, [ball.name], size1 / fast - 2 * SAME, dv / fast, LEAST, text)
     elif min(size, size1) > rolls and slips[0] @ slips[1] > 0:
         pull = max(float(np.hypot(*a)), 1e-300)
         # (on a slope the slip turns, and the mean friction is against a direction between its first and its last)

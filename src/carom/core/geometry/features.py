@@ -176,6 +176,20 @@ def _round_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: f
     return math.inf
 
 
+@kernel
+def time_to_end(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float) -> float:
+    """Time in [0, until] at which a ball that moves along a line, or a face with straight edges, is past its end, or infinity."""
+    p, d, u, first = vector(f.p), vector(f.d), vector(f.u), math.inf + 0 * a
+    for k in range(4):
+        e = d if f.kind == LINE else u if k < 2 else cross(d, u)
+        low, high = (f.lo1, f.hi1) if f.kind == FACE and k < 2 else (f.lo2, f.hi2)
+        side = 1 if k in (0, 2) else -1
+        room = 2 * SEAM * a + (dot(x, e) - dot(p, e) - low if side > 0 else high - dot(x, e) + dot(p, e))
+        if room < math.inf:
+            first = min(first, hit2(room, side * dot(v, e), side * dot(acc, e) / 2, until, 0 * a))
+    return first
+
+
 @hot_kernel
 def feature_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: float, error: float = 0.0) -> float:
     """Time in [0, until] at which a ball touches feature f, or infinity.

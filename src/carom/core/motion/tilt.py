@@ -17,7 +17,17 @@ import math
 
 from carom.core.contact import slip_velocity
 from carom.core.jit.kernel import Vec, hot_kernel, kernel, root_of, steepest, without_slopes
-from carom.core.motion.phases import REST, ROLLING, SLIDING, UP, acts, decay_integrals, time_of_integral
+from carom.core.motion.phases import (
+    PIVOTING,
+    REST,
+    ROLLING,
+    ROUNDING,
+    SLIDING,
+    UP,
+    acts,
+    decay_integrals,
+    time_of_integral,
+)
 
 # F (x, y), m, and q; q is 0 for a ball whose acceleration is constant
 Lean = tuple[float, float, float, float]
@@ -25,6 +35,7 @@ LEVEL: Lean = (0.0, 0.0, 0.0, 0.0)
 
 MOST_STEPS = 200
 LONGEST = 3.0  # step of Newton's, in e-foldings of a growing speed
+STILL = 1e-12  # of the radius: a way that is none
 FOUND = 1e-9  # a step of Newton's so small leaves an error of its square
 
 
@@ -52,18 +63,26 @@ def phase_on_slope(phase: int, force: Vec, kappa: float, g: float, mu: float, re
 
 
 @kernel
+def _turns(x: float, y: float, fx: float, fy: float, m: float, a: float) -> bool:
+    """Return whether w = (x, y) turns: not where it is zero, or so small that a slope has turned it within 1e-12 of the radius."""
+    square, pull = x * x + y * y, _size(without_slopes(fx), without_slopes(fy))
+    return bool(square > 0 and (square > 2 * STILL * a * pull or not pull > m))
+
+
+@kernel
 def lean_of(
     phase: int, v: Vec, w: Vec, a: float, kappa: float, force: Vec, g: float, mu: float, resistance: float
 ) -> Lean:
     """Return F, m and q of a ball on a tilted floor; q = 0 where it goes straight, from rest, with a constant acceleration."""
     if phase == SLIDING:
         _un, u = slip_velocity(v, w, UP, a)
-        turns = u[0] != 0 or u[1] != 0
         m = mu * g * (1 + 1 / kappa)
+        turns = _turns(u[0], u[1], force[0], force[1], m, a)
         return force[0], force[1], m, (kappa / (1 + kappa) if turns else 0 * m)
     c = 1 / (1 + kappa)
-    turns = v[0] != 0 or v[1] != 0
-    return force[0] * c, force[1] * c, resistance * g + 0 * c, (1 + 0 * c if turns else 0 * c)
+    m = resistance * g + 0 * c
+    turns = _turns(v[0], v[1], force[0] * c, force[1] * c, m, a)
+    return force[0] * c, force[1] * c, m, (1 + 0 * c if turns else 0 * c)
 
 
 @kernel
@@ -261,3 +280,79 @@ def course_error(phase: int, v: Vec, w: Vec, a: float, lean: Lean, ahead: float)
     if not least > 0:
         return most
     return min(most, q * m * abs(fx * y - fy * x) * ahead * ahead * ahead / (6 * least * least))
+
+
+# ----------------------------------------------------------------------------------------------------
+# Along a wall that bears the ball, with the normal n = c m + s z, m and t = z x m level. Slips, along t, at the floor u = v + a w_m
+# and at the wall u' = v - a (c w_z - s w_m). With f and h the friction there, per mass, r and b what resists rolling and spin, and
+# N = -F_m/c the push of the wall,
+#
+#     v' = F_t + f + h,   kappa a w_m' = f + s h + r,   kappa a w_z' = b - c h.
+#
+# Each of the four is against its slip (u, u', w_m, w_z) and has a largest size (mu (g - s N), mu' N, ...), or holds what does not
+# slip: all accelerations are constant. The four are found in turn, over and over, each with the others as they are.
+
+
+MOST_FRICTION, ROUNDS = 1e9, 200  # slips at a rougher wall end at once; of finding the four
+
+
+@kernel
+def _whole(x: float, least: float) -> float:
+    """Return a number without what is rounding."""
+    return x if abs(x) > least else 0 * x
+
+
+@kernel
+def _against(slip: float, hold: float, most: float) -> float:
+    """Return the friction of at most ``most`` against a slip, or what holds where there is none."""
+    return -most if slip > 0 else most if slip < 0 else min(max(hold, -most), most)
+
+
+@kernel
+def _until_zero(x: float, rate: float) -> float:
+    """Return when a number that changes at a constant rate is zero, or infinity."""
+    return -x / rate if (x > 0 and rate < 0) or (x < 0 and rate > 0) else math.inf + 0 * x
+
+
+@kernel
+def along_wall(
+    v: Vec, w: Vec, a: float, kappa: float, force: Vec, g: float, mu: float, resistance: float, spin_friction: float,
+    n: Vec, wall_mu: float,
+) -> tuple[int, Vec, Vec, Vec, Vec, float]:  # fmt: skip
+    """Return the phase of a ball that leans on a wall, its velocity and spin without rounding, acceleration, turn, and duration.
+
+    No normal: it lies between several things, which rub with ``wall_mu``, a deceleration of its spin.
+    """
+    zero = 0 * (v[0] + w[0])
+    c, s = _size(n[0], n[1]), n[2]
+    least, tiny = ROUNDING * (_size(v[0], v[1]) + a * (_size(w[0], w[1]) + abs(w[2])) + math.sqrt(g * a)), ROUNDING * g
+    mx, my = (n[0] / c, n[1] / c) if c > 0 else (zero, zero)
+    speed, y, z = v[1] * mx - v[0] * my, a * (w[0] * mx + w[1] * my), _whole(a * w[2], least)
+    push = -(force[0] * mx + force[1] * my) / c if c > 0 else zero
+    weight, drive = g - s * push, force[1] * mx - force[0] * my
+    most, rubs = mu * weight, min(wall_mu, MOST_FRICTION) * push
+    speed, grips, holds = _whole(speed, least), mu > 0, rubs > 0
+    slip = _whole(speed + y, least) if grips else zero
+    y = -speed if grips and slip == 0 else y
+    rub = _whole(speed - c * z + s * y, least) if holds else zero
+    z = (speed + s * y) / c if holds and rub == 0 else z
+    drag = resistance * weight * (1 + kappa) if grips and slip == 0 else zero
+    brake = spin_friction * weight + (wall_mu if not c > 0 else zero)
+    f = h = r = b = zero
+    for _ in range(ROUNDS):
+        f = _against(slip, -(kappa * (drive + h) + s * h + r) / (1 + kappa), most)
+        h = _against(rub, -(kappa * (drive + f) + s * (f + r) - c * b) / (1 + kappa), rubs)
+        r = _against(y, -f - s * h, drag)
+        b = _against(z, c * h, brake)
+    up, fall, spin = (
+        _whole(drive + f + h, tiny),
+        _whole((f + s * h + r) / kappa, tiny),
+        _whole((b - c * h) / kappa, tiny),
+    )
+    rolls = slip == 0 and abs(f) < most
+    lasts = min(_until_zero(slip, up + fall), _until_zero(z, spin), _until_zero(rub, up - c * spin + s * fall))
+    if rolls:
+        lasts = min(lasts, _until_zero(speed, up))
+    phase = SLIDING if not rolls else ROLLING if speed != 0 or up != 0 else PIVOTING if z != 0 or spin != 0 else REST
+    velocity, spins = (-my * speed, mx * speed, zero), (mx * y / a, my * y / a, z / a)
+    return phase, velocity, spins, (-my * up, mx * up, zero), (mx * fall / a, my * fall / a, spin / a), lasts

@@ -23,7 +23,7 @@ from carom.core.jit.calls import caller_of, compiled_address
 from carom.core.jit.compile import array_of, named_tuple_type, njit, signature
 from carom.core.jit.dual.dual_records import float_count
 from carom.core.jit.dual.numbers import LANES
-from carom.core.jit.kernel import kernel, vector
+from carom.core.jit.kernel import kernel
 from carom.core.jit.threads import block_slices, call_in_threads, thread_count
 from carom.core.motion.phases import HELD, PHASES
 from carom.errors import CaromError, require_type
@@ -41,7 +41,7 @@ from carom.simulation.loop import (
     run_limits,
     run_scene,
 )
-from carom.simulation.motion import begin_phase, move_by, write_vector
+from carom.simulation.motion import begin_phase, move_by, set_to_row
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.sensitivity.follow import FOLLOW, SLOPES, STATES, X, compiled_follow, compiled_states, dual_users
 from carom.simulation.sensitivity.passages import PASSAGES, StateSensitivity
@@ -172,11 +172,8 @@ def _keep_states(world: Any, log: Any, rows_at: Any, time: Any, many: int, balls
         ball = balls[k]
         for i in range(many):
             t, row = time[i], log[rows_at[i, k]]
-            ball.phase = row.phase
+            set_to_row(ball, row)
             if ball.phase < HELD:
-                write_vector(ball.x, vector(row.x))
-                write_vector(ball.v, vector(row.v))
-                write_vector(ball.w, vector(row.w))
                 begin_phase(world, ball)
                 move_by(world, ball, t - row.t, t)
                 for j in range(min(states.shape[2], 3)):

@@ -90,7 +90,7 @@ def _states(
         rows, passages = dual_records(balls, balls_d, c), dual_records(out, out_d, c)
         for i in range(which.shape[0]):
             for k in range(balls.shape[0]):
-                state_at_time(world, rows[k], first[k], passages[which[i, k]], log[which[i, k]].phase, time[i])
+                state_at_time(world, rows[k], first[k], passages[which[i, k]], log[which[i, k]], time[i])
                 for j in range(slopes.shape[3]):
                     for lane in range(LANES):
                         slopes[c, i, k, j, lane] = balls_d[c, k, X + j, lane]
@@ -332,7 +332,7 @@ def follow_interpreted(scene: Any, parameters: Parameters, log: NDArray[np.void]
         for k, ball in enumerate(here):
             for i, row in enumerate(rows_at(log, k, times).tolist()):
                 with np.errstate(all="ignore"):
-                    lifted(state_at_time)(world[0], ball, first[k], out[row], rows[row].phase, float(times[i]))
+                    lifted(state_at_time)(world[0], ball, first[k], out[row], rows[row], float(times[i]))
                 numbers = [x for name in Motion._fields for x in getattr(ball, name)]
                 found[i, k] = [derivative(x, p) for x in numbers]
         return found

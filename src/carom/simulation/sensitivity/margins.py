@@ -30,6 +30,7 @@ from carom.core.jit.compile import array_of, is_cached, njit, signature
 from carom.core.jit.kernel import Vec, as_objects, kernel
 from carom.core.jit.threads import block_slices
 from carom.core.motion.phases import BOUNCING, HELD, REST, SLIDING, restitution
+from carom.errors import CaromError
 from carom.laws.law import TWO_STEP_WALL
 from carom.simulation.contact_kinds import compiled_joint_impact, joint_impact
 from carom.simulation.records import BALL, MEETINGS, WALL, WALLS, event_numbers
@@ -427,6 +428,10 @@ def _neither_moves(moves: NDArray[np.int64], targets: int) -> NDArray[np.bool_]:
 def near_misses(run: Any, parameters: Parameters, passages: Passages) -> list[NearMiss]:
     """Return all near misses of a run, the one that the smallest change of the parameters makes a contact first."""
     scene, log, p = run.scene, run.log, len(parameters)
+    if scene.air is not None:
+        raise CaromError(
+            "near_misses: expected a scene without air, got one with it; margin has the switches at its events"
+        )
     arrays = parameters.arrays
     features, balls = (
         seeded_records(getattr(arrays, name), [one[name] for one in parameters.slopes])

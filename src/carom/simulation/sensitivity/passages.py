@@ -28,7 +28,7 @@ from carom.core.jit.dual.numbers import as_dual, depends, scaled, value_of, with
 from carom.core.jit.kernel import Vec, dot, kernel, steepest, vector
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, SLIDING, acts
 from carom.simulation.contact_kinds import line_of_centres, pair_friction, resolve_event
-from carom.simulation.motion import begin_phase, move_by, on_floor_with, write_vector
+from carom.simulation.motion import begin_phase, move_by, set_on_floor, write_vector
 from carom.simulation.records import (
     BALL,
     FLOOR,
@@ -225,6 +225,7 @@ PASSAGES = np.dtype(
         ("required", "f8"),  # friction
         ("friction", "f8"),
         ("slip", "f8", (2,)),  # of a ball that slides from here on, at the floor, m/s
+        ("borne", "f8", (4,)),  # as a ball has it (carom.simulation.records)
     ]
 )
 # As in replay: a graze; a contact.
@@ -245,7 +246,7 @@ def _set_to_log(ball: Any, row: Any) -> None:
     _revalued(ball.x, vector(row.x))
     _revalued(ball.v, vector(row.v))
     _revalued(ball.w, vector(row.w))
-    ball.phase = row.phase
+    ball.phase, ball.borne_by = row.phase, row.borne_by
     ball.clock = with_value(ball.clock, row.t)
 
 
@@ -268,6 +269,8 @@ def _record_state(out: Any, ball: Any) -> None:
     write_vector(out.w, vector(ball.w))
     out.approach = out.required = out.friction = math.nan
     out.slip[0] = out.slip[1] = math.nan
+    for k in range(4):
+        out.borne[k] = ball.borne[k]
 
 
 @kernel
@@ -284,9 +287,7 @@ def _begin_all(world: Any, balls: Any, log: Any, out: Any, last: int) -> None:
         ball.next_kind, ball.next_at, ball.lasts = NOTHING, math.inf, math.inf
         if SLIDING <= ball.phase <= REST:
             ball.x[2] = ball.radius
-            _phase, v, w = on_floor_with(world, ball, vector(ball.v), vector(ball.w))
-            write_vector(ball.v, v)
-            write_vector(ball.w, w)
+            set_on_floor(world, ball, vector(ball.v), vector(ball.w))
         _set_to_log(ball, log[i])
         begin_phase(world, ball)
         _record_state_before(out[min(i, last)], ball)
@@ -441,20 +442,23 @@ def _release(world: Any, walls: Any, balls: Any, plain: Any, i: int, k: int, t: 
 
 
 @kernel
-def state_at_time(world: Any, ball: Any, first: Any, passage: Any, phase: int, t: float) -> None:
-    """Set a ball to what it is at the time t: ``first`` at the start, and with ``passage`` at its last event before."""
+def state_at_time(world: Any, ball: Any, first: Any, passage: Any, row: Any, t: float) -> None:
+    """Set a ball to what it is at the time t: ``first`` at the start, and with ``passage`` at its last event before, ``row``."""
     ball.radius, ball.mass, ball.kappa = first.radius, first.mass, first.kappa
     write_vector(ball.x, vector(passage.x))
     write_vector(ball.v, vector(passage.v))
     write_vector(ball.w, vector(passage.w))
-    ball.clock, ball.phase, ball.repeats, ball.lasts = passage.time, phase, 0, math.inf
-    if phase < HELD:
+    ball.clock, ball.phase, ball.repeats, ball.lasts = passage.time, row.phase, 0, math.inf
+    ball.borne_by = row.borne_by
+    for k in range(4):
+        ball.borne[k] = passage.borne[k]
+    if row.phase < HELD:
         begin_phase(world, ball)
         move_by(world, ball, as_dual(t) - ball.clock, as_dual(t))
 
 
 @kernel
-def follow_log(world: Any, features: Any, walls: Any, balls: Any, plain: Any, log: Any, users: Any, out: Any) -> int:
+def follow_log(world: Any, features: Any, walls: Any, balls: Any, plain: Any, log: Any, users: Any, out: Any) -> int:  # noqa: PLR0915
     """Follow a run again, from the START rows of its log on: ``out`` are its passages, ``balls`` are at their last events.
 
     Returns -1, or the row of a graze, or of a pressed ball at a border of regimes, where no derivative exists.
@@ -476,6 +480,8 @@ def follow_log(world: Any, features: Any, walls: Any, balls: Any, plain: Any, lo
         f = -1
         if kind in (PHASE, SETTLED):
             t = with_value(ball.clock + ball.lasts, row.t)
+            if kind == PHASE and not abs(plain[i].clock + plain[i].lasts - row.t) <= IN_TOUCH * (1 + row.t):
+                return int(n)  # (not by itself: its wall ends, or it lies still, or is let go)
             move_by(world, ball, t - ball.clock, t)
         else:
             if kind not in (BALL, FLOOR):

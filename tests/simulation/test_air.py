@@ -1,0 +1,250 @@
+"""Flights in air: beside DOP853, closed forms, the vacuum; the same bits interpreted and compiled; derivatives; what is refused."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from reference.air_events import drawn_room, room_distances, worst_of_flights
+from reference.air_path import air_path
+from simulation.test_interpreted import one_run
+
+import carom
+from carom.laws.air import AIR_LAWS
+from carom.simulation import loop as engine_loop
+from carom.simulation.loop import compiled_engine
+
+api: Any = carom  # (parts of scenes as dicts)
+BALL: dict[str, Any] = {"radius": 0.02, "mass": 0.0027, "inertia": "hollow"}
+K = 1.2 * math.pi * 0.02**2 / (2 * 0.0027)
+G = 9.80665
+
+
+def flight(
+    duration: float, *, air: Any = None, floor: Any = None, walls: Any = (), gravity: Any = G, **ball: Any
+) -> Any:
+    one = BALL | {"position": (0.0, 0.0, 1.0), "drag": 0.5} | ball
+    return api.Scene(
+        air={"density": 1.2} | (air or {}), gravity=gravity, floor=floor, walls=walls, balls=[one],
+        run={"duration": duration, "law": "contact"},
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_events_beside_dop853(seed: int) -> None:
+    run = api.simulate(drawn_room(seed))
+    worst = worst_of_flights(run, room_distances, 12)
+    assert len(run.events) >= 5
+    assert max(worst["place"], worst["at"], worst["depth"]) < 1e-12
+    assert worst["velocity"] < 1e-11
+    assert worst["spin"] < 1e-10
+    x = run.at(np.linspace(0, run.end, 500)).position
+    apart = [np.linalg.norm(x[:, i] - x[:, j], axis=1).min() for i in range(3) for j in range(i)]
+    assert min(apart) > 0.04 - 1e-12
+
+
+@pytest.mark.parametrize("across", [0.0, 1e-12, 1e-6, 1e-4, 3e-3, 0.1])
+@pytest.mark.parametrize("spin", [0.0, 100.0])
+def test_throws_straight_up(across: float, spin: float) -> None:
+    """Where a ball turns round in the air, drag has a corner."""
+    thrown: Any = {"velocity": (across, 0, 4), "spin": (0, spin, 0)}
+    run = api.simulate(flight(0.9, lift={"form": "saturating", "slope": 1.0}, **thrown))
+    times = np.linspace(0, 0.9, 19)
+    expected = air_path(
+        times, (0, 0, 1), thrown["velocity"], thrown["spin"], radius=0.02, mass=0.0027, density=1.2,
+        drag=lambda s, ratio: 0.5, lift=lambda s, ratio: ratio, tolerance=1e-14,
+    )  # fmt: skip
+    assert np.abs(run.at(times).position[:, 0] - expected.y[:3].T).max() < 2e-12
+
+
+def test_a_fall_from_rest_lands_in_time() -> None:
+    scene = flight(0.9, floor={"friction": 0.3, "restitution": 0.8})
+    landed = api.simulate(scene).events[0]
+    limit = math.sqrt(G / (K * 0.5))
+    # the height is (v_t^2/g) ln cosh(g t/v_t)
+    t = limit / G * math.acosh(math.exp(0.98 * G / limit**2))
+    assert landed.kind == "floor"
+    assert abs(landed.t - t) < 2e-13
+    assert abs(landed.before.velocity[2] + limit * math.tanh(G * t / limit)) < 2e-12
+
+
+def test_a_spiral_without_gravity() -> None:
+    """With constant coefficients the path is a circle of radius 1/(K C_L), along which the speed falls (Dupeux et al. 2010)."""
+    scene = flight(2.0, gravity=0, lift=0.2, velocity=(5, 0, 0), spin=(0, 0, 200))
+    times = np.linspace(0, 2, 21)
+    place = api.simulate(scene).at(times).position[:, 0]
+    angle = 0.2 / 0.5 * np.log(1 + K * 0.5 * 5 * times)
+    radius = 1 / (K * 0.2)
+    expected = np.stack([radius * np.sin(angle), radius * (1 - np.cos(angle)), np.ones(21)], axis=1)
+    assert np.abs(place - expected).max() < 1e-12
+
+
+def test_the_spin_fades_and_turns_the_ball() -> None:
+    scene = flight(1.0, gravity=0, drag=0, velocity=(0, 5, 0), spin=(0, 200.0, 0), spin_decay=0.01)
+    run = api.simulate(scene)
+    rate = 0.01 * 5 / 0.02
+    assert abs(run.final.spin[0, 1] - 200 * math.exp(-rate)) < 1e-10
+    angle = 200 * (1 - math.exp(-rate)) / rate
+    q = run.orientation(1.0)[0]
+    assert (
+        np.abs(q * np.sign(q[0] * math.cos(angle / 2)) - (math.cos(angle / 2), 0, math.sin(angle / 2), 0)).max() < 1e-10
+    )
+
+
+def test_wind_is_a_moving_frame() -> None:
+    wind, moved = (1.0, -2.0, 0.5), {"spin": (30, 60, -20), "lift": "tennis"}
+    blown = api.simulate(flight(0.5, air={"wind": wind}, velocity=(4, 1, 2), **moved))
+    still = api.simulate(flight(0.5, velocity=tuple(np.array((4, 1, 2)) - wind), **moved))
+    assert np.abs(blown.final.position - still.final.position - 0.5 * np.array(wind)).max() < 1e-14
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_air_without_drag_and_lift_is_vacuum(seed: int) -> None:
+    scene = drawn_room(2 * seed)
+    balls = [ball.model_copy(update={"drag": 0.0, "lift": 0.0, "spin_decay": 0.0}) for ball in scene.balls]
+    bare = [ball.model_copy(update={"drag": None, "lift": None, "spin_decay": 0.0}) for ball in scene.balls]
+    parts = {name: getattr(scene, name) for name in ("floor", "walls", "run", "ball_contact")}
+    air = scene.air.model_copy(update={"buoyancy": False})
+    one, other = api.Scene(air=air, balls=balls, **parts), api.Scene(balls=bare, **parts)
+    assert api.simulate(one).log.tobytes() == api.simulate(other).log.tobytes()
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_same_bits_as_compiled(seed: int) -> None:
+    scene = drawn_room(seed)
+    if seed > 3:
+        balls = [ball.model_copy(update={"drag": "smooth-sphere", "lift": "tennis"}) for ball in scene.balls]
+        scene = api.Scene(**{name: getattr(scene, name) for name in ("air", "floor", "walls", "run")}, balls=balls)
+    expected = one_run(scene, compiled_engine().run, True)
+    assert one_run(scene, engine_loop.run_interpreted, False) == expected
+
+
+def test_many_runs_are_single_runs() -> None:
+    scene = drawn_room(1)
+    velocity = np.array([[ball.velocity for ball in scene.balls]]) * np.array([1.0, 0.7])[:, None, None]
+    many = api.simulate_many(scene, velocity=velocity)
+    assert np.abs(many.final.position[0] - api.simulate(scene).final.position).max() < 1e-14
+
+
+def test_a_table_is_left_at_its_knots() -> None:
+    reynolds, values = [2e3, 5e3, 8e3, 1.1e4], [0.7, 0.4, 0.55, 0.45]
+    scene = flight(0.8, drag={"form": "table", "reynolds": reynolds, "values": values}, velocity=(8, 1, 3))
+    air, times = scene.air, np.linspace(0, 0.8, 9)
+    per_speed = 2 * 0.02 * air.rho / air.eta
+    found = api.simulate(scene).at(times).position[:, 0]
+    expected = air_path(
+        times, (0, 0, 1), (8, 1, 3), (0, 0, 0), radius=0.02, mass=0.0027, density=1.2, tolerance=1e-13,
+        drag=lambda s, ratio: float(np.interp(per_speed * s, reynolds, values)),
+    )  # fmt: skip
+    assert np.abs(found - expected.y[:3].T).max() < 1e-11
+
+
+def test_a_small_sphere_falls_at_last_as_morsi_and_alexander_have_it() -> None:
+    """Glass of 1 mm in water: weight less buoyancy is the drag, at the Reynolds number of the last speed."""
+    a, glass, water = 0.5e-3, 2500.0, 998.0
+    mass = glass * 4 / 3 * math.pi * a**3
+    scene = flight(
+        1.0, air={"density": water, "viscosity": 1.002e-3, "buoyancy": True}, radius=a, mass=mass, inertia="solid",
+        drag="smooth-sphere",
+    )  # fmt: skip
+    speed = -float(api.simulate(scene).final.velocity[0, 2])
+    re = water * 2 * a * speed / 1.002e-3
+    k1, k2, k3 = 98.33, -2778.0, 0.3644
+    assert 100 < re < 1000
+    drag = (k1 / re + k2 / re**2 + k3) * water * speed**2 / 2 * math.pi * a**2
+    assert drag == pytest.approx((glass - water) * 4 / 3 * math.pi * a**3 * G, rel=1e-9)
+
+
+def test_a_tennis_serve() -> None:
+    """120 mph lands at some 85 mph, and has half of its speed where it is returned, after two thirds of a second (Yandell)."""
+    mph = 0.44704
+    start, angle = 120 * mph, math.radians(5.0)
+    scene = flight(
+        0.62, radius=0.033, mass=0.0577, position=(0, 0, 2.7), velocity=(start * math.cos(angle), 0, -start * math.sin(angle)),
+        spin=(0, 40 * math.pi, 0), drag="tennis", lift="tennis", floor={"friction": 0.6, "restitution": 0.75},
+    )  # fmt: skip
+    run = api.simulate(scene)
+    assert run.events.kinds == ["floor"]
+    assert 84 < np.linalg.norm(run.events[0].before.velocity) / mph < 92
+    assert 0.45 < np.linalg.norm(run.final.velocity) / start < 0.52
+
+
+@pytest.mark.parametrize("column", ["balls.0.velocity.x", "balls.0.spin.y", "walls.0.restitution", "balls.0.drag"])
+def test_derivatives_beside_differences(column: str) -> None:
+    wall = {"shape": "plane", "point": (-1, 0, 0), "normal": (1, 0, 0), "restitution": 0.8, "friction": 0.2}
+    scene = flight(
+        0.55, air={"wind": (0, 0.5, 0)}, floor={"friction": 0.3, "restitution": 0.9}, walls=[wall], position=(0, 0, 0.5),
+        velocity=(-6, 1, 0.5), spin=(10, 60, 5), lift="tennis", spin_decay=1e-3,
+    )  # fmt: skip
+    found = api.simulate(scene).sensitivity(["balls.0.velocity", "balls.0.spin", "walls.0.restitution", "balls.0.drag"])
+    k, h = found.columns.index(column), 1e-5
+    path, _, axis = column.rpartition(".") if column[-2:] in (".x", ".y") else (column, "", "")
+    ends = []
+    for sign in (1, -1):
+        value: Any = found.values[k] + sign * h
+        if axis:
+            vector = list(getattr(scene.balls[0], path.rpartition(".")[2]))
+            vector["xyz".index(axis)] = float(value)
+            value = tuple(vector)
+        ends.append(api.simulate(api.replaced(scene, {path: value if axis else float(value)})).final.position[0])
+    assert np.abs((ends[0] - ends[1]) / (2 * h) - found.final.position[0, :, k]).max() < 1e-8
+
+
+def test_a_scene_in_air_is_saved_and_read(tmp_path: Any) -> None:
+    scene = drawn_room(1)
+    assert api.load_scene(api.save_scene(scene, tmp_path / "air.toml")) == scene
+    assert "air" in scene.describe()
+    assert not scene.ball_contact.overlap
+
+
+def test_density_from_temperature_and_pressure() -> None:
+    assert api.scene.SceneAir(temperature="15 degC").rho == pytest.approx(1.225, rel=1e-4)
+    assert api.scene.SceneAir(temperature=288.15).eta == pytest.approx(1.7894e-5, rel=1e-4)
+    assert api.scene.SceneAir(pressure="50 kPa", temperature=300).rho == pytest.approx(0.58062, rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("changes", "field"),
+    [
+        ({"drag": None}, "balls[0].drag"),
+        ({"drag": -1}, "balls[0].drag"),
+        ({"drag": "smoth-sphere"}, "balls[0].drag"),
+        ({"lift": "smooth-sphere"}, "balls[0].lift"),
+        ({"lift": {"form": "saturation", "slope": 1}}, "balls[0].lift.form"),
+        ({"drag": {"form": "table", "reynolds": [2, 1], "values": [1, 1]}}, "balls[0].drag.reynolds"),
+        ({"drag": {"form": "table", "reynolds": list(range(40)), "values": [1] * 40}}, "air"),
+        ({"air": {"density": 1.2, "pressure": 1e5}}, "air.density"),
+        ({"floor": {"friction": 0.2, "slope": [0.1, 0]}}, "floor.slope"),
+        ({"spin_decay": -1}, "balls[0].spin_decay"),
+    ],
+)
+def test_what_is_refused(changes: Any, field: str) -> None:
+    with pytest.raises(carom.CaromError) as raised:
+        flight(1.0, **changes)
+    assert [fault.field for fault in raised.value.records] == [field]
+
+
+def test_numbers_of_the_air_need_air() -> None:
+    with pytest.raises(carom.CaromError) as raised:
+        api.Scene(balls=[BALL | {"position": (0, 0, 1), "drag": 0.5, "lift": 0.1}])
+    assert [fault.field for fault in raised.value.records] == ["balls[0].drag", "balls[0].lift"]
+
+
+def test_what_is_not_followed_in_air_ends_the_run() -> None:
+    floor = {"friction": 0.3, "restitution": 0.2}
+    with pytest.raises(carom.CaromError, match="only flights"):
+        api.simulate(flight(9.0, floor=floor))
+    with pytest.raises(carom.CaromError, match="only flights"):
+        api.simulate(flight(9.0, floor=floor, position=(0, 0), velocity=(1, 0), rolling=True))
+    many = api.simulate_many(flight(9.0, floor=floor), velocity=[[0, 0, 0], [1, 0, 0]])
+    assert all("only flights" in why for why in many.why)
+    wind = flight(9.0, floor=floor, position=(0, 0))
+    assert api.simulate(wind).events.kinds == []
+    with pytest.raises(carom.CaromError, match="only flights"):
+        api.simulate(api.replaced(wind, {"air.wind": (1, 0, 0)}))
+
+
+def test_every_law_of_the_air_has_a_card() -> None:
+    assert all(carom.CARDS[name] is law.card for name, law in AIR_LAWS.items())
