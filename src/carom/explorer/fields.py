@@ -96,7 +96,9 @@ def _field(model: type[Model], name: str, info: FieldInfo) -> dict[str, Any]:  #
     if name == "preset":
         values = list(presets())
         return {"kind": "choice", "what": f"one of {', '.join(values)}", "values": values, "optional": True}
-    optional = {"optional": True} if isinstance(info.default, Model) and _says_nothing(info.default) else {}
+    # (a scene without air is shown without its numbers)
+    says_nothing = name == "spin_decay" or (isinstance(info.default, Model) and _says_nothing(info.default))
+    optional = {"optional": True} if says_nothing else {}
     return {**_described(info.annotation, list(info.metadata)), **optional}
 
 

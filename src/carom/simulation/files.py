@@ -174,10 +174,15 @@ FORMATS = (".parquet",)
 NAMED = {"kind": KINDS, "met": KINDS, "phase_before": PHASES, "phase": PHASES}
 # The log's vectors, by what their columns are called.
 VECTORS = {
-    "x": "{}", "v_before": "v{}_before", "w_before": "w{}_before", "v": "v{}", "w": "w{}",
-    "impulse": "impulse_{}", "floor_impulse": "floor_impulse_{}",
+    **{field: tuple(text.format(axis) for axis in AXES) for field, text in {
+        "x": "{}", "v_before": "v{}_before", "w_before": "w{}_before", "v": "v{}", "w": "w{}",
+        "impulse": "impulse_{}", "floor_impulse": "floor_impulse_{}",
+    }.items()},
+    "borne": ("borne_x", "borne_y", "borne_z", "borne_friction"),
 }  # fmt: skip
-SCALARS = {"t": "t", "ball": "ball", "other": "other", "required": "required_friction", "regime": "regime"}
+SCALARS = {
+    "t": "t", "ball": "ball", "other": "other", "required": "required_friction", "borne_by": "borne_by", "regime": "regime",
+}  # fmt: skip
 
 TABLES = (".csv", ".nc", ".xlsx", ".xls", ".json", ".txt")  # for which somebody wants the numbers, not the run
 
@@ -247,8 +252,8 @@ def log_columns(log: Array) -> dict[str, Array]:
         elif field in SCALARS:
             columns[SCALARS[field]] = np.ascontiguousarray(log[field])
         else:
-            for k, axis in enumerate(AXES):
-                columns[VECTORS[field].format(axis)] = np.ascontiguousarray(log[field][:, k])
+            for k, name in enumerate(VECTORS[field]):
+                columns[name] = np.ascontiguousarray(log[field][:, k])
     return columns
 
 

@@ -17,7 +17,7 @@ from carom.laws.landing import REGIME_NAMES
 from carom.scene.scene import Scene
 from carom.scene.schema import from_file
 from carom.simulation.contact_kinds import PARTNERS
-from carom.simulation.files import AXES, FORMAT, FORMATS, NAMED, SCALARS, VECTORS, digest_of, log_columns, version
+from carom.simulation.files import FORMAT, FORMATS, NAMED, SCALARS, VECTORS, digest_of, log_columns, version
 from carom.simulation.loop import ENDS
 from carom.simulation.records import LOG, START
 from carom.simulation.trajectory import Trajectory
@@ -81,7 +81,7 @@ def _require_possible(path: Path, scene: Scene, log: Array, end: float, ended: s
     if len(log) < count:
         faults.add("ball", f"rows for all of {count} balls", f"{len(log)}")
     faults.raise_if_any()
-    most = np.zeros(len(log), int)
+    most, features = np.zeros(len(log), int), len(scene.features())
     for met, names in PARTNERS.items():
         most[log["met"] == met] = len(getattr(scene, names))
     number = np.arange(len(log))
@@ -92,6 +92,7 @@ def _require_possible(path: Path, scene: Scene, log: Array, end: float, ended: s
         "kind": (begins == (log["kind"] == START), f"the start of each of {count} balls, and then events"),
         "other": ((log["other"] >= np.where(most, 0, -1)) & ((log["other"] < most) | (most == 0)), "a number of the scene"),
         "regime": ((log["regime"] >= NO_REGIME) & (log["regime"] < len(REGIME_NAMES)), f"{NO_REGIME} to {len(REGIME_NAMES) - 1}"),
+        "borne_by": ((log["borne_by"] >= -1) & (log["borne_by"] <= features), f"-1 to {features}"),
         "required": (~(log["required"] < 0), "a number >= 0"),
         **{name: (np.isfinite(log[name]).all(axis=1), "finite numbers") for name in VECTORS},
     }  # fmt: skip
@@ -144,7 +145,7 @@ def _from_parquet(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     fields: dict[str, Any] = {}
     for field in LOG.names or ():
         if field in VECTORS:
-            parts = [_numbers(path, table, VECTORS[field].format(axis)) for axis in AXES]
+            parts = [_numbers(path, table, name) for name in VECTORS[field]]
             fields[field] = np.stack(parts, axis=1)
         elif field in NAMED:
             fields[field] = table.column(field).to_pylist()
