@@ -38,6 +38,11 @@ def a_scene() -> Any:
     return carom.Scene(floor=carom.Floor(friction=0.2), walls=[wall], balls=balls, run=carom.Run(duration=1))
 
 
+def scene_in_air() -> Any:
+    made: Any = carom.Scene
+    return made(air={}, balls=[{"radius": 0.02, "position": (0, 0, 1), "mass": 0.0027, "drag": "table-tennis"}], run={"duration": 1})
+
+
 @functools.cache
 def a_run() -> Any:
     return carom.simulate(a_scene())
@@ -191,6 +196,7 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
     "scenes": lambda: [
         a_scene(),
         carom.load_scene("pool-9ft"),
+        scene_in_air(),
         *(getattr(scene, k)(restitution=1, friction=0, **v) for k, v in SHAPES.items()),
     ],
     "runs": lambda: [

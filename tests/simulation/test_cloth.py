@@ -130,7 +130,8 @@ def moving(draw: np.random.Generator, world: Any, x: Any, rolls: bool) -> Any:
     w = np.array([-v[1] / A, v[0] / A, 0.0]) + (0 if rolls else draw.uniform(-40, 40, 3))
     ball = SimpleNamespace(
         radius=A, mass=0.2, kappa=0.4, x=[*x, A], v=[*v, 0.0], w=w.tolist(), phase=ROLLING if rolls else SLIDING, clock=0.0,
-        acc=[0.0] * 3, turn=[0.0] * 3, decays=0, fade=0.0, spin_fade=0.0, spin_gain=0.0, lasts=0.0, lean=[0.0] * 4,
+        acc=[0.0] * 3, turn=[0.0] * 3, decays=0, fade=0.0, spin_fade=0.0, spin_gain=0.0, lasts=0.0, lean=[0.0] * 4, borne_by=0,
+        air=0.0, buoyancy=0.0, spin_decay=0.0,
     )  # fmt: skip
     begin_phase(world, ball)
     return ball
@@ -153,6 +154,7 @@ def test_no_contact_of_balls_that_slow_down_is_missed() -> None:
         world = SimpleNamespace(
             floor=1, force=[0, 0, -9.8], g=9.8, floor_mu=0.2, resistance=draw.uniform(0.001, 0.01), spin_friction=0.0,
             rolling_drag=10 ** draw.uniform(-3, -0.5), spin_damping=0.0, spin_drag=0.0,
+            wind=[0.0] * 3,
         )  # fmt: skip
         one, other = moving(draw, world, (0.0, 0.0), True), moving(draw, world, (0.0, 0.0), n % 2 == 0)
         until = min(one.lasts, other.lasts, 2.0)

@@ -11,7 +11,7 @@ import pytest
 import carom
 from carom.scene.shapes import Plane, Segment, Sphere
 from carom.simulation import setup
-from carom.simulation.records import WALL
+from carom.simulation.records import LOG, WALL
 from carom.simulation.setup import set_up
 
 A = 0.03
@@ -350,7 +350,7 @@ def test_more_events_than_memory_has_places_for(monkeypatch: pytest.MonkeyPatch)
     log = carom.simulate(carom.Scene(gravity=0, walls=[wall], balls=[ball], run=scene.run)).log
     assert log["t"][1:].tolist() == many.events["t"][longest].tolist()
     assert carom.simulate_many(scene, velocity=starts[:0], events=10**9).events.shape == (0, 0)
-    monkeypatch.setattr("carom.simulation.simulate.MAX_KEPT_BYTES", 240 * 40 * 2000)
+    monkeypatch.setattr("carom.simulation.simulate.MAX_KEPT_BYTES", LOG.itemsize * 40 * 2000)
     with pytest.raises(
         carom.CaromError, match=r"events: expected runs of no more than 2,000 events, .* of 40 runs, got one with"
     ):

@@ -439,7 +439,8 @@ def collide_cluster(world: Any, features: Any, balls: Any, i: int, k: int, f: in
         one.was = one.phase
         write_vector(one.dx, vector(one.cx))
         write_vector(one.cx, vector(one.x))
-    room, tries = False, 0
+    # (balls that stay in contact are still compressed at the end: they stay where they met)
+    room, tries = False, 3 if plastic else 0
     while not room and tries < 3:
         _go_back(world, balls, touched, time, tries == 1)
         room = _is_room(world, features, balls, touched, HOP if tries == 0 else LEAP)
