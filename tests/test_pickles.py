@@ -40,7 +40,11 @@ def a_scene() -> Any:
 
 def scene_in_air() -> Any:
     made: Any = carom.Scene
-    return made(air={}, balls=[{"radius": 0.02, "position": (0, 0, 1), "mass": 0.0027, "drag": "table-tennis"}], run={"duration": 1})
+    return made(
+        air={},
+        balls=[{"radius": 0.02, "position": (0, 0, 1), "mass": 0.0027, "drag": "table-tennis"}],
+        run={"duration": 1},
+    )
 
 
 @functools.cache
