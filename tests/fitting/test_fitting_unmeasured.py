@@ -365,10 +365,7 @@ def test_friction_that_no_row_feels_stays_untold(seed):
     fit = fit_law(law("sliding"), make_problem(edge(seed, 3.0), SETTING)[0])
     assert fit.untold == ("friction",)
     assert fit.estimates["friction"].value is None
-    assert re.search(
-        r"friction: values beyond 0\.[34].* fit nearly as well: only a limit is identifiable, 0\.[34].* or more \(95 %\)",
-        fit.degenerate[0],
-    )
+    assert re.search(r"friction: .* only a lower limit is identifiable: 0\.[34].* or more \(95 %\)", fit.degenerate[0])
 
 
 def test_what_sticks_does_not_tell_side_from_slip_given_back():

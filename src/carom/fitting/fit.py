@@ -9,14 +9,14 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.identify import identified_covariance, identify, parameter_ranges
+from carom.fitting.identify import half_width, identified_covariance, identify, parameter_ranges
 from carom.fitting.law_table import LawTable, coarse_table, fine_table
 from carom.fitting.laws import FORMS, INDEX, NUMBERS, FittedLaw
 from carom.fitting.likelihood import TabulatedLaw
@@ -50,6 +50,11 @@ AROUND = (-4.0, -2.0, -1.0, 1.0, 2.0, 4.0)  # error bars of the friction, at whi
 NEAR_BOUND = 0.01  # of a parameter's range
 DISTINCT = 0.02  # least distance between two points regarded as different
 STUDENT_NU = 4
+BEYOND, MOST_OF_EDGE, EDGE = (
+    2.0,
+    50.0,
+    4.0,
+)  # of the friction; of the deviance: more is no chance; beside the range it is sought in
 
 
 class Place(NamedTuple):
@@ -211,7 +216,7 @@ def _distinct(p: Array, cost: Array, excess: float, most: int) -> list[int]:
     return chosen
 
 
-def fit_law(law: FittedLaw, problem: Problem) -> Fit:
+def fit_law(law: FittedLaw, problem: Problem, near: Sequence[Fit] = ()) -> Fit:
     """Fit one law to rebounds by maximum likelihood.
 
     Parameters
@@ -220,6 +225,8 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
         One of :data:`FITTED`.
     problem : Problem
         From :func:`make_problem`.
+    near : sequence of Fit
+        Of laws that it contains, to the same rows: the search begins there, too.
 
     Returns
     -------
@@ -239,14 +246,18 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     'mirror: e = 0.799'
     """
     model = model_of(law, problem)
+
+    def search(at: FitModel) -> Array:
+        return np.vstack([_search(at), *(model.near(fit.numbers) for fit in near)])
+
     coarse = None if problem.carried else coarse_table(model)
     model = model.using(coarse)
     if problem.estimated.any():
-        found = with_estimated_scatter(model, _search, _descend_exactly)
+        found = with_estimated_scatter(model, search, _descend_exactly)
     elif problem.setting.scatter:
-        found = with_contact_scatter(model, _search, lambda at, p: _descend(at, p, COMPARED).p)
+        found = with_contact_scatter(model, search, lambda at, p: _descend(at, p, COMPARED).p)
     else:
-        found = Scattered(_search(model.without_shared()), model, 0.0, {}, None)
+        found = Scattered(search(model.without_shared()), model, 0.0, {}, None)
     p, own = found.p, found.model.without_shared()
     if coarse is not None:
         p = np.concatenate([p, _annealed(own, p)])
@@ -261,8 +272,8 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
         p = np.tile(best.p, (2 + 2 * len(z), 1))
         p[1:-1, NUMBERS:] = np.concatenate([z, -z])
         here, low, high = p[-1, free], model.low[free], model.high[free]
-        near = NEAR_BOUND * (high - low)
-        p[-1, free] = np.where(high - here < near, high, np.where(here - low < near, low, here))
+        close = NEAR_BOUND * (high - low)
+        p[-1, free] = np.where(high - here < close, high, np.where(here - low < close, low, here))
         best = _descend(model, p)
     if problem.carried and feels_spins(law, problem) and not problem.shared:
         best = best._replace(information=chain_information(own, best.p, best.information))
@@ -270,6 +281,19 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     if coarse is not None:
         best, table = _refined(model if problem.shared else own, best, coarse)
     return fit_at(model, best, found.scatter, found.extra, found.estimate, table)
+
+
+def none_above(found: dict[str, Any], fit_of: Callable[[Any], Fit], again: Callable[[Any, Any], Any]) -> dict[str, Any]:
+    """Return ends of searches by their law, of which none is above that of a law that it contains: else it is sought from there.
+
+    ``again(end, inner)`` searches again from another law's end; of both ends the better one is kept.
+    """
+    for name in sorted(found, key=lambda name: len(fit_of(found[name]).law.free)):
+        inner = [one for one in found.values() if name in fit_of(one).law.within]
+        best = min(inner, key=lambda one: fit_of(one).deviance, default=None)
+        if best is not None and fit_of(best).deviance < fit_of(found[name]).deviance - COMPARED:
+            found[name] = min(again(found[name], best), found[name], key=lambda one: fit_of(one).deviance)
+    return found
 
 
 def place_near(law: FittedLaw, problem: Problem, p: Array) -> Array:
@@ -289,6 +313,8 @@ def fit_at(
     ``extra``: the contribution of the scatter to the deviance; ``contacts``: the estimated scatter between contacts; ``table``: it
     stands in for the law near the place.
     """
+    edge, i = best, INDEX["friction"]
+    best = _beyond_edge(model.using(table), best)
     law, problem, names, own = model.law, model.problem, tuple(model.parameters), model.without_shared().using(None)
     _deviance, chi2_by_row = replace(own, free=own.free[:0]).row_deviances(best.p)
     # an error shared by all rows is an additional parameter, and its value from the film an additional datum
@@ -296,6 +322,7 @@ def fit_at(
     fit = Fit(
         law, problem, names, {}, best.p, best.deviance + extra, chi2, 0, np.zeros((0, 0)), chi2_by_row, scatter=scatter,
         contact_scatter=contacts, determinants=0.0 if contacts is None else extra, tabulated=table,
+        edge=None if best is edge else float(edge.p[i]),
     )  # fmt: skip
     # an unmeasured spin is an additional parameter, and its prior an additional datum, unless it is uniform
     dof = problem.count - fit.k
@@ -312,6 +339,29 @@ def fit_at(
     if problem.spins is not None and "friction" in done.untold:
         done = _identified(fit, with_profiled_friction(fit, information, extra))
     return done if problem.spins is None else with_marginal_errors(done, extra)
+
+
+def _beyond_edge(model: FitModel, best: Place) -> Place:
+    """Return the place where no row slides, if the edge that the friction is, where spins are not measured, gains too little.
+
+    It fits any one row better, by some 2 log(friction / error bar), although no row slides: it is sought among all rows
+    (look-elsewhere effect: Gross & Vitells, Eur. Phys. J. C 70, 525 (2010)).
+    """
+    problem, i = model.problem, INDEX["friction"]
+    if problem.spins is None or problem.carried or "friction" not in model.parameters or not best.p[i] > 0:
+        return best
+    base = best.deviance if model.tabulated is None else float(model.minimize(best.p[None]).value[0])
+    beyond = _held(model, best.p, [BEYOND * best.p[i]], STEPS)
+    gain = float(beyond.value[0]) - base
+    if not 0 < gain < MOST_OF_EDGE:
+        return best
+
+    def rises(values: Array, _which: NDArray[np.int64]) -> Array:
+        return _held(model, best.p, values, STEPS).value - base
+
+    mu = float(best.p[i])
+    bar, _rise = half_width(rises, mu, DISTINCT * mu, float(model.low[i]), float(model.high[i]))
+    return best if gain > EDGE + 2 * math.log(mu / bar) else _descend(model, beyond.p)
 
 
 def own_information(h: Array, k: int) -> Array:

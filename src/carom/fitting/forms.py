@@ -12,12 +12,13 @@ from numpy.typing import NDArray
 
 from carom.fitting.deviance import SPIN_MEAN, SPIN_WIDTH
 from carom.fitting.evidence import DECIDED
-from carom.fitting.fit import Place, fit_at, fit_law
+from carom.fitting.fit import Place, fit_at, fit_law, none_above
+from carom.fitting.identify import half_width
 from carom.fitting.law_table import coarse_table, fine_table
 from carom.fitting.laws import FORMS, INDEX, NUMBERS, PLACES
 from carom.fitting.likelihood import SpinMixture, evaluate_components, mixture_deviances
 from carom.fitting.model import FitModel, feels_spins, model_of
-from carom.fitting.result import Estimate, Fit
+from carom.fitting.result import Fit, scaled
 from carom.fitting.rows import Problem, Setting
 from carom.fitting.scatter import with_contact_scatter
 from carom.fitting.spin_chains import observed_information
@@ -266,6 +267,7 @@ HOPELESS = (
 )
 FEW_STEPS = 40
 COMPARED, DESCENT = {"ftol": 1e-5, "maxiter": 150}, {"ftol": 1e-8, "maxiter": 150}  # of shapes; of the best of them
+LEVELS, LEAST_RISE = (1.0, 4.0), 0.25  # of the deviance: of one and two error bars; of half of one
 STILL = 4.0  # of the deviance: what all that follows the comparison of shapes may still gain
 LEAST_WIDTH, MOST_WIDTH, MOST_MEAN, MOST_LOGIT = 0.02, 3.0, 2.0, 7.0
 MOST_MIXTURE_ROWS = 5000
@@ -356,8 +358,31 @@ class _Joint:
         best = min(ends, key=lambda end: end[1])
         return best if best[1] > most else self._descend(best[0], DESCENT)
 
-    def _descend(self, start: Array, options: dict[str, float]) -> tuple[Array, float]:
-        """Return the end point of one descent, and its deviance."""
+    def half_width(self, q: Array, name: str, bar: float) -> float:
+        """Return an error bar for which the profile of a law's parameter, the mixture adjusted, too, rises as it should.
+
+        The deviance has kinks, so that its curvature at the minimum (``bar`` is the error bar from it) may be many times too large.
+        """
+        i = self.own.tolist().index(self.model.places[name])
+        base, ends = float(self(q[None])[0][0]), {-1: q, 1: q}
+
+        def rises(values: Array, _which: NDArray[np.int64]) -> Array:
+            found = []
+            for value in values.tolist():
+                side = 1 if value > q[i] else -1
+                start = ends[side].copy()
+                start[i] = value
+                ends[side], deviance = self._descend(start, COMPARED, hold=i)
+                found.append(deviance - base)
+            return np.array(found)
+
+        low, high = float(self.low[i]), float(self.high[i])
+        for level in LEVELS:
+            bar = max(half_width(rises, float(q[i]), bar * level, low, high, level)[0], bar)
+        return bar
+
+    def _descend(self, start: Array, options: dict[str, float], hold: int | None = None) -> tuple[Array, float]:
+        """Return the end point of one descent, and its deviance; one number may be held."""
         from scipy.optimize import minimize
 
         scale = np.sqrt(np.maximum(np.diag(self(start[None])[2][0]), 1e-9))
@@ -367,6 +392,8 @@ class _Joint:
             return float(value[0]), -2 * score[0] / scale
 
         bounds = np.stack([self.low, self.high], axis=-1) * scale[:, None]
+        if hold is not None:
+            bounds[hold] = start[hold] * scale[hold]
         end = minimize(scaled, start * scale, jac=True, method="L-BFGS-B", bounds=bounds, options=options)
         return np.clip(end.x / scale, self.low, self.high), float(end.fun)
 
@@ -387,9 +414,10 @@ def with_flexible_prior(
     The shape is a mixture where it is better than a normal prior by odds of 20 to 1, each with its best law. ``enlarge``: factor by
     which error bars would have to be larger for the best law to fit.
     """
-    mixed = sorted(with_mixtures(fits, problem, progress), key=lambda fit: fit.aicc)
+    needed = 2 * math.log(DECIDED) * enlarge**2
+    mixed = sorted(with_mixtures(fits, problem, progress, needed), key=lambda fit: fit.aicc)
     gain, best = fits[0].aicc - mixed[0].aicc, mixed[0]
-    if best.problem.mixture is None or not gain > 2 * math.log(DECIDED) * enlarge**2:
+    if best.problem.mixture is None or not gain > needed:
         return fits, mixed, []
     said = (
         f"unmeasured spins: their distribution is not normal (with a mixture of {len(best.problem.mixture.share)} normal ones AICc"
@@ -400,18 +428,24 @@ def with_flexible_prior(
 
 
 class _Mixed(NamedTuple):
-    """End of a search: what :func:`carom.fitting.fit.fit_at` takes, and the criterion."""
+    """End of a search: a fit without error bars, where it ended, and the contribution of the scatter to the deviance."""
 
-    aicc: float
-    p: Array
-    problem: Problem
+    fit: Fit
     joint: _Joint
     q: Array
-    scatter: tuple[dict[str, float], float, Estimate | None]
+    extra: float
+
+    @property
+    def at(self) -> tuple[Array, SpinMixture]:
+        """All numbers, and the mixture."""
+        return self.joint.unpacked(self.q)
 
 
 def with_mixtures(
-    fits: Sequence[Fit], problem: Problem, progress: Callable[[str], None] = lambda _text: None
+    fits: Sequence[Fit],
+    problem: Problem,
+    progress: Callable[[str], None] = lambda _text: None,
+    needed: float = -math.inf,
 ) -> list[Fit]:
     """Return the fits of laws with a mixture as the prior of unmeasured spins; or without, where none is worth its parameters.
 
@@ -423,6 +457,8 @@ def with_mixtures(
         The rows to which they were fitted, without a scatter between contacts.
     progress : callable(text), optional
         Called with the law at hand.
+    needed : float
+        How much lower the least AICc has to be; else the mixtures have no error bars, which take long.
     """
     found: dict[str, _Mixed] = {}
     gain = 0.0
@@ -432,20 +468,30 @@ def with_mixtures(
             continue
         progress(fit.law.name)
         mean, width = (float(fit.numbers[i]) for i in (SPIN_MEAN, SPIN_WIDTH))
-        mixed = _search(fit, problem, fit.numbers, fit.problem, _shapes(mean, width))
-        gain = max(gain, fit.aicc - mixed.aicc)
+        p = fit.numbers.copy()
+        p[INDEX["friction"]] = p[INDEX["friction"]] if fit.edge is None else fit.edge
+        mixed = _search(fit, problem, p, fit.problem, _shapes(mean, width))
+        gain = max(gain, fit.aicc - mixed.fit.aicc)
         found[fit.law.name] = mixed
     by_name = {fit.law.name: fit for fit in fits}
+
+    def again(mixed: _Mixed, inner: _Mixed) -> _Mixed:
+        fit, (p, mixture) = by_name[mixed.fit.law.name], inner.at
+        return _search(fit, problem, model_of(fit.law, problem).near(p)[0], inner.fit.problem, [mixture])
+
     if int(problem.unknown.sum()) >= MOST_COMPONENTS * LEAST_ROWS_EACH:
-        for name in sorted(found, key=lambda name: found[name].aicc)[:2]:
+        for name in sorted(found, key=lambda name: found[name].fit.aicc)[:2]:
             was, fit = found[name], by_name[name]
-            if was.aicc < fit.aicc:
-                more = _search(fit, problem, was.p, was.problem, _split(was.joint.unpacked(was.q)[1]))
-                found[name] = min(was, more, key=lambda one: one.aicc)
-    return [
-        _settled(fit, found[fit.law.name]) if fit.law.name in found and found[fit.law.name].aicc < fit.aicc else fit
-        for fit in fits
-    ]
+            if was.fit.aicc < fit.aicc:
+                p, mixture = was.at
+                more = _search(fit, problem, p, was.fit.problem, _split(mixture))
+                found[name] = min(was, more, key=lambda one: one.fit.aicc)
+    found = none_above(found, lambda mixed: mixed.fit, again)
+    ends = [found[fit.law.name].fit if fit.law.name in found else fit for fit in fits]
+    better = [end if end.aicc < fit.aicc else fit for fit, end in zip(fits, ends, strict=True)]
+    if fits[0].aicc - min(one.aicc for one in better) < needed:
+        return better
+    return [fit if one is fit else _settled(fit, found) for fit, one in zip(fits, better, strict=True)]
 
 
 def _search(fit: Fit, problem: Problem, p: Array, rows: Problem, mixtures: Sequence[SpinMixture]) -> _Mixed:
@@ -486,19 +532,31 @@ def _search(fit: Fit, problem: Problem, p: Array, rows: Problem, mixtures: Seque
         )
         scatter, rows = (again.scatter, again.extra, again.estimate), again.model.problem
         joint, q, deviance = descend(rows, again.p[0], [mixture])
-    p, mixture = joint.unpacked(q)
-    done = replace(fit, problem=replace(rows, mixture=mixture), deviance=deviance + scatter[1], scatter=scatter[0],
+    _p, mixture = joint.unpacked(q)
+    sizes, extra, contacts = scatter
+    done = replace(fit, problem=replace(rows, mixture=mixture), deviance=deviance + extra, scatter=sizes, contact_scatter=contacts,
                    names=tuple(name for name in fit.names if not name.startswith("spin_")))  # fmt: skip
-    return _Mixed(done.aicc, p, done.problem, joint, q, scatter)
+    return _Mixed(done, joint, q, extra)
 
 
-def _settled(fit: Fit, mixed: _Mixed) -> Fit:
-    """Return the fit at the end of a search, with error bars for which the mixture was adjusted, too."""
-    scatter, extra, contacts = mixed.scatter
-    held, table = model_of(fit.law, mixed.problem), mixed.joint.model.tabulated
-    deviance = float(held.row_deviances(mixed.p)[0].sum() + np.square(mixed.p[NUMBERS:]).sum())
-    place = Place(mixed.p, deviance, mixed.joint.information(mixed.q))
-    return fit_at(held, place, scatter, extra, contacts, table)
+def _settled(fit: Fit, ends: dict[str, _Mixed]) -> Fit:
+    """Return the fit at the end of a search, with error bars for which the mixture was adjusted, too. The laws that it contains end
+    elsewhere in the same valley, or in another: an error bar that does not reach there would contradict their deviance."""
+    mixed = ends[fit.law.name]
+    (p, _mixture), joint = mixed.at, mixed.joint
+    inner = [end for end in ends.values() if fit.law.name in end.fit.law.within]
+    held = model_of(fit.law, mixed.fit.problem)
+    deviance = float(held.row_deviances(p)[0].sum() + np.square(p[NUMBERS:]).sum())
+    place = Place(p, deviance, joint.information(mixed.q))
+    found = fit_at(held, place, mixed.fit.scatter, mixed.extra, mixed.fit.contact_scatter, joint.model.tabulated)
+    for name, one in found.estimates.items():
+        if one.stderr:
+            i, bar = held.places[name], joint.half_width(mixed.q, name, one.stderr)
+            reach = [
+                abs(end.at[0][i] - p[i]) / math.sqrt(max(end.fit.deviance - mixed.fit.deviance, 1.0)) for end in inner
+            ]
+            found = scaled(found, name, max(bar, *reach, one.stderr) / one.stderr)
+    return found
 
 
 def _shapes(mean: float, width: float) -> list[SpinMixture]:

@@ -427,14 +427,16 @@ def profile_ends(
     return end, rise
 
 
-def half_width(rises: Rises, best: float, step: float, low: float, high: float) -> tuple[float, Array]:
-    """Return half the width within which a profile rises by less than 1, searched for from a step away, and the rises at its ends,
-    which are 1 except at a bound."""
+def half_width(
+    rises: Rises, best: float, step: float, low: float, high: float, level: float = 1.0
+) -> tuple[float, Array]:
+    """Return half the width within which a profile rises by less than a level, searched for from a step away, in error bars of this
+    level, and the rises at its ends, which are that level except at a bound."""
     far = np.clip(best + step * np.array([-1.0, 1.0]), low, high)
     end, rise = profile_ends(
-        rises, best, far, np.array([low, high]), np.ones(2), jump=False, rounds=HALF_WIDTH_ROUNDS, close=HALF_WIDTH_CLOSE,
+        rises, best, far, np.array([low, high]), np.full(2, level), jump=False, rounds=HALF_WIDTH_ROUNDS, close=HALF_WIDTH_CLOSE,
     )  # fmt: skip
-    return float(end[1] - end[0]) / 2, rise
+    return float(end[1] - end[0]) / 2 / math.sqrt(level), rise
 
 
 def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:

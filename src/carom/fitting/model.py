@@ -80,6 +80,12 @@ class FitModel:
         out[self.free] = np.clip(out[self.free], self.low[self.free], self.high[self.free])
         return out[None]
 
+    def near(self, p: Array) -> Array:
+        """Return numbers (1, K) with the free ones of another law's p (K,), within bounds."""
+        out = self.start.copy()
+        out[self.free] = np.clip(p[self.free], self.low[self.free], self.high[self.free])
+        return out[None]
+
     def likelihood(self, derivatives: bool = True) -> LikelihoodModel:
         """Return rows and law for the compiled loops; unmeasured spins are omitted if the law does not depend on them."""
         return self._likelihood if derivatives else self._likelihood_alone

@@ -26,7 +26,7 @@ from carom.fitting.evidence import (
     weigh,
     widened,
 )
-from carom.fitting.fit import fit_law, own_information
+from carom.fitting.fit import fit_law, none_above, own_information
 from carom.fitting.forms import FormChoice, choose_forms, may_mix, with_flexible_prior
 from carom.fitting.held_out import cross_validated_score, score_warnings
 from carom.fitting.identify import with_profiles
@@ -421,7 +421,9 @@ def _fits_of(
         )
     if not fits:
         raise CaromError(*(f"{problem.rebounds.source}: {note}" for note in (*notes, *said)))
-    return sorted(fits, key=lambda fit: fit.aicc), said
+    by_name = none_above({fit.law.name: fit for fit in fits}, lambda fit: fit,
+                         lambda fit, inner: fit_law(fit.law, problem, [inner]))  # fmt: skip
+    return sorted(by_name.values(), key=lambda fit: fit.aicc), said
 
 
 def _fit_rows(

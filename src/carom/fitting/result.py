@@ -188,6 +188,8 @@ class Fit:
     """and what log det S has grown by with it, in all rows."""
     tabulated: TabulatedLaw | None = None
     """A table near the best place that stands in for a costly law in what is done with the fit (:func:`working_model`)."""
+    edge: float | None = None
+    """The friction at which one row would slide, where no more than that speaks for it."""
 
     @property
     def k(self) -> int:

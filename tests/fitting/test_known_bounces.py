@@ -1,0 +1,63 @@
+"""Fits of bounces by the impulse's closed form, which campaigns/known_bounces.py counts."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from reference.plain_bounces import A, after, before, holding, measured, mixed
+
+from carom.data import make_rebounds
+from carom.fitting import Setting, fit_law, fit_laws, make_problem
+from carom.fitting.forms import with_mixtures
+from carom.fitting.laws import laws_named
+
+SETTING = Setting(radius=A)
+
+
+def fit_of(name, columns):
+    return fit_law(laws_named([name], "planar", True)[0][0], make_problem(make_rebounds("planar", columns), SETTING)[0])
+
+
+@pytest.mark.parametrize(("seed", "rows"), [(0, 12), (1, 12), (2, 12), (6, 25)])
+def test_no_friction_is_claimed_where_no_row_slides(seed, rows):
+    columns, needed = holding(seed, rows)
+    fit = fit_of("sliding", columns)
+    assert fit.untold == ("friction",)
+    # the row that slips most tells the limit, and nothing is gained over a law that never slides
+    limit = float(fit.degenerate[0].split("identifiable: ")[1].split()[0])
+    assert needed * 0.97 < limit < needed * 1.01
+    sticking = fit_of("sticking", columns)
+    assert fit.deviance == pytest.approx(sticking.deviance, abs=0.02)
+
+
+def test_friction_of_rows_that_slide_is_claimed():
+    rng = np.random.default_rng(5)
+    state = before(rng, 25, 0.2, 0.3)
+    assert (after(*state, 0.8, 0.1)[3] > 0.1).sum() >= 5
+    one = fit_of("sliding", measured(rng, state, 0.8, 0.1, 0.0, 0.003)).estimates["friction"]
+    assert abs(one.value - 0.1) < 3 * one.stderr < 0.003
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_no_law_ends_above_what_it_contains(seed):
+    rng = np.random.default_rng(seed)
+    columns = measured(rng, before(rng, 12, 0.2, 0.3), 0.8, 0.15, 0.0, 0.003)
+    ranking = fit_laws(
+        make_rebounds("planar", columns), SETTING, ["mirror", "sticking", "sliding", "contact"], profiles=False
+    )
+    fits = {one.fit.law.name: one.fit for one in ranking.ranked}
+    for one in fits.values():
+        assert all(fits[name].deviance < one.deviance + 0.02 for name in one.law.within if name in fits)
+
+
+@pytest.mark.slow
+def test_error_bars_beside_a_mixture_of_spins_agree_with_the_deviance():
+    columns, truth = mixed(0, 40)
+    problem = make_problem(make_rebounds("planar", columns), SETTING)[0]
+    plain = [fit_of(name, columns) for name in ("sliding", "contact")]
+    inner, outer = with_mixtures(sorted(plain, key=lambda fit: fit.aicc), problem)
+    inner, outer = sorted((inner, outer), key=lambda fit: fit.law.name == "contact")
+    beta = outer.estimates["tangential_restitution"]
+    off = abs(beta.value - truth["tangential_restitution"]) / beta.stderr
+    assert outer.deviance < inner.deviance + 0.05
+    assert off < 1.3 * max(inner.deviance - outer.deviance, 1.0) ** 0.5
