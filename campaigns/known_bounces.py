@@ -4,7 +4,7 @@
 
 The tables are made without carom (tests/reference/plain_bounces.py). Where no row slides and spins are not measured, a friction
 with an error bar is wrong. Beside a mixture of spins: how often error bars hold the truth, and how far contact, which contains
-sliding, ends above it.
+sliding, ends above it. Where walls differ: how often their means hold the truth.
 """
 
 from __future__ import annotations
@@ -13,14 +13,25 @@ from collections.abc import Sequence
 from typing import Any
 
 from campaign import campaign, shares
-from reference.plain_bounces import A, holding, mixed
+from reference.plain_bounces import A, holding, mixed, of_walls
 
+import carom
 from carom.data import make_rebounds
 from carom.fitting import Setting, fit_law, fit_laws, make_problem
 from carom.fitting.laws import laws_named
 
 HOLDING = {f"no row of {n} slides": n for n in (12, 25, 60)}
 MIXED = {"80 bounces, a mixture of spins": 80}
+
+WALLS = {f"60 bounces at {n} walls": n for n in (2, 4)}
+
+
+def at_walls(n: int, seed: int) -> dict[str, Any]:
+    """How far the mean restitution and the friction of walls that differ are off, in error bars."""
+    columns, e, mu = of_walls(seed, n)
+    found = carom.fit(columns, radius=A, laws=["sliding"], bootstrap=0, profiles=False).best.estimates
+    return {name: (found[name].value - true) / found[name].stderr if found[name].stderr else None
+            for name, true in (("restitution", e), ("friction", mu))}  # fmt: skip
 
 
 def claimed(n: int, seed: int) -> dict[str, Any]:
@@ -52,11 +63,16 @@ def main(words: Sequence[str] | None = None) -> None:
     """A line a kind, or a number."""
     with campaign("known_bounces", __doc__, words, count=1000, small=2) as run:
         for name, n in HOLDING.items():
-            if run.wants(name, HOLDING | MIXED):
+            if run.wants(name, HOLDING | MIXED | WALLS):
                 rows = run.rows.fill(name, range(run.count), lambda seed, n=n: claimed(n, seed))
                 run.say(f"{name}: a friction is claimed in {sum(row['claimed'] for row in rows)} of {len(rows)}")
+        for name, n in WALLS.items():
+            if run.wants(name, HOLDING | MIXED | WALLS):
+                rows = run.rows.fill(name, range(run.count), lambda seed, n=n: at_walls(n, seed))
+                for number in rows[0]:
+                    run.say(f"{name}: {number:12} {shares([row[number] for row in rows])}")
         for name, n in MIXED.items():
-            if run.wants(name, HOLDING | MIXED):
+            if run.wants(name, HOLDING | MIXED | WALLS):
                 rows = run.rows.fill(name, range(run.count // 5), lambda seed, n=n: held(n, seed))
                 above = sum(row["above"] > 0.05 for row in rows)
                 run.say(f"{name}: contact ends above sliding in {above} of {len(rows)}")

@@ -51,7 +51,7 @@ def test_a_chi2_that_is_seldom_so_large_is_not_as_expected() -> None:
 def test_groups_of_which_one_is_far_more_exact_have_a_scatter() -> None:
     from carom.fitting.ranking import _scatter
 
-    chance, between, stderr = _scatter(np.array([0.0, 3.0]), np.array([1e-30, 1.0]))
+    chance, between, _mean, stderr = _scatter(np.array([0.0, 3.0]), np.array([1e-30, 1.0]))
     # weights 1e30 and 1: q = 9, of which 1 is expected, over their sum less that of squares over it, 2
     assert chance == pytest.approx(0.0027, rel=0.01)
     assert between == pytest.approx(8 / 2)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from reference.plain_bounces import A, after, before, holding, measured, mixed
+from reference.plain_bounces import A, after, before, holding, measured, mixed, of_walls
 
+import carom
 from carom.data import make_rebounds
 from carom.fitting import Setting, fit_law, fit_laws, make_problem
 from carom.fitting.forms import with_mixtures
@@ -61,3 +62,13 @@ def test_error_bars_beside_a_mixture_of_spins_agree_with_the_deviance():
     off = abs(beta.value - truth["tangential_restitution"]) / beta.stderr
     assert outer.deviance < inner.deviance + 0.05
     assert off < 1.3 * max(inner.deviance - outer.deviance, 1.0) ** 0.5
+
+
+@pytest.mark.parametrize(("seed", "bars"), [(0, False), (1, True), (33, True), (35, False)])
+def test_numbers_of_walls_that_differ_are_their_means(seed, bars):
+    columns, e, mu = of_walls(seed, bars=bars)
+    best = carom.fit(columns, radius=A, laws=["sliding"], bootstrap=0).best
+    for name, true in (("restitution", e), ("friction", mu)):
+        assert abs(best.estimates[name].value - true) < 2.5 * best.estimates[name].stderr
+    # one restitution for all walls would pull the friction
+    assert best.estimates["friction"].stderr < 0.03 * mu

@@ -58,3 +58,15 @@ def mixed(seed: int, n: int, friction: float | None = None, sigma: float = 0.01)
     kind, state = rng.random(n), before(rng, n, 0.0, 0.02)
     spin = np.where(kind < 0.5, 0.98 * state[1] / A, np.where(kind < 0.8, 0.0, rng.uniform(-2, 2, n) * state[1] / A))
     return measured(rng, (*state[:2], state[2] + spin), *truth.values(), sigma), truth
+
+
+def of_walls(seed: int, walls: int = 4, n: int = 60, bars: bool = False) -> tuple[Columns, float, float]:
+    """Return a table of n measured bounces at some walls of one friction, whose restitutions differ by 0.05; and both."""
+    rng = np.random.default_rng([seed, walls, 84])
+    state, wall = before(rng, n, 0.0, 0.6), rng.permutation(np.arange(n) % walls)
+    e, mu = rng.uniform(0.75, 0.85), rng.uniform(0.1, 0.3)
+    each = e + 0.05 * rng.normal(size=walls)
+    columns = measured(rng, state, each[wall], mu, 0.0, 0.01, spins=True)
+    if not bars:
+        columns = {name: column for name, column in columns.items() if not name.startswith("sigma_")}
+    return columns | {"wall": np.array(list("abcdefgh"))[wall]}, e, mu

@@ -29,10 +29,10 @@ from carom.fitting.evidence import (
 from carom.fitting.fit import fit_law, none_above, own_information
 from carom.fitting.forms import FormChoice, choose_forms, may_mix, with_flexible_prior
 from carom.fitting.held_out import cross_validated_score, score_warnings
-from carom.fitting.identify import with_profiles
+from carom.fitting.identify import with_estimate, with_profiles
 from carom.fitting.laws import FORMS, FittedLaw, laws_named
-from carom.fitting.model import SETTING_NUMBERS, model_of
-from carom.fitting.result import Fit, refit, scaled, with_error_bar
+from carom.fitting.model import SETTING_NUMBERS, model_of, predict_law
+from carom.fitting.result import Estimate, Fit, refit, scaled, with_error_bar
 from carom.fitting.rows import (
     Problem,
     Setting,
@@ -75,51 +75,54 @@ NAMED = (
     "wall",
 )  # columns whose values name kinds, even if they are numbers
 LEAST_ROWS, MOST_GROUPS = 5, 40
+ONE_SIDE = 0.8413  # probability up to one error bar
 MOST_WORK = 4e5  # law evaluations for all groups
 STAGE = "stage"
 
 
 def with_group_scatter(fit: Fit) -> tuple[Fit, list[str], str]:
-    """Return the fit with error bars that include the scatter between groups of rows, notes, and a contradiction between stages.
+    """Return the fit with numbers that are means of groups of rows, where these differ, notes, and a contradiction between stages.
 
     Groups are the values of columns of words and of those called ball, camera, cushion, film, racket, surface or wall, and the two
-    stages at which balls on a table were measured, whose parameters must agree.
+    stages at which balls on a table were measured, whose parameters must agree. Where one number differs between groups, a fit of
+    common ones is biased in all: each is then the mean of the groups' own, whose error bar includes the scatter between them.
     """
+    from scipy.special import stdtrit
+
     notes, contradiction = [], ""
     heavy = fit.law.search_code is not None
     for column, labels, groups in _groupings(fit):
         if not fit.names or fit.problem.work(heavy) * len(groups) > MOST_WORK:
             continue
         values, variances = _by_group(fit, groups)
-        told = [
-            i
-            for i, name in enumerate(fit.names)
-            if fit.estimates[name].value is not None and fit.estimates[name].stderr
-        ]
-        differ = []
-        for i in told:
+        told = [name for name in fit.names if fit.estimates[name].value is not None and fit.estimates[name].stderr]
+        means, differ = {}, []
+        for name in told:
+            i = fit.names.index(name)
             good = np.isfinite(variances[:, i]) & (variances[:, i] > 0)
-            if good.sum() < 2:
+            if not good.any():
                 continue
-            chance, tau2, stderr = _scatter(values[good, i], variances[good, i])
-            if chance > UNLIKELY / len(told):
+            chance, tau2, mean, stderr = _scatter(values[good, i], variances[good, i])
+            means[name] = mean, stderr
+            if good.sum() < 2 or chance > UNLIKELY / len(told):
                 continue
-            name, own = fit.names[i], fit.estimates[fit.names[i]].stderr or stderr
+            # (of few groups the scatter is hardly known: its error bar is that of Student's t)
+            means[name] = mean, stderr * float(stdtrit(good.sum() - 1, ONE_SIDE))
             each = [
                 f"{labels[j]} {values[j, i]:.4g} ± {variances[j, i] ** 0.5:.1g}"
                 for j in np.flatnonzero(good)[:4].tolist()
             ]
-            differ.append(f"{name} {', '.join(each)}{', ...' if good.sum() > 4 else ''}")
-            if column != STAGE and stderr > own:
-                fit = scaled(fit, name, stderr / own)
-                differ[-1] += f" (scatter {tau2**0.5:.2g}, error bar {stderr / own:.2g} times as large)"
+            differ.append(f"{name} {', '.join(each)}{', ...' if good.sum() > 4 else ''} (scatter {tau2**0.5:.2g})")
         if differ and column == STAGE:
             contradiction = f"rows of the two stages contradict each other under it: {'; '.join(differ)}"
         elif differ:
             notes.append(
                 f"{column}: under {fit.law.name} the {len(groups)} kinds of rows differ by more than their error bars:"
-                f" {'; '.join(differ)}"
+                f" {'; '.join(differ)}; the numbers are means of the kinds"
             )
+            for name, (mean, stderr) in means.items():
+                fit = scaled(fit, name, stderr / (fit.estimates[name].stderr or stderr))
+                fit = with_estimate(fit, name, Estimate(mean, stderr))
     return fit, notes, contradiction
 
 
@@ -142,9 +145,17 @@ def _groupings(fit: Fit) -> Iterator[tuple[str, list[str], Array]]:
 
 
 def _by_group(fit: Fit, groups: Array) -> tuple[Array, Array]:
-    """Return the parameters (G, k) fitted to each group alone, and their variances."""
-    model = model_of(fit.law, fit.problem)
-    numbers, _deviance = refit(fit, fit.problem, groups)
+    """Return the parameters (G, k) fitted to each group alone, and their variances; an estimated scatter is that within groups."""
+    problem = fit.problem
+    numbers, _deviance = refit(fit, problem, groups)
+    if problem.estimated.any():
+        each = np.stack([problem.y - predict_law(fit.law, problem, one) for one in numbers])
+        seen = np.isfinite(problem.y) * groups.sum(axis=0)[:, None]
+        within = np.einsum("gn,gnj->j", groups, np.square(np.nan_to_num(each))) / np.maximum(seen.sum(axis=0), 1)
+        within *= problem.count / max(problem.count - len(groups) * len(fit.names), 1)
+        problem = replace(problem, vy=np.where(problem.estimated & (within > 0), within, problem.vy))
+        numbers, _deviance = refit(fit, problem, groups)
+    model = model_of(fit.law, problem)
     seen = model.evaluate(numbers, groups)
     places = [model.places[name] for name in fit.names]
     variances = np.full((len(groups), len(places)), np.nan)
@@ -160,16 +171,18 @@ def _by_group(fit: Fit, groups: Array) -> tuple[Array, Array]:
     return values, variances
 
 
-def _scatter(values: Array, variances: Array) -> tuple[float, float, float]:
-    """Return the probability of such differences by chance, the variance between groups, and the error bar of the common value."""
+def _scatter(values: Array, variances: Array) -> tuple[float, float, float, float]:
+    """Return the probability of such differences by chance, the variance between groups, and their mean with its error bar."""
     from scipy.special import chdtrc
 
     weight = 1 / variances
     mean = (weight * values).sum() / weight.sum()
     q, n = float((weight * np.square(values - mean)).sum()), len(values)
     # (the sum of weights less that of their squares over it, by products: the difference is 0 where one group is far more exact)
-    tau2 = max(q - (n - 1), 0.0) * float(weight.sum() / (2 * np.triu(np.outer(weight, weight), 1).sum()))
-    return float(chdtrc(n - 1, q)), tau2, float((1 / (variances + tau2)).sum() ** -0.5)
+    pairs = 2 * float(np.triu(np.outer(weight, weight), 1).sum())
+    tau2 = max(q - (n - 1), 0.0) * float(weight.sum()) / pairs if n > 1 else 0.0
+    own = 1 / (variances + tau2)
+    return float(chdtrc(n - 1, q)), tau2, float((own * values).sum() / own.sum()), float(own.sum() ** -0.5)
 
 
 # ----------------------------------------------------------------------------------------------------
