@@ -188,8 +188,8 @@ def test_walls_that_differ_widen_the_error_bar():
     columns |= {"sigma_v_n_out": 0.05, "sigma_v_t_out": 0.05, "sigma_spin_out": 2.0}
     walls = {"wall": np.repeat(["a", "b", "c", "d"], 20)}
     ranking = fit_laws(make_rebounds("planar", columns, extra=walls), BALL, ["contact"], bootstrap=0, profiles=False)
-    # the scatter of the four walls, over the root of 4
-    assert ranking.best.estimates["restitution"].stderr == pytest.approx(0.0516 / 2, rel=0.1)
+    # the scatter of the four walls, over the root of 4, times Student's t of three degrees of freedom
+    assert ranking.best.estimates["restitution"].stderr == pytest.approx(1.197 * 0.0516 / 2, rel=0.1)
     assert any(note.startswith("wall: under contact the 4 kinds of rows differ") for note in ranking.notes)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from reference.plain_bounces import A, after, before, holding, measured, mixed, of_walls
+from reference.plain_bounces import A, after, before, drifting, holding, measured, mixed, of_walls, racket, two_rows
 
 import carom
 from carom.data import make_rebounds
@@ -72,3 +72,30 @@ def test_numbers_of_walls_that_differ_are_their_means(seed, bars):
         assert abs(best.estimates[name].value - true) < 2.5 * best.estimates[name].stderr
     # one restitution for all walls would pull the friction
     assert best.estimates["friction"].stderr < 0.03 * mu
+
+
+def ranked(columns, *laws):
+    return carom.fit(columns, radius=A, laws=list(laws), bootstrap=0, profiles=False)
+
+
+def test_odds_do_not_survive_the_forms_that_the_rows_support():
+    ranking = ranked(racket(3), "contact", "maw", "stronge")
+    # with constants more than a million to 1
+    assert ranking.ranked[1].fit.aicc - ranking.best.aicc > 400
+    assert ranking.odds < 20
+    assert not ranking.decisive
+
+
+def test_two_rows_in_two_hundred_decide_nothing():
+    ranking = ranked(two_rows(0), "mirror", "sticking")
+    assert ranking.fits
+    assert ranking.odds > 1e6
+    assert not ranking.decisive
+    assert ranking.held_back.startswith("2 of 205 rows")
+
+
+def test_errors_that_follow_each_other_in_the_order_of_the_rows_are_found():
+    assert ranked(drifting(0), "sliding", "mirror").adequacy.pattern == "v_n on the order of the rows"
+    steady = ranked(drifting(0, share=0.0), "sliding", "mirror")
+    assert steady.fits
+    assert steady.decisive

@@ -70,3 +70,31 @@ def of_walls(seed: int, walls: int = 4, n: int = 60, bars: bool = False) -> tupl
     if not bars:
         columns = {name: column for name, column in columns.items() if not name.startswith("sigma_")}
     return columns | {"wall": np.array(list("abcdefgh"))[wall]}, e, mu
+
+
+def racket(seed: int, n: int = 80) -> Columns:
+    """Return a table of n measured bounces that grip, with a restitution that falls with the speed and a tangential one with the
+    slip."""
+    rng = np.random.default_rng([seed, 62])
+    vn, vt, spin = before(rng, n, 0.0, 0.6)
+    beta = np.clip(0.5 - 0.25 * np.abs(vt - A * spin) / vn, 0.0, 1.0)
+    return measured(rng, (vn, vt, spin), 0.9 - 0.03 * vn, 5.0, beta, 0.02, spins=True)
+
+
+def two_rows(seed: int, n: int = 205) -> Columns:
+    """Return a table of n measured bounces of which two slip at the wall, and tell its laws apart."""
+    rng = np.random.default_rng([seed, 605])
+    vn, vt, _spin = before(rng, n, 0.0, 0.2)
+    spin = vt / A
+    spin[[17, 40]] += np.sign(vt[[17, 40]]) / A
+    return measured(rng, (vn, vt, spin), 0.8, 5.0, 0.0, 0.05, spins=True)
+
+
+def drifting(seed: int, n: int = 80, share: float = 0.8) -> Columns:
+    """Return a table of n measured bounces whose errors follow each other in its order: share of an error is in the next."""
+    rng = np.random.default_rng([seed, 4])
+    columns = measured(rng, before(rng, n, 0.0, 0.5), 0.8, 0.2, 0.0, 0.02, spins=True)
+    error = rng.normal(size=n)
+    for i in range(1, n):
+        error[i] = share * error[i - 1] + (1 - share**2) ** 0.5 * error[i]
+    return columns | {"v_n_out": 0.8 * columns["v_n_in"] + 0.02 * error}

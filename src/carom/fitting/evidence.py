@@ -8,8 +8,9 @@ no law fits, the odds are computed with error bars enlarged until the best law d
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 from typing import Any, Generic, Protocol, TypeVar
 
 import numpy as np
@@ -20,6 +21,7 @@ from carom.fitting.laws import FittedLaw
 DECIDED, LEANS = 20.0, 3.0  # odds
 UNLIKELY = 1e-3  # probability of a chi^2 below which a law does not fit
 MOST_LOG_ODDS = 700.0
+NO_GAINS: Mapping[str, float] = MappingProxyType({})
 
 
 def akaike(deviance: float, k: float, n: int, *, corrected: bool = True) -> float:
@@ -147,11 +149,12 @@ class Evidence:
     """Laws between which the data do not decide."""
 
 
-def weigh(fits: Sequence[FittedModel], enlarge: float = 1.0) -> Evidence:
-    """Compare fits in the order of AICc, with error bars ``enlarge`` times as large."""
+def weigh(fits: Sequence[FittedModel], enlarge: float = 1.0, gains: Mapping[str, float] = NO_GAINS) -> Evidence:
+    """Compare fits in the order of AICc, with error bars ``enlarge`` times as large; ``gains``: what the AICc of each law falls by
+    with its own best forms."""
 
     def criterion(fit: FittedModel) -> float:
-        return fit.deviance / enlarge**2 + fit.aicc - fit.deviance
+        return (fit.deviance - gains.get(fit.law.name, 0.0)) / enlarge**2 + fit.aicc - fit.deviance
 
     best = fits[0]
     aicc = np.array([fit.aicc for fit in fits])

@@ -51,12 +51,14 @@ from carom.fitting.verdict import (
     adequacy,
     assumptions_in_words,
     coverage,
+    decided_by_few,
+    gain_of_forms,
     heavy_tails,
     kinked_rows_warning,
+    may_have_forms,
     nothing_along_the_wall,
     odds_note,
     outliers_of,
-    restitution_gain,
     unsettled,
 )
 from carom.formatting import json_value
@@ -495,13 +497,17 @@ def _fit_rows(
     ranked[0], best = replace(ranked[0], fit=fit), fit
     notes += different
     straight = nothing_along_the_wall(problem)
-    held_back = "; ".join(filter(None, (unsettled(best), contradiction)))
-    gain = restitution_gain(best, problem)
+    gains, few_rows = gain_of_forms(best, problem), ""
+    if rival is not None and not (few or straight) and evidence.odds >= DECIDED:
+        few_rows = decided_by_few(best, rival, found.enlarge)
+        evidence, said = _under_forms(fits, evidence, {best.law.name: gains}, problem, found.enlarge)
+        rival, notes = evidence.rival, [*notes, *said]
+    held_back = "; ".join(filter(None, (unsettled(best), contradiction, few_rows)))
     said, outliers = list(searched.notes), searched.rows
     verdict = (
         _straight_verdict(best, found, covers) if straight else _verdict(best, evidence, few, found, covers, held_back)
     )
-    verdict = f"{verdict[:-1]}{assumptions_in_words(best, gain)}."
+    verdict = f"{verdict[:-1]}{assumptions_in_words(best, gains)}."
     notes += [] if few or straight else odds_note(len(problem.x), evidence.odds)
     swayed = bool(said)
     if swayed:
@@ -514,6 +520,26 @@ def _fit_rows(
         tuple(ranked), verdict, math.nan if few or straight else evidence.odds, rival.law.name if rival else "",
         tuple(dict.fromkeys([*notes, *said])), found, covers, tuple(outliers), swayed, held_back=held_back,
     )  # fmt: skip
+
+
+def _under_forms(
+    fits: Sequence[Fit], evidence: Evidence, gains: dict[str, dict[str, float]], problem: Problem, enlarge: float
+) -> tuple[Evidence, list[str]]:
+    """Return the evidence with each law's own best forms, with a note, where it would not decide; else that of constants."""
+    if not may_have_forms(fits[0], problem):
+        return evidence, []
+    gains = gains | {fit.law.name: gain_of_forms(fit, problem) for fit in fits[1:]}
+    formed = weigh(fits, enlarge, {name: sum(each.values()) for name, each in gains.items()})
+    if not formed.odds < DECIDED:
+        return evidence, []
+    lines = "; ".join(f"{name} {' and '.join(each)}" for name, each in gains.items() if each)
+    behind = "ahead of" if formed.odds >= 1 else "behind"
+    said = (
+        f"the verdict depends on the form: with constants {fits[0].law.name} is ahead of {evidence.rival.law.name} by"
+        f" {odds_in_words(evidence.odds)}, with straight lines where the rows support them ({lines}) it is {behind}"
+        f" {formed.rival.law.name} by {odds_in_words(max(formed.odds, 1 / formed.odds))}"
+    )
+    return replace(formed, weights=evidence.weights), [said]
 
 
 def _with_error_bars(fit: Fit, profiles: bool | None, draws: int | None, seed: int, best: bool) -> Fit:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.evidence import DECIDED, UNLIKELY
+from carom.fitting.evidence import DECIDED, LEANS, UNLIKELY
 from carom.fitting.fit import fit_law, place_near
+from carom.fitting.laws import ALONG
 from carom.fitting.model import feels_spins, model_of, predict_law
 from carom.fitting.result import Fit, rows_of_fit
 from carom.fitting.rows import Problem
@@ -42,36 +44,67 @@ def unsettled(best: Fit) -> str:
     return ""
 
 
-def restitution_gain(best: Fit, problem: Problem) -> float:
-    """Return by how much AICc falls if the best law's constant restitution becomes a straight line v_out = slope v + offset.
+def may_have_forms(fit: Fit, problem: Problem) -> bool:
+    """Return whether straight lines in place of constants are tried: where that is quick."""
+    few = not problem.estimated.any() or len(problem.x) <= MOST_ESTIMATED
+    return few and fit.problem.work(fit.law.search_code is not None) <= MOST_WORK
 
-    0 where it does not fall, where the restitution is no free constant, and where this would take long. ``problem``: the rows,
-    without a scatter between contacts.
+
+def gain_of_forms(fit: Fit, problem: Problem) -> dict[str, float]:
+    """Return by how much AICc falls as constants of a law, one after the other, become straight lines: v_out = slope v + offset;
+    friction and the law's last number in the slip.
+
+    Only what the rows support, by 20 to 1 and more, is kept. Empty where no constant is free, and where this would take long.
+    ``problem``: the rows, without a scatter between contacts.
     """
-    setting, costly = best.problem.setting, best.law.search_code is not None
-    line = replace(setting, restitution="line")
-    if setting.restitution != "constant" or "restitution" not in best.names or best.problem.work(costly) > MOST_WORK:
-        return 0.0
-    if problem.estimated.any():
-        if len(problem.x) > MOST_ESTIMATED:
-            return 0.0
-        aicc = fit_law(best.law, replace(problem, setting=replace(problem.setting, restitution="line"))).aicc
-        return max(best.aicc - aicc, 0.0)
-    model = model_of(best.law, replace(best.problem, setting=line))
-    found = model.minimize(model.like(best.numbers))
-    gain = best.deviance - best.determinants - float(found.value[0]) - 2
-    return max(gain, 0.0) if math.isfinite(gain) else 0.0
+    found: dict[str, float] = {}
+    setting, least = fit.problem.setting, fit.aicc
+    if not may_have_forms(fit, problem):
+        return found
+    for name in ("restitution", *ALONG):
+        if name not in fit.names or getattr(setting, name) != "constant":
+            continue
+        change: dict[str, Any] = {name: "line" if name == "restitution" else "linear"}
+        tried = replace(setting, **change)
+        if problem.estimated.any():
+            aicc = fit_law(fit.law, replace(problem, setting=tried)).aicc
+        else:
+            model = model_of(fit.law, replace(fit.problem, setting=tried))
+            value = float(model.minimize(model.like(fit.numbers)).value[0])
+            aicc = value + fit.determinants + fit.aicc - fit.deviance + 2 * (len(found) + 1)
+        if aicc < least - GAIN:
+            found[name], least, setting = least - aicc, aicc, tried
+    return found
 
 
-def assumptions_in_words(best: Fit, gain: float) -> str:
+def decided_by_few(best: Fit, rival: Fit, enlarge: float) -> str:
+    """Return that few rows decide, in words, where the odds fall below those of a lean without one row in a hundred; else ""."""
+    ahead = _deviance_by_row(rival) - _deviance_by_row(best)
+    few = np.argsort(-ahead, kind="stable")[: max(1, len(ahead) // 100)]
+    others = rival.deviance - best.deviance - float(ahead[few].sum())
+    if others / enlarge**2 + (rival.aicc - rival.deviance) - (best.aicc - best.deviance) >= 2 * math.log(LEANS):
+        return ""
+    first = (best.problem.rebounds.rows or [f"row {i + 1}" for i in range(len(ahead))])[few[0]]
+    return f"{first} alone decides" if len(few) == 1 else f"{len(few)} of {len(ahead)} rows decide, {first} first"
+
+
+def _deviance_by_row(fit: Fit) -> Array:
+    problem = fit.problem
+    logs = np.log(np.where(np.isfinite(problem.y) & (problem.vy > 0), problem.vy, 1.0)).sum(axis=1)
+    return np.asarray(rows_of_fit(fit, problem, fit.numbers)[0] + logs)
+
+
+def assumptions_in_words(best: Fit, gains: dict[str, float]) -> str:
     """Return the assumptions under which the laws were compared: parameters that are constants or not, spins, errors."""
     setting, problem = best.problem.setting, best.problem
     said = []
     if "restitution" in best.law.free:
         form = setting.restitution
         said.append("a constant restitution" if form == "constant" else f"a restitution of form {form}")
-        if gain > GAIN:
-            said[-1] += f" (a straight line in the speed would lower AICc by {gain:.3g}: `restitution` line)"
+        if "restitution" in gains:
+            said[-1] += (
+                f" (a straight line in the speed would lower AICc by {gains['restitution']:.3g}: `restitution` line)"
+            )
     if problem.spins is not None:
         shape = "mixture" if problem.mixture is not None else setting.spin_prior
         said.append(f"a {shape} distribution of unmeasured spins")
@@ -294,8 +327,11 @@ def _pattern(fit: Fit) -> tuple[float, str]:
         "incidence": (np.abs(v_t) / v_n, side), "speed": (speed, side), "spin": (side * spin / speed, side),
         "slip": (np.abs(slip) / v_n, slips),
     }  # fmt: skip
-    found = []
+    found, drifts = [], []
     for m, name in enumerate(OUTPUTS):
+        rows = np.isfinite(gap[:, m]) & ((m == 0) | ~apart)
+        if rows.sum() >= LEAST_ROWS:
+            drifts.append((_serial_probability(gap[rows, m]), f"{name} on the order of the rows"))
         for of, (order, sign) in orders.items():
             rows = np.isfinite(gap[:, m]) & np.isfinite(order) & ~apart
             if rows.sum() >= LEAST_ROWS and len(np.unique(order[rows])) >= LEAST_ROWS:
@@ -303,10 +339,10 @@ def _pattern(fit: Fit) -> tuple[float, str]:
                 found.append(
                     (_serial_probability(residuals[np.argsort(order[rows], kind="stable")]), f"{name} on {of}")
                 )
-    if not found:
-        return math.nan, ""
-    probability, words = min(found)
-    return min(1.0, probability * len(found)), words
+    # (each kind of order by itself, so that what is found in one does not depend on how many are tried in the other)
+    return min(
+        ((min(1.0, p * len(tests)), words) for tests in (found, drifts) for p, words in tests), default=(math.nan, "")
+    )
 
 
 def _serial_probability(residuals: Array) -> float:
