@@ -29,6 +29,7 @@ YELLOW, RED, WHITE, ORANGE, BLACK = (
     (0.95, 0.5, 0.1),
     (0.08, 0.08, 0.1),
 )
+ASIDE = {"wall": 1.0, "beside": 3.2}  # of shadows on the wall behind, how far they are
 GREEN_AS_RED = (0.1, 0.6, 0.37)  # of the same luma
 
 
@@ -280,7 +281,7 @@ class Backdrop:
     floor: bool = True
     """A table seen from its side, below Y = 0."""
     shadow: str = "floor"
-    """``floor`` (below the ball, touches at the contact), ``wall`` (beside the ball, always touching) or empty."""
+    """``floor`` (below the ball, touches at the contact), ``wall`` (always touching), ``beside`` (apart from it) or empty."""
     depth: float = 0.5
 
 
@@ -367,8 +368,9 @@ def textured(backdrop: Backdrop, camera: Camera, shape: tuple[int, int], over: i
 
 def _shadow(backdrop: Backdrop, camera: Camera, centre: Array, radius: float, x: Array, y: Array) -> Array:
     """What is left of the light at places of the picture, from the outline's centre."""
-    if backdrop.shadow == "wall":
-        away = np.hypot(x - centre[0] - 0.8 * radius, y - centre[1] - 0.5 * radius) / radius
+    if backdrop.shadow in ASIDE:
+        aside = ASIDE[backdrop.shadow]
+        away = np.hypot(x - centre[0] - 0.8 * aside * radius, y - centre[1] - 0.5 * aside * radius) / radius
         return np.asarray(1 - backdrop.depth / (1 + np.exp((away - 1) * 12)))
     line = camera.project(np.array([0.0, 0.0, 0.0]), 1e-3)[0][1]
     height = max((line - centre[1]) / radius - 1, 0.0)
@@ -494,7 +496,7 @@ def render(
         for name, (motion, radius, _look) in balls.items():
             soft = radii[name][k] + 4 * camera.psf + 3
             if backdrop.shadow:
-                reach = 2.2 * radii[name][k]
+                reach = (1.4 + 0.8 * ASIDE.get(backdrop.shadow, 1.0)) * radii[name][k]
                 x, y = places[name][k]
                 y0, y1, x0, x1 = y - reach, y + reach, x - reach, x + reach
                 if backdrop.shadow == "floor":

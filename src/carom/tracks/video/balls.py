@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,9 +16,20 @@ SAMPLES, MOST_SAMPLE_BYTES = 32, 250e6  # frames of the background
 MANY_KEYS = 24  # frames stored whole, from which the background is taken from these alone
 LEAST_LEVELS = (7.0, 4.0, 4.0)  # by which a pixel of a plane differs from the background, at least
 NOISES = 5.0  # times its own noise that it differs, at least
+CODED = (
+    6,
+    0.8,
+    3.5,
+)  # classes of texture; the share of a class that differs by less than the codec's error, and times that error
 LEAST_AREA = 12  # px at half the size
 MOST_BLOBS = 24  # of a frame, the largest
 CHANGED = 0.2  # share of a picture that changes where the camera moves
+TILE, TILES, LEAST_TILES = (
+    24,
+    5,
+    4,
+)  # px of a tile at half the size; tiles along each side, at most, and in all, at least
+STEEP = 1.0  # levels per px of a tile with enough texture
 PARTS = 6  # of the samples, whose medians are compared
 GHOST = 0.8  # of the gradient along a region's edge: what was seen at another time is the background
 LOST = 6  # frames after which a ball is no longer followed
@@ -43,6 +54,11 @@ class Background(NamedTuple):
     limits: tuple[Bytes, Bytes, Bytes]
     """Of y, u, v at half the size, levels."""
     noise: tuple[float, float, float]
+    texture: tuple[Bytes, Bytes, Bytes]
+    """Class of each pixel, the smoothest 0, of y, u, v at half the size."""
+    tiles: tuple[tuple[tuple[slice, slice], Array], ...] = ()
+    """Where a frame of the film (not the median, which smears what moves) has texture, at half the size: slopes along x and y, and
+    contrast (n, 3)."""
     rows: tuple[float, float] = (0.0, 1.0)
     """Direction in which the camera reads its rows."""
     lag: float = 0.0
@@ -98,9 +114,9 @@ class Path:
 
     def ahead(self, number: int) -> Array:
         """Return where it is in a later frame if it moves on as in the last two, (2,) px."""
-        last = self.places[-2:]
+        last = [np.array([one.x, one.y]) for one in self.blobs[-2:]]
         if len(last) < 2:
-            return np.asarray(last[0])
+            return last[0]
         since = self.frames[-1] - self.frames[-2]
         return np.asarray(last[1] + (last[1] - last[0]) / since * (number - self.frames[-1]))
 
@@ -171,7 +187,65 @@ def find_background(samples: Sequence[tuple[Bytes, Bytes, Bytes]]) -> Background
         level = np.maximum(least, NOISES * 1.4826 * _widened(off).astype(float) + 2)
         limits.append(np.clip(level, 0, 250).astype(np.uint8))
     y, u, v = planes
-    return Background((y, u, v), half_size(y), (limits[0], limits[1], limits[2]), (noise[0], noise[1], noise[2]))
+    half = half_size(y)
+    return Background(
+        (y, u, v), half, (limits[0], limits[1], limits[2]), (noise[0], noise[1], noise[2]),
+        (_classes(half), _classes(u), _classes(v)), tuple(_tiles(half_size(samples[len(samples) // 2][0]))),
+    )  # fmt: skip
+
+
+def _tiles(half: Bytes) -> list[tuple[tuple[slice, slice], Array]]:
+    """Return tiles with texture in both directions, spread over the picture."""
+    found, plane = [], half.astype(float)
+    slopes = np.stack([np.gradient(plane, axis=1), np.gradient(plane, axis=0)])
+    rows, columns = (np.arange(0, size - TILE + 1, TILE) for size in half.shape)
+    for some in np.array_split(rows, min(TILES, max(len(rows), 1))):
+        for others in np.array_split(columns, min(TILES, max(len(columns), 1))):
+            best: tuple[float, Any] = STEEP, None
+            for y in some.tolist():
+                for x in others.tolist():
+                    window = slice(y, y + TILE), slice(x, x + TILE)
+                    g = slopes[:, *window].reshape(2, -1)
+                    steep = float(np.sqrt(np.linalg.eigvalsh(g @ g.T / g.shape[1])[0]))
+                    best = max(best, (steep, window), key=lambda one: one[0])
+            if best[1] is not None:
+                columns_of = np.stack([*slopes[:, *best[1]].reshape(2, -1), plane[best[1]].ravel()], axis=1)
+                found.append((best[1], columns_of - columns_of.mean(axis=0)))
+    return found
+
+
+def movement(half: Bytes, ground: Background) -> tuple[Array, float]:
+    """Return by how much tiles of a frame at half the size are shifted against another frame, (n, 2) px of the whole picture, and
+    the share of tiles that show the same; 1 where they are too few."""
+    shifts, same = np.zeros((len(ground.tiles), 2)), []
+    for k, (window, columns) in enumerate(ground.tiles):
+        seen = half[window].astype(float).ravel()
+        seen -= seen.mean()
+        known = np.linalg.solve(columns.T @ columns + 1e-6 * np.eye(3), columns.T @ seen)
+        same.append(((seen - columns @ known) ** 2).sum() < 0.5 * (seen**2).sum() and known[2] > 0.3)
+        shifts[k] = -2 * known[:2] / max(known[2], 0.3)
+    return shifts, float(np.mean(same)) if len(same) >= LEAST_TILES else 1.0
+
+
+def _classes(plane: Bytes) -> Bytes:
+    """Return to which of some equal classes of texture each pixel belongs."""
+    from scipy.ndimage import minimum_filter
+
+    steep = _widened(plane, 5) - minimum_filter(plane, 5)
+    edges = np.quantile(steep[::3, ::3], np.arange(1, CODED[0]) / CODED[0])
+    return np.asarray(np.searchsorted(np.unique(edges), np.arange(256)).astype(np.uint8)[steep])
+
+
+def _coded(differ: Bytes, texture: Bytes) -> Bytes:
+    """Return by which a pixel of each class (n,) differs where only the codec's error is seen, which is larger in texture."""
+    some, kind = differ[::3, ::3].ravel(), texture[::3, ::3].ravel()
+    found = np.zeros(CODED[0])
+    for k in range(CODED[0]):
+        part = some[kind == k]
+        if len(part):
+            rank = int(CODED[1] * len(part))
+            found[k] = CODED[2] * float(np.partition(part, rank)[rank])
+    return np.minimum(found, 250).astype(np.uint8)
 
 
 def _median(stack: Bytes) -> Bytes:
@@ -211,7 +285,7 @@ def _without_ghosts(planes: list[Bytes], other: list[Bytes], noise: Sequence[flo
         steps = [np.abs(np.array(np.gradient(one, axis=(1, 2)))).sum(axis=(0, 1)) for one in (now, then)]
 
         edge = binary_dilation(region, iterations=2) & ~binary_erosion(region, iterations=4)
-        good = region if steps[1][edge].mean() < GHOST * steps[0][edge].mean() else np.zeros_like(region)
+        good = region if steps[1][edge].sum() < GHOST * steps[0][edge].sum() else np.zeros_like(region)
         ring = binary_dilation(region, iterations=6) & ~changed[wide]
         if not good.any() and ring.any():
             # (one ball went away where another one came beside it: parts that are more like what is around)
@@ -270,11 +344,14 @@ def find_regions(frame: Frame, ground: Background, inside: Mask | None = None) -
 
     halves = (half_size(frame.y), frame.u, frame.v)
     changed, darker = np.zeros(halves[0].shape, bool), np.zeros(halves[0].shape, bool)
-    for k, (one, still, limit) in enumerate(zip(halves, (ground.half, *ground.planes[1:]), ground.limits, strict=True)):
+    for k, (one, still, limit, texture) in enumerate(
+        zip(halves, (ground.half, *ground.planes[1:]), ground.limits, ground.texture, strict=True)
+    ):
         # (the exposure of a camera drifts: the median difference is none)
         drift = int(np.median(one[::8, ::8].astype(np.int16) - still[::8, ::8]))
         level = np.clip(still.astype(np.int16) + drift, 0, 255).astype(np.uint8) if drift else still
-        differs = _differ(one, level) > limit
+        off = _differ(one, level)
+        differs = off > np.maximum(limit, _coded(off, texture)[texture])
         changed |= differs
         if k == 0:
             darker = differs & (one < level)
@@ -327,30 +404,36 @@ class Linker:
 
         self._live = [one for one in self._live if number - one.frames[-1] <= LOST]
         ahead = [one.ahead(number) for one in self._live]
-        blobs = [part.blob() for region in regions for part in self._parted(region, ahead)]
+        usuals = [one.area for one in self._live]
+        known = [one for one in zip(self._live, ahead, usuals, strict=True) if len(one[0].frames) > 2]
+        blobs = [part.blob() for region in regions for part in _parted(region, known)]
         count = len(blobs)
+        at = np.array([[one.x, one.y] for one in blobs]).reshape(-1, 2)
+        tones = np.array([one.colour for one in blobs]).reshape(-1, 3)
+        radius, areas = (np.array([getattr(one, name) for one in blobs]) for name in ("radius", "area"))
+        cut = np.array([one.cut for one in blobs], bool)
         # (each path may also go on without a blob: one that is long known does so at a higher price)
         costs = np.full((len(self._live), count + len(self._live)), NEVER)
-        for i, (path, place) in enumerate(zip(self._live, ahead, strict=True)):
+        for i, (path, place, usual) in enumerate(zip(self._live, ahead, usuals, strict=True)):
             costs[i, count + i] = UNSEEN[len(path.frames) > 3]
             last, gap = path.blobs[-1], number - path.frames[-1]
-            start, colour, usual = np.array([last.x, last.y]), path.colour, path.area
+            start, colour = np.array([last.x, last.y]), path.colour
             way = place - start
             length = float(np.hypot(*way))
             # (a ball that turns back is where it was, or in between)
             reach = REACH * last.radius * gap if len(path.frames) == 1 else 2.2 * length + 2.0 * last.radius
-            for j, blob in enumerate(blobs):
-                at = np.array([blob.x, blob.y])
-                off = float(np.hypot(*(at - place)))
-                size = abs(float(np.log(blob.radius / last.radius)))
-                tone = float(np.abs(np.subtract(blob.colour, colour)).max())
-                if off < reach and (size < ALIKE or blob.cut or last.cut) and tone < COLOUR:
-                    part = float(np.clip((at - start) @ way / max(length**2, 1e-9), 0, 1))
-                    aside = (off + float(np.hypot(*(at - start - part * way)))) / 2
-                    if len(path.frames) == 1:  # (nothing is known of its way)
-                        aside *= UNSEEN[0] / REACH / 2
-                    area = 0.0 if blob.cut or last.cut else abs(float(np.log(blob.area / usual))) / 2
-                    costs[i, j] = aside / max(last.radius, 1.0) + 2 * size + tone / TONE + area + gap - 1
+            off = np.hypot(*(at - place).T)
+            size, tone = np.abs(np.log(radius / last.radius)), np.abs(tones - colour).max(axis=1)
+            near = (off < reach) & ((size < ALIKE) | cut | last.cut) & (tone < COLOUR)
+            if not near.any():
+                continue
+            part = np.clip((at - start) @ way / max(length**2, 1e-9), 0, 1)
+            aside = (off + np.hypot(*(at - start - part[:, None] * way).T)) / 2
+            if len(path.frames) == 1:  # (nothing is known of its way)
+                aside *= UNSEEN[0] / REACH / 2
+            area = np.where(cut | last.cut, 0.0, np.abs(np.log(areas / usual)) / 2)
+            total = aside / max(last.radius, 1.0) + 2 * size + tone / TONE + area + gap - 1
+            costs[i, :count] = np.where(near, total, NEVER)
         linked: set[int] = set()
         for i, j in zip(*linear_sum_assignment(costs), strict=True):
             if j < count and costs[i, j] < NEVER:
@@ -363,36 +446,44 @@ class Linker:
                 self.paths.append(new)
                 self._live.append(new)
 
-    def _parted(self, region: Region, ahead: Sequence[Array]) -> list[Region]:
-        """Return the parts of a region that is as large as the balls that reach it, where these are several."""
-        known = [(one, place) for one, place in zip(self._live, ahead, strict=True) if len(one.frames) > 2]
-        if 4 * len(region.x) < BOTH * 2 * min((one.area for one, _place in known), default=np.inf):
+
+def _parted(region: Region, known: Sequence[tuple[Path, Array, float]]) -> list[Region]:
+    """Return the parts of a region that is as large as the balls that reach it, where these are several.
+
+    ``known``: paths, where they are if they move on, and their areas.
+    """
+    size = 4 * len(region.x)
+    if size < BOTH * 2 * min((area for *_rest, area in known), default=np.inf):
+        return [region]
+    pixels = np.stack([2 * region.x + 0.5, 2 * region.y + 0.5], axis=1)
+    low, high = pixels.min(axis=0), pixels.max(axis=0)
+    claims: list[tuple[float, int, Array, Path, float]] = []
+    for path, place, area in known:
+        last = path.blobs[-1]
+        at = np.array([last.x, last.y])
+        if ((np.maximum(at, place) < low - last.radius) | (np.minimum(at, place) > high + last.radius)).any():
+            continue
+        # (the first place on its way at which it is in the region: balls do not pass through one another)
+        way = at + np.linspace(0, 1, 9)[:, None] * (place - at)
+        away = np.sqrt(((pixels[:, None] - way) ** 2).sum(axis=2)).min(axis=0)
+        k = int(np.argmin(np.maximum(away, 2.0)))
+        if away[k] < last.radius:
+            claims.append((float(away[k]), len(claims), way[k], path, area))
+    claims.sort(key=lambda one: one[:2])
+    while len(claims) > 1 and size < BOTH * sum(area for *_rest, area in claims):
+        claims.pop()
+    if len(claims) < 2:
+        return [region]
+    middles = np.array([way for _off, _k, way, *_rest in claims])
+    sizes = np.array([path.blobs[-1].radius for *_rest, path, _area in claims])
+    unlike = (((region.tone[:, None] - np.array([one[3].colour for one in claims])) / TONES) ** 2).sum(axis=2)
+    for _ in range(8):
+        owner = (((pixels[:, None] - middles) ** 2).sum(axis=2) / sizes**2 + unlike).argmin(axis=1)
+        parts = [owner == k for k in range(len(claims))]
+        if any(4 * part.sum() < one[4] / 4 for part, one in zip(parts, claims, strict=True)):
             return [region]
-        pixels = np.stack([2 * region.x + 0.5, 2 * region.y + 0.5], axis=1)
-        claims: list[tuple[float, int, Array, Path]] = []
-        for path, place in known:
-            # (the first place on its way at which it is in the region: balls do not pass through one another)
-            way = path.places[-1] + np.linspace(0, 1, 9)[:, None] * (place - path.places[-1])
-            away = np.sqrt(((pixels[:, None] - way) ** 2).sum(axis=2)).min(axis=0)
-            k = int(np.argmin(np.maximum(away, 2.0)))
-            if away[k] < path.blobs[-1].radius:
-                claims.append((float(away[k]), len(claims), way[k], path))
-        claims.sort()
-        while len(claims) > 1 and 4 * len(region.x) < BOTH * sum(path.area for *_rest, path in claims):
-            claims.pop()
-        if len(claims) < 2:
-            return [region]
-        middles = np.array([way for _off, _k, way, _path in claims])
-        sizes = np.array([one[-1].blobs[-1].radius for one in claims])
-        tones = np.array([one[-1].colour for one in claims])
-        unlike = (((region.tone[:, None] - tones) / TONES) ** 2).sum(axis=2)
-        for _ in range(8):
-            owner = (((pixels[:, None] - middles) ** 2).sum(axis=2) / sizes**2 + unlike).argmin(axis=1)
-            parts = [owner == k for k in range(len(claims))]
-            if any(4 * part.sum() < path.area / 4 for part, (*_rest, path) in zip(parts, claims, strict=True)):
-                return [region]
-            middles = np.array([pixels[part].mean(axis=0) for part in parts])
-        return [region.part(part) for part in parts]
+        middles = np.array([pixels[part].mean(axis=0) for part in parts])
+    return [region.part(part) for part in parts]
 
 
 def likely_paths(paths: Sequence[Path], least: int) -> list[Path]:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-ORDER, MORE = 6, (15.0, 16)  # of the Fourier series of a ball, and of one from so many px on
+ORDER = 6, 16  # of the Fourier series of a ball, least and most: one per px of the radius
 SHADOW = 1 / 30  # standard deviation of the shadow's prior, of the background
 INSIDE, OUTSIDE = (2.8, 0.5), (0.35, 3.5, 7.0)  # of the band: times the blur plus px; of the radius, least and most px
 CHROMA_BLUR = 1.3  # px, of colour planes, beside that of the lens
@@ -30,6 +30,7 @@ LEAST_WAY = 0.4  # px, in an exposure of the fastest
 MOST_PIXELS = 1300  # of a plane, evenly taken from the band
 LEAST_PIXELS, LEAST_SEEN = 30, 0.2  # of a band; of a rim
 SECTORS = 16
+INNER = 0.8  # of the radius: what shows the colour of the ball
 
 
 class Patch(NamedTuple):
@@ -74,8 +75,6 @@ class Outline(NamedTuple):
     """Of what the picture differs from the background, explained."""
     seen: float
     """Part of the rim at which ball and ground differ."""
-    colour: Array
-    """(3,) of the ball at its rim: light, u, v, levels."""
 
 
 @dataclass
@@ -161,8 +160,13 @@ def _covered(pixels: _Pixels, p: Array, speed: Array, rows: Sequence[float], nam
         "b": lambda: (out * (dx * rows[0] + dy * rows[1])).mean(axis=0) * 1e3 * row,
         "c": lambda: slopes["b"]() * fast,
         "d": lambda: (out * (dx * rows[1] - dy * rows[0])).mean(axis=0) * 1e3 * row,
+        "2": lambda: density.mean(axis=0) * (around**2).real,
+        "3": lambda: density.mean(axis=0) * (around**2).imag,
+        "4": lambda: density.mean(axis=0) * (around**3).real,
+        "5": lambda: density.mean(axis=0) * (around**3).imag,
     }
-    return ndtr(z).mean(axis=0), np.stack([slopes[name]() for name in names]), middle / np.maximum(np.abs(middle), 1e-9)
+    around = middle / np.maximum(np.abs(middle), 1e-9)
+    return ndtr(z).mean(axis=0), np.stack([slopes[name]() for name in names]), around
 
 
 def _product(a: Array, b: Array) -> Array:
@@ -202,7 +206,7 @@ def _start(place: Array, optics: Optics) -> Array:
 
 
 def _order(optics: Optics) -> int:
-    return MORE[1] if optics.radius >= MORE[0] else ORDER
+    return int(np.clip(optics.radius, *ORDER))
 
 
 def fit_outline(
@@ -222,7 +226,7 @@ def fit_outline(
         p[3] = optics.psf
     pixels = _rim(patch, *(like[0] if like else (p[:2], speed)), optics, "r" in free)
     if len(pixels.x) < LEAST_PIXELS:
-        return Outline(p[:2].copy(), optics.radius, np.inf, 0.0, 0.0, np.full(3, np.nan))
+        return Outline(p[:2].copy(), optics.radius, np.inf, 0.0, 0.0)
     p, residual, differ = _descended(pixels, p, v, free, order or _order(optics), STEPS, optics)
     away = pixels.seen - pixels.ground
     scaled = (residual * pixels.weight) ** 2
@@ -232,9 +236,38 @@ def fit_outline(
     strong = np.bincount(sector, np.abs(differ) * pixels.weight, SECTORS)
     seen = float((strong > 4.0 * np.maximum(np.bincount(sector, minlength=SECTORS), 1)).mean())
     if seen < LEAST_SEEN:
-        return Outline(p[:2].copy(), float(p[2]), np.inf, share, seen, np.full(3, np.nan))
-    colour = np.array([np.median((differ + pixels.ground)[part]) for part in pixels.planes])
-    return Outline(p[:2].copy(), float(p[2]), float(scaled.mean()), share, seen, colour)
+        return Outline(p[:2].copy(), float(p[2]), np.inf, share, seen)
+    return Outline(p[:2].copy(), float(p[2]), float(scaled.mean()), share, seen)
+
+
+def look_closer(patch: Patch, outline: Outline, speed: Array, optics: Optics) -> tuple[Array, Array]:
+    """Return what else there is to an outline that was fitted: the shape of its rim, and the colour within.
+
+    Shape (5,), px: by which the rim differs from that of the disc in radius, and by cosine and sine of twice and three times the
+    angle around it. Colour (3,): mean light, u, v of the ball, levels.
+    """
+    p, v = _start(outline.place, optics), 1e-3 * speed
+    pixels = _rim(patch, outline.place, speed, optics, True)
+    weight = pixels.weight**2
+    residual, *_rest = _residuals(pixels, p, v, optics.rows, "xy", _order(optics), weight)
+    weight = _robust(pixels, residual)
+    residual, slope, _differ = _residuals(pixels, p, v, optics.rows, "xyr2345", _order(optics), weight)
+    normal = _product(slope * weight, slope) + 1e-6 * np.eye(7)
+    shape = np.linalg.solve(normal, slope @ (weight * residual))[2:]
+    inner, part, colour = INNER * optics.radius, np.linspace(-0.5, 0.5, 7)[:, None, None], []
+    for k, (plane, ground) in enumerate(zip(patch.planes, patch.ground, strict=True)):
+        size, offset = (1.0, 0.0) if k == 0 else (2.0, 0.5)
+        x, y = (patch.corner[n] + size * np.arange(plane.shape[1 - n]) + offset - outline.place[n] for n in (0, 1))
+        way = speed * optics.exposure
+        cover = (np.hypot(x[None, None] - part * way[0], y[None, :, None] - part * way[1]) < inner).mean(axis=0)
+        seen, behind = ((_light(one) if k == 0 else one.astype(float)) for one in (plane, ground))
+        total = float((cover * cover).sum())
+        colour.append(float((cover * (seen - (1 - cover) * behind)).sum()) / total if total else np.nan)
+    return np.asarray(shape), np.array(colour)
+
+
+def _light(plane: NDArray[np.uint8]) -> Array:
+    return WHITE * (np.maximum(plane.astype(float) - BLACK, 1.0) / WHITE) ** GAMMA
 
 
 def _rim(patch: Patch, place: Array, speed: Array, optics: Optics, loose: bool) -> _Pixels:

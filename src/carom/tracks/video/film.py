@@ -17,6 +17,7 @@ from carom.public.progress import Progress
 from carom.tracks.track import Track, position_noise
 from carom.tracks.video.balls import (
     CHANGED,
+    LEAST_TILES,
     LOST,
     Background,
     Blob,
@@ -25,16 +26,19 @@ from carom.tracks.video.balls import (
     cores_of,
     find_background,
     find_regions,
+    half_size,
     joined,
     likely_paths,
+    movement,
     sampled,
 )
-from carom.tracks.video.edges import Optics, Patch, fit_optics, fit_outline
-from carom.tracks.video.reading import Array, FilmFile, TrackedFilm, film_times, open_film, patches
+from carom.tracks.video.edges import Optics, Outline, Patch, fit_optics, fit_outline, look_closer
+from carom.tracks.video.reading import Array, FilmFile, Mask, TrackedFilm, film_times, open_film, patches
 from carom.tracks.video.scale import (
     MOST_MISFIT,
     Asked,
     TableView,
+    beside,
     check_arguments,
     choose_readout,
     choose_scale,
@@ -58,8 +62,16 @@ WHOLE_RIM, SHIFT = 0.85, 0.25  # of the rim, seen in brightness and in colour; p
 ALIKE_SIZE = 0.12  # scatter of a ball's radius in the frames, at most
 SHARPER = 0.85  # blur of a ball without its shadow, of that with it
 LIKE = 0.5  # of the frames of the best candidate: another one with as many is as likely
-ASTRAY = 5.0, 0.06  # from where frames before, and those after, have the ball: times the usual, and radii
-OTHER_LIGHT, OTHER_COLOUR = (0.4, 15.0), 20.0  # of the lighter of two rims, and levels; levels: no pattern makes that
+ASTRAY = 4.0, 0.25  # from where the frames beside it have the ball: times the usual, and px
+OTHER_SHAPE = 0.06, 0.3  # by which a rim differs from that of a disc: radii, and px
+OTHER_LIGHT, OTHER_COLOUR = (0.2, 8.0), 8.0  # by which a ball differs from itself: of its light, and levels; levels
+OTHER_SCATTER = 7.0  # times the median difference, which marks on the ball make
+SAME = 0.3  # of the tiles, of a frame that is no other picture
+MOST_CUT, MOST_SHIFT = (
+    0.05,
+    1.2,
+)  # share of frames that are another picture; px by which most of a camera's frames may be shifted
+LEAST_GOOD = 0.5  # of the frames of a ball, whose outline fits
 FLAGGED = 8.0  # times the usual cost
 FAR = 25.0  # radii: the way of what surely moves
 UNSTEADY = 0.04  # of the radius: scatter about a smooth path
@@ -231,7 +243,7 @@ def _followed(
     """Return the places (F, 2) and costs (F,) of a ball's outline in all frames of its path."""
     count = len(times)
     seeds = _dense(ball.path, count, times)
-    places, costs, colours = np.full((count, 2), np.nan), np.full(count, np.nan), np.full((count, 3), np.nan)
+    found: dict[int, tuple[Outline, Array, Array]] = {}
     speed = velocities(times, seeds)[0]
     blurs = dict(zip(ball.path.frames, (one.blur for one in ball.path.blobs), strict=True))
     radii = _radius_of_frames(ball, count)
@@ -248,7 +260,7 @@ def _followed(
     held = 0.0
 
     def finish() -> None:
-        _fit_chunk(chunk, ball.optics, radii, times, seeds, places, costs, colours)
+        found.update(_fit_chunk(chunk, ball.optics, radii, times, seeds))
         chunk.clear()
 
     for _key, patch in patches(film, ground.planes, wanted):
@@ -259,19 +271,48 @@ def _followed(
             held = 0.0
         tell(patch.frame)
     finish()
-    off = np.full(count, np.nan)
-    for k in rows.tolist():
-        near = _from_beside(k, times, places, costs, np.inf)
-        if len(near) == 2:
-            off[k] = min(float(np.hypot(*(at - places[k]))) for at, _speed in near)
-    usual = float(np.nanmedian(off)) if np.isfinite(off).any() else 0.0
-    strange = off > np.maximum(ASTRAY[0] * usual, ASTRAY[1] * radii)
-    if np.isfinite(colours).any():
-        away = np.abs(colours - np.nanmedian(colours, axis=0))
-        light = away[:, 0] > OTHER_LIGHT[0] * np.fmax(colours[:, 0], np.nanmedian(colours[:, 0])) + OTHER_LIGHT[1]
-        strange |= light | (away[:, 1:].max(axis=1) > OTHER_COLOUR)
-    costs[strange] = 1e6  # (the outline of something else, or of nothing)
+    places, costs = np.full((count, 2), np.nan), np.full(count, np.nan)
+    shapes, colours = np.full((count, 5), np.nan), np.full((count, 3), np.nan)
+    for k, (one, shapes[k], colours[k]) in found.items():
+        places[k], costs[k] = one.place, one.cost
+    costs[_strange(times, places, costs, radii, shapes, colours)] = np.inf
     return places, costs
+
+
+def _strange(times: Array, places: Array, costs: Array, radii: Array, shapes: Array, colours: Array) -> Mask:
+    """Return the frames (F,) whose outline is of something else: of another shape or colour than usual, or off the way."""
+    off = _off_the_way(times, places, costs)
+    strange = off > max(ASTRAY[0] * _median(off), ASTRAY[1])
+    if np.isfinite(colours).any():
+        strange |= np.abs(shapes).max(axis=1) > OTHER_SHAPE[0] * radii + OTHER_SHAPE[1]
+        usual = np.nanmedian(colours, axis=0)
+        away = np.abs(colours - usual)
+        least = np.array([OTHER_LIGHT[0] * usual[0] + OTHER_LIGHT[1], OTHER_COLOUR, OTHER_COLOUR])
+        strange |= (away > np.maximum(least, OTHER_SCATTER * np.nanmedian(away, axis=0))).any(axis=1)
+    return strange
+
+
+def _median(values: Array) -> float:
+    """Return the median of the finite values; 0 without any."""
+    return float(np.median(values[np.isfinite(values)])) if np.isfinite(values).any() else 0.0
+
+
+def _off_the_way(times: Array, places: Array, costs: Array) -> Array:
+    """Return how far each place (F,) is from where the frames beside it have the ball, px of scatter; NaN where these are too few.
+
+    Of the parabolas before and after it, and a cubic through both, the one that is nearest.
+    """
+    off, rows = np.full(len(times), np.nan), np.flatnonzero(np.isfinite(places[:, 0]) & np.isfinite(costs))
+    for k in rows.tolist():
+        before, after = beside(k, rows)
+        if min(len(before), len(after)) < 3:
+            continue
+        away = []
+        for near, order in ((before, 3), (after, 3), (np.concatenate([before, after]), 4)):
+            weights = np.linalg.pinv(np.vander(times[near] - times[k], order))[-1]
+            away.append(float(np.hypot(*(weights @ places[near] - places[k]))) / np.sqrt(1 + weights @ weights))
+        off[k] = min(away)
+    return off
 
 
 def _radius_of_frames(ball: Candidate, count: int) -> Array:
@@ -291,17 +332,25 @@ def _radius_of_frames(ball: Candidate, count: int) -> Array:
 
 
 def _fit_chunk(
-    chunk: Sequence[Patch], optics: Optics, radii: Array, times: Array, seeds: Array, places: Array, costs: Array, colours: Array
-) -> None:  # fmt: skip
-    """Fit the outlines in some frames, in rounds: with the way of the blobs, of the places found, and, where bad, from beside."""
+    chunk: Sequence[Patch], optics: Optics, radii: Array, times: Array, seeds: Array
+) -> dict[int, tuple[Outline, Array, Array]]:  # fmt: skip
+    """Fit the outlines in some frames, with shapes and colours.
+
+    In rounds: with the way of the blobs, of the places found, and, where bad, from beside.
+    """
     by_frame = {patch.frame: patch for patch in chunk}
+    found: dict[int, Outline] = {}
+    places, costs = np.full(seeds.shape, np.nan), np.full(len(times), np.nan)
+
+    def keep(k: int, outline: Outline) -> None:
+        found[k], places[k], costs[k] = outline, outline.place, outline.cost
+
     speed = np.nan_to_num(velocities(times, seeds)[0])
     for k, patch in by_frame.items():
-        found = fit_outline(patch, seeds[k], speed[k], optics._replace(radius=radii[k]))
-        places[k], costs[k], colours[k] = found.place, found.cost, found.colour
+        keep(k, fit_outline(patch, seeds[k], speed[k], optics._replace(radius=radii[k])))
     for turn in range(3):
         both, before, after = velocities(times, places)
-        usual = float(np.nanmedian(costs)) if np.isfinite(costs).any() else 1.0
+        usual = _median(costs) or 1.0
         for k, patch in by_frame.items():
             choices = [one[k] for one in (both, before, after) if np.isfinite(one[k]).all()]
             bad = costs[k] > FLAGGED / 2 * usual
@@ -319,8 +368,12 @@ def _fit_chunk(
             tried = [fit_outline(patch, *one, at, coarse=bad, like=same[:1]) for one in starts]
             best = min(range(len(tried)), key=lambda i: tried[i].cost)
             if not np.isfinite(costs[k]) or tried[best].cost < costs[k] or not bad:
-                places[k], costs[k], colours[k] = tried[best].place, tried[best].cost, tried[best].colour
+                keep(k, tried[best])
                 speed[k] = starts[best][1]
+    return {
+        k: (one, *look_closer(by_frame[k], one, speed[k], optics._replace(radius=radii[k])))
+        for k, one in found.items() if np.isfinite(one.cost)
+    }  # fmt: skip
 
 
 def _from_beside(k: int, times: Array, places: Array, costs: Array, most: float) -> list[tuple[Array, Array]]:
@@ -429,10 +482,10 @@ def track_film(
     size = file.width if file.rotation % 2 else file.height
     ground = find_background(samples)._replace(rows=rows_direction(file.rotation), lag=(readout or 0.0) / size)
     del samples
-    stamps, paths, changed = _linked(file, ground, part, asked, tell)
+    stamps, paths = _linked(file, ground, part, asked, tell)
     times = film_times(file, stamps, rate, notes)
     with noting(notes):
-        chosen = _chosen(file, ground, paths, times, asked, balls, changed)
+        chosen = _chosen(file, ground, paths, times, asked, balls)
     if readout is None:
         chosen = _by_rows(file, ground, chosen, times)[0]
     notes += _outline_notes(chosen, times)
@@ -444,7 +497,7 @@ def track_film(
             tell(0.3 + 0.7 * (k + done / len(times)) / balls, "outlines")
 
         places[name], costs[name] = _followed(file, ground, one, times, said)
-        costs[name] /= max(float(np.nanmedian(costs[name])), 1e-9)
+        costs[name] /= max(_median(costs[name]), 1e-9)
     lags: list[tuple[float, float]] = []
     if readout is None:
         chosen, lags = _by_rows(file, ground, chosen, times, list(places.values()), list(costs.values()))
@@ -508,33 +561,53 @@ def _by_rows(
 
 def _linked(
     file: FilmFile, ground: Background, part: tuple[float, float], asked: Asked, tell: Callable[[float, str], None]
-) -> tuple[list[float], list[Path], float]:
-    """Return the stamps of all frames, the paths of what moves in part of the film, and which share of frames changes."""
+) -> tuple[list[float], list[Path]]:
+    """Return the stamps of all frames, and the paths of what moves in part of the film.
+
+    Raises CaromError for a camera that moves, and for cuts.
+    """
     inside = None
     if asked.region is not None:
         inside = np.zeros(ground.half.shape, bool)
         x0, y0, x1, y1 = (int(one / 2) for one in asked.region)
         inside[y0 : y1 + 1, x0 : x1 + 1] = True
-    linker, stamps, shares = Linker(), list[float](), list[float]()
+    linker, stamps, shares, shifts = Linker(), list[float](), list[float](), list[Array]()
     for frame in file.frames():
         stamps.append(frame.stamp)
         if part[0] <= frame.stamp <= part[1] or not np.isfinite(frame.stamp):
             regions, share = find_regions(frame, ground, inside)
-            linker.add(frame.number, regions)
-            shares.append(share)
+            shift, same = movement(half_size(frame.y), ground)
+            linker.add(frame.number, regions if same > SAME else [])
+            shares.append(share if same > SAME else 1.0)
+            shifts.append(shift)
         tell(0.05 + 0.25 * (1 - 100 / (100 + frame.number)), "what moves")
-    return stamps, linker.paths, float(np.mean(np.array(shares) > CHANGED)) if shares else 0.0
+    still = _unsteady(np.array(shares), np.array(shifts))
+    if still:
+        advice = "put it on a stand, or name a part in which it rests (`start`, `end`)"
+        raise CaromError(Fault(f"{file.path}", "", "a camera at rest, without cuts", still, advice))
+    return stamps, linker.paths
+
+
+def _unsteady(shares: Array, shifts: Array) -> str:
+    """Return what speaks against a camera at rest: the shares of frames that change, the shifts (F, n, 2) of their tiles, px."""
+    whole, other = float((shares > CHANGED).mean()), np.flatnonzero(shares > 0.99)
+    if len(other) > MOST_CUT * len(shares):
+        return f"another picture in {counted(len(other), 'frame')} from frame {other[0]} on"
+    if whole > 0.5:
+        return f"a picture that changes as a whole in {100 * whole:.0f} % of the frames"
+    if shifts.shape[1] >= LEAST_TILES:
+        way = np.hypot(*(shifts - np.median(shifts, axis=0)).transpose(2, 0, 1))
+        usual = float(np.quantile(np.quantile(way, 0.8, axis=0), 0.3))
+        if usual > MOST_SHIFT:
+            return f"a picture of which most moves by {usual:.2g} px and more"
+    return ""
 
 
 def _chosen(
-    file: FilmFile, ground: Background, paths: Sequence[Path], times: Array, asked: Asked, balls: int, changed: float
+    file: FilmFile, ground: Background, paths: Sequence[Path], times: Array, asked: Asked, balls: int
 ) -> list[Candidate]:
     """Return the candidates that are balls. Raises CaromError where they are not, or others are as likely."""
     refused, some = functools.partial(Fault, f"{file.path}"), counted(balls, "ball")
-    if changed > 0.5:
-        got = f"a picture that changes as a whole in {100 * changed:.0f} % of the frames"
-        advice = "put it on a stand, or cut the film (`start`, `end`)"
-        raise CaromError(refused("", "a camera at rest", got, advice))
     likely = likely_paths(paths, LEAST_FRAMES)
     if asked.colour is not None:
         likely = [one for one in likely if np.abs(_rgb(file, one) - asked.colour).max() < 70]
@@ -651,6 +724,11 @@ def _record(
         held += int((within & good).sum())
         used[name] = good & ~within
         speed[name] = velocities(times, place)[0]
+        seen = int(np.isfinite(place[:, 0]).sum())
+        if good.sum() < max(LEAST_FRAMES, LEAST_GOOD * seen):
+            got = f"the outline of {name} fits in {int(good.sum())} of {counted(seen, 'frame')} in which it was looked for"
+            advice = "is it a ball, alone and in front of something else? `start`, `end`, `region`, `ball` choose another part"
+            raise CaromError(Fault(f"{file.path}", "", "a ball that looks the same in most frames", got, advice))
     flagged = np.any(list(flags.values()), axis=0)
     if flagged.any():
         notes.append(

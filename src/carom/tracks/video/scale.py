@@ -401,10 +401,15 @@ def choose_scale(
     return value
 
 
+def beside(k: int, rows: NDArray[np.intp]) -> list[NDArray[np.intp]]:
+    """Return up to four of ``rows`` (sorted) before frame k, and up to four after it; none of those that are far away."""
+    at, end = np.searchsorted(rows, [k, k + 1])
+    return [one[np.abs(one - k) < 9] for one in (rows[max(at - 4, 0) : at], rows[end : end + 4])]
+
+
 def sides(k: int, rows: NDArray[np.intp], times: Array, places: Array) -> list[Array]:
     """Return parabolas (3, 2), from the square on, about frame k through four of ``rows`` before it, and four after it."""
-    near = [one for one in (rows[rows < k][-4:], rows[rows > k][:4]) if len(one) >= 3 and abs(one - k).max() < 9]
-    return [np.polyfit(times[one] - times[k], places[one], 2) for one in near]
+    return [np.polyfit(times[one] - times[k], places[one], 2) for one in beside(k, rows) if len(one) >= 3]
 
 
 def contacts_within(times: Array, places: Array, exposure: float) -> Mask:
