@@ -63,7 +63,10 @@ ALIKE_SIZE = 0.12  # scatter of a ball's radius in the frames, at most
 SHARPER = 0.85  # blur of a ball without its shadow, of that with it
 LIKE = 0.5  # of the frames of the best candidate: another one with as many is as likely
 ASTRAY = 4.0, 0.25  # from where the frames beside it have the ball: times the usual, and px
-OTHER_SHAPE = 0.06, 0.3  # by which a rim differs from that of a disc: radii, and px
+OTHER_SHAPE, NO_DISC = (
+    (0.06, 0.3),
+    0.2,
+)  # by which a rim differs from the ball's usual one: radii, and px; from a disc's: radii
 OTHER_LIGHT, OTHER_COLOUR = (0.2, 8.0), 8.0  # by which a ball differs from itself: of its light, and levels; levels
 OTHER_SCATTER = 7.0  # times the median difference, which marks on the ball make
 SAME = 0.3  # of the tiles, of a frame that is no other picture
@@ -203,7 +206,7 @@ def _candidate(path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Ba
     good = [(patch, one.place, speed) for patch, one, speed in first if one.cost <= 2 * usual]
     optics, _errors, places = fit_optics(good, optics, "rse" if fast.any() else "rs")
     long = optics.exposure > LONGEST * interval
-    stretched = long and optics.exposure * float(np.median(quick[fast])) > STRETCHED * optics.radius
+    stretched = long and optics.exposure * _median(quick[fast]) > STRETCHED * optics.radius
     optics = optics._replace(exposure=min(optics.exposure, interval))
     slow = sorted(
         ((patch, at, speed) for (patch, _at, speed), at in zip(good, places, strict=True)),
@@ -284,12 +287,17 @@ def _strange(times: Array, places: Array, costs: Array, radii: Array, shapes: Ar
     off = _off_the_way(times, places, costs)
     strange = off > max(ASTRAY[0] * _median(off), ASTRAY[1])
     if np.isfinite(colours).any():
-        strange |= np.abs(shapes).max(axis=1) > OTHER_SHAPE[0] * radii + OTHER_SHAPE[1]
+        # (a shadow that touches the ball is part of its usual shape)
+        other = np.abs(shapes - np.nanmedian(shapes, axis=0)).max(axis=1) > OTHER_SHAPE[0] * radii + OTHER_SHAPE[1]
+        strange |= other | (np.abs(shapes).max(axis=1) > NO_DISC * radii)
         usual = np.nanmedian(colours, axis=0)
         away = np.abs(colours - usual)
         least = np.array([OTHER_LIGHT[0] * usual[0] + OTHER_LIGHT[1], OTHER_COLOUR, OTHER_COLOUR])
         strange |= (away > np.maximum(least, OTHER_SCATTER * np.nanmedian(away, axis=0))).any(axis=1)
-    return strange
+    # (what fits among frames that mostly do not, fits by chance)
+    sought = np.isfinite(places[:, 0])
+    doubt = np.convolve(sought & (strange | ~(costs < FLAGGED * _median(costs))), np.ones(9), "same")
+    return strange | (doubt > np.convolve(sought, np.ones(9), "same") / 2)
 
 
 def _median(values: Array) -> float:
