@@ -247,7 +247,7 @@ CAPS = {
     "fitting": 10475,
     "gas": 6847,
     "billiards": 5544,
-    "tracks": 9048,
+    "tracks": 9052,
     "simulation": 6340,
     "core": 5531,
     "laws": 4916,
