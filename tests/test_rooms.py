@@ -244,7 +244,7 @@ def test_no_build_product_is_tracked() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10475,
+    "fitting": 10490,
     "gas": 6847,
     "billiards": 5544,
     "tracks": 9052,
@@ -252,7 +252,7 @@ CAPS = {
     "core": 5531,
     "laws": 4916,
     "scene": 4601,
-    "cli": 4182,
+    "cli": 4200,
     "plot": 3630,
     "derive": 3165,
     "sweeps": 3110,

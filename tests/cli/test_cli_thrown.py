@@ -41,6 +41,10 @@ def test_spin_0_holds_for_the_first_bounce_only(rebounds: Path, capsys: pytest.C
     assert code == 0, err
     found = json.loads(out)
     assert found["fits"], found["verdict"]
+    code, out, err = command(capsys, "fit", str(rebounds), *BALL, *words[:-1], "--short")
+    assert (code, out) == (0, f"{found['sentence']}\n")
+    code, out, _err = command(capsys, "fit", str(rebounds), *BALL, *words[:-1])
+    assert out.splitlines()[0] == found["sentence"] == found["verdict"][: len(found["sentence"])]
     for name, true in (("restitution", 0.78), ("friction", 0.15)):
         estimate = found["ranking"][0]["parameters"][name]
         assert abs(estimate["value"] - true) < 4 * estimate["stderr"]

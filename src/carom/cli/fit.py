@@ -34,7 +34,7 @@ def show_shots(ranking: ShotsRanking) -> None:
 
     best = ranking.best
     frames = sum(len(one.film.time) for one in best.shots)
-    out().print(f"{counted(len(best.shots), 'shot')}, {frames:,} frames; noise {1e3 * best.noise:.2g} mm estimated")
+    data = f"{counted(len(best.shots), 'shot')}, {frames:,} frames; noise {1e3 * best.noise:.2g} mm estimated"
 
     def cells(one: Ranked[ShotsFit]) -> tuple[str, ...]:
         numbers = ", ".join(f"{name} {with_error_bar(estimate)}" for name, estimate in one.fit.estimates.items())
@@ -42,7 +42,7 @@ def show_shots(ranking: ShotsRanking) -> None:
         return (*("–" if math.isnan(mm) else f"{mm:.1f}" for mm in medians), numbers or "none")
 
     said = f"\nRMS distances in mm: median of the shots, to the first ball, through its cushions, to rest. Errors: {_errors(best)}"
-    print_ranking(ranking, ("ball", "1", "2", "3 cushions", "whole"), cells, said)
+    print_ranking(ranking, ("ball", "1", "2", "3 cushions", "whole"), cells, said, data)
     for line in best.describe()[1:]:
         out().print(line, soft_wrap=True)
 
@@ -61,11 +61,10 @@ def _errors(fit: ShotsFit) -> str:
 
 def show_whole(ranking: TrackRanking) -> None:
     """Print a ranking of fits to whole tracks."""
-    from carom.cli.console import out
     from carom.fitting.result import with_error_bar
 
     best, tracks = ranking.best, ranking.best.frames.segments
-    out().print(
+    data = (
         f"{counted(len(tracks), 'track segment')}, {counted(sum(len(one.contacts) for one in tracks), 'contact')},"
         f" {int(best.frames.count.sum()):,} frames; noise {1e3 * best.noise:.3g} mm {'as given' if best.known else 'estimated'}"
     )
@@ -78,7 +77,7 @@ def show_whole(ranking: TrackRanking) -> None:
 
     over_all = f"{best.law.name} over all {1e3 * best.rms():.3g} mm"
     more = f"\nRMS: median of the segments; {over_all}. Wall positions: --json, --report"
-    print_ranking(ranking, ("chi²/dof", "RMS, mm"), cells, more)
+    print_ranking(ranking, ("chi²/dof", "RMS, mm"), cells, more, data)
 
 
 # ----------------------------------------------------------------------------------------------------
@@ -142,6 +141,15 @@ def show_each(rankings: RankingsBy) -> None:
         show(ranking)
 
 
+def show_short(ranking: Any) -> None:
+    """Print the verdict's sentence alone; of each value of a column, with the value."""
+    from carom.cli.streams import say
+
+    each = ranking.items() if hasattr(ranking, "column") else [("", ranking)]
+    for value, one in each:
+        say(f"{value}: {one.sentence}" if value else one.sentence)
+
+
 def _in_lines(parameters: str, room: int) -> str:
     """Return names with their numbers in lines of so many characters, which end between two of them, or before a number."""
     lines: list[str] = []
@@ -158,13 +166,18 @@ def print_ranking(
     heads: Sequence[str],
     cells: Callable[[Any], Sequence[str]],
     more: str = "",
+    data: str = "",
 ) -> None:
-    """Print the laws as a table, best first, and the sentences below it.
+    """Print the verdict in a sentence, the laws as a table, best first, and what else is to be said.
 
-    ``cells`` of a ranked fit: one for each of ``heads``, and the parameters; ``more``: a note on the columns.
+    ``cells`` of a ranked fit: one for each of ``heads``, and the parameters; ``more``: a note on the columns; ``data``: on data.
     """
     from carom.cli.console import out
 
+    style = "bold green" if ranking.decisive else "bold yellow"
+    out().print(ranking.sentence, style=style, soft_wrap=True)
+    if data:
+        out().print(data)
     names = ("law", "ΔAICc", *heads, "parameters")
     rows = [(one.fit.law.name, f"{one.fit.aicc - ranking.best.aicc:.1f}", *cells(one)) for one in ranking.ranked]
     others = list(zip(names, *rows, strict=True))[:-1]
@@ -175,7 +188,8 @@ def print_ranking(
     for law, *_cells, numbers in [] if beside else rows:
         out().print(f"{law}: {numbers}")
     out().print(f"{ranking.aicc_note}{more}", style="dim", soft_wrap=True)
-    out().print(ranking.verdict, style="bold green" if ranking.decisive else "bold yellow", soft_wrap=True)
+    if rest := ranking.verdict[len(ranking.sentence) :].strip():
+        out().print(rest, style=style, soft_wrap=True)
     if unidentified := dict.fromkeys(ranking.degenerate):
         out().print("Unconstrained parameters:")
     for line in unidentified:
@@ -216,6 +230,7 @@ def fit(
             OUTPUT, "With --shot: write a page that plays the fitted shots beside their films.", metavar="FILE.html"
         ),
     ] = None,
+    short: Annotated[bool, option(OUTPUT, "Print the verdict alone, in one sentence.", "--short")] = False,
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
     """Fit the laws of impact to measured rebounds, and report which of them the data favour.
@@ -238,6 +253,8 @@ def fit(
         faults.add(
             "", "", advice=f"--{'plot' if report is None else 'report'} has no effect with --by; omit one of them"
         )
+    if short and as_json:
+        faults.add("", "", advice="--short has no effect with --json; omit one of them")
     if explore is not None and not shot:
         faults.add("", "", advice="--explore has no effect without --shot; omit it, or add --shot")
     given.raise_if_any(lambda: check_fit(files=files, **given))
@@ -245,7 +262,10 @@ def fit(
     with _bar(console) as progress:
         ranking = fit_laws_to(files, progress=progress, **given)
     shows: dict[str, Any] = {"shot": show_shots, "whole": show_whole, "by": show_each}
-    tell(ranking, next((one for name, one in shows.items() if name in given), show), as_json, console, ())
+    if short:
+        show_short(ranking)
+    else:
+        tell(ranking, next((one for name, one in shows.items() if name in given), show), as_json, console, ())
     with _bar(console) as progress:  # (what was computed is shown, whatever becomes of the files)
         if report is not None:
             write_report_page(

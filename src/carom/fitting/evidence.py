@@ -8,6 +8,7 @@ no law fits, the odds are computed with error bars enlarged until the best law d
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import MappingProxyType
@@ -109,6 +110,11 @@ class RankedLaws(Generic[OneFit]):
         return self.ranked[0].fit
 
     @property
+    def sentence(self) -> str:
+        """The first sentence of the verdict: which law, by what odds, and what is to be said against it."""
+        return re.split(r"(?<=\.) (?=[A-Z])", self.verdict, maxsplit=1)[0]
+
+    @property
     def degenerate(self) -> list[str]:
         """Sentences on parameters that are not identifiable, for all laws."""
         return [sentence for one in self.ranked for sentence in one.fit.degenerate]
@@ -128,6 +134,7 @@ class RankedLaws(Generic[OneFit]):
                 for sentence in one.fit.degenerate
             ],
             "verdict": self.verdict,
+            "sentence": self.sentence,
             "odds": float(self.odds) if math.isfinite(self.odds) else None,
             "against": self.against or None,
             "notes": list(self.notes),

@@ -91,7 +91,7 @@ def with_group_scatter(fit: Fit) -> tuple[Fit, list[str], str]:
     """
     from scipy.special import stdtrit
 
-    notes, contradiction = [], ""
+    notes, contradiction, wide = [], "", dict[str, tuple[float, float]]()
     heavy = fit.law.search_code is not None
     for column, labels, groups in _groupings(fit):
         if not fit.names or fit.problem.work(heavy) * len(groups) > MOST_WORK:
@@ -122,9 +122,10 @@ def with_group_scatter(fit: Fit) -> tuple[Fit, list[str], str]:
                 f"{column}: under {fit.law.name} the {len(groups)} kinds of rows differ by more than their error bars:"
                 f" {'; '.join(differ)}; the numbers are means of the kinds"
             )
-            for name, (mean, stderr) in means.items():
-                fit = scaled(fit, name, stderr / (fit.estimates[name].stderr or stderr))
-                fit = with_estimate(fit, name, Estimate(mean, stderr))
+            wide |= {name: one for name, one in means.items() if one[1] > wide.get(name, (0.0, 0.0))[1]}
+    for name, (mean, stderr) in wide.items():
+        fit = scaled(fit, name, stderr / (fit.estimates[name].stderr or stderr))
+        fit = with_estimate(fit, name, Estimate(mean, stderr))
     return fit, notes, contradiction
 
 
@@ -613,6 +614,7 @@ def _verdict(best: Fit, evidence: Evidence, few: bool, found: Adequacy, covers: 
             name, evidence, "the data", evidence.odds, reason, nearest=not found.fits,
             narrow=" and ".join(filter(None, (covers.narrow, held_back))),
         )  # fmt: skip
+        said += f"; {held_back}" if held_back and held_back not in said else ""
         said += "" if first else f"; {found.in_words()}"
     said = first + said if first else said[0].upper() + said[1:]
     return f"{said}. This is for contacts like these: {covers.in_words()}."

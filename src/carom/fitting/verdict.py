@@ -23,6 +23,7 @@ MOST_WORK, MOST_ESTIMATED = (
     400,
 )  # law evaluations (carom.fitting.rows.Problem.work) and rows up to which e(v) is tried
 KINKED_SIGMA, KINKED_SHARE = 0.3, 0.06  # of an error bar by which the prediction deviates from linear; of the rows
+NO_BALL = {"spin_mean": 1.5, "spin_width": 2.0}  # v_t/a and v/a: larger ones of unmeasured spins are not believed
 # Of simulated tables whose true law is among those fitted (campaigns/verdict_coverage.py): rows, decisions at 20 to 1, wrong ones
 COUNTED = ((8, 249, 6), (30, 541, 7), (200, 251, 0))
 
@@ -37,6 +38,9 @@ def unsettled(best: Fit) -> str:
         if estimate.value is not None and estimate.stderr is None and estimate.note
         and not (name == "spin_width" and estimate.value <= model_of(best.law, best.problem).parameters[name].low)
     ]  # fmt: skip
+    for name, most in NO_BALL.items():
+        if name in best.estimates and abs(value := best.estimates[name].value or 0.0) > most:
+            bound.append(f"{name} is {value:.3g}, which no ball has")
     if bound:
         return f"its {' and its '.join(bound)}"
     if best.names and all(estimate.value is None for estimate in best.estimates.values()):
