@@ -244,7 +244,7 @@ def test_no_build_product_is_tracked() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10490,
+    "fitting": 10488,
     "gas": 6847,
     "billiards": 5544,
     "tracks": 9052,

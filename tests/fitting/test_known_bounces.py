@@ -4,7 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from reference.plain_bounces import A, after, before, drifting, holding, measured, mixed, of_walls, racket, two_rows
+from reference.plain_bounces import (
+    A,
+    after,
+    before,
+    drifting,
+    holding,
+    measured,
+    mixed,
+    of_walls,
+    racket,
+    strayed,
+    two_rows,
+)
 
 import carom
 from carom.data import make_rebounds
@@ -99,3 +111,9 @@ def test_errors_that_follow_each_other_in_the_order_of_the_rows_are_found():
     steady = ranked(drifting(0, share=0.0), "sliding", "mirror")
     assert steady.fits
     assert steady.decisive
+
+
+def test_heavy_tails_are_tried_where_outliers_sway_and_the_rest_has_small_error_bars():
+    best = ranked(strayed(0), "sliding", "mirror").best
+    assert best.problem.nu > 0
+    assert abs(best.estimates["friction"].value - 0.2) < 3 * best.estimates["friction"].stderr < 0.002

@@ -98,3 +98,15 @@ def drifting(seed: int, n: int = 80, share: float = 0.8) -> Columns:
     for i in range(1, n):
         error[i] = share * error[i - 1] + (1 - share**2) ** 0.5 * error[i]
     return columns | {"v_n_out": 0.8 * columns["v_n_in"] + 0.02 * error}
+
+
+def strayed(seed: int, n: int = 100, few: int = 3, spins: bool = True) -> Columns:
+    """Return a table of n measured bounces with friction 0.2, error bars of four fifths, and a few rows that are far off."""
+    rng = np.random.default_rng([seed, 7])
+    state = before(rng, n, 0.0, 0.5)
+    columns, slips = (
+        measured(rng, state, 0.8, 0.2, 0.0, 0.02, spins=spins),
+        np.argsort(-after(*state, 0.8, 0.2)[3])[:few],
+    )
+    columns["v_t_out"][slips] += np.sign(state[1] - A * state[2])[slips]
+    return {name: 0.8 * column if name.startswith("sigma") else column for name, column in columns.items()}

@@ -468,10 +468,10 @@ def _fit_rows(
         )
         found, notes = (adequacy(fits[0]), [*notes, *said]) if said else (found, notes)
     best, searched = fits[0], outliers_of(fits[0])
-    if searched.rest_fits and heavy_tails(best, problem):
+    if searched.apart and heavy_tails(best, problem):
         notes = [
-            f"{len(searched.rows)} of {len(problem.x)} rows ({searched.rows[0].row} first) are outliers, and {best.law.name} fits"
-            " the others: all laws are fitted with errors of heavy tails (`robust`), in which such rows count little"
+            f"{len(searched.rows)} of {len(problem.x)} rows ({searched.rows[0].row} first) are outliers of {best.law.name}: all"
+            " laws are fitted with errors of heavy tails (`robust`), in which such rows count little"
         ]
         return _fit_rows(rebounds, replace(setting, robust=True), laws, profiles, bootstrap, seed, tell, notes)
     evidence = weigh(fits, found.enlarge)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.evidence import DECIDED, LEANS, UNLIKELY
-from carom.fitting.fit import fit_law, place_near
+from carom.fitting.fit import STUDENT_NU, fit_law, place_near
 from carom.fitting.laws import ALONG
 from carom.fitting.model import feels_spins, model_of, predict_law
 from carom.fitting.result import Fit, rows_of_fit
@@ -403,8 +403,8 @@ class OutlierSearch:
     rows: tuple[Outlier, ...] = ()
     notes: tuple[str, ...] = ()
     """On parameters that the outliers have changed."""
-    rest_fits: bool = False
-    """Whether the outliers are few, and the law fits the other rows."""
+    apart: bool = False
+    """Whether the outliers are few, and the law fits the others, or nearly so and the outliers have changed its parameters."""
 
 
 def outliers_of(fit: Fit) -> OutlierSearch:
@@ -454,8 +454,10 @@ def outliers_of(fit: Fit) -> OutlierSearch:
     if not found:
         return OutlierSearch()
     rest = float(np.delete(chi2, found).sum()), int(np.delete(d, found).sum()) - len(fit.names)
-    fits = len(found) <= max(1, MOST_OUTLIERS * len(d)) and rest[1] > 0 and chdtrc(rest[1], rest[0]) > UNLIKELY
-    return OutlierSearch(tuple(rows), tuple(_moved(fit, steady, rows)), bool(fits))
+    moved, fits = tuple(_moved(fit, steady, rows)), rest[1] > 0 and chdtrc(rest[1], rest[0]) > UNLIKELY
+    few = len(found) <= max(1, MOST_OUTLIERS * len(d))
+    wide = rest[0] < STUDENT_NU / (STUDENT_NU - 2) * rest[1]  # (the variance of Student's t)
+    return OutlierSearch(tuple(rows), moved, bool(few and (fits or (moved and wide))))
 
 
 def heavy_tails(fit: Fit, problem: Problem) -> bool:
