@@ -455,9 +455,9 @@ def outliers_of(fit: Fit) -> OutlierSearch:
         return OutlierSearch()
     rest = float(np.delete(chi2, found).sum()), int(np.delete(d, found).sum()) - len(fit.names)
     moved, fits = tuple(_moved(fit, steady, rows)), rest[1] > 0 and chdtrc(rest[1], rest[0]) > UNLIKELY
-    few = len(found) <= max(1, MOST_OUTLIERS * len(d))
+    seldom = len(found) <= max(1, MOST_OUTLIERS * len(d))
     wide = rest[0] < STUDENT_NU / (STUDENT_NU - 2) * rest[1]  # (the variance of Student's t)
-    return OutlierSearch(tuple(rows), moved, bool(few and (fits or (moved and wide))))
+    return OutlierSearch(tuple(rows), moved, bool(seldom and (fits or (moved and wide))))
 
 
 def heavy_tails(fit: Fit, problem: Problem) -> bool:
