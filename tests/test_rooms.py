@@ -247,7 +247,7 @@ CAPS = {
     "fitting": 10488,
     "gas": 6847,
     "billiards": 5544,
-    "tracks": 9052,
+    "tracks": 9056,
     "simulation": 6340,
     "core": 5531,
     "laws": 4916,

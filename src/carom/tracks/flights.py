@@ -727,6 +727,8 @@ def fit_flight(
         theta = np.concatenate([starting_values(time, position - fall, time < near, time >= near, near), gravity])
         best, _chi2 = solve(residual, slope, theta, scale)
     rates = slope(best)
+    if used and not np.isfinite(rates.T @ rates).all():  # (it carries the paths beyond all numbers)
+        return fit_flight(time, position, near, noise, gravity, error, wall, air._replace(drag=0.0), whiten)
     found = propagated(best, np.ones(len(theta), bool), residual, rates, _outputs, scale, 2 * len(time))
     rows = nearest_frames(time, best[TIME])
     t = time[rows]

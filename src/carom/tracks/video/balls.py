@@ -29,7 +29,7 @@ TILE, TILES, LEAST_TILES = (
     5,
     4,
 )  # px of a tile at half the size; tiles along each side, at most, and in all, at least
-STEEP = 1.0  # levels per px of a tile with enough texture
+STEEP, CONTRAST = 1.0, 1.6  # levels per px of a tile with enough texture, and its contrast, levels
 PARTS = 6  # of the samples, whose medians are compared
 GHOST = 0.8  # of the gradient along a region's edge: what was seen at another time is the background
 LOST = 6  # frames after which a ball is no longer followed
@@ -208,9 +208,9 @@ def _tiles(half: Bytes) -> list[tuple[tuple[slice, slice], Array]]:
                     g = slopes[:, *window].reshape(2, -1)
                     steep = float(np.sqrt(np.linalg.eigvalsh(g @ g.T / g.shape[1])[0]))
                     best = max(best, (steep, window), key=lambda one: one[0])
-            if best[1] is not None:
-                columns_of = np.stack([*slopes[:, *best[1]].reshape(2, -1), plane[best[1]].ravel()], axis=1)
-                found.append((best[1], columns_of - columns_of.mean(axis=0)))
+            if best[1] is not None and plane[best[1]].std() > CONTRAST:
+                texture = np.stack([*slopes[:, *best[1]].reshape(2, -1), plane[best[1]].ravel()], axis=1)
+                found.append((best[1], texture - texture.mean(axis=0)))
     return found
 
 
@@ -222,7 +222,8 @@ def movement(half: Bytes, ground: Background) -> tuple[Array, float]:
         seen = half[window].astype(float).ravel()
         seen -= seen.mean()
         known = np.linalg.solve(columns.T @ columns + 1e-6 * np.eye(3), columns.T @ seen)
-        same.append(((seen - columns @ known) ** 2).sum() < 0.5 * (seen**2).sum() and known[2] > 0.3)
+        # (what the codec has smeared is no other picture)
+        same.append(((seen - columns @ known) ** 2).sum() < 0.5 * max((seen**2).sum(), (columns[:, 2] ** 2).sum()))
         shifts[k] = -2 * known[:2] / max(known[2], 0.3)
     return shifts, float(np.mean(same)) if len(same) >= LEAST_TILES else 1.0
 

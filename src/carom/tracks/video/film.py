@@ -67,7 +67,7 @@ OTHER_SHAPE, NO_DISC = (
     (0.06, 0.3),
     0.2,
 )  # by which a rim differs from the ball's usual one: radii, and px; from a disc's: radii
-OTHER_LIGHT, OTHER_COLOUR = (0.2, 8.0), 8.0  # by which a ball differs from itself: of its light, and levels; levels
+OTHER_LIGHT, OTHER_COLOUR = (0.35, 12.0), 14.0  # by which a ball differs from itself: of its light, and levels; levels
 OTHER_SCATTER = 7.0  # times the median difference, which marks on the ball make
 SAME = 0.3  # of the tiles, of a frame that is no other picture
 MOST_CUT, MOST_SHIFT = (
