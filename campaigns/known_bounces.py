@@ -69,14 +69,14 @@ def main(words: Sequence[str] | None = None) -> None:
         for name, n in WALLS.items():
             if run.wants(name, HOLDING | MIXED | WALLS):
                 rows = run.rows.fill(name, range(run.count), lambda seed, n=n: at_walls(n, seed))
-                for number in rows[0]:
+                for number in ("restitution", "friction"):
                     run.say(f"{name}: {number:12} {shares([row[number] for row in rows])}")
         for name, n in MIXED.items():
             if run.wants(name, HOLDING | MIXED | WALLS):
                 rows = run.rows.fill(name, range(run.count // 5), lambda seed, n=n: held(n, seed))
                 above = sum(row["above"] > 0.05 for row in rows)
                 run.say(f"{name}: contact ends above sliding in {above} of {len(rows)}")
-                for number in [number for number in rows[0] if number != "above"]:
+                for number in [number for number in rows[0] if number.startswith(("sliding", "contact"))]:
                     run.say(f"{number:35} {shares([row.get(number) for row in rows])}")
 
 
