@@ -51,6 +51,7 @@ NEAR = 0.15  # of the mean radius: a ball with such a gap to a member is a membe
 CLOSES = 1e-9  # of the speed of approach: slower balls do not approach a third one
 # how far balls are moved at most, of the radius, so that none overlap; and at all
 HOP, LEAP = 0.1, 0.5
+COMPRESSED = 1e-3  # of the distance: by so much balls that leave each other may overlap (those of pool do at 0.4 m/s)
 DELAY = 4.0  # times gravity, a speed over the time of a cluster: balls that leave each other more slowly never overlap
 OUTSIDE = -2
 # What is left between balls that touch is stopped by this share at a time, down to this share of the largest speed
@@ -203,21 +204,31 @@ def _since_walls(one: Any, time: float) -> float:
 
 
 @kernel
-def _share(one: Any, other: Any, overlap: bool, slow: float) -> bool:
+def _across(pull: Vec, d: Vec) -> Vec:
+    """Return a vector without its component along the pull."""
+    square = dot(pull, pull)
+    c = dot(d, pull) / square if square > 0 else 0 * square
+    return d[0] - c * pull[0], d[1] - c * pull[1], d[2] - c * pull[2]
+
+
+@kernel
+def _share(pull: Vec, one: Any, other: Any, overlap: bool, slow: float) -> bool:
     """Put two balls less far back, where they would be in each other's way or will meet; return whether this changes anything.
 
-    They may ``overlap`` while they leave each other faster than ``slow``.
+    They may ``overlap`` a little while they leave each other faster than ``slow``.
     """
-    x, y, v, u, reach = one.dx, other.dx, one.cv, other.cv, one.radius + other.radius
+    x, y, a, b, reach = one.dx, other.dx, one.ago, other.ago, one.radius + other.radius
+    v, u = _across(pull, vector(one.cv)), _across(pull, vector(other.cv))
     r, c = (x[0] - y[0], x[1] - y[1], x[2] - y[2]), (v[0] - u[0], v[1] - u[1], v[2] - u[2])
-    a, b = one.ago, other.ago
     far = (r[0] - a * v[0] + b * u[0], r[1] - a * v[1] + b * u[1], r[2] - a * v[2] + b * u[2])
     time, rate, square = max(a, b), dot(r, c), dot(c, c)
-    root = rate * rate - square * (dot(r, r) - reach * reach)
     overlap = overlap and square > slow * slow
+    if overlap and dot(far, c) > 0:
+        reach = reach * (1 - COMPRESSED)
+    root = rate * rate - square * (dot(r, r) - reach * reach)
     if rate > 0 and root > 0:
-        time = min(time, rate / (2 * square) if overlap else max((rate - math.sqrt(root)) / square, 0 * rate))
-    in_way = dot(far, far) < reach * reach and not (overlap and dot(far, c) > 0)
+        time = min(time, max((rate - math.sqrt(root)) / square, 0 * rate))
+    in_way = dot(far, far) < reach * reach
     if in_way or (rate < 0 and root > 0) or time < max(a, b):
         one.ago = other.ago = min(time, a, b)
     return bool(one.ago != a or other.ago != b)
@@ -231,17 +242,18 @@ def _go_back(world: Any, balls: Any, touched: int, time: float, overlap: bool) -
     have touched or in each other's way; they may ``overlap`` while they leave each other. Balls that will meet are put back by
     the same time.
     """
+    pull = vector(world.force)
     for p in range(touched):
         one = balls[balls[p].touched]
         one.ago = _since_walls(one, time)
     # (friction and the pull of a slope stop slower balls before they have left each other)
-    slow = DELAY * math.sqrt(dot(vector(world.force), vector(world.force))) * time
+    slow = DELAY * math.sqrt(dot(pull, pull)) * time
     changes = True
     while changes:
         changes = False
         for p in range(touched):
             for q in range(p):
-                changes = _share(balls[balls[p].touched], balls[balls[q].touched], overlap, slow) or changes
+                changes = _share(pull, balls[balls[p].touched], balls[balls[q].touched], overlap, slow) or changes
 
 
 @kernel
@@ -250,15 +262,11 @@ def _is_room(world: Any, features: Any, balls: Any, touched: int, leap: float) -
 
     They can go a little way, where nothing else is; near a pocket they stay.
     """
-    pull = vector(world.force)
-    square = dot(pull, pull)
     for p in range(touched):
         one = balls[balls[p].touched]
-        x, v, a, ago = one.x, one.cv, one.radius, one.ago
-        d = (one.dx[0] - ago * v[0] - x[0], one.dx[1] - ago * v[1] - x[1], one.dx[2] - ago * v[2] - x[2])
-        c = dot(d, pull) / square if square > 0 else 0 * square
-        d = (d[0] - c * pull[0], d[1] - c * pull[1], d[2] - c * pull[2])
-        x = (one.x[0] + d[0], one.x[1] + d[1], one.x[2] + (d[2] if world.floor == 0 else 0 * d[2]))
+        v, a, ago, far = _across(vector(world.force), vector(one.cv)), one.radius, one.ago, one.dx
+        x = (far[0] - ago * v[0], far[1] - ago * v[1], far[2] - ago * v[2] if world.floor == 0 else one.x[2])
+        d = (x[0] - one.x[0], x[1] - one.x[1], x[2] - one.x[2])
         if dot(d, d) > leap * leap * a * a:
             return False
         for k in range(features.shape[0]):
@@ -437,8 +445,10 @@ def collide_cluster(world: Any, features: Any, balls: Any, i: int, k: int, f: in
         write_vector(one.dv, vector(one.v))
         write_vector(one.dw, vector(one.w))
         one.was = one.phase
-        write_vector(one.dx, vector(one.cx))
-        write_vector(one.cx, vector(one.x))
+        x, y = one.x, one.cx
+        d = _across(vector(world.force), (y[0] - x[0], y[1] - x[1], y[2] - x[2]))
+        write_vector(one.dx, (x[0] + d[0], x[1] + d[1], x[2] + d[2]))
+        write_vector(one.cx, vector(x))
     # (balls that stay in contact are still compressed at the end: they stay where they met)
     room, tries = False, 3 if plastic else 0
     while not room and tries < 3:

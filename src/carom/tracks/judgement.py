@@ -370,6 +370,8 @@ SIGMAS = 5.0  # a violation is larger than so many of its standard errors
 LEAST = 1e-6  # relative: what is less is the rounding of a file
 RESOLVED = 2e-3  # relative: more than two events between the same two frames change
 PRESSED = 0.03  # of the impulse: the floor's friction on a ball that another presses down takes more of the momentum
+COMPRESSED = 1e-3  # of their distance: balls that meet are, those of pool at 0.4 m/s, and at 1 m/s twice as much
+RESISTANCE = 0.05  # of the weight: what resists a ball that rolls is less
 SAME = 1e-3  # of the speed: a ball that slips less rolls
 CELLS = 2**40  # along an axis: cells farther apart may have one number
 MOST_PAIRS = 50_000_000  # of places in cells beside each other
@@ -532,7 +534,7 @@ def judge(
         if not math.isnan(t):
             _energy(t, late, event, kappa, pull, found)
             if len(event.members) == 2:
-                _momentum(t, late, event, friction, gravity, rubs, walls, found)
+                _momentum(t, late, event, friction, gravity, rubs, kappa, walls, found)
     found.violations.sort(key=lambda one: one.time)
     found.unchecked = {law: _why_unchecked(law, balls) for law, count in found.checked.items() if not count}
     return found
@@ -601,7 +603,8 @@ def _overlaps(balls: Sequence[BallPath], sigma: float, found: Judgement) -> None
             worst[pair] = max(worst.get(pair, (0.0, 0)), (float(depth[k]), -int(min(i[k], j[k]))))
     found.checked["penetration"] -= len(worst)
     for (one, other), (size, row) in sorted(worst.items()):
-        names, error, least = [balls[one].name, balls[other].name], math.sqrt(2) * sigma, 1e-4 * balls[one].radius
+        names, error = [balls[one].name, balls[other].name], math.sqrt(2) * sigma
+        least = COMPRESSED * (balls[one].radius + balls[other].radius)
         found.check("penetration", float(t[-row]), names, size, error, least, "the balls overlap")
 
 
@@ -638,6 +641,14 @@ def _between_contacts(
             _slip(ball, piece, rubs, error, found)
         return max(float(np.hypot(*rubs)) - SIGMAS * error, 0.0)
     return 0.0
+
+
+def _slip_of(ball: BallPath, piece: PathPiece, t: float) -> float:
+    """Return the speed of the lowest point of a ball on the floor, infinite where spins are unknown."""
+    if piece.spins is None:
+        return math.inf
+    v, w = piece.velocity(t)[0], piece.spin(t)
+    return math.hypot(v[0] - ball.radius * w[1], v[1] + ball.radius * w[0])
 
 
 def _slip(ball: BallPath, piece: PathPiece, a: Array, error: float, found: Judgement) -> None:
@@ -833,7 +844,15 @@ class _Walls:
 
 
 def _momentum(
-    t: float, late: float, event: _Event, friction: float, g: float, rubs: float, walls: _Walls, found: Judgement
+    t: float,
+    late: float,
+    event: _Event,
+    friction: float,
+    g: float,
+    rubs: float,
+    kappa: float,
+    walls: _Walls,
+    found: Judgement,
 ) -> None:
     """Check the momentum of two balls along the floor, but for what the floor and a wall can give them; and their friction.
 
@@ -852,6 +871,11 @@ def _momentum(
     floor = (floor if floor > SIGMAS * error else 0.0) + (one.mass + other.mass) * rubs * max(
         event.high - event.low, 0.0
     )
+    if rubs < RESISTANCE * g and any(
+        _slip_of(ball, piece, event.high) < SAME * ball.fastest for ball, _, piece in event.members
+    ):
+        # (no ball was seen to slide, but one rolls: it did so between two frames, and the floor gave it this at most)
+        floor += min((one.mass + other.mass) * g * max(event.high - event.low, 0.0), 2 * kappa / (1 + kappa) * size)
     if extra - floor > max(SIGMAS * error, PRESSED * size) and any(
         walls.pushes(ball, place[:2], (p + q)[:2]) for ball, place in ((one, x), (other, y))
     ):
