@@ -30,7 +30,8 @@ NUMBER = re.compile(r"\((\d+)[a-z]?\)(?:-\((\d+)\))?")
 HEAD = """# Equations
 
 The equations of the paper, and the functions of `src/carom` that compute them: the number of an equation stands in a
-comment above its lines. `carom derive --equation 31` derives an equation with all steps ([verdicts](../theory/errata.md#every-equation)).
+comment above its lines. `carom derive --equation 31` derives an equation with all steps
+([verdicts](../theory/errata.md#every-equation)).
 `python docs/dev/equations.py` writes this page.
 
 | | what | computed by |
