@@ -553,7 +553,8 @@ def _settled(fit: Fit, ends: dict[str, _Mixed]) -> Fit:
         if one.stderr:
             i, bar = held.places[name], joint.half_width(mixed.q, name, one.stderr)
             reach = [
-                abs(end.at[0][i] - p[i]) / math.sqrt(max(end.fit.deviance - mixed.fit.deviance, 1.0)) for end in inner
+                abs(end.at[0][i] - p[i]) / math.sqrt(max(end.fit.deviance - mixed.fit.deviance, LEAST_RISE))
+                for end in inner
             ]
             found = scaled(found, name, max(bar, *reach, one.stderr) / one.stderr)
     return found
