@@ -274,7 +274,8 @@ def _without_ghosts(planes: list[Bytes], other: list[Bytes], noise: Sequence[flo
     halves = [[half_size(one[0]), one[1], one[2]] for one in (planes, other)]
     changed = np.zeros(halves[0][0].shape, bool)
     for one, two, level, least in zip(*halves, noise, LEAST_LEVELS, strict=True):
-        changed |= _differ(one, two) > max(least, NOISES * level)
+        off, texture = _differ(one, two), _classes(one)
+        changed |= off > np.maximum(max(least, NOISES * level), _coded(off, texture)[texture])
     changed = binary_dilation(changed, iterations=2)
     labels, _count = label(changed)
     for k, box in enumerate(find_objects(labels)[:200], 1):

@@ -127,10 +127,7 @@ def velocities(times: Array, places: Array) -> tuple[Array, Array, Array]:
     first[2:] += bend * np.diff(t)[1:, None]
     second[:-2] -= bend * np.diff(t)[:-1, None]
     both[rows], before[rows], after[rows] = (first + second) / 2, first, second
-    weights = np.diff(t)
-    both[rows[1:-1]] = (slope[:-1] * weights[1:, None] + slope[1:] * weights[:-1, None]) / (weights[:-1] + weights[1:])[
-        :, None
-    ]
+    both[rows[1:-1]] = np.gradient(x, t, axis=0)[1:-1]
     return both, before, after
 
 
