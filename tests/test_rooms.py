@@ -247,7 +247,7 @@ CAPS = {
     "fitting": 10488,
     "gas": 6847,
     "billiards": 5544,
-    "tracks": 9074,
+    "tracks": 9072,
     "simulation": 6346,
     "core": 5531,
     "laws": 4916,
