@@ -183,7 +183,7 @@ def _energy(run: Trajectory) -> str:
         ("at walls", found.walls),
         ("in landings", found.floor),
         ("between balls", found.balls),
-        ("in sliding, rolling and small bounces" if run.scene.air is None else "to the air", found.way),
+        (f"{'to the air, ' if run.scene.air else ''}in sliding, rolling and small bounces", found.way),
     )
     told = [
         f"{format_number(abs(x))} J {'lost' if x > 0 else 'gained'} {where}{CREATED if x < 0 and where in CONTACTS else ''}"

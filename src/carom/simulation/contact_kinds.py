@@ -317,7 +317,7 @@ def end_phase(world: Any, features: Any, balls: Any, i: int, who: int, users: An
             set_on_floor(world, ball, vector(ball.v), vector(ball.w))
         return without_impulse()
     phase, v, w = next_phase(ball.phase, vector(ball.v), vector(ball.w), ball.radius, ball.kappa)
-    ball.phase = phase_on_floor(world, ball, phase)
+    ball.phase = phase_on_floor(world, ball, phase, v, w)
     write_vector(ball.v, v)
     write_vector(ball.w, w)
     return without_impulse()
@@ -373,9 +373,9 @@ REFUSALS = {
     " tangential_restitution = 0, or floor_contact = 'after'",
     REFUSED_STALL: "wall and floor lock the ball between them, which is not followed to its end; take a smaller friction,"
     " or floor_contact = 'after'",
-    REFUSED_ON_FLOOR: "in air only flights are followed, and here the ball comes to slide, roll or hop without end on the floor, or"
-    " lies there in the wind; end the run before (run.duration), or leave out air",
-    REFUSED_ENDLESS: "it flies on through the air and meets nothing; give run.duration",
+    REFUSED_ON_FLOOR: "air lifts a ball from the floor along which it slides or rolls, or makes one slip that rolls, which is not"
+    " followed; end the run before (run.duration), or leave out air",
+    REFUSED_ENDLESS: "it moves on through the air and meets nothing; give run.duration",
 }
 
 # Relative errors of a speed that are rounding: below the first it has no digits left, above the second it is not rounding.

@@ -23,6 +23,7 @@ from carom.core.geometry.features import CURVE, FEATURES, RIM
 from carom.core.jit.compile import array_of, is_cached, njit, signature
 from carom.core.jit.kernel import Vec, as_objects, dot, kernel, vector, write_back
 from carom.core.jit.threads import Pace
+from carom.core.motion.air import LOST
 from carom.core.motion.phases import BOUNCING, CONSTANT, FLIGHT, HELD, PIVOTING
 from carom.core.motion.tilt import is_tilted
 from carom.errors import CaromError
@@ -44,7 +45,6 @@ from carom.simulation.contact_kinds import (
 from carom.simulation.motion import (
     begin_next_piece,
     begin_phase,
-    feels_air,
     is_slow,
     move_by,
     set_on_floor,
@@ -294,7 +294,7 @@ def _look_ahead(world: Any, features: Any, balls: Any, i: int, k: int, t: float,
         balls[k].next_at = math.inf  # it has no event yet: its path is valid for ever
     for m in range(balls.shape[0]):
         ball = balls[m]
-        if ball.phase == BOUNCING and m not in (i, k) and not stays_clear(features, balls, m, ball.lasts):
+        if ball.phase == BOUNCING and m not in (i, k) and not stays_clear(world, features, balls, m, ball.lasts):
             # something may reach it before its bounces end, which are followed one by one from here on
             move_by(world, ball, t - ball.clock, t)
             ball.phase = FLIGHT
@@ -321,12 +321,6 @@ def _go_on_in_air(world: Any, features: Any, balls: Any, i: int, slow: float) ->
     for m in range(balls.shape[0]):
         if _overtaken(balls, m):
             predict(world, features, balls, m, slow)
-
-
-@kernel
-def _is_refused(world: Any, ball: Any) -> bool:
-    """Return whether a ball would slide, roll or bounce infinitely often in air, or lie in wind, which is not followed."""
-    return bool(feels_air(world, ball) and ball.phase != FLIGHT)
 
 
 @kernel
@@ -366,7 +360,7 @@ def _last(balls: Any) -> float:
 
 
 @kernel
-def run(  # noqa: PLR0911
+def run(
     world: Any, features: Any, balls: Any, log: Any, slow: float, until: float, most: int, users: Any, keep: int
 ) -> tuple[int, int, int, int, float, float]:
     """Run events until the time ``until``, or ``most`` of them, or until the log is full, or no event follows.
@@ -380,9 +374,6 @@ def run(  # noqa: PLR0911
     events = rows = pieces = 0
     if slow < 0:
         slow = _start(world, features, balls)
-        for i in range(balls.shape[0]):
-            if _is_refused(world, balls[i]):
-                return REFUSED_ON_FLOOR, events, rows, i, slow, _last(balls)
         if keep == ALL:
             note_starts(log, balls)
             rows = balls.shape[0]
@@ -397,8 +388,9 @@ def run(  # noqa: PLR0911
             continue
         if ball.next_kind == PIECE:
             pieces += 1
-            if pieces > MOST_PIECES:
-                return REFUSED_ENDLESS, events, rows, i, slow, _last(balls)
+            if pieces > MOST_PIECES or ball.ends == LOST:
+                code = REFUSED_ON_FLOOR if ball.ends == LOST else REFUSED_ENDLESS
+                return code, events, rows, i, slow, _last(balls)
             _go_on_in_air(world, features, balls, i, slow)
             continue
         pieces = 0
@@ -423,8 +415,6 @@ def run(  # noqa: PLR0911
         outcome = resolve_event(kind, world, features, balls, i, ball.next_who, users)
         if outcome[4] != DONE:
             return outcome[4], events, rows, i, slow, _last(balls)
-        if _is_refused(world, ball) or _is_refused(world, other):
-            return REFUSED_ON_FLOOR, events, rows, i if _is_refused(world, ball) else k, slow, _last(balls)
         rows = note_event(log, rows, features, balls, i, k, kind, before, before_k, outcome, keep if room else 0)
         if outcome[5] > 0:
             _look_ahead_of(world, features, balls, outcome[5], t, slow)

@@ -16,18 +16,26 @@ from carom.core.jit.compile import is_cached, njit
 from carom.core.jit.kernel import Vec, as_objects, dot, hot_kernel, kernel, vector, without_slopes, write_back
 from carom.core.jit.threads import sliced
 from carom.core.motion.air import (
+    GOES_ON,
     IN_AIR,
+    SPIN_ENDS,
     acceleration_in_piece,
-    air_rates,
     begin_piece,
+    bounces_in_air,
+    enter_segments,
     error_in_piece,
+    hop_in_air,
+    phase_in_air,
+    piece_rates,
     place_in_piece,
+    spin_in_piece,
     turn_in_piece,
 )
 from carom.core.motion.phases import (
     BOUNCING,
     FLIGHT,
     HELD,
+    LAST_HOP,
     PIVOTING,
     REST,
     ROLLING,
@@ -43,7 +51,11 @@ from carom.core.motion.phases import (
     grounded,
 )
 from carom.core.motion.rotation import (
+    NODE,
+    STEP,
+    Quaternion,
     compose,
+    magnus_step,
     orientation_after,
     orientation_after_bounces,
     orientation_after_decay,
@@ -111,7 +123,9 @@ def state_at(ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
 @kernel
 def state_after(world: Any, ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
     """Return position, velocity and spin of a ball a time s after its clock, also of one that bounces infinitely often."""
-    if ball.phase == BOUNCING:
+    if ball.phase == BOUNCING and air_acts(ball):
+        x, v, w, _time = bounces_in_air(world, ball, s)
+    elif ball.phase == BOUNCING:
         x, v, w, _time = bounces(
             vector(ball.x), vector(ball.v), vector(ball.w), ball.radius, ball.kappa,
             world.g, world.floor_form, vector(world.floor_p), world.floor_mu, world.floor_beta, s,
@@ -143,7 +157,7 @@ def is_slow(world: Any, v: Vec, w: Vec, a: float) -> bool:
 def move_by(world: Any, ball: Any, s: float, t: float) -> None:
     """Advance a ball by s, to the time t."""
     y, v, whole = vector(ball.x), vector(ball.v), s
-    while is_in_air(ball) and without_slopes(s) > without_slopes(ball.lasts):
+    while goes_on_in_air(ball) and without_slopes(s) > without_slopes(ball.lasts):
         s = s - without_slopes(ball.lasts)
         begin_next_piece(world, ball)
     x, v1, w = state_after(world, ball, s)
@@ -166,11 +180,12 @@ def accelerations_of(world: Any, ball: Any) -> tuple[Vec, Vec, float]:
         _phase, _v, _w, acc, turn, lasts = motion_along_wall(world, ball)
         return acc, turn, lasts
     if feels_air(world, ball):
-        acc, turn = air_rates(world, ball, vector(ball.v), vector(ball.w), -1.0)
+        enter_segments(world, ball, vector(ball.v), vector(ball.w), True)
+        acc, turn = piece_rates(world, ball, vector(ball.v), vector(ball.w), -1.0)
         return acc, turn, math.inf
     acc, turn, lasts = accelerations(
         ball.phase, vector(ball.v), vector(ball.w), ball.radius, ball.kappa,
-        vector(world.force), world.g, world.floor_mu, world.resistance, world.spin_friction,
+        vector(world.force), world.g * (1 - ball.buoyancy), world.floor_mu, world.resistance, world.spin_friction,
         world.rolling_drag, world.spin_damping, world.spin_drag,
     )  # fmt: skip
     if _is_on_slope(world, ball):
@@ -212,7 +227,7 @@ def is_on_floor(world: Any, ball: Any) -> bool:
 def on_floor_with(world: Any, ball: Any, v: Vec, w: Vec) -> tuple[int, Vec, Vec]:
     """Return the phase of a ball that is on the floor with velocity v and spin w, and both without rounding errors."""
     phase, v, w = grounded(v, w, ball.radius, ball.kappa, world.g, world.floor_mu)
-    return phase_on_floor(world, ball, phase), v, w
+    return phase_on_floor(world, ball, phase, v, w), v, w
 
 
 @kernel
@@ -225,8 +240,10 @@ def set_on_floor(world: Any, ball: Any, v: Vec, w: Vec) -> None:
 
 
 @kernel
-def phase_on_floor(world: Any, ball: Any, phase: int) -> int:
-    """Return the phase of a ball that would be in ``phase`` on a level floor."""
+def phase_on_floor(world: Any, ball: Any, phase: int, v: Vec, w: Vec) -> int:
+    """Return the phase of a ball, with velocity v and spin w, that would be in ``phase`` on a level floor without air."""
+    if air_acts(ball) and SLIDING <= phase <= REST:
+        return phase_in_air(world, ball, phase, v, w)
     if is_tilted(vector(world.force)) and SLIDING <= phase <= REST:
         return phase_on_slope(phase, vector(world.force), ball.kappa, world.g, world.floor_mu, world.resistance)
     return phase
@@ -263,11 +280,23 @@ def begin_phase(world: Any, ball: Any) -> None:
 
 @kernel
 def feels_air(world: Any, ball: Any) -> bool:
-    """Return whether the air acts on a ball in its phase: on one that lies, or spins on the spot, only wind does."""
+    """Return whether a ball in its phase moves as air has it: one that spins on the spot only does in wind."""
     blows = world.wind[0] != 0 or world.wind[1] != 0 or world.wind[2] != 0
-    moves = ball.phase in (FLIGHT, BOUNCING) or SLIDING <= ball.phase < PIVOTING
-    acts_on = ball.air > 0 or ball.spin_decay > 0 or ball.buoyancy != 0
-    return bool(acts_on and (moves or (blows and ball.phase < HELD)))
+    slides = ball.phase == SLIDING and world.floor_mu < math.inf  # (an infinitely rough floor ends the slip at once)
+    moves = ball.phase in (FLIGHT, ROLLING) or slides or (blows and ball.phase == PIVOTING)
+    return bool(moves and air_acts(ball))
+
+
+@kernel
+def air_acts(ball: Any) -> bool:
+    """Return whether air acts on a ball that moves in it."""
+    return bool(ball.air > 0 or ball.spin_decay > 0 or ball.buoyancy != 0)
+
+
+@hot_kernel
+def goes_on_in_air(ball: Any) -> bool:
+    """Return whether a ball goes on with another piece after that on which it is."""
+    return bool(ball.decays == IN_AIR and ball.ends in (GOES_ON, SPIN_ENDS))
 
 
 @kernel
@@ -285,10 +314,21 @@ def _time_to_floor(world: Any, ball: Any, acc: Vec) -> float:
 def begin_next_piece(world: Any, ball: Any) -> None:
     """Move a ball in air to the end of its piece, and begin the next one; its clock and its count of events stay."""
     x, v, w = place_in_piece(ball, without_slopes(ball.lasts))
+    if ball.ends == SPIN_ENDS:
+        w = (w[0], w[1], 0 * x[0])
     write_vector(ball.x, x)
     write_vector(ball.v, v)
     write_vector(ball.w, w)
     begin_piece(world, ball, without_slopes(ball.guess), _time_to_floor(world, ball, vector(ball.acc)))
+
+
+@kernel
+def to_last_piece(world: Any, ball: Any, s: float) -> None:
+    """Bring a ball in air, and its clock, to the beginning of the piece that ends its phase, which it does not a time s later."""
+    while goes_on_in_air(ball) and s > 0:
+        lasts = without_slopes(ball.lasts)
+        ball.clock, s = ball.clock + lasts, s - lasts
+        begin_next_piece(world, ball)
 
 
 @hot_kernel
@@ -361,6 +401,40 @@ def state_rows(worlds: Any, balls: Any, after: Any) -> None:
         move_by(worlds[0], balls[i], after[i], after[i])
 
 
+@kernel
+def _turned_in_piece(ball: Any, q: Quaternion, s: float) -> Quaternion:
+    """Return the orientation a time s after the beginning of a piece in air, where it was q."""
+    if ball.phase == FLIGHT:  # the axis of the spin stays
+        return compose(rotation(turn_in_piece(ball, s)), q)
+    w = vector(ball.w)
+    steps = 1 + int(s * math.sqrt(dot(w, w)) / STEP)
+    h = s / steps
+    for k in range(steps):
+        t = (k + 1 / 2) * h
+        q = magnus_step(
+            q, spin_in_piece(ball, t - NODE * h), spin_in_piece(ball, t), spin_in_piece(ball, t + NODE * h), h
+        )
+    return q
+
+
+@kernel
+def _turned_in_bounces(world: Any, ball: Any, q: Quaternion, s: float) -> Quaternion:
+    """Return the orientation a time s after bounces too low to see have begun in air, where it was q."""
+    first = ball.v[2]
+    while s > 0 and ball.v[2] > LAST_HOP * first:
+        w = vector(ball.w)
+        hop, _acc, _jerk, turn, _rate = hop_in_air(world, ball, vector(ball.v), w)
+        h = min(hop, s)
+        half = h * h / 2
+        q = compose(rotation((w[0] * h + turn[0] * half, w[1] * h + turn[1] * half, w[2] * h + turn[2] * half)), q)
+        x, v, w, _time = bounces_in_air(world, ball, h)
+        write_vector(ball.x, x)
+        write_vector(ball.v, v)
+        write_vector(ball.w, w)
+        s = s - hop
+    return q
+
+
 def _turn_rows(worlds: Any, balls: Any, after: Any, q: Any) -> None:
     """Rotate every orientation (N, 4) by the rotation of its ball in its time."""
     world = worlds[0]
@@ -368,7 +442,9 @@ def _turn_rows(worlds: Any, balls: Any, after: Any, q: Any) -> None:
         ball = balls[i]
         v, w = vector(ball.v), vector(ball.w)
         old = (q[i, 0], q[i, 1], q[i, 2], q[i, 3])
-        if ball.phase == BOUNCING:
+        if ball.phase == BOUNCING and air_acts(ball):
+            new = _turned_in_bounces(world, ball, old, after[i])
+        elif ball.phase == BOUNCING:
             new = orientation_after_bounces(
                 old, v, w, ball.radius, ball.kappa, world.g, world.floor_form, vector(world.floor_p),
                 world.floor_mu, world.floor_beta, after[i],
@@ -376,13 +452,13 @@ def _turn_rows(worlds: Any, balls: Any, after: Any, q: Any) -> None:
         else:
             begin_phase(world, ball)
             turn = vector(ball.turn)
-            if is_in_air(ball):  # the axis of the spin stays
+            if is_in_air(ball):
                 s = after[i]
-                while s > ball.lasts:
-                    old = compose(rotation(turn_in_piece(ball, ball.lasts)), old)
+                while s > ball.lasts and goes_on_in_air(ball):
+                    old = _turned_in_piece(ball, old, ball.lasts)
                     s = s - ball.lasts
                     begin_next_piece(world, ball)
-                new = compose(rotation(turn_in_piece(ball, s)), old)
+                new = _turned_in_piece(ball, old, s)
             elif ball.decays == 0:
                 new = orientation_after(old, w, turn, after[i])
             else:

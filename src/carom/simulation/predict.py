@@ -26,7 +26,7 @@ from carom.core.geometry.features import (
     time_to_end,
 )
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, vector
-from carom.core.motion.air import way_of_piece
+from carom.core.motion.air import PHASE_ENDS, way_of_piece
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, decay_integrals, time_of_path
 from carom.core.roots.first_root import hit2, hit4
 from carom.simulation.motion import (
@@ -341,7 +341,7 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
                 if s < best or (s == best and kind == NOTHING and s < math.inf):
                     best, kind, who = s, BALL, k
     if kind == NOTHING and best < math.inf:
-        kind = SETTLED if phase == BOUNCING else PIECE if is_in_air(ball) else PHASE
+        kind = SETTLED if phase == BOUNCING else PIECE if is_in_air(ball) and ball.ends != PHASE_ENDS else PHASE
     ball.next_in, ball.next_at, ball.next_kind, ball.next_who = best, ball.clock + best, kind, who
     if kind == BALL:
         other = balls[who]

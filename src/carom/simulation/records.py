@@ -138,6 +138,11 @@ BALLS = np.dtype(
         # laws of drag and lift, and those of the piece; the piece's span, s, and about how long the next one will be
         *((name, _NUMBER) for name in ("air", "buoyancy", "spin_decay", "span", "guess")),
         *((f"{name}{which}", _WHOLE) for name in ("drag", "lift") for which in ("", "_last", "_now")),
+        # what ends with the piece; on the floor, the sign of the spin about the vertical, and, if its last number is not 0, the
+        # direction that friction keeps
+        ("ends", _WHOLE),
+        ("sense", _WHOLE),
+        ("course", *_VECTOR),
     ]
 )
 

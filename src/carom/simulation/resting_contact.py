@@ -30,7 +30,8 @@ from carom.core.geometry.features import (
     gap_to_feature,
     pocket_distance,
 )
-from carom.core.jit.kernel import Vec, cross, dot, kernel, vector
+from carom.core.jit.kernel import Vec, cross, dot, kernel, vector, without_slopes
+from carom.core.motion.air import air_rates, bounces_in_air, hop_in_air
 from carom.core.motion.phases import (
     BOUNCING,
     FLIGHT,
@@ -48,6 +49,7 @@ from carom.laws.law import CONTACT_WALL, MIRROR_WALL, TWO_STEP_WALL
 from carom.simulation.motion import (
     ELASTIC_HEIGHT,
     accelerations_of,
+    air_acts,
     is_in_air,
     is_slow,
     motion_along_wall,
@@ -62,12 +64,15 @@ MIN_HEIGHT = 1e-12
 
 
 @kernel
-def stays_clear(features: Any, balls: Any, i: int, time: float) -> bool:
+def stays_clear(world: Any, features: Any, balls: Any, i: int, time: float) -> bool:
     """Return whether ball i can touch nothing but the floor for a time, wherever its bounces send it."""
     ball = balls[i]
     a, x, v, w = ball.radius, vector(ball.x), vector(ball.v), vector(ball.w)
     # a rubbing floor cannot make it faster than this
-    reach = (math.sqrt(dot(v, v)) + a * math.sqrt(dot(w, w))) * time
+    # (nor air, but for twice the wind)
+    force, wind = vector(world.force), vector(world.wind)
+    pull, wind = without_slopes(math.sqrt(dot(force, force))), 2 * without_slopes(math.sqrt(dot(wind, wind)))
+    reach = (math.sqrt(dot(v, v)) + a * math.sqrt(dot(w, w)) + wind) * time
     for f in range(features.shape[0]):
         one = features[f]
         # (a gap below -a: the ball is behind a face, or outside of a hollow, and comes in over another feature)
@@ -77,13 +82,13 @@ def stays_clear(features: Any, balls: Any, i: int, time: float) -> bool:
             return False
     for k in range(balls.shape[0]):
         other = balls[k]
-        if k != i and is_in_air(other):
-            return False
         if k != i and other.phase < HELD:
             s = ball.clock - other.clock + time
             u, b, w = vector(other.v), vector(other.acc), vector(other.w)
             # how far it has come since its own clock, and can come while this one bounces
             far = (math.sqrt(dot(u, u)) + other.radius * math.sqrt(dot(w, w))) * s + math.sqrt(dot(b, b)) * s * s / 2
+            if is_in_air(other):
+                far = far + (wind + pull * s) * s
             r = (x[0] - other.x[0], x[1] - other.x[1], x[2] - other.x[2])
             if math.sqrt(dot(r, r)) - a - other.radius <= reach + far:
                 return False
@@ -100,12 +105,21 @@ def sum_bounces(world: Any, features: Any, balls: Any, i: int) -> bool:
     height = ball.v[2] * ball.v[2] / (2 * world.g)
     if height >= MAX_SUMMED_HEIGHT * ball.radius:
         return False
-    time = series_lasts(ball.v[2], world.g, world.floor_form, vector(world.floor_p))
-    if time < math.inf and not is_tilted(vector(world.force)) and stays_clear(features, balls, i, time):
-        _x, _v, _w, ball.lasts = bounces(
-            vector(ball.x), vector(ball.v), vector(ball.w), ball.radius, ball.kappa, world.g,
-            world.floor_form, vector(world.floor_p), world.floor_mu, world.floor_beta, math.inf,
-        )  # fmt: skip
+    g, flies = world.g, air_acts(ball)
+    if flies:
+        _hop, acc, _jerk, _turn, _rate = hop_in_air(world, ball, vector(ball.v), vector(ball.w))
+        if not acc[2] < 0:
+            return False
+        g = min(g, -acc[2]) / 2  # (a bound: they are too short for air to change)
+    time = series_lasts(ball.v[2], g, world.floor_form, vector(world.floor_p))
+    if time < math.inf and not is_tilted(vector(world.force)) and stays_clear(world, features, balls, i, time):
+        if flies:
+            _x, _v, _w, ball.lasts = bounces_in_air(world, ball, math.inf)
+        else:
+            _x, _v, _w, ball.lasts = bounces(
+                vector(ball.x), vector(ball.v), vector(ball.w), ball.radius, ball.kappa, world.g,
+                world.floor_form, vector(world.floor_p), world.floor_mu, world.floor_beta, math.inf,
+            )  # fmt: skip
         ball.phase = BOUNCING
         return False
     return bool(height < MIN_HEIGHT * ball.radius)
@@ -229,10 +243,22 @@ def _bears_weight(world: Any, f: Any, ball: Any, n: Vec) -> bool:
 
 
 @kernel
+def _is_blown(world: Any, ball: Any, n: Vec, bend: float) -> bool:
+    """Return whether it is wind that presses a ball on the floor on a wall of normal n, with the acceleration ``bend``."""
+    wind, none = vector(world.wind), 0 * bend
+    if dot(wind, wind) == 0 or not air_acts(ball) or world.floor == 0 or ball.x[2] > ball.radius:
+        return False
+    pull, _turn = air_rates(world, ball, (none, none, none), (none, none, ball.w[2]), -1.0)
+    push = (pull[0] * n[0] + pull[1] * n[1]) / (1 + ball.kappa)
+    return bool(push < 0 and push < bend / 2)
+
+
+@kernel
 def is_driven_into_wall(world: Any, f: Any, ball: Any, n: Vec, approach: float) -> bool:
     """Return whether a ball meets a feature again only because topspin, or the curvature of the wall, drives it there."""
     _rate, bend = gap_derivatives(f, vector(ball.x), vector(ball.v), accelerations_of(world, ball)[0])
-    return bool(approach * approach < -2 * bend * ELASTIC_HEIGHT * ball.radius and not _bears_weight(world, f, ball, n))
+    low = bool(approach * approach < -2 * bend * ELASTIC_HEIGHT * ball.radius)
+    return low and not (_bears_weight(world, f, ball, n) or _is_blown(world, ball, n, bend))
 
 
 @kernel
@@ -337,7 +363,8 @@ def continue_wall_contact(
     settles = rate <= 0.999999 * approach
     if settles and _leans(world, ball, n) and _stays_at_wall(world, features, who, ball, n):
         return none
-    if _bears_weight(world, f, ball, n) and not (_on_floor(world, ball) and settles):
+    blown = _is_blown(world, ball, n, bend)
+    if blown or (_bears_weight(world, f, ball, n) and not (_on_floor(world, ball) and settles)):
         if settles:
             ball.phase = HELD
         return none

@@ -94,6 +94,27 @@ def _spin_at(w: Vec, turn: Vec, fade: float, spin_fade: float, gain: float, slop
 
 
 @kernel
+def magnus_step(q: Quaternion, low: Vec, mid: Vec, high: Vec, h: float) -> Quaternion:
+    """Return the orientation after a step h of Magnus' series, from the spins at its nodes of Gauss."""
+    c = 10 * NODE / 3 * h
+    a1 = (mid[0] * h, mid[1] * h, mid[2] * h)
+    a2 = (c * (high[0] - low[0]), c * (high[1] - low[1]), c * (high[2] - low[2]))
+    c = 10 / 3 * h
+    a3 = (
+        c * (high[0] - 2 * mid[0] + low[0]), c * (high[1] - 2 * mid[1] + low[1]), c * (high[2] - 2 * mid[2] + low[2]),
+    )  # fmt: skip
+    c1 = cross(a1, a2)
+    b = (2 * a3[0] + c1[0], 2 * a3[1] + c1[1], 2 * a3[2] + c1[2])
+    c2 = cross(a1, b)
+    left = (-20 * a1[0] - a3[0] + c1[0], -20 * a1[1] - a3[1] + c1[1], -20 * a1[2] - a3[2] + c1[2])
+    d = cross(left, (a2[0] - c2[0] / 60, a2[1] - c2[1] / 60, a2[2] - c2[2] / 60))
+    r = (
+        a1[0] + a3[0] / 12 + d[0] / 240, a1[1] + a3[1] / 12 + d[1] / 240, a1[2] + a3[2] / 12 + d[2] / 240,
+    )  # fmt: skip
+    return compose(rotation(r), q)
+
+
+@kernel
 def _orientation_in_steps(
     q: Quaternion, w: Vec, turn: Vec, fade: float, spin_fade: float, gain: float, slope: Slope, begin: float, end: float
 ) -> Quaternion:
@@ -107,22 +128,7 @@ def _orientation_in_steps(
         low = _spin_at(w, turn, fade, spin_fade, gain, slope, t - NODE * h)
         mid = _spin_at(w, turn, fade, spin_fade, gain, slope, t)
         high = _spin_at(w, turn, fade, spin_fade, gain, slope, t + NODE * h)
-        c = 10 * NODE / 3 * h
-        a1 = (mid[0] * h, mid[1] * h, mid[2] * h)
-        a2 = (c * (high[0] - low[0]), c * (high[1] - low[1]), c * (high[2] - low[2]))
-        c = 10 / 3 * h
-        a3 = (
-            c * (high[0] - 2 * mid[0] + low[0]), c * (high[1] - 2 * mid[1] + low[1]), c * (high[2] - 2 * mid[2] + low[2]),
-        )  # fmt: skip
-        c1 = cross(a1, a2)
-        b = (2 * a3[0] + c1[0], 2 * a3[1] + c1[1], 2 * a3[2] + c1[2])
-        c2 = cross(a1, b)
-        left = (-20 * a1[0] - a3[0] + c1[0], -20 * a1[1] - a3[1] + c1[1], -20 * a1[2] - a3[2] + c1[2])
-        d = cross(left, (a2[0] - c2[0] / 60, a2[1] - c2[1] / 60, a2[2] - c2[2] / 60))
-        r = (
-            a1[0] + a3[0] / 12 + d[0] / 240, a1[1] + a3[1] / 12 + d[1] / 240, a1[2] + a3[2] / 12 + d[2] / 240,
-        )  # fmt: skip
-        q = compose(rotation(r), q)
+        q = magnus_step(q, low, mid, high, h)
     return q
 
 

@@ -28,7 +28,7 @@ from carom.core.jit.dual.numbers import as_dual, depends, scaled, value_of, with
 from carom.core.jit.kernel import Vec, dot, kernel, steepest, vector
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, SLIDING, acts
 from carom.simulation.contact_kinds import line_of_centres, pair_friction, resolve_event
-from carom.simulation.motion import begin_phase, move_by, set_on_floor, write_vector
+from carom.simulation.motion import begin_phase, goes_on_in_air, move_by, set_on_floor, to_last_piece, write_vector
 from carom.simulation.records import (
     BALL,
     FLOOR,
@@ -435,7 +435,7 @@ def _release(world: Any, walls: Any, balls: Any, plain: Any, i: int, k: int, t: 
     """Follow the bounces of a ball one by one from here on if something may reach it (carom.simulation.loop)."""
     for m in range(balls.shape[0]):
         ball = balls[m]
-        if ball.phase == BOUNCING and m not in (i, k) and not stays_clear(walls, plain, m, plain[m].lasts):
+        if ball.phase == BOUNCING and m not in (i, k) and not stays_clear(world, walls, plain, m, plain[m].lasts):
             move_by(world, ball, t - ball.clock, t)
             ball.phase = FLIGHT
             begin_phase(world, ball)
@@ -479,9 +479,11 @@ def follow_log(world: Any, features: Any, walls: Any, balls: Any, plain: Any, lo
             continue
         f = -1
         if kind in (PHASE, SETTLED):
-            t = with_value(ball.clock + ball.lasts, row.t)
-            if kind == PHASE and not abs(plain[i].clock + plain[i].lasts - row.t) <= IN_TOUCH * (1 + row.t):
+            if goes_on_in_air(ball):  # (to the piece that ends the phase)
+                to_last_piece(world, ball, value_of(row.t - ball.clock))
+            elif kind == PHASE and not abs(plain[i].clock + plain[i].lasts - row.t) <= IN_TOUCH * (1 + row.t):
                 return int(n)  # (not by itself: its wall ends, or it lies still, or is let go)
+            t = with_value(ball.clock + ball.lasts, row.t)
             move_by(world, ball, t - ball.clock, t)
         else:
             if kind not in (BALL, FLOOR):
