@@ -248,7 +248,7 @@ CAPS = {
     "gas": 6847,
     "billiards": 5544,
     "tracks": 9072,
-    "simulation": 6440,
+    "simulation": 6441,
     "core": 5734,
     "laws": 4916,
     "scene": 4601,

@@ -438,7 +438,7 @@ def _approach(world: Any, ball: Any, acc: Vec, turn: Vec, load: float) -> float:
     if ball.phase == SLIDING:
         p, q, m = acc[0] - ball.radius * turn[1], acc[1] + ball.radius * turn[0], m * (1 + 1 / ball.kappa)
     if without_slopes(size) > LEAST_SLIP:
-        return CORNER * without_slopes(size) / max(without_slopes(_root(p * p + q * q)), without_slopes(m)) + 0 * load
+        return CORNER * without_slopes(size) / max(without_slopes(_root(p * p + q * q)), without_slopes(m)) + 0 * load  # type: ignore[no-any-return]
     # (at rest it sets off where it is driven; ``acc`` has no friction then)
     if not size > 0:
         size, drive = 0 * load, _root(p * p + q * q)
@@ -450,7 +450,7 @@ def _approach(world: Any, ball: Any, acc: Vec, turn: Vec, load: float) -> float:
     if not rate > 0:
         ball.ends = PHASE_ENDS
         return -size / rate if rate < 0 else size
-    return min(LEAST_SLIP / without_slopes(rate), LONGEST) + 0 * load
+    return min(LEAST_SLIP / without_slopes(rate), LONGEST) + 0 * load  # type: ignore[no-any-return]
 
 
 @kernel
