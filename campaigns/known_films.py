@@ -46,7 +46,7 @@ def pulls(seed: int, kind: str) -> list[tuple[float, float]]:
     fall = drawn_fall(rng, **given)
     track, bounces = fallen(fall, seed)
     found = []
-    for one in measure([track], Settings(view="side", drag=None if "drag" in given else 0.0)).contacts:
+    for one in measure([track], Settings(view="side", drag_per_metre=None if "drag" in given else 0.0)).contacts:
         fit = one.fit
         if fit is None or not usable_stages(one, "both")[0]:
             continue

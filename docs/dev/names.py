@@ -98,7 +98,7 @@ ROWS = {
         Quantity("vertical velocity before the wall", "ż₀", "m/s", "vertical_speed"),
         Quantity("height above the floor before the wall", "", "m", "height", "`walls[].height` is another: the top of a cushion"),
         Quantity("slip before the wall", "", "m/s", "sliding", "of `carom.incoming`: velocity less that of rolling"),
-        Quantity("air drag", "k", "1/m", "drag", "it slows a ball of speed v down by k v²"),
+        Quantity("air drag", "k", "1/m", "drag_per_metre", "it slows a ball of speed v down by k v²"),
     ),
     "The wall": (
         Quantity("restitution", "e", "1", "walls[].restitution restitution"),

@@ -217,7 +217,14 @@ def test_many_films_make_one_table(
 ) -> None:
     files, out = films(tmp_path), tmp_path / "rebounds.csv"
     names = list(map(str, files))
-    words = ("--out", str(out), "--view", "side", "--drag", "0")  # (else films that are read together share the drag)
+    words = (
+        "--out",
+        str(out),
+        "--view",
+        "side",
+        "--drag-per-metre",
+        "0",
+    )  # (else films that are read together share the drag)
     code, told, notes = run(capsys, monkeypatch, *names, *words)
     assert code == 0
     table = read_rebounds(out)

@@ -169,7 +169,7 @@ def test_the_readout_of_a_camera_is_taken_out_of_the_files_of_other_programs() -
     for _ in range(50):
         t = stamps + 0.015 * (0.5 - height(t) / 0.8)
     table = {"t [s]": stamps, "x [m]": 0.2 * t, "y [m]": height(t) + 0.02}
-    given = {"view": "side", "noise": 2e-5, "drag": 0.0}
+    given = {"view": "side", "noise": 2e-5, "drag_per_metre": 0.0}
     found = carom.measure_tracks(table, **given, film={"readout": 0.015, "picture_height": 0.8}).measured[0].contacts[0]
     assert found.fit is not None
     assert abs(found.fit["vn_out"] / -found.fit["vn_in"] - 0.8) < 0.0005

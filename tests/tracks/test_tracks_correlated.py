@@ -101,7 +101,11 @@ def test_the_error_of_averaging_is_the_mean_of_the_covariances() -> None:
 def test_correlated_noise_of_a_ball_at_rest_is_no_bounce(seed: int) -> None:
     fall = drawn_fall(np.random.default_rng(seed), correlation=0.5)
     track, bounces = fallen(fall, seed)
-    found = [one for one in measure([track], Settings(view="side", drag=0.0)).measured if usable_stages(one, "both")[0]]
+    found = [
+        one
+        for one in measure([track], Settings(view="side", drag_per_metre=0.0)).measured
+        if usable_stages(one, "both")[0]
+    ]
     assert len(found) >= 2
     for one in found:  # a ball that had come to rest bounced with a restitution of 1
         near = min(bounces, key=lambda bounce: abs(bounce.t - one.time))
@@ -113,7 +117,7 @@ def test_few_frames_with_correlated_noise_have_wider_error_bars() -> None:
     for seed in range(16):
         given = {"rate": 30.0, "first": 0.0, "last": 1.2, "restitution": 0.8, "height": 0.6, "noise": 1e-3}
         track, _bounces = fallen(drawn_fall(np.random.default_rng(seed), correlation=0.5, **given), seed)
-        for one in measure([track], Settings(view="side", drag=0.0)).measured:
+        for one in measure([track], Settings(view="side", drag_per_metre=0.0)).measured:
             e, error = restitution(one)
             pulls.append((e - 0.8) / error)
     assert len(pulls) > 20
@@ -159,7 +163,7 @@ def test_a_drag_that_is_not_significant_is_part_of_the_error_bars() -> None:
             pulls.append((e - 0.78) / error)
     assert len(pulls) == 8
     assert np.abs(pulls).max() < 3.5
-    known = measure([fallen(Fall(rate=60.0), 1)[0]], Settings(view="side", drag=0.0))
+    known = measure([fallen(Fall(rate=60.0), 1)[0]], Settings(view="side", drag_per_metre=0.0))
     assert "drag" not in known.measured[0].fit.shifts  # type: ignore[union-attr]
 
 
@@ -220,11 +224,11 @@ def test_films_of_one_ball_share_the_drag_of_the_air() -> None:
     together, (note,) = air_together(alone)
     air, second = (one.air for one in together)
     assert air[1:3] == second[1:3]
-    assert abs(air.drag - 0.035) < 3 * air.drag_error
+    assert abs(air.drag_per_metre - 0.035) < 3 * air.drag_error
     assert air.drag_error < min(one.air.drag_error for one in alone)
     assert "from the flights of all films together" in note
     # the velocities are those that a fit with this drag gives
-    known = measure([fallen(falls[0], 0)[0]], Settings(view="side", drag=air.drag))
+    known = measure([fallen(falls[0], 0)[0]], Settings(view="side", drag_per_metre=air.drag_per_metre))
     for one, other, before in zip(together[0].measured, known.measured, alone[0].measured, strict=True):
         for name in ("vn_in", "vt_in", "vn_out", "vt_out"):
             assert abs(one.fit[name] - other.fit[name]) < 0.1 * before.fit.error(name)

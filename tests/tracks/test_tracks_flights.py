@@ -74,9 +74,9 @@ def test_drag_is_found_and_the_restitution_right(drag: float, restitution: float
     assert len(each) >= 3
     assert (np.abs(each - restitution) < 4 * errors).all()
     assert errors[:3].max() < 2e-3
-    known = measure([track], Settings(view="side", drag=drag))
+    known = measure([track], Settings(view="side", drag_per_metre=drag))
     assert (np.abs(restitutions(known)[0] - restitution) < 4 * restitutions(known)[1]).all()
-    ignored = measure([track], Settings(view="side", drag=0.0))
+    ignored = measure([track], Settings(view="side", drag_per_metre=0.0))
     assert restitutions(ignored)[0][0] < restitution - 0.01
     assert "drag" not in " ".join((*known.notes, *ignored.notes))
 
@@ -149,7 +149,7 @@ def test_what_the_command_says(tmp_path: Path, capsys: pytest.CaptureFixture[str
     np.savetxt(
         file, np.column_stack([track.time, track.position]), delimiter=",", header="t,x,y", comments="", fmt="%.6f"
     )
-    code, out, err = command(capsys, "tracks", "show", str(file), "--drag", "0")
+    code, out, err = command(capsys, "tracks", "show", str(file), "--drag-per-metre", "0")
     assert code == 0
     assert "3 contacts, 3 measured" in out
     assert "bottom: through (" in out

@@ -39,7 +39,9 @@ def test_a_pendulum_is_refused_with_its_reason() -> None:
 def test_a_bounce_in_the_same_place_is_a_contact(degrees: float) -> None:
     """As fast as a pendulum at its lowest point, at the same rate and with the same noise."""
     track, _bounces = fallen(Fall(restitution=0.8, height=0.06, speed=1.0, last=0.42, rate=100.0, noise=2e-4), 3)
-    found = measure([Track("ball", track.time, rotated(track.position, degrees))], Settings(view="side", drag=0.0))
+    found = measure(
+        [Track("ball", track.time, rotated(track.position, degrees))], Settings(view="side", drag_per_metre=0.0)
+    )
     assert usable(found)[0] == pytest.approx(0.8, abs=0.01)
 
 
@@ -57,7 +59,7 @@ def test_a_bounce_in_the_same_place_is_a_contact(degrees: float) -> None:
 def test_frames_beyond_a_bounce_that_is_not_found_are_not_used(fall: Fall, seed: int) -> None:
     track, bounces = fallen(fall, seed)
     assert sum(bounce.t < track.time[-1] for bounce in bounces) > 2
-    found = measure([track], Settings(view="side", drag=0.0))
+    found = measure([track], Settings(view="side", drag_per_metre=0.0))
     for one in found.contacts:
         if usable_stages(one, "both")[0]:
             assert one.fit is not None

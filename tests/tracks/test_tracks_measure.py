@@ -76,7 +76,7 @@ def pulls(kind: str, camera: Camera, numbers: range) -> dict[str, np.ndarray]:
         run = bounce(rng) if kind == "flight" else shot(rng, kind == "sliding")
         axes = (0, 2) if kind == "flight" else (0, 1)
         settings = (
-            Settings(view="side", drag=0.0) if kind == "flight" else ABOVE
+            Settings(view="side", drag_per_metre=0.0) if kind == "flight" else ABOVE
         )  # (without air: unknown, it widens the bars)
         told = truth(run, axes)
         for one in measure([seen(run, camera, rng, axes)], settings).contacts:
@@ -298,7 +298,7 @@ def test_three_coordinates_are_the_height_and_the_place_along_the_motion() -> No
 def test_a_height_alone_holds_the_restitution(seed: int) -> None:
     """As well as the film with both coordinates does where its drag is known; the noise is that of one coordinate."""
     one = film(seed=seed)
-    made = measure([Track("ball", one.time, one.place * [0, 1])], Settings(view="side", drag=0.0))
+    made = measure([Track("ball", one.time, one.place * [0, 1])], Settings(view="side", drag_per_metre=0.0))
     (contact,) = made.measured
     assert contact.fit is not None
     assert made.noise == pytest.approx(3e-4, rel=0.25)

@@ -204,7 +204,10 @@ LAWS = (
     "laws restitution friction tangential_restitution stiffness_ratio forms fit fix bound robust contact_height floor_friction"
     " floor_restitution roll"
 )
-DATA = "format rate scale view balls down wall hard rolling_resistance gravity drag window blind whole cushions shot table noise"
+DATA = (
+    "format rate scale view balls down wall hard rolling_resistance gravity drag_per_metre window blind whole cushions shot"
+    " table noise"
+)
 
 
 @of_library(

@@ -74,7 +74,7 @@ _NAMES = {
     WALL: "restitution friction tangential_restitution stiffness_ratio contact_height normal truth",
     FLOOR: "floor_restitution floor_friction floor_tangential_restitution floor_contact gravity rolling_resistance slope",
     RUN: "seed starts law",
-    TRACK: "format scale rate down view balls noise wall hard drag window blind",
+    TRACK: "format scale rate down view balls noise wall hard drag_per_metre window blind",
     FILM: "length readout ball colour region corners picture_height start end",
     REBOUNDS: "kind stage where by sigma_v sigma_spin spin every_contact scatter suffix strict",
 }

@@ -306,7 +306,7 @@ FILE, FIT = "Track file", "Contact fits"
 
 @of_library(
     "tracks.films:measure_tracks", "tracks.video.film:track_film",
-    panels={FILE: "format scale rate down view", FLOOR: "wall hard drag", FIT: "noise window blind"},
+    panels={FILE: "format scale rate down view", FLOOR: "wall hard drag_per_metre", FIT: "noise window blind"},
 )  # fmt: skip
 def show(
     files: Annotated[

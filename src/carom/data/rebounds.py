@@ -46,7 +46,7 @@ MAX_SPEED_RATIO = 20.0
 BEYOND = 3.0  # error bars by which a number has to exceed what is possible
 # Columns of numbers that are known and passed on: labels, and what carom's own tables of contacts have beside the velocities
 PASSED_ON = re.compile(
-    r"use|shot|sheet|ball|film|drop|wall|cushion|camera|surface|racket|contact|bounce|striking|struck|plane|t|t_s|sigma_t|air_drag|sigma_air_drag"
+    r"use|shot|sheet|ball|film|drop|wall|cushion|camera|surface|racket|contact|bounce|striking|struck|plane|t|t_s|sigma_t|(sigma_)?drag_per_metre"
     r"|(sigma_)?floor_friction|(sigma_)?rolling_resistance|(sigma_)?slip_[nt]_(in|out)|covariance_v_[nt]|(blind|cloth|rolling|drag|roll)_.*"
 )
 MOST_NAMED = 24  # columns in one note

@@ -31,7 +31,7 @@ def shared_errors(rebounds: Rebounds, names: tuple[str, ...], floor: float) -> t
     """Return the errors that rows share, from the columns of a table that carom made from films, which begin as in SHARED.
 
     Films measured separately (column ``film``) have an error each; of the drag, films that were measured with the same one have one
-    (column ``air_drag``). Where a film has one row, nothing is shared: the error is
+    (column ``drag_per_metre``). Where a film has one row, nothing is shared: the error is
     part of that of the row. The law's floor friction is the mean of the films, and follows all their errors.
 
     Parameters
@@ -108,8 +108,8 @@ def numbers_of(rebounds: Rebounds, name: str) -> Array:
 def _films(rebounds: Rebounds, prefix: str) -> dict[str, NDArray[np.bool_]]:
     """Return the rows (N,) of each film; all rows if the table names none, and films with the same air as one."""
     film = rebounds.extra.get("film")
-    if prefix == "drag" and "air_drag" in rebounds.extra:
-        film = rebounds.extra["air_drag"]
+    if prefix == "drag" and "drag_per_metre" in rebounds.extra:
+        film = rebounds.extra["drag_per_metre"]
     if film is None:
         return {"": np.ones(len(rebounds), bool)}
     labels = np.array([str(cell) for cell in film.tolist()])

@@ -48,8 +48,8 @@ class Settings:
     """Rolling resistance: deceleration / g."""
     gravity: float = 9.80665
     """m/s^2."""
-    drag: float | None = None
-    """1/m: in flight the air slows a ball of speed v down by drag v^2. None: determined from the flights; 0: not at all."""
+    drag_per_metre: float | None = None
+    """1/m: air slows a ball of speed v down by drag_per_metre v^2 in flight. None: determined from the flights; 0: not at all."""
     window: float = 0.5
     """Longest time before and after a contact that a fit uses, s."""
     blind: float | None = None
@@ -72,7 +72,7 @@ class Settings:
                 faults.add(name, "a number above 0", repr(value))
         if isinstance(self.kappa, NUMBERS) and 1 < self.kappa < np.inf:
             faults.add("kappa", "kappa = I/(m a^2), at most 1", repr(self.kappa))
-        for name in ("radius", "floor_friction", "rolling_resistance", "blind", "drag"):
+        for name in ("radius", "floor_friction", "rolling_resistance", "blind", "drag_per_metre"):
             value = getattr(self, name)
             if value is not None and not (isinstance(value, NUMBERS) and 0 <= value < np.inf):
                 faults.add(name, "a number of at least 0", repr(value))

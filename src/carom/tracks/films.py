@@ -141,13 +141,13 @@ def air_together(films: Sequence[Measured]) -> tuple[list[Measured], list[str]]:
     for film in films:
         contacts = tuple(moved(one, film) for one in film.contacts)
         floor = {name: value for name, value in film.floor.items() if name != "air drag"}
-        floor |= {"air drag": WithError(air.drag, air.drag_error)} if air.drag_shown else {}
+        floor |= {"air drag": WithError(air.drag_per_metre, air.drag_error)} if air.drag_shown else {}
         notes = tuple(note for note in film.notes if not note.startswith("air drag:"))
-        own = film.air.with_drag(air.drag, air.drag_error)
+        own = film.air.with_drag(air.drag_per_metre, air.drag_error)
         found.append(replace(film, contacts=contacts, floor=floor, notes=notes, air=own))
     return found, [
         f"{drag_in_words(air)}, from the flights of all films together, as of one ball; its error is shared by all velocities"
-        " (`drag` gives k, 0 for none)"
+        " (`drag_per_metre` gives k, 0 for none)"
     ]
 
 
@@ -317,7 +317,7 @@ def measure_tracks(
     floor_friction: float | None = None,
     rolling_resistance: float | None = None,
     gravity: float = GRAVITY,
-    drag: float | None = None,
+    drag_per_metre: float | None = None,
     noise: float | None = None,
     window: float = WINDOW,
     blind: float | None = None,
@@ -356,7 +356,7 @@ def measure_tracks(
         Deceleration / g of a rolling ball. Default: fitted.
     gravity : float
         Gravity, m/s^2.
-    drag : float, optional
+    drag_per_metre : float, optional
         Air drag k, 1/m: it slows a ball of speed v down by k v^2. Default: from the flights.
     noise : float, optional
         Error of one coordinate in one frame, m. Default: estimated.
@@ -389,7 +389,7 @@ def measure_tracks(
     """
     kappa = check_tracks(inertia, view)
     asked = {"hard": hard, "floor_friction": floor_friction, "rolling_resistance": rolling_resistance, "gravity": gravity,
-             "drag": drag, "noise": noise, "window": window, "blind": blind, "down": down}  # fmt: skip
+             "drag_per_metre": drag_per_metre, "noise": noise, "window": window, "blind": blind, "down": down}  # fmt: skip
     calibration, numbers, _how = film_options(scale, rate, radius, {**(film or {}), **asked})
     settings = Settings(radius=radius, kappa=kappa, view=view, **numbers)  # type: ignore[arg-type]
     return measure_films(files, calibration, settings, format=format, wall=wall, progress=progress)
@@ -405,7 +405,7 @@ def check_tracks(inertia: str | float = "solid", view: str | None = None, **_oth
     return kappa
 
 
-OF_SETTINGS = ("hard", "floor_friction", "rolling_resistance", "gravity", "drag", "noise", "window", "blind")
+OF_SETTINGS = ("hard", "floor_friction", "rolling_resistance", "gravity", "drag_per_metre", "noise", "window", "blind")
 
 
 class FilmOptions(NamedTuple):

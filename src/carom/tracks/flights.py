@@ -61,8 +61,8 @@ class Air(NamedTuple):
 
     down: tuple[float, float] = (0.0, -1.0)
     """The direction of gravity in the picture."""
-    drag: float = 0.0
-    """1/m: the air slows a ball of speed v down by drag v^2."""
+    drag_per_metre: float = 0.0
+    """1/m: the air slows a ball of speed v down by drag_per_metre v^2."""
     drag_error: float = 0.0
     seen: tuple[float, float] | None = None
     """The drag as the flights alone show it, with its error; None: it was given, or there is no flight."""
@@ -75,13 +75,13 @@ class Air(NamedTuple):
 
     def with_drag(self, drag: float, drag_error: float) -> Air:
         """Return the same with another drag."""
-        tilt = self.tilt + self.tilt_by_drag * (drag - self.drag)
-        return self._replace(drag=drag, drag_error=drag_error, tilt=tilt)
+        tilt = self.tilt + self.tilt_by_drag * (drag - self.drag_per_metre)
+        return self._replace(drag_per_metre=drag, drag_error=drag_error, tilt=tilt)
 
     @property
     def drag_shown(self) -> bool:
         """Whether the drag was given, or is significant."""
-        return self.drag > SIGNIFICANT * self.drag_error
+        return self.drag_per_metre > SIGNIFICANT * self.drag_error
 
 
 STILL_AIR = Air()
@@ -92,7 +92,7 @@ class Flights(NamedTuple):
 
     gravity: Array
     """(2,) m/s^2."""
-    drag: float
+    drag_per_metre: float
     """1/m."""
     covariance: Array
     """(3, 3), of gravity and drag."""
@@ -162,21 +162,26 @@ def _compiled() -> Callable[..., None]:
 
 
 def air_and_notes(
-    tracks: Sequence[Track], noise: float, interval: float, gravity: float, drag: float | None, walls_given: bool
+    tracks: Sequence[Track],
+    noise: float,
+    interval: float,
+    gravity: float,
+    drag_per_metre: float | None,
+    walls_given: bool,
 ) -> tuple[Air, list[str]]:
     """Return the direction of gravity and the drag as far as the flights show them, and notes on both.
 
-    ``drag``: 1/m, if it is known. Where no tilt is significant, the walls are found in an upright picture. A tilt and a drag that
-    are not significant are the estimates all the same, drawn toward 0 by what is usual, and have errors: left out, the drag would
-    make restitutions too low, and the tilt, which turns part of v_n into v_t, friction too high or too low.
+    ``drag_per_metre``: if it is known. Where no tilt is significant, the walls are found in an upright picture. A tilt and a
+    drag that are not significant are the estimates all the same, drawn toward 0 by what is usual, and have errors: left out, the
+    drag would make restitutions too low, and the tilt, which turns part of v_n into v_t, friction too high or too low.
     """
-    found = fit_flights(tracks, noise, interval, gravity, drag)
-    air = STILL_AIR._replace(drag=drag or 0.0, tilt_error=0.0 if walls_given else USUAL_ROLL)
-    if drag is None:
+    found = fit_flights(tracks, noise, interval, gravity, drag_per_metre)
+    air = STILL_AIR._replace(drag_per_metre=drag_per_metre or 0.0, tilt_error=0.0 if walls_given else USUAL_ROLL)
+    if drag_per_metre is None:
         weights = USUAL_DRAG**-2, found.drag_error**-2 if found is not None and found.drag_error > 0 else 0.0
-        middle = found.drag * weights[1] / sum(weights) if found is not None else 0.0
-        seen = (found.drag, found.drag_error) if found is not None and found.drag_error > 0 else None
-        air = air._replace(drag=max(middle, 0.0), drag_error=sum(weights) ** -0.5, seen=seen)
+        middle = found.drag_per_metre * weights[1] / sum(weights) if found is not None else 0.0
+        seen = (found.drag_per_metre, found.drag_error) if found is not None and found.drag_error > 0 else None
+        air = air._replace(drag_per_metre=max(middle, 0.0), drag_error=sum(weights) ** -0.5, seen=seen)
     notes: list[str] = []
     if found is None:
         return air, notes
@@ -188,9 +193,9 @@ def air_and_notes(
     air = air._replace(
         tilt=0.0 if turned else weight * angle, tilt_error=(weight * own) ** 0.5, tilt_by_drag=weight * found.tilt_by_drag,
     )  # fmt: skip
-    shown = drag is None and found.drag > SIGNIFICANT * found.drag_error
-    to = (found.drag, found.drag_error) if shown else (air.drag, air.drag_error)
-    air = air._replace(drag=found.drag).with_drag(*to)
+    shown = drag_per_metre is None and found.drag_per_metre > SIGNIFICANT * found.drag_error
+    to = (found.drag_per_metre, found.drag_error) if shown else (air.drag_per_metre, air.drag_error)
+    air = air._replace(drag_per_metre=found.drag_per_metre).with_drag(*to)
     if turned:
         air = air._replace(down=(float(np.sin(angle)), float(-np.cos(angle))))
         side = "right" if angle > 0 else "left"
@@ -205,16 +210,15 @@ def air_and_notes(
         )
     if shown:
         notes.append(
-            f"{drag_in_words(air)}, as its flights show; the velocities at contacts allow for it (`drag` gives k, 0 for none)"
+            f"{drag_in_words(air)}, as its flights show; the velocities at contacts allow for it (`drag_per_metre` gives k, 0 for"
+            " none)"
         )
     return air, notes
 
 
 def drag_in_words(air: Air) -> str:
     """Return the drag with its error."""
-    return (
-        f"air drag: at the speed v the air slows the ball down by k v^2, k = {air.drag:.3g} ± {air.drag_error:.1g} 1/m"
-    )
+    return f"air drag: at the speed v the air slows the ball down by k v^2, k = {air.drag_per_metre:.3g} ± {air.drag_error:.1g} 1/m"
 
 
 def joint_air(airs: Sequence[Air]) -> Air | None:
@@ -231,11 +235,11 @@ def joint_air(airs: Sequence[Air]) -> Air | None:
     if apart > dof + DIFFERENT * (2 * dof) ** 0.5:
         return None
     total = float(weight.sum()) + USUAL_DRAG**-2
-    return Air(drag=max(mean * float(weight.sum()) / total, 0.0), drag_error=total**-0.5)
+    return Air(drag_per_metre=max(mean * float(weight.sum()) / total, 0.0), drag_error=total**-0.5)
 
 
 def fit_flights(
-    tracks: Sequence[Track], noise: float, interval: float, gravity: float, drag: float | None = None
+    tracks: Sequence[Track], noise: float, interval: float, gravity: float, drag_per_metre: float | None = None
 ) -> Flights | None:
     """Fit gravity and drag to all free flights of a film; None if there is none.
 
@@ -249,7 +253,7 @@ def fit_flights(
         Between frames, s.
     gravity : float
         Its approximate size, m/s^2, by which flights are told from other motion.
-    drag : float, optional
+    drag_per_metre : float, optional
         1/m, if it is known.
 
     Examples
@@ -260,12 +264,12 @@ def fit_flights(
     >>> times = np.arange(80) / 200
     >>> place = flight_path(np.array([1.0, 2.0]), np.array([0.0, -9.81]), 0.02, times)
     >>> found = fit_flights([Track("ball", times, place)], 1e-4, 1 / 200, 9.8)
-    >>> found.gravity.round(3) + 0.0, round(found.drag, 5)
+    >>> found.gravity.round(3) + 0.0, round(found.drag_per_metre, 5)
     (array([ 0.  , -9.81]), 0.02)
     """
     flights = [one for track in tracks for one in _flights(track, noise, interval, gravity)]
-    shared = np.array([0.0, -gravity, drag or 0.0])
-    free = np.array([True, True, drag is None])
+    shared = np.array([0.0, -gravity, drag_per_metre or 0.0])
+    free = np.array([True, True, drag_per_metre is None])
     for _ in range(2):  # the second time without flights that turn out to be something else
         if not flights:
             return None
@@ -698,7 +702,7 @@ def fit_flight(
     scale = np.array([1e-3, 1e-3, 1e-3, *[0.05] * 4, *[0.2] * 2])
 
     # a drag that the flights do not show changes the velocities little: by the derivatives, after a fit without it
-    used = air.drag if air.drag_shown else 0.0
+    used = air.drag_per_metre if air.drag_shown else 0.0
 
     known_slope = np.zeros((2 if wall is None else 3, len(theta)))
     known_slope[0, PULL.start] = known_slope[1, PULL.start + 1] = 1 / error
@@ -728,7 +732,7 @@ def fit_flight(
         best, _chi2 = solve(residual, slope, theta, scale)
     rates = slope(best)
     if used and not np.isfinite(rates.T @ rates).all():  # (it carries the paths beyond all numbers)
-        return fit_flight(time, position, near, noise, gravity, error, wall, air._replace(drag=0.0), whiten)
+        return fit_flight(time, position, near, noise, gravity, error, wall, air._replace(drag_per_metre=0.0), whiten)
     found = propagated(best, np.ones(len(theta), bool), residual, rates, _outputs, scale, 2 * len(time))
     rows = nearest_frames(time, best[TIME])
     t = time[rows]
@@ -745,7 +749,7 @@ def fit_flight(
     if air.drag_error:
         change = (residual(best, used + DRAG_STEP) - residual(best, used - DRAG_STEP)) / (2 * DRAG_STEP)
         by_drag = np.nan_to_num(_outputs(best - np.linalg.lstsq(rates, change, rcond=None)[0]) - _outputs(best))
-        found["value"] = found["value"] + by_drag * (air.drag - used)
+        found["value"] = found["value"] + by_drag * (air.drag_per_metre - used)
         shifts["drag"] = (by_drag + turn * air.tilt_by_drag) * air.drag_error
     found["covariance"] = found["covariance"] + sum(np.outer(shift, shift) for shift in shifts.values())
     return ContactFit(
@@ -766,5 +770,5 @@ def with_other_drag(fit: ContactFit, was: Air, now: Air) -> ContactFit:
     old = fit.shifts["drag"]
     shift = old * (now.drag_error / was.drag_error)
     covariance = fit.covariance - np.outer(old, old) + np.outer(shift, shift)
-    value = fit.value + old * ((now.drag - was.drag) / was.drag_error)
+    value = fit.value + old * ((now.drag_per_metre - was.drag_per_metre) / was.drag_error)
     return replace(fit, value=value, covariance=covariance, shifts={**fit.shifts, "drag": shift})

@@ -274,7 +274,7 @@ def _in_view(
     air, notes = STILL_AIR, list[str]()
     if view == "side":
         given = settings.walls is not None
-        air, notes = air_and_notes(film.tracks, film.noise, film.interval, gravity, settings.drag, given)
+        air, notes = air_and_notes(film.tracks, film.noise, film.interval, gravity, settings.drag_per_metre, given)
     walls = settings.walls
     turns = dict[tuple[str, str], list[Turn]]()
     if view == "side":
@@ -332,7 +332,7 @@ def _in_view(
     return replace(
         film, view=view, walls=walls, events=events, contacts=tuple(contacts), noise=job.noise,
         correlation=job.correlation.neighbours, frame_correlation=job.correlation, blind=job.blind, air=air,
-        floor=job.floor | ({"air drag": WithError(air.drag, air.drag_error)} if air.drag_shown else {}),
+        floor=job.floor | ({"air drag": WithError(air.drag_per_metre, air.drag_error)} if air.drag_shown else {}),
         notes=tuple(notes),
     )  # fmt: skip
 

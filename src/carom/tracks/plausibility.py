@@ -59,9 +59,9 @@ def shared_error_notes(contacts: Sequence[TrackContact], air: Air) -> list[str]:
     drag = _share(contacts, "drag", ("vn_in", "vn_out"), lambda before, after: (-1 / before, 1 / after))
     if drag > MOSTLY and not air.drag_shown:
         told.append(
-            f"air drag: the flights do not show whether the air slows the ball down (k = {air.drag:.2g} ± {air.drag_error:.1g} 1/m"
-            f" is taken); this makes the error bars of the restitution {(1 - drag) ** -0.5:.1f} times as large as with a drag that"
-            " is known"
+            "air drag: the flights do not show whether the air slows the ball down"
+            f" (k = {air.drag_per_metre:.2g} ± {air.drag_error:.1g} 1/m is taken); this makes the error bars of the restitution"
+            f" {(1 - drag) ** -0.5:.1f} times as large as with a drag that is known"
         )
     roll = _share(contacts, "roll", ("vt_in", "vt_out"), lambda _before, _after: (-1.0, 1.0))
     if roll > MOSTLY:

@@ -208,7 +208,7 @@ def _air(one: TrackContact, measured: Measured) -> dict[str, float]:
     """Return the drag of the air, which rows share where it is the same."""
     if one.fit is None or "drag" not in one.fit.shifts:
         return {}
-    return {"air_drag": measured.air.drag, "sigma_air_drag": measured.air.drag_error}
+    return {"drag_per_metre": measured.air.drag_per_metre, "sigma_drag_per_metre": measured.air.drag_error}
 
 
 def _floor(one: TrackContact, stage: str, measured: Measured) -> dict[str, float]:
