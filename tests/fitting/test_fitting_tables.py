@@ -129,7 +129,8 @@ def test_spins_that_nobody_measured_are_no_pattern_of_the_law_s():
     rebounds = rolled(1, 200, spin_seen=False, floor_contact="after", spin_mean=0.4)
     found = adequacy(fit_law(law, make_problem(rebounds, SETTING)[0]))
     assert found.fits
-    assert math.isnan(found.pattern_probability)
+    assert found.pattern == "v_n on the order of the rows"  # (what else there is would be by incidence)
+    assert found.pattern_probability > 0.01
     assert found.chi2_probability > 1e-3
 
 
