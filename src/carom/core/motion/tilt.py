@@ -37,8 +37,6 @@ MOST_STEPS = 200
 LONGEST = 3.0  # step of Newton's, in e-foldings of a growing speed
 STILL = 1e-12  # of the radius: a way that is none
 FOUND = 1e-9  # a step of Newton's so small leaves an error of its square
-# of the time to the end: what is nearer to it, by the rounding of times, is the end (tau has no derivatives there)
-AT_END = 1e-13
 
 
 @hot_kernel
@@ -149,7 +147,7 @@ def _clock(p: float, n: float, k: float, c: float, s: float) -> float:
         if n0 > 0 and not c0 > 0:
             ends = math.inf
         ends = ends + (p0 / k0 if p0 > 0 else 0 * p0)
-        if s0 >= ends * (1 - AT_END):
+        if s0 >= ends:
             return math.inf + none
     longest = LONGEST / -k0 if k0 < 0 else math.inf
     low, high = 0 * s0, math.inf + 0 * s0
@@ -189,7 +187,7 @@ def _on_level(x: float, y: float, fx: float, fy: float, m: float, s: float) -> t
     size = _size(x, y)
     f = fx * x + fy * y
     tau = math.inf + 0 * (s + m + size + f)
-    if not m * s >= size * (1 - AT_END):
+    if not m * s >= size:
         tau = time_of_integral(m, s / size)
         rest, once, moment = _moment(m, tau)
         tau = root_of(tau, size * once + f * moment - s, (size + f * tau) * rest)
