@@ -83,7 +83,7 @@ def test_no_row_is_dropped_and_friction_is_known_as_with_measured_spins() -> Non
         assert one.stderr < 1.4 * other.stderr
     assert 0.4 < hidden.chi2 / hidden.dof < 1.6
     # discs thrown without spin: a width of 0 forbids no decision, a wide one does
-    for value, note in ((1e-3, ""), (3.0, "its spin_width is at a bound")):
+    for value, note in ((1e-3, ""), (3.0, "its spin_width is at a bound and its spin_width is 3, which no ball has")):
         bound = {"spin_width": Estimate(value, None, "at a bound")}
         assert unsettled(replace(hidden, estimates=hidden.estimates | bound)) == note
 
