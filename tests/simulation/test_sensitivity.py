@@ -217,3 +217,25 @@ def test_the_table_of_what_matters(tmp_path: Path, capsys: pytest.CaptureFixture
     assert rows[2]["mm_per_cent"][0] == pytest.approx(10 * way, rel=1e-6)
     assert "What matters" in command(capsys, *words, "balls.0.velocity,floor.rolling_resistance")[1]
     assert "did you mean 'balls.0.velocity'" in " ".join(fails(capsys, *words, "balls.0.velocty"))
+
+
+def test_the_end_of_a_slide_on_a_slope_to_the_rounding_of_its_time() -> None:
+    """The clock in which a slip turns is infinite at its end; a unit in the last place before, it had no derivatives."""
+    ball = {
+        "radius": 0.029383410938544983, "mass": 0.22, "position": (0.19530171550644548, -0.3432228327463358, 0.029383410938544983),
+        "velocity": (-1.0637543123395488, 1.3736137187194233, 1.1754387565172353),
+        "spin": (-5.3020849365350315, 0.1806709664797991, 20.268190221866455),
+    }  # fmt: skip
+    floor = {"friction": 0.2, "slope": (-0.044275603848393776, 0.04568653498804298)}
+    scene: Any = carom.Scene(gravity=7.0352182361844475, floor=floor, balls=[ball], run={"duration": 0.6})
+    found = carom.simulate(scene).sensitivity(["balls.0.velocity"]).at(0.56)
+    ends = [
+        carom.simulate(
+            carom.replaced(
+                scene, {"balls.0.velocity": (ball["velocity"][0], ball["velocity"][1] + h, ball["velocity"][2])}
+            )
+        )
+        for h in (1e-5, -1e-5)
+    ]
+    expected = (ends[0].at(0.56).position - ends[1].at(0.56).position)[0] / 2e-5
+    assert found.position[0, :, 1] == pytest.approx(expected, abs=1e-8)

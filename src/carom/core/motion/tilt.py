@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 
 from carom.core.contact import slip_velocity
-from carom.core.jit.kernel import Vec, hot_kernel, kernel, root_of, steepest, without_slopes
+from carom.core.jit.kernel import Vec, carries_slopes, hot_kernel, kernel, root_of, steepest, without_slopes
 from carom.core.motion.phases import (
     PIVOTING,
     REST,
@@ -37,6 +37,15 @@ MOST_STEPS = 200
 LONGEST = 3.0  # step of Newton's, in e-foldings of a growing speed
 STILL = 1e-12  # of the radius: a way that is none
 FOUND = 1e-9  # a step of Newton's so small leaves an error of its square
+# of the time to the end: tau has no derivatives where it is infinite, and what is nearer to it, by the rounding of
+# times, is the end for duals (for them alone: a pile of balls comes to rest by what is left of the slips)
+AT_END = 1e-13
+
+
+@hot_kernel
+def _time_of_end(x: float) -> float:
+    """Return the part of the time to the end of a slip from which on x, a number of it, is taken at the end."""
+    return 1 - AT_END if carries_slopes(x) else 1.0
 
 
 @hot_kernel
@@ -147,7 +156,7 @@ def _clock(p: float, n: float, k: float, c: float, s: float) -> float:
         if n0 > 0 and not c0 > 0:
             ends = math.inf
         ends = ends + (p0 / k0 if p0 > 0 else 0 * p0)
-        if s0 >= ends:
+        if s0 >= ends * _time_of_end(none):
             return math.inf + none
     longest = LONGEST / -k0 if k0 < 0 else math.inf
     low, high = 0 * s0, math.inf + 0 * s0
@@ -187,7 +196,7 @@ def _on_level(x: float, y: float, fx: float, fy: float, m: float, s: float) -> t
     size = _size(x, y)
     f = fx * x + fy * y
     tau = math.inf + 0 * (s + m + size + f)
-    if not m * s >= size:
+    if not m * s >= size * _time_of_end(tau):
         tau = time_of_integral(m, s / size)
         rest, once, moment = _moment(m, tau)
         tau = root_of(tau, size * once + f * moment - s, (size + f * tau) * rest)
