@@ -239,3 +239,25 @@ def test_the_end_of_a_slide_on_a_slope_to_the_rounding_of_its_time() -> None:
     ]
     expected = (ends[0].at(0.56).position - ends[1].at(0.56).position)[0] / 2e-5
     assert found.position[0, :, 1] == pytest.approx(expected, abs=1e-8)
+
+
+def test_a_wall_that_stops_pressing_a_ball_on_a_floor_of_infinite_friction() -> None:
+    """The floor takes its slip from the ball at once, up to where the wall's friction no longer presses the ball down."""
+    ball = {
+        "radius": 0.028631705131047243, "mass": 0.0971, "position": (0.6092708223057393, -0.5113711810276402, 0.028631705131047243),
+        "velocity": (1.7859831458215223, 1.4617421960047128, 0.0),
+        "spin": (10.606962561177403, -17.474524551266096, 51.78673765861679),
+    }  # fmt: skip
+    wall = {"shape": "strip", "point": (0, 0, 0), "normal": (1, 0.2, 0), "width": 2.0, "friction": 0.47629234871928366}
+    scene: Any = carom.Scene(
+        gravity=0.0,
+        floor={"friction": math.inf},
+        walls=[wall | {"restitution": {"form": "han-2005"}}],
+        balls=[ball],
+        run={"duration": 1.3},
+    )
+    found = carom.simulate(scene).sensitivity(["balls.0.radius", "walls.0.friction"])
+    for c, (path, value) in enumerate({"balls.0.radius": ball["radius"], "walls.0.friction": wall["friction"]}.items()):
+        h = 1e-6 * value
+        ends = [carom.simulate(carom.replaced(scene, {path: value + d})).at(1.0).velocity[0] for d in (h, -h)]
+        assert found.at(1.0).velocity[0, :, c] == pytest.approx((ends[0] - ends[1]) / (2 * h), abs=1e-6)

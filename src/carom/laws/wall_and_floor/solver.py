@@ -233,6 +233,8 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
             if slips_f and uf > 0:
                 grow = min(grow, grow * norm(new[2], new[3]) / uf)
             grow = h * min(grow, 4 + zero)
+            if follows and floor == FLOOR_JUMP and spare1 < 0:
+                new = _moved_release(new, q, spare1, dw, df)
             return new, h, max(grow, pace) if h < pace < math.inf else grow, over, True
     h = min(goal, dies)
     if follows and ends:
@@ -247,6 +249,19 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
         new = (new[0], new[1], zero, zero, work)
     ends = ends or (fading_w > 0 and norm(new[0], new[1]) <= tiny) or (fading_f > 0 and norm(new[2], new[3]) <= tiny)
     return new, h, math.inf, ends, h < math.inf
+
+
+@kernel
+def _moved_release(y: Slips, q: Couplings, spare: float, dw: Pair, df: Pair) -> Slips:
+    """Move the end of a jump of the floor's slip, where the wall no longer presses, by its derivatives; the values stay.
+
+    (In the other modes the rates do not change where a load or a cone is at its bound.)
+    """
+    c, muw, slip = q[0], q[7], norm(y[0], y[1])
+    k1, _spare = pressed_rates(y, q, SLIDE, FLOOR_JUMP, dw, df, 0 * c)
+    rate = without_slopes(c * muw / (1 + muw) * y[1] * (k1[0] * y[1] - k1[1] * y[0]) / (slip * slip * slip))
+    h = only_slopes(spare) / -rate if rate < 0 else only_slopes(c) * 0
+    return y[0] + h * k1[0], y[1] + h * k1[1], y[2] + h * k1[2], y[3] + h * k1[3], y[4] + h * k1[4]
 
 
 @kernel
