@@ -81,6 +81,8 @@ if os.name == "posix":
 # (a kernel sets FORCE_COLOR for its children; TTY_COMPATIBLE comes before it)
 os.environ.update(NO_COLOR="1", TTY_COMPATIBLE="0", COLUMNS="100", PYTHONWARNINGS="default")
 # figures go into the page, also where the caller draws without a screen (MPLBACKEND=Agg)
+# in carom's style, whoever draws them
+os.environ["MATPLOTLIBRC"] = str(Path(carom.__file__).parent / "plot" / "carom.mplstyle")
 os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
 
 # --- the reference ------------------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@ A command that fails stops the build; where a refusal is shown, ``%%sh refused``
 
 from __future__ import annotations
 
+import re
 import subprocess
 import textwrap
 from pathlib import Path
@@ -14,6 +15,9 @@ from docutils import nodes
 from IPython.core.magic import register_cell_magic
 from sphinx.application import Sphinx
 
+PROGRESS = re.compile(
+    r"(?:[a-z ]+|\d+ gases): (?:.*, )?\d+ s$"
+)  # where standard error is no terminal, every ten seconds
 LANGUAGES = {".toml": "toml", ".py": "python"}  # in which "#" begins a comment
 
 
@@ -23,6 +27,8 @@ def sh(line: str, cell: str) -> None:
         ["bash", "-euc", cell], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False
     )
     for text in done.stdout.splitlines():
+        if PROGRESS.fullmatch(text):
+            continue
         sentence = len(text) > 106 and "   " not in text.strip() and "──" not in text  # (no row of a table)
         print("\n".join(textwrap.wrap(text, 106)) if sentence else text)
     expected = 2 if line.strip() == "refused" else 0

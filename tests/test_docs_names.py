@@ -55,3 +55,28 @@ def test_imported_and_referred_names_exist() -> None:
         names |= set(REFERRED.findall(text))
     assert len(names) > 50
     assert not sorted(name for name in names if not exists(name))
+
+
+def prose(page: Path) -> str:
+    """A page without front matter, code, names in code, and addresses."""
+    text = re.sub(r"\A---\n.*?^---$", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+    text = re.sub(r"^(`{3,}|:{3,}).*?^\1[ \t]*$", "", text, flags=re.DOTALL | re.MULTILINE)
+    return re.sub(r"`[^`\n]+`|\]\([^)\s]*\)|\$[^$]+\$", "", text)
+
+
+def test_the_docs_stay_short() -> None:
+    """Counted as `find docs -name '*.md' | xargs cat | wc -w` does: with code, tables and front matter."""
+    assert len(PAGES) <= 60
+    assert sum(len(page.read_text(encoding="utf-8").split()) for page in PAGES) <= 70_000
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert len(readme.split()) <= 1_000
+    assert len(readme.splitlines()) <= 130
+
+
+def test_plain_words_where_a_newcomer_reads() -> None:
+    """Nothing inanimate tells, wants or asks; a noun for "so many"."""
+    words = re.compile(r"\b(?:told|tells|said|asked|asks|whoever|so many|wants|untold)\b", re.IGNORECASE)
+    pages = [ROOT / "README.md", *(page for page in PAGES if page.parent.name in ("tutorials", "howto"))]
+    found = {page.name: hits for page in pages if (hits := words.findall(prose(page)))}
+    assert len(pages) > 20
+    assert found == {}

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pandas
 import pytest
+from reference.commands import command
 
 import carom
+from carom.cli import console
 
 
 @pytest.fixture
@@ -191,3 +194,65 @@ def test_films_in_memory_are_measured_as_their_file_is(tmp_path: Path) -> None:
         {"t": t, "x": 4 * t - 4.9 * t * t}, radius=0.03, view="side"
     )  # (one coordinate is the height)
     assert any("one coordinate" in line for line in height.notes)
+
+
+def test_results_draw_themselves(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    orbit = carom.orbit("circle", 30, orbits=2, seed=1)
+    for make in (orbit.plot, orbit.portrait, orbit.boundary, orbit.lyapunov):
+        assert make().axes
+    orbit.plot(tmp_path / "o.png")
+    assert carom.orbit("circle", 5, periodic=2).plot().axes
+    gas = carom.gas.GasScene(
+        container=(6, 6, 6), species=[carom.gas.Species(carom.Ball(0.5, 1.0), 64)], contacts=carom.Surface(1, 0, -1),
+        run={"equilibrate": 0, "max_events": 500},
+    )  # fmt: skip
+    found = carom.simulate_gas(gas)
+    assert repr(found).startswith("<Session: 64 balls")
+    assert "\n" not in repr(found)
+    found.plot(tmp_path / "g.png")
+    assert {path.name for path in tmp_path.iterdir()} == {"o.png", "g.png"}
+
+
+def test_events_are_the_place_of_a_callback(file: Path) -> None:
+    with pytest.raises(TypeError, match=r"for event in run\.events"):
+        carom.simulate(file, on_event=print)  # type: ignore[call-arg]
+
+
+def test_laws_that_predict_the_same_share_a_row() -> None:
+    found = carom.compare(carom.incoming(restitution=0.85, friction=0.2, floor_restitution=0.5, floor_friction=0.2))
+    rows = {row[0]: row[1:] for row in found.table().rows}
+    assert list(rows) == ["mirror", "conventional", "no-slip", "two-step, maw, stronge"]
+    assert {found[law].reflection_angle_deg.hex() for law in ("maw", "stronge")} == {
+        found["maw"].reflection_angle_deg.hex()
+    }
+
+
+def test_decimal_commas_in_options(capsys: pytest.CaptureFixture[str]) -> None:
+    comma = [
+        "compare",
+        "--json",
+        "--speed",
+        "1,5",
+        "--restitution",
+        "0,85",
+        "--friction",
+        "0,2",
+        "--radius",
+        "28,6mm",
+        "--inertia",
+        "0,4",
+    ]
+    point = [word.replace(",", ".") for word in comma]
+    assert command(capsys, *comma) == command(capsys, *point)
+    code, _out, err = command(capsys, "compare", "--speed", "1,500")  # (a thousand and a half, or one and a half)
+    assert (code, "'1,500'" in err) == (2, True)
+
+
+def test_progress_where_there_is_no_terminal(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(console, "LINE_INTERVAL", 0.0)
+    with console.working("fit") as show:
+        show(1, 4, "two-step")
+    assert re.fullmatch(r"fit: 25%, two-step, \d+ s\n", capsys.readouterr().err)

@@ -76,6 +76,8 @@ class Quantity(NamedTuple):
     names: str
     """All names, of scenes with their path."""
     remark: str = ""
+    family: bool = False
+    """Whether its names are those of several numbers."""
 
 
 ROWS = {
@@ -116,17 +118,13 @@ ROWS = {
         Quantity("tangential restitution", "β", "1", "walls[].tangential_restitution tangential_restitution"),
         Quantity("tangential over normal stiffness", "", "1", "walls[].stiffness_ratio stiffness_ratio"),
         *(
-            Quantity(f"{name.replace('_', ' ')} in slip, slip/v_n or a speed{words}", "", unit, f"{name}_{field}", "of fits alone")
+            Quantity(f"{name.replace('_', ' ')} as a form of slip, slip/v_n or a speed", "", "",
+                     " ".join(f"{name}_{field}" for field in ("0", "1", "at_rest", "at_speed", "speed")),
+                     "of fits alone: constant and slope of a line; at rest, far from rest, and where it changes", True)
             for name in ALONG
-            for words, unit, field in (
-                (": linear, constant", "1", "0"), (": linear, slope", "s/m or 1", "1"), (", at rest", "1", "at_rest"),
-                (", far from rest", "1", "at_speed"), (": where it changes", "m/s or 1", "speed"),
-            )
         ),
-        *(
-            Quantity(f"number of a form, in the record of a fit: {name}", "", "", name, "within the fit alone")
-            for name in ("friction_2", "last_1", "last_2")
-        ),
+        Quantity("further numbers of a form, in the record of a fit", "", "", "friction_2 last_1 last_2",
+                 "within the fit alone", True),
         Quantity("contact time of a ball alone", "T", "s", "walls[].contact_time"),
         Quantity("depth at which a ball turns, over its speed along the normal", "", "s", "walls[].yield_time"),
         Quantity("normal", "n", "1", "normal normal_x normal_y normal_z"),
@@ -253,7 +251,7 @@ def page() -> str:
                 read = others[0].get(name, "")
                 if kinds:
                     found.append(f"`{name}` ({', '.join(kinds)}{f'; {read}' if read else ''})")
-            several = "**several names**: " if len(names_of(row)) > 1 else ""
+            several = "**several names**: " if len(names_of(row)) > 1 and not row.family else ""
             text.append(
                 f"| {row.title} | {row.symbol} | {row.unit} | {placed} | {', '.join(found)} | {several}{row.remark} |\n"
             )

@@ -1,4 +1,4 @@
-"""List every number that README, paper, theory and most how-tos state, with the line that made it.
+"""List every number that README, paper and the pages of the docs state, with the line that made it.
 
     python docs/dev/stated.py           # counts by kind and page, and the numbers without a source
     python docs/dev/stated.py --all     # every number: page, line, kind, source
@@ -11,7 +11,8 @@ A number is made by one of these, tried in this order:
 - checked: one of ``STATEMENTS`` below computes it, from the library or from docs/benchmarks.md, and tests/test_stated.py compares;
 - formula: it is a coefficient or an exponent of typeset mathematics;
 - name: year, volume or page of a source, number of an equation, section or version;
-- said: its paragraph, or the table with the paragraph before it, names the test, script or page that gives it;
+- said: its paragraph, or the table with the paragraph before it, names the test, script or page that gives it; on pages of
+  measurements its section names the command, or is made by its cells;
 - given: how many were counted, at which angle, or which share of an interval: a condition of a result, in its own words;
 - count: a whole number up to 12 in a sentence (an order, an index, a number of contacts): an argument, no measurement;
 - record: the same number stands in a record of a run (campaigns/results.md; benchmarks.md, validation and datasets in docs).
@@ -22,10 +23,11 @@ Whatever is left is printed as without a source: a constant in an argument, or a
 from __future__ import annotations
 
 import argparse
+import inspect
 import math
 import re
 import sys
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -44,34 +46,21 @@ from carom.fitting import law_table as tabulated
 from carom.fitting import spins as spin_quadrature
 from carom.gas import initial, session
 from carom.gas.edmd import calendar, collisions
+from carom.gas.species import CLASSES
 from carom.laws import pair as hertz
 from carom.simulation import cluster_steps
 
 ROOT = Path(__file__).parents[2]
+# All pages but the lists of the reference; the records of runs are sources themselves.
 PAGES = (
     "README.md",
-    "docs/index.md",
     "paper.md",
-    "docs/comparison.md",
-    "docs/faq.md",
-    "docs/design.md",
-    "docs/tutorials/from_pooltool.md",
-    "docs/tutorials/gallery.md",
-    *(
-        f"docs/howto/{name}.md"
-        for name in [
-            "choose",
-            "explorer",
-            "gradients",
-            "judge",
-            "orbits",
-            "own_law",
-            "own_loop",
-            "simulate",
-            "sweeps",
-        ]
+    "CONTRIBUTING.md",
+    *sorted(
+        str(page.relative_to(ROOT))
+        for page in (ROOT / "docs").rglob("*.md")
+        if not {"_build", "reference"} & set(page.parts) and page.name != "benchmarks.md"
     ),
-    *sorted(f"docs/theory/{p.name}" for p in (ROOT / "docs/theory").glob("*.md")),
 )
 RECORDS = (
     "docs/benchmarks.md",
@@ -80,12 +69,16 @@ RECORDS = (
     "docs/datasets.md",
 )
 KINDS = ("cell", "code", "checked", "formula", "name", "said", "given", "record", "count", "no source")
-NOUNS = "(?:tables|rows|bounces|balls|shots|spins|draws|directions|films|spheres|orbits|layouts|racks|windows|neighbours|frames)"
+NOUNS = (
+    "(?:tables|rows|rebounds|bounces|balls|shots|spins|draws|directions|films|spheres|orbits|layouts|racks|windows|neighbours"
+    "|frames|pixels|degrees\\sof\\sfreedom)"
+)
 GIVEN = re.compile(
-    rf"\b(?:[Oo]f|[Ii]n|[Ww]ith|[Ff]or|from|and) (?:some |only |the |another )?\d[\d,]*(?=\s(?:[*a-z]+\s)?{NOUNS}\b)"
+    rf"\b(?:[Oo]f|[Ii]n|[Ww]ith|[Ff]or|from|and|to|than) (?:some |only |the |another )?\d[\d,]*(?=\s(?:[*a-z]+\s)?{NOUNS}\b)"
     r"|\d[\d,]*(?=\s(?:frames per second|random [a-z]+)\b)"
     r"|(?:\b[Aa]t|[Aa]bove|[Bb]elow|of|angles?|than)\s\d+(?=°|\sdegrees)"
-    r"|\d+(?=\s%\sinterval)"
+    r"|\d+(?=\s%\sinterval)|\b\d+(?= to 1\b)|\b(?:68|95)(?=\s(?:and\s95\s)?%)"
+    r"|\d+(?=\s(?:per\ssecond|to\s[-−]?\d+\sdegrees|degrees))"
 )
 NUMBER = re.compile(r"(?<![\w.,])[-−]?\d+(?:,\d{3})*(?:\.\d+)?(?:e-?\d+)?(?![\w])")
 FENCE = re.compile(r"^(`{3,}|:{3,}).*?^\1[ \t]*$", re.MULTILINE | re.DOTALL)
@@ -98,7 +91,8 @@ NAME = re.compile(
     r"\(\d+[a-z]?\)(?: (?:to|and) \(\d+[a-z]?\))*"  # equations
     r"|\b(?:sections?|equations?|chapter|Fig\.|figure|Table|lemma|theorem|version|seed|commit|page|pp?\.) \d[\d.]*"
     r"|\b(?:Python|pooltool|Numba|NumPy) \d[\d.]*(?:(?: to | and |, |–)\d[\d.]*)*"
-    r"|(?:[A-Z][a-z]\w*\.?|\b[A-Z])\*? (?:[A-Z]\*? )?\d+[A-Z]?,\s[L\d]\d*(?:[–-]\d+)?(?=[ ,)])"  # Phys. Rev. E 61, 5573
+    r"|(?:[A-Z][a-z]\w*\.?|\b[A-Z])\*? (?:[A-Z]\*? )?\d+[A-Z]?,\s[LR\d]\d*(?:[–-]\d+)?(?:,\s\d+)?(?=[\s,);])"  # Phys. E 61, 5573
+    r"|\b\d+[A-Z]?,\s(?:19|20)\d\d,\s\d+"  # 37, 1969, 88
     r"|\(\d{4}\), \d+\.\d+\b|\b(?:1[6-9]|20)\d\d(?:-\d\d-\d\d)?[a-z]?\b|\b\d{4}\.\d{5}\b|^#+ [^\n]*|^\d+\. |\A---\n.*?^---$",
     re.MULTILINE | re.DOTALL,
 )
@@ -106,6 +100,8 @@ SOURCE = re.compile(
     r"(?:tests|campaigns|benchmarks|docs|src)/[\w/]+\.(?:py|md)|`carom [a-z][^`]*`"
     r"|\]\([^)\s]*\)|\ba test\b|\bthe tests\b|[Tt]he cells? (?:above|below)"
 )
+COMMAND = re.compile(r"`?(?:python |carom [a-z])[^`\n]*|\bcode-cell\b")
+SECTION = re.compile(r"^#{1,2} .*?(?=^#{1,2} |\Z)", re.MULTILINE | re.DOTALL)
 WORDS = (
     *("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"),
     *("thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen", "twenty"),
@@ -281,6 +277,19 @@ def cue() -> list[float]:
     return [one.mass / 28.349523e-3, 1e3 * one.end_mass, one.restitution, one.friction]
 
 
+def tennis() -> list[float]:
+    """Restitution by the heights of a tennis ball dropped from 1.5 m, k = 0.02 per metre, and the true one."""
+    g, k, height, true = 9.80665, 0.02, 1.5, 0.75
+    down = g / k * (1 - math.exp(-2 * k * height))
+    return [math.sqrt(math.log(1 + k * true**2 * down / g) / (2 * k) / height), true]
+
+
+def final_angles() -> list[float]:
+    """Least and largest final angle of the paper's example, degrees."""
+    angles = [one.reflection_angle_deg for one in carom.compare().verdicts if one.reflection_angle_deg is not None]
+    return [min(angles), max(angles)]
+
+
 def snooker() -> list[float]:
     """Speed after a snooker cushion over that before, %: least, largest and median measured; Han's law at e = 1, at most."""
     cushions = beside("cushions")
@@ -329,6 +338,20 @@ def few_spins() -> list[float]:
 COUNTS = "len(carom.LAWS), len(carom.compare().verdicts)"
 TABLE, FILMS = "docs/benchmarks.md", "docs/validation/which_law.md"
 STATEMENTS = (
+    Statement("docs/howto/tracks.md", r"restitution of ([\d.]+) instead of ([\d.]+)", tennis, "flights with drag"),
+    Statement("docs/tutorials/first_steps.md", r"lie between (\d+) and (\d+) degrees", final_angles, "carom.compare"),
+    Statement(
+        "docs/howto/gas.md",
+        r"More than (\d+) different radii are divided into (\d+) classes",
+        lambda: 2 * [CLASSES],
+        "carom.gas.species",
+    ),
+    Statement(
+        "docs/howto/aim.md",
+        r"([\d,]+) starts \(Sobol\)",
+        lambda: [inspect.signature(carom.aim).parameters["starts"].default],
+        "carom.aim",
+    ),
     *(
         Statement(f"docs/theory/{page}.md", pattern, lambda value=value: [value], source)
         for page, pattern, value, source in (
@@ -337,7 +360,7 @@ STATEMENTS = (
             ("gas", r"a ball that has (\d+) contacts in a row", collisions.PATIENCE, "carom.gas.edmd.collisions"),
             ("pairs", r"and Kennedy\), (\d+) a contact", cluster_steps.STEPS, "carom.simulation.cluster_steps"),
             ("fitting", r"has risen by ([\d.]+) \(99", identifiability.FLAT_RISE, "carom.fitting.identify"),
-            ("fitting", r"From (\d+) such rows on", tabulated.LEAST_ROWS, "carom.fitting.law_table"),
+            ("fitting", r"From (\d+) rows without spin on", tabulated.LEAST_ROWS, "carom.fitting.law_table"),
             ("fitting", r"normal prior by (\d+) to 1", evidence.DECIDED, "carom.fitting.evidence"),
             (
                 "fitting",
@@ -394,9 +417,6 @@ STATEMENTS = (
     ),
     Statement(
         "docs/theory/gas.md", r"two pages, of (\d+) bins each", lambda: [calendar.PAGE], "carom.gas.edmd.calendar"
-    ),
-    Statement(
-        "docs/theory/fitting.md", r"with (\d+) Gauss points", lambda: [len(spin_quadrature.NODES)], "carom.fitting"
     ),
     Statement("README.md", r"takes ([\d.]+) to ([\d.]+) µs; pooltool 0\.6 needs ([\d.]+) to ([\d.]+) ms", shots, TABLE),
     *(
@@ -482,15 +502,15 @@ def spans(pattern: re.Pattern[str], page: str) -> list[tuple[int, int, str]]:
 
 
 @cache
-def recorded() -> dict[str, str]:
-    """Where each number of three characters or more first stands in the records."""
-    found: dict[str, str] = {}
+def recorded() -> dict[str, list[str]]:
+    """Where each number of three characters or more stands in the records."""
+    found: dict[str, list[str]] = defaultdict(list)
     for pattern in RECORDS:
         for path in sorted(ROOT.glob(pattern)):
             for n, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
                 for number in NUMBER.findall(line):
                     if len(number) > 2:
-                        found.setdefault(number, f"{path.relative_to(ROOT)}:{n}")
+                        found[number].append(f"{path.relative_to(ROOT)}:{n}")
     return found
 
 
@@ -518,11 +538,14 @@ def stated(page: str) -> list[Stated]:
                 if m.group(0) in NUMBER.findall(one.pattern.replace("\\", ""))
             ]
     blocks = paragraphs(page)
+    in_cells = {one for fence in fences if "code-cell" in fence[2] for one in NUMBER.findall(fence[2])}
+    measured = page.startswith("docs/validation/") or page in ("docs/datasets.md", "docs/howto/predict.md")
+    parts = spans(SECTION, page) if measured else []
 
     def inside(at: int, places: Sequence[tuple[int, int, str]]) -> str:
         return next((what for start, end, what in places if start <= at < end), "")
 
-    def kind(at: int, number: str) -> tuple[str, str]:
+    def kind(at: int, number: str) -> tuple[str, str]:  # noqa: PLR0911
         if fence := inside(at, fences):
             head = fence.partition("\n")[0]
             return (
@@ -539,9 +562,14 @@ def stated(page: str) -> list[Stated]:
                 return name, ""
         if source := SOURCE.search(inside(at, blocks)):
             return "said", source.group(0)
+        if number in in_cells:
+            return "cell", "stands in a cell of the page"
+        if source := COMMAND.search(inside(at, parts)):
+            return "said", source.group(0)
         if inside(at, conditions) or (number.isdigit() and int(number) <= 12):
             return ("given" if inside(at, conditions) else "count"), ""
-        return ("record", recorded()[number]) if number in recorded() else ("no source", "")
+        elsewhere = (place for place in recorded().get(number, ()) if place.partition(":")[0] != page)
+        return ("record", place) if (place := next(elsewhere, "")) else ("no source", "")
 
     whole = text(page)
     return [

@@ -13,20 +13,7 @@ from typing import Any
 import numpy as np
 
 import carom
-
-__all__ = [
-    "LAWS",
-    "RADIUS",
-    "at_once",
-    "combination",
-    "draw_break",
-    "hertz",
-    "impulse_space",
-    "one_pair_at_a_time",
-    "rack",
-    "row",
-    "vee",
-]
+from carom.plot.style import new_figure, style
 
 Array = Any
 RADIUS, MASS = 0.028575, 0.17
@@ -158,15 +145,17 @@ def rack(
 
 def draw_break(off: float = 0.0) -> Any:
     """Draw the velocities after a break of touching balls, by each law."""
-    from matplotlib import pyplot as plt
+    from matplotlib.patches import Circle
 
-    figure, panels = plt.subplots(2, 2, figsize=(6.4, 4.7), layout="constrained", sharex=True, sharey=True)
+    with style():
+        figure = new_figure(6.4, 4.7)
+        panels = figure.subplots(2, 2, sharex=True, sharey=True)
     position, velocity = rack(off=off)
     for axes, (name, law) in zip(panels.ravel(), LAWS.items(), strict=True):
         after = law(position, velocity, 0.95)
         for k, (x, v) in enumerate(zip(position, after, strict=True)):
-            colour = "tab:red" if k == 0 else "tab:blue"
-            axes.add_patch(plt.Circle((x[0], x[1]), RADIUS, fill=False, ec=colour if k == 0 else "0.65", lw=0.8))
+            colour = "#D55E00" if k == 0 else "#0072B2"
+            axes.add_patch(Circle((x[0], x[1]), RADIUS, fill=False, ec=colour if k == 0 else "0.65", lw=0.8))
             if np.linalg.norm(v) > 0.1:
                 tip = (x[0] + 0.03 * v[0], x[1] + 0.03 * v[1])
                 axes.annotate("", tip, (x[0], x[1]), arrowprops={"arrowstyle": "->", "color": colour, "lw": 1.3})
@@ -175,4 +164,64 @@ def draw_break(off: float = 0.0) -> Any:
         axes.title.set_fontsize(9)
     axes.plot([0.12, 0.42], [-0.25, -0.25], color="0.3", lw=1.2)
     axes.text(0.27, -0.24, "10 m/s", ha="center", va="bottom", fontsize=8)
+    return figure
+
+
+def few_balls() -> Any:
+    """A table of velocities after impacts of three to five balls, by each law."""
+    from IPython.display import Markdown
+
+    cases = {
+        "cradle of 3, e = 1": (row(3), 1.0),
+        "cradle of 5, e = 1": (row(5), 1.0),
+        "cradle of 5, e = 0.95": (row(5), 0.95),
+        "one on two that touch, e = 1": (vee(), 1.0),
+        "frozen combination, 30°, e = 0.95": (combination(), 0.95),
+    }
+
+    def in_words(v: Array, flat: bool) -> str:
+        return f"{v[0] + 0:.3f}" if flat else f"({v[0] + 0:.3f},\u00a0{v[1] + 0:.3f})"
+
+    lines = ["| | law | velocities, m/s | energy |", "|---|---|---|---|"]
+    for title, (case, e) in cases.items():
+        for k, (name, law) in enumerate(LAWS.items()):
+            after = law(*case, e)
+            energy = (after**2).sum() / (case[1] ** 2).sum()
+            words = ", ".join(in_words(v, flat=not after[:, 1].any()) for v in after.round(3))
+            lines.append(f"| {'' if k else title} | {name} | {words} | {energy:.3f} |".replace("-", "−"))
+    return Markdown("\n".join(lines))
+
+
+def beside_belk() -> Any:
+    """A table of speeds after the break that Jim Belk integrated, by each law."""
+    from IPython.display import Markdown
+
+    names = ["white", "1", "2, 3", "4, 6", "5", "7, 10", "8, 9", "11, 15", "12, 14", "13"]
+    first = [0, 1, 2, 4, 5, 7, 8, 11, 12, 13]
+    belk = [1.79, 1.20, 1.57, 1.42, 0.12, 1.31, 0.25, 5.60, 2.57, 2.63]
+    laws = {**LAWS, "Hertz, as stiff as his": lambda *case: hertz(*case, young=7.6e14)}
+    head = ["| |" + "|".join(names) + "|", "|---" * (len(names) + 1) + "|"]
+    lines = [*head, "| **Belk** |" + "|".join(f"{x:.2f}" for x in belk) + "|"]
+    for name, law in laws.items():
+        speed = np.linalg.norm(law(*rack(10.0), 1.0), axis=1)[first]
+        lines.append(f"| {name} |" + "|".join(f"{x:.2f}" for x in speed) + "|")
+    return Markdown("\n".join(lines))
+
+
+def draw_gaps() -> Any:
+    """Draw the velocity of a ball that has met two at rest, over the gap between these."""
+    gaps = np.array([1, 2, 5, 10, 20, 30, 40, 50, 70, 100, 150, 200]) * 1e-6
+    with style():
+        figure = new_figure(6.4, 3.0)
+        axes = figure.subplots()
+        for e, line in ((1.0, "-"), (0.95, "--")):
+            striker = [[law(*row(3, gap=gap), e)[0, 0] for gap in gaps] for law in (hertz, one_pair_at_a_time)]
+            axes.plot(1e6 * gaps, striker[0], line, color="#0072B2", label=f"Hertz, e = {e:g}")
+            axes.plot(1e6 * gaps, striker[1], line, color="#D55E00", label=f"one pair at a time, e = {e:g}")
+        axes.axhline(0, color="0.6", lw=0.8)
+        axes.set(
+            xscale="log", xlabel="gap between the two at rest, µm", ylabel="striker after, m/s", ylim=(-0.08, 0.045)
+        )
+        axes.legend(frameon=False, fontsize=8)
+        figure.tight_layout()
     return figure

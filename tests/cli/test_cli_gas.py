@@ -221,7 +221,7 @@ def test_faults_are_lines_and_nothing_runs(folder, capsys, monkeypatch):
     (line,) = refusal(capsys, monkeypatch)
     assert line == "SCENE.toml: expected a scene, got none; carom scene new --gas FILE writes one"
     (line,) = refusal(capsys, monkeypatch, "rough.toml", "--every", "5")
-    assert line == "--every: expected --snapshots FILE.gsd as well, got none"
+    assert line == "--every: expected --snapshots FILE as well, got none"
     (line,) = refusal(capsys, monkeypatch, "rough.toml", "--checkpoint-every", "5")
     assert line == "--checkpoint-every: expected --checkpoint FILE as well, got none"
     (line,) = refusal(capsys, monkeypatch, "rough.toml", "--max-events", "0")

@@ -50,7 +50,9 @@ def test_what_is_left_out(tmp_path):
     scene = load(
         tmp_path, text.replace("tangential_restitution = 1.0\n", "").replace("temperature_rotational = 0.5", "")
     )
-    assert scene.equilibrate == 40 * 200
+    assert (scene.cools, scene.equilibrate) == (True, 0)  # (its contacts stop the slip: there is no equilibrium)
+    warm = load(tmp_path, ROUGH.replace("equilibrate = 5_000\n", ""))
+    assert (warm.cools, warm.equilibrate) == (False, 40 * 200)
     gas = build(scene)
     assert gas.arrays.materials.species[0].tolist() == (0.5, 1.0, 0.4)
     assert gas.arrays.materials.pairs[0]["beta"] == 0

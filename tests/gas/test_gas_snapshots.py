@@ -20,7 +20,14 @@ from carom.gas import GasScene, Session, gas_text
 from carom.gas.results import LogTimes
 from carom.gas.scene import load_gas
 from carom.gas.session import build
-from carom.gas.snapshots import Snapshots, expected_snapshots, mean_free_time, require_size, spins_of
+from carom.gas.snapshots import (
+    Snapshots,
+    expected_snapshots,
+    mean_free_time,
+    read_initial_state,
+    require_size,
+    spins_of,
+)
 
 
 @pytest.fixture(params=["rough", "mixed"])
@@ -206,7 +213,7 @@ def test_a_number_per_decade(tmp_path, every):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["--yes"], "--yes: expected --snapshots FILE.gsd as well, got none"),
+        (["--yes"], "--yes: expected --snapshots FILE as well, got none"),
         (["--from", "50 events"], "--from: expected a time > 0, such as 0.5, or '10 min', got '50 events'"),
         (["--duration", "50 events"], "--duration: expected a time > 0, such as 0.5, or '10 min', got '50 events'"),
     ],
@@ -270,3 +277,53 @@ def test_the_command_refuses_large_files_in_one_line(tmp_path, monkeypatch):
     assert CliRunner().invoke(app, [*words, "50000 events", "--max-size", "1 MB"]).exit_code == 0
     done = CliRunner().invoke(app, [*words, "20", "--force", "--max-size", "much"])
     assert str(done.exception) == "--max-size: expected a size > 0, such as '20 GB' or '500 MB', got 'much'"
+
+
+@pytest.mark.parametrize("kind", [".npz", ".xyz"])
+def test_snapshots_in_double_precision_keep_the_bits_and_go_on(gas, tmp_path, kind):
+    gas, names = gas
+    path = tmp_path / f"s{kind}"
+    file, seen = Snapshots(path, names), []
+    for _ in range(3):
+        file.write(gas)
+        seen.append((gas.time, gas.balls()))
+        gas.run(500)
+    file.close()
+    file = Snapshots(path, names, keep=2)  # (of a run that goes on from a checkpoint before the third)
+    file.write(gas)
+    file.close()
+    seen[2] = (gas.time, gas.balls())
+    if kind == ".npz":
+        found = np.load(path)
+        frames = list(zip(*(found[name] for name in ("time", "position", "velocity", "spin")), strict=True))
+        assert found["species"].tolist() == [names[gas.groups[k]] for k in seen[0][1].species]
+    else:
+        count = len(seen[0][1].position)
+        lines = path.read_text().splitlines()
+        parts = [lines[k * (count + 2) : (k + 1) * (count + 2)] for k in range(3)]
+        assert len(lines) == 3 * (count + 2)
+        frames = []
+        for number, head, *rows in parts:
+            table = np.array([row.split()[1:] for row in rows], dtype=float)
+            assert int(number) == count
+            frames.append((float(head.partition("Time=")[2].split()[0]), table[:, :3], table[:, 3:6], table[:, 6:9]))
+    assert len(frames) == 3
+    for (time, balls), (t, x, v, w) in zip(seen, frames, strict=True):
+        assert t == time
+        assert all(np.array_equal(a, b) for a, b in ((x, balls.position), (v, balls.velocity), (w, balls.spin)))
+    with pytest.raises(CaromError, match="expected at least 9 frames"):
+        Snapshots(path, names, keep=9)
+
+
+def test_a_start_from_stacked_snapshots_is_their_last_frame(gas, tmp_path):
+    gas, names = gas
+    file = Snapshots(tmp_path / "s.npz", names)
+    file.write(gas)
+    gas.run(300)
+    file.write(gas)
+    file.close()
+    one = gas.arrays.system[0]
+    axes = int(one["dimensions"])
+    found = read_initial_state(tmp_path / "s.npz", axes, tuple(one["side"][:axes]), len(gas.balls().position))
+    assert np.array_equal(found.position, gas.balls().position)
+    assert np.array_equal(found.spin, gas.balls().spin)

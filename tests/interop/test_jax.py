@@ -123,3 +123,30 @@ def test_what_no_run_has_is_refused_in_one_line(bad: float) -> None:
         for other in (x * 1j, "text", None, 1.0, x[None], x > 0):
             with pytest.raises(carom.CaromError, match=r"interop\.jax\.function: expected"):
                 place(other)
+
+
+def test_one_impact_is_that_of_the_kernel_and_has_derivatives() -> None:
+    rng, ball = np.random.default_rng(0), carom.Ball(0.03, 0.2, 0.4)
+    impact = carom.interop.jax.impact
+    for mu in (0.0, 0.1, 0.5, np.inf):
+        for _ in range(8):
+            v, w, n = rng.normal(size=(3, 3)) * np.array([[1.0], [20.0], [1.0]])
+            v -= max(v @ n, 0.0) * 2 * n / (n @ n)  # (towards the surface)
+            e, beta = rng.uniform(0, 1), rng.uniform(-1, 1)
+            after = carom.impact(ball, carom.State(v, w), n, carom.Surface(e, mu, beta)).after
+            found = impact(v, w, ball=ball, normal=n, restitution=e, friction=mu, tangential_restitution=beta)
+            assert np.asarray(found[0]) == pytest.approx(after.velocity, abs=1e-14)
+            assert np.asarray(found[1]) == pytest.approx(after.spin, abs=1e-12)
+
+    def velocity(e: float, mu: float) -> object:
+        return impact((-1.0, 1.0, 0.2), (3.0, 5.0, 7.0), ball=ball, restitution=e, friction=mu)[0]
+
+    h = 1e-6
+    for k, x in enumerate((0.9, 0.1)):
+        sides = ([0.9, 0.1], [0.9, 0.1])
+        sides[0][k], sides[1][k] = x + h, x - h
+        by = (np.asarray(velocity(*sides[0])) - np.asarray(velocity(*sides[1]))) / (2 * h)
+        assert np.asarray(jax.jacrev(velocity, k)(0.9, 0.1)) == pytest.approx(by, abs=1e-8)
+    # a ball without slip: the root of the slip has no derivative, friction has no effect
+    assert np.isfinite(jax.jacfwd(velocity, 1)(0.9, np.inf)).all()
+    assert float(jax.grad(lambda mu: impact((-1.0, 0, 0), (0, 0, 0), friction=mu)[0][1])(0.3)) == 0

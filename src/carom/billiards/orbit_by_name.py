@@ -5,25 +5,30 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from os import PathLike
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer, require_reversible, reverse
+from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer, require_reversible
+from carom.billiards.orbits import reverse as backwards
 from carom.billiards.orbits import starts as sampled_starts
 from carom.billiards.periodic import PeriodicOrbits, periodic_orbits
 from carom.billiards.setup import OrbitSetup, Start, default_ball, law_of, needs_surface, orbit_setup, start_rows
-from carom.billiards.stability import Lyapunov
-from carom.billiards.stability import lyapunov as lyapunov_spectrum
+from carom.billiards.stability import Lyapunov, spectrum_of
 from carom.billiards.tables import Table, in_magnetic_field, under
 from carom.billiards.tables import table as table_of
 from carom.bodies import Ball, Disc, Surface
 from carom.errors import CaromError, FaultList
 from carom.laws.law import Law
 from carom.public.defaults import BOUNCES, PERIODIC_STARTS
+from carom.public.other_rooms import saved_figure
 from carom.public.progress import Progress
 from carom.scene.figures import Figure
+
+if TYPE_CHECKING:
+    import matplotlib.figure
 
 Array = NDArray[np.float64]
 
@@ -52,6 +57,16 @@ class OrbitResult(Orbit):
     """(..., B), m: distance of each bounce of the reversed orbits from the original one, with ``reverse``."""
     periodic: PeriodicOrbits | None = None
     """The periodic orbits, with ``periodic``."""
+
+    def plot(self, file: str | Path | None = None, **options: Any) -> matplotlib.figure.Figure:
+        """Return a Matplotlib figure: one orbit in its table, or the periodic orbits found. ``file``: write it there."""
+        if self.periodic is None:
+            return super().plot(file, **options)
+        return saved_figure("plot_periodic", file, self.periodic, **options)
+
+    def lyapunov(self, file: str | Path | None = None) -> matplotlib.figure.Figure:
+        """Return a figure of how the Lyapunov exponents converge, which are computed if they were not. ``file``: write it there."""
+        return saved_figure("plot_lyapunov", file, self.spectrum or _spectrum(self))
 
 
 def orbit(
@@ -176,16 +191,14 @@ def orbit(
     if start is None:
         start = sampled_starts(setup.table, orbits, seed, ball=setup.ball, law=law)
     found = orbit_from_setup(setup, start, bounces, progress)
-    spectrum = None
-    if lyapunov:
-        spectrum = lyapunov_spectrum(setup.table, start, found.t.shape[-1], ball=setup.ball, law=law, surface=surface)
+    spectrum = _spectrum(found) if lyapunov else None
     parts = {one.name: getattr(found, one.name) for one in fields(found)}
-    error = _reversal_error(found) if reverse else None
+    error = backwards(found)[1] if reverse else None
     return OrbitResult(**parts, spectrum=spectrum, reversal_error=error, periodic=closed)
 
 
-def _reversal_error(found: Orbit) -> Array:
-    return reverse(found)[1]
+def _spectrum(found: Orbit) -> Lyapunov:
+    return spectrum_of(found.setup, found.start, found.t.shape[-1])
 
 
 def check_orbit(**options: Any) -> None:

@@ -6,7 +6,8 @@ import functools
 import math
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +22,11 @@ from carom.core.jit.threads import Pace
 from carom.core.sums import added
 from carom.errors import CaromError, Fault
 from carom.files import require_memory
+from carom.public.other_rooms import saved_figure
 from carom.public.progress import Progress
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 
@@ -147,6 +152,18 @@ class Orbit:
         u = np.arange(points) / points * t[:, None]
         inner = moved_in_flight(self.setup.table, x[:-1, None], v[:-1, None], u)[0]
         return np.concatenate([inner.reshape(-1, d), x[-1:]])
+
+    def plot(self, file: str | Path | None = None, **options: Any) -> Figure:
+        """Return a Matplotlib figure: one orbit in its table (:func:`carom.plot.plot_orbit`). ``file``: write it there."""
+        return saved_figure("plot_orbit", file, self, **options)
+
+    def portrait(self, file: str | Path | None = None) -> Figure:
+        """Return the velocity phase portrait of all orbits (:func:`carom.plot.plot_portrait`). ``file``: write it there."""
+        return saved_figure("plot_portrait", file, self)
+
+    def boundary(self, file: str | Path | None = None) -> Figure:
+        """Return the boundary map of all orbits (:func:`carom.plot.plot_boundary`). ``file``: write it there."""
+        return saved_figure("plot_boundary", file, self)
 
 
 def moved_in_flight(table: Table, x: Array, v: Array, t: Array) -> tuple[Array, Array]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -451,7 +451,14 @@ def lyapunov(
     >>> bool(found.per_bounce[0] > 0.3), bool(abs(found.per_bounce.sum()) < 0.01)
     (True, True)
     """
-    setup = orbit_setup(table, ball, law, surface, "end")
+    return spectrum_of(orbit_setup(table, ball, law, surface, "end"), start, bounces, blocks)
+
+
+def spectrum_of(setup: OrbitSetup, start: Any, bounces: int, blocks: int = 20) -> Lyapunov:
+    """Return the Lyapunov spectrum of a table, a ball and a law that are set up; orbits end at corners."""
+    if not setup.world[0]["corners"]:
+        setup = replace(setup, world=setup.world.copy())
+        setup.world["corners"] = True
     bounces, blocks = require_integer("bounces", bounces, 2), require_integer("blocks", blocks, 2)
     blocks = min(blocks, bounces)
     states, shape, n = _after_first_bounce(setup, start)

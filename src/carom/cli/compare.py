@@ -71,10 +71,12 @@ def show(comparison: Comparison) -> None:
     console = out()
     console.print(Text(_incoming(comparison)))
     console.table(comparison.table(console.width >= MIN_WIDTH_WITH_SPIN, (tick(console, True), tick(console, False))))
+    laws: dict[tuple[bool, str], list[str]] = {}
     for verdict in comparison.verdicts:
-        good = verdict.admissible
-        head = f"{tick(console, good)} {verdict.law}:"
-        lines = textwrap.wrap(f"{head} {_sentence(verdict)}", max(console.width, 40), subsequent_indent="  ")
+        laws.setdefault((verdict.admissible, _sentence(verdict)), []).append(verdict.law)
+    for (good, sentence), names in laws.items():
+        head = f"{tick(console, good)} {', '.join(names)}:"
+        lines = textwrap.wrap(f"{head} {sentence}", max(console.width, 40), subsequent_indent="  ")
         text = Text("\n".join(lines))
         text.stylize("bold green" if good else "bold red", 0, len(head))
         console.print(text)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
@@ -20,6 +21,7 @@ from carom.formatting import Listing, escape_controls
 
 LONGEST_WORD = 16  # columns of the screen; a longer word, such as a path, is folded where a table has to be narrow
 WIDEST = 1000
+LINE_INTERVAL = 10.0  # s between lines of progress where there is no terminal
 
 
 class TextConsole(Console):
@@ -159,16 +161,19 @@ def working(
     quiet: bool = False,
     unit: str = "",
 ) -> Iterator[Callable[..., None] | None]:
-    """Show a progress bar on standard error if that is a terminal; yield its update function (done, total, text), else None.
+    """Show progress on standard error; yield its function (done, total, text), None with ``quiet``.
 
-    While loops are compiled, ``compiling`` is shown in place of ``what``. With a unit, such as "points", their number and how
-    many of them are done in a second are shown, too.
+    It is a bar on a terminal, else a line every ten seconds. While loops are compiled, ``compiling`` is shown in place of
+    ``what``. With a unit, such as "points", their number and how many of them are done in a second are shown, too.
     """
     from carom.core.jit.threads import watch_compiling
 
     console = console or err()
-    if quiet or not console.is_terminal:
+    if quiet:
         yield None
+        return
+    if not console.is_terminal:
+        yield Lines(console, what, unit).show
         return
     bar = Bar(console, unit)
     depth = 0
@@ -184,6 +189,25 @@ def working(
             yield bar.show
     finally:
         bar.stop()
+
+
+class Lines:
+    """Progress where standard error is no terminal: a line every ten seconds."""
+
+    def __init__(self, console: Console, what: str, unit: str = "") -> None:
+        self._console, self._what, self._unit = console, what, unit
+        self._begin = self._last = time.monotonic()
+
+    def show(self, done: float, total: float | None, text: str = "") -> None:
+        """Print what is done, how much of it, and since when, if the last line was ten seconds ago."""
+        now = time.monotonic()
+        if now - self._last < LINE_INTERVAL:
+            return
+        self._last = now
+        share = f"{done / total:.0%}" if total and total > 0 else ""
+        amount = f"{done:,.0f} {self._unit}" if self._unit else "" if text == self._what else text
+        parts = ", ".join(filter(None, (share, amount, f"{now - self._begin:.0f} s")))
+        self._console.print(f"{self._what}: {parts}", soft_wrap=True)
 
 
 class Bar:

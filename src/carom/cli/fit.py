@@ -293,7 +293,8 @@ def _bar(console: Console) -> Iterator[Any]:
     from carom.cli.console import working
 
     with working("fit", console) as update:
-        yield update or (lambda _done, _total, _text: None)
+        assert update is not None
+        yield update
 
 
 def _picture(ranking: Any) -> Any:

@@ -11,7 +11,18 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.options import GAS_FILMS, OUTPUT, RUN, of_option, option, require_outputs, shared, write_files, wrote
+from carom.cli.options import (
+    GAS_FILMS,
+    OUTPUT,
+    RUN,
+    assigned,
+    of_option,
+    option,
+    require_outputs,
+    shared,
+    write_files,
+    wrote,
+)
 from carom.cli.streams import json_text, note, say_interrupted, say_json, say_notes, stop_requests
 from carom.errors import CaromError, FaultList, collected
 from carom.formatting import counted, format_bytes
@@ -154,7 +165,7 @@ def allowed_size(path: Path, scene: GasScene, every: Every | None, most: float |
     from carom.gas.snapshots import MAX_BYTES, expected_snapshots, require_size
 
     assert every is not None
-    size = expected_snapshots(scene, every)
+    size = expected_snapshots(scene, every, path.suffix.lower())
     limit = MAX_BYTES if most is None else most
     if size.total >= SAID_FROM:
         progress.say(f"snapshots: {size.describe(scene.count)}")
@@ -176,6 +187,9 @@ def allowed_size(path: Path, scene: GasScene, every: Every | None, most: float |
 RESUME = "Stop and resume"
 CHECKPOINT_INTERVAL = "10 min"
 OPTIONS = {"max_events": "--max-events", "duration": "--duration", "from_time": "--from", "seed": "--seed"}
+SET_GAS = (
+    "Another value for numbers of the scene, such as contacts.*.restitution=0.9 or run.equilibrate=0; may be repeated."
+)
 SNAPSHOTS = 100  # per run, without --every
 
 
@@ -194,6 +208,7 @@ def gas(
         str | None, option(RUN, "Simulated time before which nothing is measured.", "--from", metavar="T")
     ] = None,
     seed: Annotated[int | None, shared("seed", default="the scene's")] = None,
+    set_: Annotated[list[str] | None, shared("set", help=SET_GAS)] = None,
     ensemble: Annotated[
         int | None,
         option(
@@ -224,7 +239,8 @@ def gas(
         Path | None, option(OUTPUT, "All measures, with the curves of the plot: .json.", metavar="FILE")
     ] = None,
     snapshots: Annotated[
-        Path | None, option(OUTPUT, "Snapshots of the balls, e.g. for OVITO: .gsd.", metavar="FILE")
+        Path | None,
+        option(OUTPUT, "Snapshots of the balls: .gsd (OVITO), .npz (NumPy) or .xyz (extended XYZ).", metavar="FILE"),
     ] = None,
     every: Annotated[
         str | None, option(OUTPUT, "Time between snapshots, '5000 events', or '20 per decade' of time.", metavar="T")
@@ -276,7 +292,8 @@ def gas(
     if interval is not None and checkpoint_every != CHECKPOINT_INTERVAL and checkpoint is None and resume is None:
         found.add("--checkpoint-every", "--checkpoint FILE as well", "none")
     changes = {"max_events": max_events, "duration": duration, "from_time": from_time, "seed": seed}
-    given = found.attempt(_scene, scene, resume, changes)
+    values = assigned(found, set_)
+    given = found.attempt(_scene, scene, resume, changes, values)
     snapshot_every, most = _snapshot_options(found, snapshots, every, max_size, yes, given)
     found.raise_if_any()
     progress = Progress(quiet)
@@ -309,6 +326,7 @@ def gas(
             "--snapshots": snapshots,
             "--every": every,
             "--max-size": "inf" if yes and max_size is None else max_size,
+            "--set": set_,
         }
         _stopped(session, given, end.checkpoint, signals[0], again, end.faults)
     found += end.faults
@@ -334,7 +352,7 @@ def _check_files(found: FaultList, named: dict[str, Path | None], kept: dict[str
     kinds: dict[str, tuple[str, ...]] = {
         option: (path.suffix.lower(),) for option, path in kept.items() if path is not None
     }
-    kinds |= {"--animate": GAS_FILMS, "--measures": (".json",), "--snapshots": (".gsd",)}
+    kinds |= {"--animate": GAS_FILMS, "--measures": (".json",), "--snapshots": (".gsd", ".npz", ".xyz")}
     require_outputs(found, named | kept, kinds)
     checkpoint = kept["--checkpoint"]
     if checkpoint is not None and not any(str(fault).startswith("--checkpoint ") for fault in found):
@@ -350,7 +368,7 @@ def _snapshot_options(
     interval = found.attempt(_spacing, every, scene) if every is not None else None
     for name, value in (("--every", every), ("--max-size", max_size), ("--yes", yes or None)):
         if value is not None and snapshots is None:
-            found.add(name, "--snapshots FILE.gsd as well", "none")
+            found.add(name, "--snapshots FILE as well", "none")
     return interval, math.inf if yes and max_size is None else found.attempt(size_limit, max_size)
 
 
@@ -397,19 +415,27 @@ def _time(option: str, text: str, such_as: str = "0.5, or '10 min'") -> float:
         raise CaromError(f"{option}: expected a time > 0, such as {such_as}, got {text!r}") from None
 
 
-def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> GasScene | None:
-    """Return the scene of a file, with the options in place of its [run]; None: the checkpoint's."""
-    from carom.gas.scene import GasScene, GasSettings, load_gas
+def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any], values: dict[str, Any]) -> GasScene | None:
+    """Return the scene of a file, with ``values`` at its paths, and the options in place of its [run]; None: the checkpoint's."""
+    from carom.gas.scene import GasSettings, load_gas
+    from carom.scene.toml import replaced
 
     changes = {name: value for name, value in changes.items() if value is not None}
     if path is None:
         if resume is None:
             raise CaromError("SCENE.toml: expected a scene, got none; carom scene new --gas FILE writes one")
-        if changes:
-            options = ", ".join(OPTIONS[name] for name in changes)
+        if changes or values:
+            options = ", ".join([*(OPTIONS[name] for name in changes), *["--set"] * bool(values)])
             raise CaromError(f"{options}: expected SCENE.toml as well, got only a checkpoint; name the scene too")
         return None
     scene = load_gas(path)
+    if values:
+        where = scene.where
+        try:
+            scene = replaced(scene, values)
+        except CaromError as error:
+            raise CaromError(*error.records_at("--set", "path", "GasScene")) from None
+        object.__setattr__(scene, "where", where)
     say_notes(scene.notes())
     if not changes:
         return scene
@@ -417,7 +443,7 @@ def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> G
         if name in changes:
             changes[name] = _time(OPTIONS[name], changes[name])
     run = GasSettings(**{name: getattr(scene.run, name) for name in GasSettings.model_fields} | changes)
-    return scene.model_copy(update={"run": run}) if isinstance(scene, GasScene) else scene
+    return scene.model_copy(update={"run": run})
 
 
 def _keep_outputs(
@@ -481,7 +507,8 @@ def _stopped(
     """Print faults, where the run was stopped and how to resume it, with the options that it needs again, and exit."""
     for fault in faults:
         note(f"carom: {fault}")
-    again = [part for name, value in options.items() if value is not None for part in (name, shlex.quote(str(value)))]
+    given = [(name, one) for name, value in options.items() for one in (value if isinstance(value, list) else [value])]
+    again = [part for name, value in given if value is not None for part in (name, shlex.quote(str(value)))]
     parts = ("carom gas", scene and scene.where, "--resume", checkpoint, *again)
     command = " ".join(str(part) for part in parts if part is not None)
     note(

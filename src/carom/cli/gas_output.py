@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-from carom.cli.console import Bar, err, out
+from carom.cli.console import LINE_INTERVAL, Bar, err, out
 from carom.cli.streams import json_text
 from carom.formatting import Listing, counted, format_number, format_uncertain
 from carom.gas.report import UNITS_NOTE, pressure_unit, report
@@ -178,7 +178,6 @@ def _contacts(found: Report, error: Report | None) -> Listing:
 
 TEMPERATURES_NOTE = "Temperatures are energies."
 MEANS_NOTE = "Temperatures, pressures and rates are exact means over the time measured; a₂ over {:.0f} samples, at about equal {}."
-LINE_INTERVAL = 20.0  # s between lines of progress where there is no terminal
 
 
 def as_json(session: Session) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
+import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,6 +14,7 @@ import typer
 from carom.cli.streams import note, say_json
 from carom.errors import CaromError, Fault, FaultList, collected
 from carom.files import require_library, require_writable
+from carom.public.own_laws import with_own_laws
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -61,6 +63,11 @@ _SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
     "duration": (RUN, "Duration; overrides the scene's.", {"metavar": "T"}),
     "max_events": (RUN, "Largest number of events; overrides the scene's.", {"metavar": "N", "whole": True}),
     "seed": (RUN, "Seed of the random numbers.", {"metavar": "N"}),
+    "set": (
+        RUN,
+        "Another value for numbers of the scene, such as walls.*.restitution=0.8 or balls.0.velocity=[2,1]; may be repeated.",
+        {"flags": ("--set",), "metavar": "PATH=VALUE"},
+    ),
     "allow_own_laws": (RUN, "Execute the Python files that the scene names as laws.", {"flags": ("--allow-own-laws",)}),
     "json": (OUTPUT, "Print JSON on standard output, and nothing else.", {"flags": ("--json",)}),
     "quiet": (OUTPUT, "Print nothing but errors.", {"flags": ("--quiet",)}),
@@ -164,8 +171,9 @@ def parse_length(name: str, text: str | None) -> float | None:
 
 def parse_with_unit(option: str, unit: str, text: str | float) -> float:
     """Return the value of an option in an SI unit, from a text with or without a unit; the library checks its range."""
-    from carom.core.units import parse_quantity
+    from carom.core.units import decimal_point, parse_quantity
 
+    text = decimal_point(text) if isinstance(text, str) else text
     try:
         return float(text)
     except ValueError:
@@ -197,10 +205,29 @@ def parse_assignments(faults: FaultList, option: str, texts: list[str] | None) -
             yield name, value
 
 
+def assigned(found: FaultList, texts: list[str] | None) -> dict[str, Any]:
+    """Return the values of PATH=VALUE by their paths, as in a scene file, text without quotes as it is; faults to ``found``."""
+    from carom.core.units import decimal_point
+
+    values: dict[str, Any] = {}
+    for text in texts or []:
+        path, equals, value = (part.strip() for part in text.partition("="))
+        if not (path and equals and value):
+            found.add("--set", "PATH=VALUE, such as walls.*.restitution=0.8", repr(text))
+            continue
+        try:
+            values[path] = tomllib.loads(f"value = {decimal_point(value)}")["value"]
+        except (tomllib.TOMLDecodeError, RecursionError):
+            values[path] = value
+    return with_own_laws(values)
+
+
 def parse_number(option: str, name: str, text: str) -> float:
     """Return the number of NAME=VALUE."""
+    from carom.core.units import decimal_point
+
     try:
-        return float(text)
+        return float(decimal_point(text))
     except ValueError:
         raise CaromError(f"{option}: {name}: expected a number, got {text!r}") from None
 

@@ -79,14 +79,8 @@ def _progress() -> Iterator[Callable[[str, int, int], None]]:
     """Show a progress bar on standard error, or a line for each equation where that is no terminal."""
     console = err()
     with working("deriving", console) as show:
-
-        def report(name: str, done: int, total: int) -> None:
-            if show is None:
-                console.print(f"derive: {done}/{total} {name}", highlight=False, markup=False)
-            else:
-                show(done, total, name)
-
-        yield report
+        assert show is not None
+        yield lambda name, done, total: show(done, total, name)
 
 
 def _table(rows: list[tuple[Entry, EquationVerdict]]) -> None:

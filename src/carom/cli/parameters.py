@@ -205,8 +205,10 @@ def _read(name: str, one: Declared, value: Any) -> Any:  # noqa: PLR0911
     if one.unit:
         return parse_with_unit(OPTIONS.get(name, {}).get("flags", (flag,))[0], one.unit, value)
     if name == "inertia":  # a number, or a word
+        from carom.core.units import decimal_point
+
         with contextlib.suppress(ValueError):
-            return float(value)
+            return float(decimal_point(value))
     return with_own_laws(value) if name == "law" else value
 
 

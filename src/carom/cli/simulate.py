@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import math
 import sys
-import tomllib
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -13,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.console import working
-from carom.cli.options import OUTPUT, RUN, option, require_outputs, shared, wrote
+from carom.cli.options import OUTPUT, RUN, assigned, option, require_outputs, shared, wrote
 from carom.cli.streams import noticed_interrupts, say_interrupted
 from carom.errors import CaromError, FaultList
 from carom.public.own_laws import with_own_laws
@@ -37,16 +36,7 @@ def simulate(
     max_events: Annotated[
         int | None, shared("max_events", default="the scene's", help="Largest number of events.")
     ] = None,
-    set_: Annotated[
-        list[str] | None,
-        option(
-            RUN,
-            "Another value for numbers of the scene, such as walls.*.restitution=0.8 or balls.0.velocity=[2,1]; may be"
-            " repeated.",
-            "--set",
-            metavar="PATH=VALUE",
-        ),
-    ] = None,
+    set_: Annotated[list[str] | None, shared("set")] = None,
     at: Annotated[
         list[str] | None, option(OUTPUT, "Print the states at this time, s; may be repeated, or 0.5,1,2.", metavar="T")
     ] = None,
@@ -95,9 +85,7 @@ def simulate(
         outputs = {"--plot": plot, "--animate": animate, "--save": save, "--table": table, "--out": out}
         require_outputs(found, outputs, kinds)
         rate = found.attempt(_rate, frames, out)
-        values: dict[str, Any] = {}
-        for text in set_ or []:
-            values |= with_own_laws(found.attempt(_assigned, text) or {})
+        values = assigned(found, set_)
         settings = {"law": with_own_laws(law), "duration": duration, "max_events": max_events}
         given = found.attempt(_scene, scene, allow_own_laws, settings, values)
         found.raise_if_any()
@@ -147,17 +135,6 @@ def _times(texts: list[str] | None) -> list[float]:
             raise CaromError(f"--at: expected times >= 0 in s, such as 0.5 or 0.5,1,2, got {text!r}")
         found.append(t)
     return sorted(found)
-
-
-def _assigned(text: str) -> dict[str, Any]:
-    """Return the value of PATH=VALUE by its path; a value as in a scene file, text without quotes as it is."""
-    path, equals, value = text.partition("=")
-    if not equals or not path.strip() or not value.strip():
-        raise CaromError(f"--set: expected PATH=VALUE, such as walls.*.restitution=0.8, got {text!r}")
-    try:
-        return {path.strip(): tomllib.loads(f"value = {value}")["value"]}
-    except (tomllib.TOMLDecodeError, RecursionError):
-        return {path.strip(): value.strip()}
 
 
 def _rate(frames: float | None, out: Path | None) -> float:

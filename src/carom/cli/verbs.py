@@ -146,6 +146,7 @@ def with_options(found: Any) -> Any:
 
 NEARLY = 0.83  # of an option of another verb (difflib's ratio): one letter of a short word
 BESIDE = 72  # columns of the terminal from which texts stand beside the names, not below them
+NUMBERS = {"RADII", "RATE", "T"}  # words in the help for one number, beside those of carom.cli.options.quantity
 TYPES = {"float": " NUMBER", "int": " N", "str": " TEXT", "path": " FILE", "list[str]": " TEXT", "list[Path]": " FILE"}
 LEFT = 30  # columns for names, at most
 
@@ -161,7 +162,7 @@ class _Word:
             sys.stdout.write(f"{context.get_help()}\n")
             raise typer.Exit
         _require_values(self, words)
-        return super().parse_args(context, given)  # type: ignore[misc]
+        return super().parse_args(context, _with_points(self, given))  # type: ignore[misc]
 
     def invoke(self, context: Any) -> Any:
         """Run the verb; texts of the library name its options from here on."""
@@ -293,6 +294,30 @@ def _require_values(command: Any, given: list[str]) -> None:
         if word in takes and (after is None or (after.startswith("--") and after.partition("=")[0] in known)):
             got = f"the next option, {after}" if after is not None else "none"
             raise CaromError(Fault("", word, _values(word, command), got))
+
+
+def _with_points(command: Any, given: list[str]) -> list[str]:
+    """Return the words with a point for a decimal comma, as in files, in the value of each option that takes one number."""
+    if not any("," in word for word in given):
+        return given
+    from carom.core.units import decimal_point  # (NumPy comes with it)
+
+    numbers = {
+        name
+        for one in command.params
+        if getattr(getattr(one, "type_descriptor", None), "annotation", None) is float
+        or getattr(getattr(one, "type", None), "name", "") == "float"  # (Typer on click)
+        or (one.metavar in NUMBERS and not getattr(one, "multiple", False))
+        for name in one.opts
+    }
+    words = list(given)
+    for k, word in enumerate(words):
+        name, equals, value = word.partition("=")
+        if equals and name in numbers:
+            words[k] = f"{name}={decimal_point(value)}"
+        elif k and given[k - 1] in numbers:
+            words[k] = decimal_point(word)
+    return words
 
 
 def _unknown_option(name: str, context: Any) -> Fault:

@@ -83,6 +83,21 @@ LONGEST_NAME = 60  # of a unit
 _QUANTITY = re.compile(r"\s*((?>[-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:[eE][-+]?\d+)?))\s*(\S.*)")
 
 
+_COMMA = re.compile(r"(\s*[-+]?)(\d*),(\d+)(?![\d.,])(?s:(.*))")
+
+
+def decimal_point(text: str) -> str:
+    """Return a text that is a number, maybe with a unit, with a point for its decimal comma; 1,500 may be a thousand, and stays.
+
+    >>> decimal_point("28,6mm"), decimal_point("0,028"), decimal_point("1,500"), decimal_point("1,2,3")
+    ('28.6mm', '0.028', '1,500', '1,2,3')
+    """
+    found = _COMMA.fullmatch(text)
+    if found is None or "," in found[4] or (len(found[3]) == 3 and found[2].strip("0")):
+        return text
+    return f"{found[1]}{found[2]}.{found[3]}{found[4]}"
+
+
 def unit_named(text: str, dimension: str) -> Unit | None:
     """Return the unit of a dimension that is written so, as in ``mm/s``; None if the table has none."""
     text = SPELLINGS.get(text.strip(), text.strip())
@@ -127,7 +142,7 @@ def parse_quantity(text: str, unit: str) -> float:
     >>> parse_quantity("30 rpm", "rad/s")
     3.141592653589793
     """
-    found = _QUANTITY.fullmatch(text)
+    found = _QUANTITY.fullmatch(decimal_point(text))
     if found is None:
         raise ValueError
     amount, name = Decimal(found[1].replace("_", "")), found[2].strip()

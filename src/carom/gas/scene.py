@@ -68,7 +68,7 @@ class GasSettings(Model):
     Parameters
     ----------
     start : "lattice", "random", or a file with positions (and velocities, spins): .csv, .npz, .gsd
-    equilibrate : collisions before the measurement; default: 40 per ball
+    equilibrate : collisions before the measurement; default: 40 per ball, none of a gas that cools
     from_time : simulated time before which nothing is measured; default: as soon as the gas is equilibrated
     max_events : collisions to measure, with walls included
     duration : simulated time to measure; one of the two, or both
@@ -131,7 +131,7 @@ class GasScene(Model):
     ...     run={"max_events": 100_000},
     ... )
     >>> print(scene.describe())
-    500 balls, periodic 10 x 10 x 10, packing fraction 0.2618, 100,000 events after 20,000 events of equilibration
+    500 balls, periodic 10 x 10 x 10, packing fraction 0.2618, 100,000 events from the start
     >>> round(scene.packing_fraction, 6)
     0.261799
     """
@@ -184,9 +184,16 @@ class GasScene(Model):
         return rough or self.thermostat is not None or any(one.temperature is not None for one in self.drives)
 
     @property
+    def cools(self) -> bool:
+        """Whether contacts take energy, and nothing supplies any: such a gas has no equilibrium."""
+        fed = self.thermostat is not None or self.drives or any(self.gravity_vector) or self.shear_rate
+        return not fed and not all(one.is_elastic for one in self.contacts)
+
+    @property
     def equilibrate(self) -> int:
-        """Number of collisions before the measurement."""
-        return 40 * self.count if self.run.equilibrate is None else self.run.equilibrate
+        """Number of collisions before the measurement; by default none of a gas that cools, which is measured from its start."""
+        usual = 0 if self.cools else 40 * self.count
+        return usual if self.run.equilibrate is None else self.run.equilibrate
 
     def temperature_notes(self) -> list[str]:
         """Return one line for each species that the default temperature makes fast: k_B T = 1 J is much for balls of a gram."""
@@ -220,7 +227,9 @@ class GasScene(Model):
         run += [] if self.run.duration is None else [f"a duration of {format_number(self.run.duration)}"]
         if self.count * BYTES_PER_BALL >= 1e9:
             what += f" (about {format_bytes(self.count * BYTES_PER_BALL)} of memory)"
-        before = f"after {counted(self.equilibrate, 'event')} of equilibration"
+        before = (
+            f"after {counted(self.equilibrate, 'event')} of equilibration" if self.equilibrate else "from the start"
+        )
         if self.run.from_time is not None:
             before += f", from t = {format_number(self.run.from_time)}"
         if self.shear_rate:

@@ -6,12 +6,13 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import MAX_MAGNITUDE, CaromError, Fault, suggestion
+from carom.formatting import counted
 from carom.gas.edmd.driver import BINS_PER_BALL, STATE, SystemRecords
 from carom.gas.edmd.gas_records import NO_BALL
 from carom.gas.edmd.walls import FIRST_WALL, PREDICT_AGAIN
@@ -33,7 +34,11 @@ from carom.gas.results import (
 from carom.gas.scene import GasScene
 from carom.gas.snapshots import InitialState, read_initial_state
 from carom.gas.species import LONGEST_SIDE
+from carom.public.other_rooms import figure_maker
 from carom.public.progress import Progress, loop_callback
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 State = dict[str, NDArray[Any]]
 Arrays = Mapping[str, NDArray[Any]]
@@ -447,6 +452,15 @@ class Session:
         self.max_wait = _max_wait(scene, gas)
         self.oscillations = sorted({one.frequency or 0.0 for one in scene.drives if one.amplitude > 0})
         self.names = tuple(one.name for one in scene.species)
+
+    def __repr__(self) -> str:
+        """Return one line: the gas, and how far it has been run."""
+        what = f"{counted(self.done, 'event')} measured" if self.measuring else "equilibrating"
+        return f"<Session: {self.scene.describe()}; {what}, t = {self.gas.time:.6g}>"
+
+    def plot(self, file: str | Path | None = None, **options: Any) -> Figure:
+        """Return a Matplotlib figure of what was measured (:func:`carom.plot.plot_gas`). ``file``: write it there."""
+        return figure_maker("plot_gas")(self, file, **options)  # type: ignore[no-any-return]
 
     # --- progress ------------------------------------------------------------------------------------------------
 

@@ -1,4 +1,4 @@
-"""Snapshots: gases written to GSD files, and initial states read from CSV, NPZ and GSD files.
+"""Snapshots: gases written to GSD, NPZ and extended XYZ files, and initial states read from CSV, NPZ and GSD files.
 
 GSD files follow HOOMD's schema, which the field's viewers open (OVITO, freud, HOOMD itself): the box is centred on 0 (of discs Lz
 = 0 and 2 dimensions), positions and velocities are in single precision, ``step`` is the number of collisions, ``image`` counts
@@ -15,7 +15,7 @@ import io
 import math
 import shutil
 import zipfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, BinaryIO, NamedTuple
@@ -35,6 +35,7 @@ from carom.gas.species import ANY
 MAX_BYTES = 1e9  # of a file of snapshots, unless a user allows more
 # Per ball and frame, in single precision: position and velocity; angular momentum; the periods crossed. Per frame: the index.
 MOVING, SPINNING, PERIODIC, INDEX = 24, 16, 12, 500
+DOUBLE = {".npz": 84, ".xyz": 230}  # bytes per ball and frame of files in double precision
 
 
 class SnapshotSize(NamedTuple):
@@ -55,7 +56,7 @@ class SnapshotSize(NamedTuple):
         return f"about {format_bytes(self.total)}: {each}"
 
 
-def expected_snapshots(scene: GasScene, every: Every) -> SnapshotSize:
+def expected_snapshots(scene: GasScene, every: Every, kind: str = ".gsd") -> SnapshotSize:
     """Return the expected size of the snapshots of a run, at every so many collisions, so much time, or equal ratios of time.
 
     Where a run is limited by collisions and snapshots are spaced in time, or the other way round, the rate of collisions is that of
@@ -81,7 +82,8 @@ def expected_snapshots(scene: GasScene, every: Every) -> SnapshotSize:
     else:
         lengths += [run.duration] if run.duration is not None else []
         lengths += [_duration(scene, run.max_events)] if run.max_events is not None else []
-    per_ball = MOVING + SPINNING * scene.spins_change + PERIODIC * any(scene.container.geometry.periodic)
+    single = MOVING + SPINNING * scene.spins_change + PERIODIC * any(scene.container.geometry.periodic)
+    per_ball = DOUBLE.get(kind, single)
     length = min((one for one in lengths if not math.isnan(one)), default=math.nan)
     frames = every.count(length) if isinstance(every, LogTimes) else length / every
     return SnapshotSize(math.floor(frames) + 1 if frames < 1e15 else frames, scene.count * per_ball + INDEX)
@@ -110,7 +112,7 @@ def _rate(scene: GasScene) -> float:
 
 def _cooling(scene: GasScene) -> float:
     """Return by how much ln v falls per collision of a ball; 0 for gases that are supplied with energy."""
-    if scene.thermostat is not None or scene.drives or any(scene.gravity_vector) or scene.shear_rate:
+    if not scene.cools:
         return 0.0
     names, speed = {one.name for one in scene.species}, _mean_speed(scene)
     lost = [1 - one.restitution_at(speed) ** 2 for one in scene.contacts if set(one.between) <= {ANY, *names}]
@@ -210,7 +212,7 @@ def require_npz_size(path: Path, headers: Mapping[str, ArrayHeader]) -> None:
 
 
 # ----------------------------------------------------------------------------------------------------
-# Snapshots: gases written to GSD files, and initial states read from CSV, NPZ and GSD files.
+# Snapshots: gases written frame by frame, and initial states read from CSV, NPZ and GSD files.
 #
 # GSD files follow HOOMD's schema, which the field's viewers open (OVITO, freud, HOOMD itself): the box is centred on 0 (of discs
 # Lz = 0 and 2 dimensions), positions and velocities are in single precision, ``step`` is the number of collisions, ``image``
@@ -221,6 +223,7 @@ def require_npz_size(path: Path, headers: Mapping[str, ArrayHeader]) -> None:
 
 Array = NDArray[np.float64]
 GSD_BYTES = 100  # of a particle or bond of a frame, as the library has it in memory
+FRAMES = ("time", "collisions", "position", "velocity", "spin", "images")  # of an .npz file, a row per frame
 VECTORS = {"position": ("x", "y", "z"), "velocity": ("vx", "vy", "vz"), "spin": ("wx", "wy", "wz")}
 
 
@@ -229,7 +232,7 @@ def _gsd(path: Path) -> Any:
 
 
 class Snapshots:
-    """A GSD file that is written frame by frame.
+    """A file of snapshots that is written frame by frame: .gsd, .npz or .xyz (extended), by its ending.
 
     Parameters
     ----------
@@ -240,6 +243,9 @@ class Snapshots:
         How many frames of an existing file to keep and append to; default: a new file.
     max_bytes : float, optional
         A frame that would make the file larger is refused. Default: 1 GB.
+
+    An .npz file has arrays ``time``, ``collisions`` (F,), ``position``, ``velocity``, ``spin`` and ``images`` (F, N, 3), and
+    ``species``, ``radius``, ``mass`` (N,), and ``box`` (3,), in double precision. Frames are in memory until the file is closed.
 
     Raises CaromError where the file cannot be written, becomes too large, or has fewer frames than are to be kept, and where GSD
     is not installed.
@@ -259,11 +265,70 @@ class Snapshots:
     True
     """
 
+    _file: Any
+
+    def __new__(cls, path: Path, *_more: Any, **_options: Any) -> Snapshots:
+        """Return the writer of the file's format."""
+        kinds = {".npz": NpzSnapshots, ".xyz": XyzSnapshots}
+        return super().__new__(kinds.get(path.suffix.lower(), GsdSnapshots) if cls is Snapshots else cls)
+
     def __init__(
         self, path: Path, names: tuple[str, ...], keep: int | None = None, *, max_bytes: float = MAX_BYTES
     ) -> None:
-        self.path, self.names, gsd = path, names, _gsd(path)
-        self.max_bytes, self._bytes, self._last_frame = max_bytes, 0, 0
+        self.path, self.names, self.max_bytes = path, names, max_bytes
+        self._bytes, self._last_frame, self._count = 0, 0, keep or 0
+        self._open(keep)
+
+    def _open(self, keep: int | None) -> None:
+        raise NotImplementedError
+
+    def write(self, gas: Gas) -> None:
+        """Append the gas as it is now."""
+        if self._bytes + self._last_frame > self.max_bytes:
+            raise CaromError(
+                f"{self.path}: expected snapshots of at most {format_bytes(self.max_bytes)}, got {self._count:,} frames"
+                f" with {format_bytes(self._bytes)}; choose a larger `every`, or allow more with `max_bytes`"
+            )
+        before = self._bytes
+        with self._writing():
+            self._write(gas)
+        self._count += 1
+        self._last_frame = self._bytes - before
+
+    def _write(self, gas: Gas) -> None:
+        raise NotImplementedError
+
+    def flush(self) -> None:
+        """Write all frames to disk."""
+        with self._writing():
+            self._file.flush()
+
+    def close(self) -> None:
+        """Write all frames to disk, and close the file."""
+        with self._writing():
+            self._file.close()
+
+    @contextmanager
+    def _writing(self) -> Iterator[None]:
+        try:
+            yield
+        except OSError as error:
+            raise cannot_write(self.path, error) from None
+        except RuntimeError as error:  # GSD's own
+            raise CaromError(f"{self.path}: expected a file to write frames to, got: {error}") from None
+
+    def _require_frames(self, found: int, keep: int) -> None:
+        if found < keep:
+            raise CaromError(
+                f"{self.path}: expected at least {keep} frames, as many as the checkpoint says, got {found}"
+            )
+
+
+class GsdSnapshots(Snapshots):
+    """A GSD file in HOOMD's schema."""
+
+    def _open(self, keep: int | None) -> None:
+        path, gsd = self.path, _gsd(self.path)
         self._first: dict[str, str] = {}  # digests of the chunks of the first frame
         try:
             if keep is not None:
@@ -285,10 +350,7 @@ class Snapshots:
     def _truncate(self, gsd: Any, keep: int) -> None:
         """Remove the frames written after the checkpoint from which the run continues."""
         with _opened(gsd, self.path, "r") as old:
-            if old.nframes < keep:
-                raise CaromError(
-                    f"{self.path}: expected at least {keep} frames, as many as the checkpoint says, got {old.nframes}"
-                )
+            self._require_frames(old.nframes, keep)
             if old.nframes == keep:
                 return
             with atomic_path(self.path) as part, _opened(gsd, part, "w") as new:
@@ -298,53 +360,95 @@ class Snapshots:
                             new.write_chunk(name, old.read_chunk(k, name))
                     new.end_frame()
 
-    def write(self, gas: Gas) -> None:
-        """Append the gas as it is now: one quantity after the other, so that no copy of the whole gas is in memory."""
-        if self._bytes + self._last_frame > self.max_bytes:
-            raise CaromError(
-                f"{self.path}: expected snapshots of at most {format_bytes(self.max_bytes)}, got {self._file.nframes:,} frames"
-                f" with {format_bytes(self._bytes)}; choose a larger `every`, or allow more with `max_bytes`"
-            )
-        with self._writing():
-            starts, before = self._file.nframes == 0, self._bytes
-            for name, make, default in _chunks(gas, self.names):
-                data = make()
-                digest = _digest(data)
-                # what is not written is as in the first frame or, where that has none, as HOOMD's schema says
-                if name in self._first:
-                    written = digest != self._first[name]
-                else:
-                    written = default is None or not np.array_equiv(data, np.asarray(default, data.dtype))
-                if written:
-                    self._file.write_chunk(name, data)
-                    self._bytes += data.nbytes
-                    if starts:
-                        self._first[name] = digest
-                del data
-            self._file.end_frame()
-            self._bytes += INDEX
-            self._last_frame = self._bytes - before
-            if starts:
-                self._file.flush()
+    def _write(self, gas: Gas) -> None:
+        # (one quantity after the other, so that no copy of the whole gas is in memory)
+        starts = self._file.nframes == 0
+        for name, make, default in _chunks(gas, self.names):
+            data = make()
+            digest = _digest(data)
+            # what is not written is as in the first frame or, where that has none, as HOOMD's schema says
+            if name in self._first:
+                written = digest != self._first[name]
+            else:
+                written = default is None or not np.array_equiv(data, np.asarray(default, data.dtype))
+            if written:
+                self._file.write_chunk(name, data)
+                self._bytes += data.nbytes
+                if starts:
+                    self._first[name] = digest
+            del data
+        self._file.end_frame()
+        self._bytes += INDEX
+        if starts:
+            self._file.flush()
+
+
+class NpzSnapshots(Snapshots):
+    """Arrays of all frames in one file of NumPy's."""
+
+    def _open(self, keep: int | None) -> None:
+        self._frames: list[dict[str, Any]] = []
+        self._fixed: dict[str, Any] = {}
+        if not keep:
+            return
+        arrays = _arrays_of(self.path)
+        self._require_frames(min((len(arrays.get(name, ())) for name in FRAMES), default=0), keep)
+        self._frames = [{name: arrays[name][k] for name in FRAMES} for k in range(keep)]
+        self._fixed = {name: array for name, array in arrays.items() if name not in FRAMES}
+        self._bytes = sum(arrays[name][:keep].nbytes for name in FRAMES)
+
+    def _write(self, gas: Gas) -> None:
+        now, species, fixed = gas.balls(), gas.arrays.materials.species, self._fixed
+        if not fixed:
+            fixed["species"] = np.array(self.names)[gas.groups[now.species]]
+            fixed["radius"], fixed["mass"] = species["radius"][now.species], species["mass"][now.species]
+            fixed["box"] = gas.arrays.system[0]["side"]
+        values = (now.time, gas.collisions, now.position, now.velocity, now.spin, now.images)
+        self._frames.append(dict(zip(FRAMES, map(np.asarray, values), strict=True)))
+        self._bytes += sum(one.nbytes for one in self._frames[-1].values())
 
     def flush(self) -> None:
         """Write all frames to disk."""
-        with self._writing():
-            self._file.flush()
+        if not self._frames:
+            return
+        stacked = {name: np.stack([one[name] for one in self._frames]) for name in FRAMES}
+        with self._writing(), atomic_path(self.path) as part, part.open("wb") as file:
+            np.savez(file, allow_pickle=False, **stacked, **self._fixed)
 
-    def close(self) -> None:
-        """Write all frames to disk, and close the file."""
-        with self._writing():
-            self._file.close()
+    close = flush
 
-    @contextmanager
-    def _writing(self) -> Iterator[None]:
-        try:
-            yield
-        except OSError as error:
-            raise cannot_write(self.path, error) from None
-        except RuntimeError as error:  # GSD's own
-            raise CaromError(f"{self.path}: expected a file to write frames to, got: {error}") from None
+
+class XyzSnapshots(Snapshots):
+    """Text in the extended XYZ format, which OVITO and ASE read: a line per ball."""
+
+    def _open(self, keep: int | None) -> None:
+        if keep:
+            with open_regular(self.path) as file:
+                for k in range(keep):
+                    balls = file.readline().strip()
+                    whole = balls.isdigit() and all(file.readline() for _ in range(int(balls) + 1))
+                    self._require_frames(keep if whole else k, keep)
+                self._bytes = file.tell()
+        with self._writing():
+            self._file = self.path.open("a", encoding="utf-8", newline="\n")
+            self._file.truncate(self._bytes)
+
+    def _write(self, gas: Gas) -> None:
+        one, now, species = gas.arrays.system[0], gas.balls(), gas.arrays.materials.species
+        axes, side = int(one["dimensions"]), one["side"].tolist()
+        box = " ".join(f"{side[i] if i == j and i < axes else 0.0!r}" for i in range(3) for j in range(3))
+        around = " ".join("FT"[int(one["periodic"][i])] if i < axes else "F" for i in range(3))
+        names = ["_".join(name.split()) for name in self.names]
+        head = (
+            f'{len(now.position)}\nLattice="{box}" pbc="{around}"'
+            " Properties=species:S:1:pos:R:3:velo:R:3:angular_velocity:R:3:radius:R:1:mass:R:1"
+            f" Time={now.time!r} collisions={gas.collisions}\n"
+        )
+        sizes = np.stack([species["radius"][now.species], species["mass"][now.species]], axis=1)
+        rows = np.concatenate([now.position, now.velocity, now.spin, sizes], axis=1).tolist()
+        kinds = gas.groups[now.species].tolist()
+        lines = [f"{names[kind]} {' '.join(map(repr, row))}\n" for kind, row in zip(kinds, rows, strict=True)]
+        self._bytes += self._file.write(head) + sum(map(self._file.write, lines))
 
 
 def _opened(gsd: Any, path: Path, mode: str) -> Any:
@@ -493,30 +597,38 @@ def _require_headers(path: Path, headers: dict[str, ArrayHeader], count: int | N
         if name not in headers:
             continue
         shape, dtype = headers[name]
+        shape = shape[1:] if len(shape) == 3 and shape[0] else shape  # (snapshots: the last frame)
         flat = name == "species" or (name == "spin" and len(shape) == 1)  # (of discs: about z)
         if not flat and (len(shape) != 2 or shape[1] not in {2, 3} or dtype.kind not in "iuf"):
             raise CaromError(f"{path}: {name}: expected numbers of shape (N, 3) or (N, 2), got {shape}")
         _require_count(path, math.prod(shape[:1]), count)
 
 
-def _read_npz(path: Path, count: int | None) -> InitialState:
+def _arrays_of(path: Path, names: Collection[str] = (), count: int | None = None) -> dict[str, NDArray[Any]]:
+    """Return the arrays of an NPZ file, or some of them, after a look at their headers."""
     try:
         with open_regular(path) as raw:
             headers = npz_headers(path, raw)
-            _require_headers(path, headers, count)
+            if names:
+                _require_headers(path, headers, count)
             require_npz_size(path, headers)
             file = np.load(raw, allow_pickle=False)
-            arrays = {name: file[name] for name in (*VECTORS, "species") if name in file}
+            return {name: file[name] for name in names or headers if name in file}
     except CaromError:
         raise
     except Exception:  # zip, pickles, short files: many classes, and a remedy of NumPy's that would be unsafe
         raise CaromError(f"{path}: expected arrays saved by NumPy, got another file, or a damaged one") from None
+
+
+def _read_npz(path: Path, count: int | None) -> InitialState:
+    arrays = _arrays_of(path, (*VECTORS, "species"), count)
     if "position" not in arrays:
         raise CaromError(f"{path}: expected an array 'position' (N, 3), got none")
     found: list[Array | None] = []
     for name in VECTORS:
         values = arrays.get(name)
         if values is not None:
+            values = values[-1] if values.ndim == 3 else values
             if values.ndim == 1 and name == "spin":  # of discs: about z
                 values = np.stack([np.zeros(len(values)), np.zeros(len(values)), values], axis=1)
             values = np.pad(values.astype(float), ((0, 0), (0, 3 - values.shape[1])))

@@ -211,6 +211,12 @@ class GasSurface(Model):
         rubs = self.friction.at_rest if isinstance(self.friction, FallingFriction) else self.friction
         return rubs == 0 or self.tangential_restitution == -1
 
+    @property
+    def is_elastic(self) -> bool:
+        """Whether the contact conserves energy: restitution 1, smooth or perfectly rough."""
+        rough = self.friction == math.inf and self.tangential_restitution == 1
+        return self.restitution == 1 and (self.is_smooth or rough)
+
 
 def contact_numbers(surface: GasSurface) -> tuple[tuple[float, float, float], tuple[float, ...], bool]:
     """Return restitution, friction and tangential restitution; the form of what is no number (code 0: all are); and smoothness."""

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
 
+from carom.bodies import Ball
 from carom.errors import CaromError
 from carom.files import import_optional
-from carom.interop.run_function import RunFunction
+from carom.interop.run_function import RunFunction, impact_in
 from carom.scene.scene import Scene
 
 
@@ -106,3 +108,41 @@ def function(scene: Scene, wrt: str | Iterable[str], of: str = "final.position")
 
     call.columns, call.start = run.columns, run.start  # type: ignore[attr-defined]
     return call
+
+
+def impact(
+    velocity: Any,
+    spin: Any,
+    *,
+    ball: Ball | None = None,
+    normal: Any = (1.0, 0.0, 0.0),
+    restitution: Any = 1.0,
+    friction: Any = math.inf,
+    tangential_restitution: Any = 0.0,
+) -> tuple[Any, Any]:
+    """Return velocity and spin just after one contact, as :func:`carom.impact` has them, in JAX's own operations.
+
+    Parameters
+    ----------
+    velocity, spin, normal : arrays (..., 3)
+        m/s and rad/s before the contact; from the surface to the ball, of any length.
+    ball : Ball, optional
+        Default: ``carom.Ball()``.
+    restitution, friction, tangential_restitution : arrays (...)
+
+    Returns
+    -------
+    velocity, spin : arrays (..., 3)
+        ``jax.grad``, ``jax.vmap``, ``jax.jit`` and second derivatives go through it. A ball that moves away is left as it is. Other
+        laws, and a wall with a floor: :func:`function` of a scene with ``max_events=1``.
+
+    Examples
+    --------
+    >>> import carom, jax
+    >>> push = lambda mu: carom.interop.jax.impact((-1.0, 1.0, 0.0), (0.0, 0.0, 0.0), restitution=0.9, friction=mu)[0][1]
+    >>> round(float(push(0.1)), 4), round(float(jax.grad(push)(0.1)), 4)
+    (0.81, -1.9)
+    """
+    numbers = import_optional("jax", "interop.jax").numpy
+    given = (velocity, spin, normal, restitution, friction, tangential_restitution)
+    return impact_in(numbers, lambda x: numbers.asarray(x, dtype=float), ball or Ball(), *given)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import math
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.bodies import Ball
+from carom.core.contact import LEAST
 from carom.errors import CaromError, Fault, require_type, suggestion
 from carom.scene.scene import Scene
 from carom.scene.toml import path_match, replaced
@@ -19,6 +22,7 @@ from carom.sweeps.shots import start_states
 
 Array = NDArray[np.float64]
 LINEAR_FIELDS = ("position", "velocity", "spin", "spin_z")
+NEXT, LAST = np.array([1, 2, 0]), np.array([2, 0, 1])  # axes of a vector product
 OUTCOMES = {"final.position": "position", "final.velocity": "velocity", "final.spin": "spin"}
 
 
@@ -195,3 +199,35 @@ class RunFunction:
             self._scene(rows[n])  # (which says what it refuses)
         moved = any("position" in match.path for match in columns)
         return arrays.balls["v"], arrays.balls["w"], arrays.balls["x"] if moved else None
+
+
+# ----------------------------------------------------------------------------------------------------
+# One impact as a function of its numbers, in the arrays of JAX or PyTorch: differentiated and compiled by these.
+
+
+def impact_in(library: Any, array: Callable[[Any], Any], ball: Ball, *given: Any) -> tuple[Any, Any]:
+    """Return velocity and spin after :func:`carom.impact`: of velocity, spin, normal (..., 3), e, mu, beta (...)."""
+    v, w, n = (array(one) for one in given[:3])
+    e, mu, beta = (array(one)[..., None] for one in given[3:])
+
+    def dot(a: Any, b: Any) -> Any:
+        return (a * b).sum(-1)[..., None]
+
+    def cross(a: Any, b: Any) -> Any:
+        return a[..., NEXT] * b[..., LAST] - a[..., LAST] * b[..., NEXT]
+
+    n = n / library.sqrt(dot(n, n))
+    # the squared slip, by carom.core.contact's formulas; a root of 0 has no derivative
+    un = dot(v, n)
+    ut = v - un * n - ball.radius * cross(w, n)
+    squared = dot(ut, ut)
+    slides = squared > 0
+    slip = library.sqrt(library.where(slides, squared, array(1.0)))
+    pn = -(1 + e) * un
+    hold = (1 + beta) * ball.kappa / (1 + ball.kappa)
+    finite = library.where(mu < math.inf, mu, array(0.0))
+    holds = (mu == math.inf) | (slides & (hold * slip <= finite * pn)) | (~slides & (mu > 0))
+    f = -library.where(holds, hold, finite * pn / slip) * ut
+    presses = pn > LEAST * slip * slides
+    spin = w - cross(n, f) / (ball.kappa * ball.radius)
+    return library.where(presses, v + pn * n + f, v), library.where(presses, spin, w)

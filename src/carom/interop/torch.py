@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from carom.bodies import Ball
 from carom.errors import CaromError
 from carom.files import import_optional
-from carom.interop.run_function import RunFunction
+from carom.interop.run_function import RunFunction, impact_in
 from carom.scene.scene import Scene
 
 WHERE = "interop.torch.function"
@@ -97,3 +99,27 @@ def function(scene: Scene, wrt: str | Iterable[str], of: str = "final.position")
 
     call.columns, call.start = run.columns, run.start  # type: ignore[attr-defined]
     return call
+
+
+def impact(
+    velocity: Any,
+    spin: Any,
+    *,
+    ball: Ball | None = None,
+    normal: Any = (1.0, 0.0, 0.0),
+    restitution: Any = 1.0,
+    friction: Any = math.inf,
+    tangential_restitution: Any = 0.0,
+) -> tuple[Any, Any]:
+    """Return velocity and spin just after one contact, in PyTorch's own operations: see :func:`carom.interop.jax.impact`.
+
+    Numbers are made tensors of the type and on the device of the first tensor that is given.
+    """
+    torch = import_optional("torch", "interop.torch")
+    given = (velocity, spin, normal, restitution, friction, tangential_restitution)
+    first = next((x for x in given if torch.is_tensor(x)), torch.zeros(0))
+
+    def array(x: Any) -> Any:
+        return torch.as_tensor(x, dtype=first.dtype, device=first.device)
+
+    return impact_in(torch, array, ball or Ball(), *given)

@@ -342,7 +342,10 @@ class Comparison:
         return f"<Comparison at {format_number(self.incident_angle_deg, 4)} degrees: {', '.join(parts)}>"
 
     def table(self, spin: bool = True, ticks: Sequence[str] = "✓✗") -> Listing:
-        """Return a row per law, with the final spin or without it; ``ticks``: words for admissible, and for not."""
+        """Return a row per prediction, with the final spin or without it; laws that predict the same share a row.
+
+        ``ticks``: words for admissible, and for not.
+        """
 
         def vector(state: State | None, part: str, count: int) -> str:  # (rounding errors are zero)
             numbers = () if state is None else map(float, getattr(state, part)[:count])
@@ -366,7 +369,15 @@ class Comparison:
             "ok": lambda one: ticks[not one.admissible],
         }
         used = {head: cell for head, cell in columns.items() if spin or "spin" not in head}
-        return Listing(list(used), [[cell(one) for cell in used.values()] for one in self.verdicts])
+        rows: dict[tuple[str, ...], list[list[str]]] = {}
+        for one in self.verdicts:
+            cells = [cell(one) for cell in used.values()]
+            same = [cell for cell, head in zip(cells, used, strict=True) if head != "law" and "needed" not in head]
+            rows.setdefault((*same, one.law * (one.after_wall is None)), []).append(cells)
+        return Listing(
+            list(used),
+            [[", ".join(dict.fromkeys(cells)) for cells in zip(*laws, strict=True)] for laws in rows.values()],
+        )
 
     def _repr_html_(self) -> str:
         return self.table()._repr_html_()

@@ -68,6 +68,7 @@ def _name(frame: FrameType) -> str:
 LAWS = frozenset(
     {"law", "laws", "changes", "parameters", "values"}
 )  # parameters of functions in which a law may be named
+CALLBACK = "run = carom.simulate(scene); for event in run.events: ... has each event, its time, ball and state"
 SEQUENCES = (collections.abc.Sequence, collections.abc.Iterable)
 _done: dict[Any, Any] = {}
 
@@ -160,9 +161,11 @@ def _explained(
         given = signature.bind(*args, **options).arguments
     except TypeError:  # too few arguments, too many, or another name: Python says it well, but not which there are
         known = [name for name in signature.parameters if name not in ("self", "cls")]
-        hints = filter(None, (did_you_mean(name, known) for name in options if name not in known))
+        strange = [name for name in options if name not in known]
+        hints = [CALLBACK] if any(name.startswith("on_") for name in strange) and where == "simulate" else []
+        hints += filter(None, (did_you_mean(name, known) for name in strange))
         said = str(error).partition(". Did you mean")[0]  # (from 3.14 on Python has a hint of its own)
-        error.args = ("; ".join((said, *list(hints)[:1])),)
+        error.args = ("; ".join((said, *hints[:1])),)
         error.add_note(f"{where} takes {', '.join(known) or 'no arguments'}")
         return None
     first = next(iter(signature.parameters), "")

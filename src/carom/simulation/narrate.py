@@ -121,8 +121,8 @@ def break_statistics(run: RunRecord) -> BreakStatistics:
 IMPACT_KINDS = (START, IN_CLUSTER, *(one.code for one in CONTACTS.values() if one.sentence is not None))
 # How many impacts of a ball are described, the first and the last; those between are counted.
 FIRST, LAST = 6, 3
-# Lower bounces (m) and shorter phases (s) are not mentioned.
-SMALL, SHORT = 1e-6, 1e-4
+# Lower bounces (m) and shorter phases (s) are not mentioned; hops of less than 0.1 mm in few words.
+SMALL, SHORT, LOW = 1e-6, 1e-4, 1e-4
 LONG = 1e-3  # s: how long infinitely many bounces last is said from here on
 NOTABLE = 1e-3  # m: how high a ball bounces is said from here on
 MOST_BALLS = 4  # that are described one by one
@@ -345,8 +345,11 @@ def _hop(run: RunRecord, part: Rows, lands: list[int], end: float) -> list[str]:
     row = part[0]
     g, up = -run.scene.pull[2], float(row["v"][2])
     said: list[str] = []
-    if row["kind"] != START and row["phase"] == FLIGHT and up * up < 2 * g * SMALL and lands:
-        return said
+    if row["kind"] != START and g > 0:
+        ups = part["v"][[k for k in (0, *lands) if part["phase"][k] in (FLIGHT, BOUNCING)], 2]
+        highest = max(float(ups.max(initial=0.0)), 0.0) ** 2 / (2 * g)
+        if highest < LOW and (lands or row["phase"] == BOUNCING):
+            return ["hops by less than 0.1 mm"] if highest >= SMALL else said
     if up > 0 and g > 0 and row["kind"] != START:
         said.append(f"is lifted {format_length(up * up / (2 * g))}")
     if row["phase"] == BOUNCING:

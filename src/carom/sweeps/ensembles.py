@@ -7,7 +7,7 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NamedTuple, cast, overload
+from typing import TYPE_CHECKING, Any, NamedTuple, cast, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,12 +22,16 @@ from carom.gas.scene import GasScene, load_gas
 from carom.gas.session import Session
 from carom.gas.snapshots import read_initial_state
 from carom.gas.species import Species
+from carom.public.other_rooms import figure_maker
 from carom.public.progress import Progress
 from carom.scene.schema import from_file
 from carom.scene.toml import replaced
 from carom.sweeps.orbits import CURVE, ENDED, KINDS, REPORT, SEED, Gases, curve_names, refilled
 from carom.sweeps.space import Space
 from carom.sweeps.sweep import sweep_over
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 BYTES_PER_REPORT = 100_000.0  # of a gas, at least
@@ -44,7 +48,7 @@ class Curve(NamedTuple):
     error: Array
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Ensemble:
     """Result of :func:`gas_ensemble`."""
 
@@ -65,6 +69,14 @@ class Ensemble:
     the first sample, over the collisions per ball."""
     ended_early: dict[int, EarlyEnd]
     """Of the gases that ended before the collisions or the time asked for, by their seeds: why. They count up to there."""
+
+    def __repr__(self) -> str:
+        """Return one line."""
+        return f"<Ensemble of {len(self.seeds)} gases: {self.scene.describe()}>"
+
+    def plot(self, file: str | Path | None = None, **options: Any) -> Figure:
+        """Return a Matplotlib figure of the means (:func:`carom.plot.plot_ensemble`). ``file``: write it there."""
+        return figure_maker("plot_ensemble")(self, file, **options)  # type: ignore[no-any-return]
 
 
 def gas_ensemble(
@@ -261,7 +273,7 @@ def simulate_gas(
     ensemble : int, optional
         Simulate so many independent gases, as :func:`gas_ensemble` does, with its ``store`` and ``on``.
     equilibrate : int, optional
-        Number of collisions before; default: the scene's, or 40 per ball.
+        Number of collisions before; default: the scene's, or 40 per ball, none of a gas that cools.
     from_time : float or str, optional
         Simulated time before which nothing is measured; all means are then over the time after it.
     progress : callable(done, total, text), optional
