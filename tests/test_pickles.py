@@ -283,6 +283,11 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
         gas.EarlyEnd("at rest", 1.0),
         gas.Drive(amplitude=1.0, frequency=1.0),
     ],
+    "games": lambda: [
+        *(carom.env.CaromEnv(name) for name in ("ThreeCushion", "EightBall", "TableTennisReturn")),
+        carom.env.CaromVectorEnv("SumToThree", 2),
+        *(carom.env.two_players(name) for name in ("ThreeCushion", "AirHockey")),
+    ],
 }
 
 

@@ -137,7 +137,7 @@ def test_a_circle_is_found() -> None:
 
 def test_few_rooms_and_few_modules_at_the_top() -> None:
     rooms = [path.name for path in ROOT.iterdir() if path.is_dir() and (path / "__init__.py").exists()]
-    assert len(rooms) <= 16
+    assert len(rooms) <= 17
     assert len(list(ROOT.glob("*.py"))) <= 6
     assert len(levels(packages_of(graph_of_modules()))) <= 10
 
@@ -259,10 +259,11 @@ CAPS = {
     "data": 2681,
     "interop": 1127,
     "explorer": 958,
+    "env": 600,
     "public": 334,
-    "top": 799,
+    "top": 801,
 }
-MOST_MODULES = 345
+MOST_MODULES = 352
 NO_CODE = {
     tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER,
 }  # fmt: skip

@@ -1,70 +1,152 @@
-"""Carom tables as an environment for learning, in the shape of Gymnasium's vector environments: many tables, a shot each a step.
+"""A player who aims by ``carom.aim``; and shots that are found under one law of impact and played under others.
 
-An action is the cue's speed (m/s), where it points (radians from x, counterclockwise), and side and top (radii of the ball). A shot
-in which the white ball touches both other balls is a point, and the game goes on from where the balls come to rest; any other shot
-ends the episode, and this table begins anew. Gymnasium itself is not needed; with it, ``gymnasium.spaces.Box(*CaromTables.BOUNDS)``
-is the space of actions, and places are within ``Box(-1.5, 1.5, (3, 2))``.
+python docs/examples/environment.py 20      # clears 20 racks, as far as it comes
 """
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import carom
+import carom.env
 
-Array = NDArray[Any]
-WALL, BALL = 1, 3  # kinds of events
+Array = NDArray[np.float64]
+SPEEDS = (0.8, 4.0)  # m/s
+NARROW = 2.5  # degrees beside the line to the place where the cue ball pots
+LOOKED_AT = 4  # of pots, the easiest ones
+SHOTS = 2000  # that are tried where no pot is found
 
 
-class CaromTables:
-    """``count`` carom tables at once: all shots of a step are one call of ``carom.simulate_many``."""
+class AimingPlayer:
+    """A player of one table.
 
-    BOUNDS = (np.array([0.5, -np.pi, -0.4, -0.4]), np.array([6.0, np.pi, 0.4, 0.4]))
+    At eight-ball it aims at the easiest pots (by the cut and both distances), and takes the one that forgives most of a player's
+    error; of 2,000 shots at random the best where it finds none. At three-cushion it aims at both balls by three cushions.
+    """
 
-    def __init__(self, count: int, table: str = "carom") -> None:
-        self.scene = carom.load_scene(table)
-        self.ball = self.scene.balls[0].ball
-        self.places = np.zeros((count, len(self.scene.balls), 3))
-        self.rng = np.random.default_rng()
+    def __init__(self, game: Any, starts: int = 128) -> None:
+        self.game, self.starts = game, starts
 
-    def reset(self, seed: int | None = None) -> tuple[Array, dict[str, Any]]:
-        """Begin anew on all tables; return the places (count, 3, 2) and an empty dict."""
-        self.rng = np.random.default_rng(seed)
-        return self._begin(np.ones(len(self.places), bool)), {}
+    def action(self) -> Array:
+        """Return the next shot: speed, angle, side, top, elevation."""
+        game, row = self.game, np.zeros(1, int)
+        places, lies, cue = game.places[0], game.lies[0], int(game.cue(row)[0])
+        pool = isinstance(game, carom.env.EightBall)
+        if pool and game.taken[0] == 0:
+            return shot(7.0, angle(game.start[1] - places[0]))
+        i = int(lies[:cue].sum())
+        x = np.column_stack([np.where(lies[:, None], places, np.nan), np.full(len(lies), game.radius)])
+        scene = game.scene_of(x, {f"balls.{i}.strike": {"speed": 1.0, "azimuth": 0.0}})
+        paths = f"balls.{i}.strike.azimuth", f"balls.{i}.strike.speed"
+        if pool:
+            wanted = [
+                (
+                    {paths[0]: (way - NARROW, way + NARROW), paths[1]: SPEEDS},
+                    {"ball": int(lies[:k].sum()), "pocket": "any"},
+                )
+                for _ease, k, way in self.pots()[:LOOKED_AT]
+            ]
+        else:
+            both = {"ball": i, "hit": (1 - i, 2), "cushions": 3}
+            wanted = [({paths[0]: (0.0, 360.0), paths[1]: (1.5, 7.0)}, both)]
+        found = []
+        for free, reach in wanted:
+            try:
+                aims = carom.aim(scene, free, reach, starts=self.starts if pool else 32 * self.starts, solutions=2)
+            except carom.CaromError:  # (no start reaches it)
+                continue
+            for one in aims:
+                action = shot(one.values["speed"], one.values["azimuth"])
+                if game.foresee(0, action[None]).reward[0] > 0:
+                    found.append((one.chance, action))
+        if found:
+            return max(found, key=lambda one: one[0])[1]
+        low, high = np.array(list(game.bounds.values())).T
+        tried = np.random.default_rng(int(game.taken[0])).uniform(low, high, (SHOTS, 5)) * (1, 1, 0.5, 0.5, 0)
+        played = game.foresee(0, tried)
+        return np.asarray(tried[np.argmax(played.reward - 0.1 * (played.info.get("foul", np.zeros(SHOTS)) > 0))])
 
-    def step(self, actions: Array) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
-        """Play a shot on each table, actions (count, 4).
+    def pots(self) -> list[tuple[float, int, float]]:
+        """Return how easy each pot is, the ball, and the direction, degrees, from the easiest on."""
+        game, a = self.game, self.game.radius
+        places, lies = game.places[0], game.lies[0]
+        x, y = game.size
+        found = []
+        for k in np.flatnonzero(game.targets(np.zeros(1, int))[0]).tolist():
+            for pocket in np.array([(x, y), (x, -y), (-x, y), (-x, -y), (0, y), (0, -y)]):
+                way = pocket - places[k]
+                ghost = places[k] - 2 * a * way / np.linalg.norm(way)
+                come = ghost - places[0]
+                far = float(np.linalg.norm(come) * np.linalg.norm(way))
+                cut = float(come @ way) / far
+                beside = [places[j] for j in range(1, 16) if lies[j] and j != k]
+                free = all(min(near(places[0], ghost, one), near(places[k], pocket, one)) > 2 * a for one in beside)
+                if cut > 0.2 and free:
+                    found.append((cut**2 / far, k, angle(come)))
+        return sorted(found, reverse=True)
 
-        Return the places after it (first ones where a table begins anew), points, which tables began anew, which were cut off
-        (none), and how many cushions the white ball touched before its second ball.
-        """
-        speed, azimuth, side, top = np.clip(actions, *self.BOUNDS).T
-        offset = np.stack([side, top], axis=-1)
-        struck = carom.strike(self.ball, speed=speed, azimuth_deg=np.degrees(azimuth), offset=offset).state
-        velocity, spin = np.zeros((2, *self.places.shape))
-        velocity[:, 0], spin[:, 0] = struck.velocity, struck.spin
-        shots = carom.simulate_many(self.scene, velocity, spin, self.places, events=60, kinds=("wall", "ball"))
-        white = shots.events["ball"] == 0
-        at = [
-            np.where(white & (shots.events["kind"] == BALL) & (shots.events["other"] == k), shots.events["t"], np.inf)
-            for k in (1, 2)
-        ]
-        both = np.maximum(*(times.min(axis=1) for times in at))  # when the second of them was touched, or never
-        cushions = (white & (shots.events["kind"] == WALL) & (shots.events["t"] < both[:, None])).sum(axis=1)
-        points = np.isfinite(both)
-        self.places = shots.final.position.copy()
-        return self._begin(~points), points.astype(float), ~points, np.zeros_like(points), {"cushions": cushions}
 
-    def _begin(self, anew: Array) -> Array:
-        """Put the balls of some tables at random places that do not overlap; return all places."""
-        a, wall = self.ball.radius, self.scene.walls[0]
-        reach = np.array([wall.length, wall.width]) / 2 - 1.5 * a
-        self.places[anew, :, 2] = a
-        while anew.any():
-            self.places[anew, :, :2] = self.rng.uniform(-reach, reach, (anew.sum(), self.places.shape[1], 2))
-            gaps = [np.linalg.norm(self.places[:, i] - self.places[:, j], axis=-1) for i, j in ((0, 1), (0, 2), (1, 2))]
-            anew = anew & (np.min(gaps, axis=0) < 2.2 * a)
-        return self.places[..., :2].copy()
+def shot(speed: float, way: float) -> Array:
+    """Return a shot in the middle of the ball."""
+    return np.array([speed, (way + 180) % 360 - 180, 0.0, 0.0, 0.0])
+
+
+def angle(way: Array) -> float:
+    """Return a direction in degrees."""
+    return float(np.degrees(np.arctan2(way[1], way[0])))
+
+
+def near(start: Array, end: Array, place: Array) -> float:
+    """Return how near a straight way comes to a place, m."""
+    way = end - start
+    return float(np.linalg.norm(start + np.clip((place - start) @ way / (way @ way), 0, 1) * way - place))
+
+
+def win_rates(laws: Sequence[str], tables: int = 12, tries: int = 800, seed: int = 1) -> Array:
+    """Return the share of tables (trained, played) on which a three-cushion shot that scores under one law does under another.
+
+    The shot is found among ``tries`` at random, from places of the balls at random: the scoring one whose neighbours score most.
+    """
+    rng = np.random.default_rng(seed)
+    games = [carom.env.ThreeCushion(1, law=law) for law in laws]
+    low, high = np.array(list(games[0].bounds.values())).T
+    reach, scored, count = 0.9 * games[0].size, np.zeros((len(laws), len(laws))), np.zeros(len(laws))
+    for _table in range(tables):
+        places, tried = rng.uniform(-reach, reach, (3, 2)), rng.uniform(low, high, (tries, 5)) * (1, 1, 1, 1, 0)
+        for game in games:
+            game.places[0] = places
+        for i, game in enumerate(games):
+            good = tried[game.foresee(0, tried).reward > 0]
+            if len(good):
+                beside = good[:, None] + rng.normal(size=(len(good), 20, 5)) * (0.05, 0.3, 0.01, 0.01, 0)
+                sure = game.foresee(0, beside.reshape(-1, 5)).reward.reshape(len(good), 20).sum(axis=1)
+                best = good[np.argmax(sure)][None]
+                count[i] += 1
+                scored[i] += [other.foresee(0, best).reward[0] for other in games]
+    return scored / np.maximum(count, 1)[:, None]
+
+
+def racks(count: int, seed: int = 0) -> dict[str, float]:
+    """Return how the player does on so many racks: share of shots after the break that pot, of racks cleared in one turn."""
+    made = shots = cleared = won = 0
+    game = carom.env.EightBall(1)
+    for k in range(count):
+        game.begin(np.zeros(1, int), [np.random.default_rng(seed + k)])
+        player, over, first = AimingPlayer(game), False, True
+        while not over:
+            played = game.play(np.zeros(1, int), player.action()[None])
+            over = bool(played.ended[0] or played.cut[0])
+            if not first:
+                made, shots = made + int(played.reward[0] > 0), shots + 1
+            first = False
+        cleared, won = cleared + int(played.info["cleared"][0]), won + int(played.info["won"][0] > 0)
+    return {"shots": shots, "pots": made / shots, "cleared": cleared / count, "won": won / count}
+
+
+if __name__ == "__main__":
+    print(racks(int(sys.argv[1]) if len(sys.argv) > 1 else 5))

@@ -2,6 +2,7 @@
 from . import billiards as billiards
 from . import data as data
 from . import derive as derive
+from . import env as env
 from . import explorer as explorer
 from . import fitting as fitting
 from . import gas as gas

@@ -36,11 +36,13 @@ from carom.formatting import escape_controls, format_bytes
 OPTIONAL = {
     "av": ("PyAV", "video"),
     "gsd": ("gsd", "gsd"),
+    "gymnasium": ("Gymnasium", "env"),
     "imageio_ffmpeg": ("imageio-ffmpeg", "film"),
     "jax": ("JAX", "jax"),
     "matplotlib": ("Matplotlib", "plot"),
     "msgpack": ("msgpack", "msgpack"),
     "pandas": ("pandas", "pandas"),
+    "pettingzoo": ("PettingZoo", "env"),
     "pyarrow": ("pyarrow", "parquet"),
     "scipy": ("SciPy", "fit"),
     "distributed": ("Dask's distributed", "cluster"),

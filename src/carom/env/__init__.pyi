@@ -1,0 +1,11 @@
+from .billiards import EightBall as EightBall
+from .billiards import SumToThree as SumToThree
+from .billiards import ThreeCushion as ThreeCushion
+from .gym import CaromEnv as CaromEnv
+from .gym import CaromVectorEnv as CaromVectorEnv
+from .rackets import AirHockey as AirHockey
+from .rackets import TableTennisReturn as TableTennisReturn
+from .registration import register as register
+from .zoo import ParallelPlayers as ParallelPlayers
+from .zoo import TurnPlayers as TurnPlayers
+from .zoo import two_players as two_players
