@@ -155,15 +155,15 @@ class Orbit:
 
     def plot(self, file: str | Path | None = None, **options: Any) -> Figure:
         """Return a Matplotlib figure: one orbit in its table (:func:`carom.plot.plot_orbit`). ``file``: write it there."""
-        return saved_figure("plot_orbit", file, self, **options)
+        return saved_figure("plot_orbit", file, self, **options)  # type: ignore[no-any-return]
 
     def portrait(self, file: str | Path | None = None) -> Figure:
         """Return the velocity phase portrait of all orbits (:func:`carom.plot.plot_portrait`). ``file``: write it there."""
-        return saved_figure("plot_portrait", file, self)
+        return saved_figure("plot_portrait", file, self)  # type: ignore[no-any-return]
 
     def boundary(self, file: str | Path | None = None) -> Figure:
         """Return the boundary map of all orbits (:func:`carom.plot.plot_boundary`). ``file``: write it there."""
-        return saved_figure("plot_boundary", file, self)
+        return saved_figure("plot_boundary", file, self)  # type: ignore[no-any-return]
 
 
 def moved_in_flight(table: Table, x: Array, v: Array, t: Array) -> tuple[Array, Array]:

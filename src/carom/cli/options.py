@@ -219,7 +219,7 @@ def assigned(found: FaultList, texts: list[str] | None) -> dict[str, Any]:
             values[path] = tomllib.loads(f"value = {decimal_point(value)}")["value"]
         except (tomllib.TOMLDecodeError, RecursionError):
             values[path] = value
-    return with_own_laws(values)
+    return dict(with_own_laws(values))
 
 
 def parse_number(option: str, name: str, text: str) -> float:
