@@ -45,6 +45,18 @@ def test_the_table_of_extras_names_every_extra_and_those_outside_all() -> None:
     assert "carom[all,jax]" in extras["docs"]
 
 
+def test_groups_have_what_the_extra_for_development_has() -> None:
+    project = tomllib.loads(text("pyproject.toml"))
+    groups, extra = project["dependency-groups"], project["project"]["optional-dependencies"]["dev"]
+    assert sorted([*groups["test"], *groups["lint"]]) == sorted(one for one in extra if not one.startswith("carom"))
+
+
+def test_the_recipe_has_all_licence_files() -> None:
+    (listed,) = re.findall(r"  license_file:\n((?:    - .*\n)+)", text("recipe/recipe.yaml"))
+    named = set(re.findall(r"- (\S+)", listed))
+    assert named == {str(path.relative_to(ROOT)) for path in (ROOT / "LICENSE", *(ROOT / "src").rglob("LICENSE*"))}
+
+
 def test_recipe_needs_what_the_package_needs() -> None:
     needed = tomllib.loads(text("pyproject.toml"))["project"]["dependencies"]
     run = text("recipe/recipe.yaml").split("  run:\n", 1)[1].split("\ntests:", 1)[0]
