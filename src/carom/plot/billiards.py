@@ -79,7 +79,7 @@ def plot_orbit(found: Orbit, which: Any = None) -> Figure:
         width, height = high - low
         tall = not setup.planar
         long = width / height > 1.9
-        size = (6.4, max(1.9, min(5.4, 5.2 * height / width + 0.9)))
+        size = (6.4, max(1.9, min(5.8, 5.2 * height / width + 0.9)))
         figure = new_figure(8.4 if tall else size[0], 4.2 if tall else size[1])
         grid = (
             figure.add_gridspec(1, 2, width_ratios=(1, 1), wspace=0.32, left=0.03, right=0.97, bottom=0.14)
@@ -98,7 +98,7 @@ def plot_orbit(found: Orbit, which: Any = None) -> Figure:
         flights.set_array(spins[np.minimum(owner, count)])
         axes.add_collection(flights)
         begin = setup.shape.folded(path[:1, :2])[0]
-        axes.plot(*begin, "o", ms=3.4, color=INK, zorder=5)
+        _name_orbit(axes, found, begin, count)
         if setup.table.bounds == "surface":
             from matplotlib.patches import Circle
 
@@ -115,13 +115,20 @@ def plot_orbit(found: Orbit, which: Any = None) -> Figure:
             else {"shrink": 0.75, "pad": 0.03, "aspect": 25}
         )
         if not tall:
-            figure.subplots_adjust(left=0.02, right=0.98 if long else 0.93, bottom=0.12 if long else 0.02, top=0.98)
+            figure.subplots_adjust(left=0.02, right=0.98 if long else 0.93, bottom=0.12 if long else 0.02, top=0.88)
         if spins.any():  # (of a mirror's orbit without spin nothing is told by a colour)
             bar = figure.colorbar(flights, ax=axes, label=label, **where)
             bar.outline.set_linewidth(0.4)
         if grid:
             _heights(figure.add_subplot(grid[1]), found, which, count)
     return figure
+
+
+def _name_orbit(axes: Any, found: Orbit, begin: Array, count: int) -> None:
+    """Write what is drawn above it, and mark where it begins."""
+    axes.plot(*begin, "o", ms=3.4, color=INK, zorder=5)
+    axes.annotate("start", begin, (4, 4), textcoords="offset points", fontsize=7, color=INK, zorder=6)
+    axes.set_title(_title(found).replace(f"{found.t.shape[-1]:,} bounces", f"{count:,} bounces"), fontsize=8)
 
 
 def _heights(axes: Any, found: Orbit, which: Any, count: int) -> None:

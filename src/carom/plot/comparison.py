@@ -1,4 +1,4 @@
-"""Draw a comparison of laws: incidence and reflection under each, seen from above and from the side.
+"""Draw a comparison of laws: incidence and reflection under each, seen from above, and its hops from the side.
 
 :func:`path_after_wall` follows the ball from the wall until it rolls: flights, bounces and sliding, each as points of a curve.
 """
@@ -26,13 +26,15 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 HALF_HEIGHT_OVER_WIDTH = 0.72  # of the view from above
+LOW = 0.4  # of it below the normal to the wall, where no law turns the ball back
+HOPS = 2.3  # width of the view of hops, inches
 FLAG = 0.19  # height of a line of labels above or below that view, inches
 
 Array = NDArray[np.float64]
 
 
 def compare(comparison: laws_compared.Comparison | Meeting | None = None, **settings: Any) -> Figure:
-    """Draw each law's prediction for one ball, to scale: from above, and from the side.
+    """Draw each law's prediction for one ball: from above, to scale, and its hops from the side, if there are any.
 
     Parameters
     ----------
@@ -56,7 +58,7 @@ def compare(comparison: laws_compared.Comparison | Meeting | None = None, **sett
     >>> from carom import plot
     >>> figure = plot.compare(angle_deg=30, friction=0.2)
     >>> [axes.get_ylabel() for axes in figure.axes]
-    ['along the wall, mm', 'height, mm']
+    ['along the wall, mm', 'above the floor, mm']
     """
     if not isinstance(comparison, laws_compared.Comparison):
         comparison = laws_compared.compare(comparison if comparison is not None else laws_compared.incoming(**settings))
@@ -82,28 +84,26 @@ def _draw(
     reach: float,
 ) -> Figure:
     m = comparison.meeting
-    a = float(m.ball.radius) * 1e3
-    r = reach * 1e3
-    up = max(3.2 * a, 1.25 * max((float(p.points[:, 2].max()) * 1e3 for p in paths.values()), default=0.0) + 2.2 * a)
-    up = min(up, 0.8 * r)
-    width, left, right = 6.4, 0.55, 1.45
-    scale = (width - left - right) / (1.12 * r)  # inches per mm, the same in both views
-    heights = (2 * HALF_HEIGHT_OVER_WIDTH * r * scale, (up + 0.12 * r) * scale)
+    a, r = float(m.ball.radius) * 1e3, reach * 1e3
+    wide, left, labels = 4.3, 0.55, 1.7  # inches
+    scale = wide / (1.12 * r)  # inches per mm
     start = np.array([a * float(m.normal[0]), 0.0])
     lines = [_line_above(paths[v.law], v, start, r) for v in shown]
+    # below the normal there is only the ball that comes, unless a law turns it back
+    lowest = min((float(line[:, 1].min()) for line, _marks in lines), default=0.0)
+    low = HALF_HEIGHT_OVER_WIDTH if lowest < -0.9 * LOW * r else LOW
     # room above and below the view for the labels of paths that leave it there
     over, under = (sum(_edge(line[-1], r) == side for line, _marks in lines) * FLAG for side in (1, -1))
-    top = 0.3 + over
-    total = sum(heights) + top + under + 0.2 + 0.45
+    tall, top, bottom = (HALF_HEIGHT_OVER_WIDTH + low) * r * scale, 0.3 + over, under + 0.45
+    hops = [(v, paths[v.law]) for v in shown if any(name == "flight" for name, _points in paths[v.law].pieces)]
+    width, total = left + wide + labels + (0.5 + HOPS if hops else 0.0), tall + top + bottom
     figure = new_figure(width, total)
-    boxes = [
-        (left / width, (total - top - heights[0]) / total, 1.12 * r * scale / width, heights[0] / total),
-        (left / width, 0.45 / total, 1.12 * r * scale / width, heights[1] / total),
-    ]
-    above, side = (figure.add_axes(box) for box in boxes)
+    above = figure.add_axes((left / width, bottom / total, wide / width, tall / total))
     styles = law_styles([v.law for v in comparison.verdicts])
-    _above(above, comparison, shown, lines, styles, a, r, FLAG / scale)
-    _side(side, comparison, shown, paths, styles, a, r, up)
+    _above(above, comparison, shown, lines, styles, a, r, FLAG / scale, low)
+    if hops:
+        place = ((width - HOPS - 0.1) / width, bottom / total, HOPS / width, 0.8 * tall / total)
+        _hops(figure.add_axes(place), hops, styles, float(start[0]))
     _notes(figure, comparison, left / width)
     return figure
 
@@ -122,10 +122,10 @@ def _notes(figure: Any, comparison: laws_compared.Comparison, x: float) -> None:
 
 def _above(
     axes: Any, comparison: laws_compared.Comparison, shown: list[laws_compared.Verdict],
-    lines: list[tuple[Array, Array | None]], styles: dict[str, tuple[str, Any]], a: float, r: float, flag: float,
+    lines: list[tuple[Array, Array | None]], styles: dict[str, tuple[str, Any]], a: float, r: float, flag: float, low: float,
 ) -> None:  # fmt: skip
     m = comparison.meeting
-    _frame(axes, (-0.12 * r, r), (-HALF_HEIGHT_OVER_WIDTH * r, HALF_HEIGHT_OVER_WIDTH * r))
+    _frame(axes, (-0.12 * r, r), (-low * r, HALF_HEIGHT_OVER_WIDTH * r))
     axes.fill_betweenx(
         [-HALF_HEIGHT_OVER_WIDTH * r, HALF_HEIGHT_OVER_WIDTH * r], -0.12 * r, 0, color=PALE, lw=0, zorder=0
     )
@@ -153,8 +153,9 @@ def _above(
                 _circle(axes, point, a, ink, 0.7)
                 axes.plot(*point, "o", ms=2.6, color=ink, zorder=7)
         ends.append(line[-1])
-        words.append(f"{literal(verdict.law)}  {_speed(verdict) if straight else _angle(verdict)}")
-    bottom = -HALF_HEIGHT_OVER_WIDTH * r
+        mark = "✓" if verdict.admissible else "×"
+        words.append(f"{literal(verdict.law)}  {_speed(verdict) if straight else _angle(verdict)}  {mark}")
+    bottom = -low * r
     missing = [v.law for v in comparison.verdicts if v.after_wall is None]
     if missing:  # below the labels
         text = "no prediction:\n" + "\n".join(map(literal, missing))
@@ -163,11 +164,11 @@ def _above(
         )
         bottom += 0.06 * r * (len(missing) + 1)
     _labels(axes, ends, words, [styles[v.law][0] for v in shown], r, bottom, flag)
+    axes.set_xlabel("from the wall, mm")
     axes.set_ylabel("along the wall, mm")
-    axes.set_xticklabels([])
     axes.text(
         0.02 * r,
-        -0.98 * HALF_HEIGHT_OVER_WIDTH * r,
+        -0.98 * low * r,
         "from above: no law turns the ball; final speeds" if straight and lines else "from above",
         ha="left",
         va="bottom",
@@ -277,48 +278,25 @@ def _cross(a: Any, b: Any, c: Any, d: Any) -> bool:
     return side(a, b, c) * side(a, b, d) < 0 and side(c, d, a) * side(c, d, b) < 0
 
 
-def _side(
-    axes: Any, comparison: laws_compared.Comparison, shown: list[laws_compared.Verdict], paths: dict[str, PathAfterWall],
-    styles: dict[str, tuple[str, Any]], a: float, r: float, up: float,
-) -> None:  # fmt: skip
-    m = comparison.meeting
-    _frame(axes, (-0.12 * r, r), (-0.12 * r, up))
-    axes.fill_between([-0.12 * r, r], -0.12 * r, 0, color=PALE, lw=0, zorder=0)
-    axes.plot([-0.12 * r, r], [0, 0], color=INK, lw=1.2, zorder=3)
-    start = np.array([a * float(m.normal[0]), a + float(m.height) * 1e3])
-    nose = a + float(m.height) * 1e3 - a * float(m.normal[2])
-    if m.normal[2] == 0:
-        axes.fill_betweenx([0, up], -0.12 * r, 0, color=PALE, lw=0, zorder=0)
-        axes.plot([0, 0], [0, up], color=INK, lw=1.2, zorder=3)
-    else:  # a cushion: only the contact point of its nose is known
-        corners = [(-0.12 * r, min(nose + 0.5 * a, up)), (0, nose), (-0.12 * r, max(nose - 0.8 * a, 0))]
-        axes.fill(*zip(*corners, strict=True), color="#d9d5ca", ec=INK, lw=0.8, zorder=2)
-    _circle(axes, start, a, INK, 1.0, face="white")
-    axes.plot(*start, "o", ms=2.6, color=INK, zorder=8)
-    hops = []
-    for verdict in shown:
+def _hops(
+    axes: Any, hops: list[tuple[laws_compared.Verdict, PathAfterWall]], styles: dict[str, tuple[str, Any]], start: float
+) -> None:
+    """Draw the hops from the side, heights exaggerated: how far the ball is above the floor, over its way from the wall."""
+    highest = [float(path.points[:, 2].max()) * 1e3 for _verdict, path in hops]
+    far = max(start + float(np.abs(path.pieces[-1][1][:, 0]).max()) * 1e3 for _verdict, path in hops)
+    for k, ((verdict, path), top) in enumerate(zip(hops, highest, strict=True)):
         ink, dashes = styles[verdict.law]
-        path = paths[verdict.law]
-        points = np.array([start[0], a]) + path.points[:, [0, 2]] * 1e3
-        if verdict.final is not None and path.velocity[0] > 0:
-            points = np.concatenate([points, [[r, points[-1, 1]]]])
-        points = points[points[:, 0] <= 1.0001 * r]
+        points = path.points[:, [0, 2]] * 1e3
         strong = verdict.admissible
-        axes.plot(*points.T, color=ink, ls=dashes, lw=1.8 if strong else 1.3, zorder=6 if strong else 5)
-        flights = [p for name, p in path.pieces if name == "flight"]
-        if flights:
-            end = np.array([start[0] + flights[0][-1, 0] * 1e3, a])
-            top = float(flights[0][:, 2].max()) * 1e3
-            if end[0] <= r:
-                _circle(axes, end, a, ink, 0.7)
-                axes.plot([end[0], end[0]], [-0.03 * r, 0], color=ink, lw=1.2, zorder=4)
-            hops.append((ink, f"{literal(verdict.law)}  {format_number(top)} mm"))
-    for i, (ink, word) in enumerate([(GREY, "flight heights"), *hops] if hops else []):
-        axes.text(1.06 * r, up - (0.03 + 0.075 * i) * r, word, color=ink, ha="left", va="center", size=8, clip_on=False)
-    axes.text(0.5 * r, -0.06 * r, "floor", ha="center", va="center", size=8, color=GREY)
-    axes.set_xlabel("from the wall, mm")
-    axes.set_ylabel("height, mm")
-    axes.text(r, up * 0.98, "from the side", ha="right", va="top", style="italic", color=GREY, size=9)
+        axes.plot(
+            start + points[:, 0], points[:, 1], color=ink, ls=dashes, lw=1.8 if strong else 1.3, zorder=5 + strong
+        )
+        words = f"{literal(verdict.law)}  {format_number(top)} mm"
+        axes.text(0.98, 0.98 - 0.075 * k, words, color=ink, ha="right", va="top", size=8, transform=axes.transAxes)
+    axes.axhline(0, color=INK, lw=1.2, zorder=3)
+    axes.set(xlim=(0, 1.03 * far), ylim=(0, max(highest) * (1.1 + 0.11 * len(hops))))
+    axes.set(xlabel="from the wall, mm", ylabel="above the floor, mm")
+    axes.set_title("hops, from the side; heights exaggerated", size=8, color=GREY, loc="left", style="italic")
 
 
 def _frame(axes: Any, x: tuple[float, float], y: tuple[float, float]) -> None:

@@ -297,7 +297,8 @@ def _draw(run: Trajectory, balls: list[int], title: str | None) -> Any:
                 x, 1.01, str(number), transform=axes.get_xaxis_transform(), fontsize=6.5, ha="center", va="bottom",
                 color=GREY,
             )  # fmt: skip
-    said = f"{run.scene.describe()}; {len(run.events)} events in {format_time(run.end)}" if title is None else title
+    took = "" if run.ended == "duration" else f" in {format_time(run.end)}"  # (the scene's words have its duration)
+    said = f"{run.scene.describe()}; {len(run.events)} events{took}" if title is None else title
     # (a letter of this size takes a fifteenth of an inch)
     size = 9.5 * min(1.0, 15 * (width - left - 0.1) / max(len(said), 1))
     figure.text(left / width, 1 - 0.16 / height, literal(said[:1].upper() + said[1:]), va="top", fontsize=size)
@@ -442,7 +443,7 @@ def _height(axes: Any, run: Trajectory, ways: dict[int, list[Any]]) -> None:
     base = {i: run.scene.balls[i].radius if floor else 0.0 for i in ways}
     lifts = {i: [(t, sign * x[:, axis] - base[i]) for _phase, t, x in pieces] for i, pieces in ways.items()}
     most = max(float(np.abs(z).max()) for pieces in lifts.values() for _t, z in pieces)
-    factor, unit = _scaled(most, "m")
+    factor, unit = (1.0, "m") if most >= 1 else (1e3, "mm")
     said = f"height {'−' if sign < 0 else ''}{'xyz'[axis]}"
     for i, pieces in lifts.items():
         axes.plot(
@@ -469,7 +470,9 @@ def _energy(axes: Any, run: Trajectory, balls: list[int], until: float) -> None:
     if len(balls) > 1:
         for k, i in enumerate(balls):
             axes.plot(t, factor * each[:, k], color=colour(run, i), lw=1.0, zorder=3)
-    axes.plot(t, factor * total, color=INK, lw=1.3, zorder=4)
+    axes.plot(t, factor * total, color=INK, lw=1.3, zorder=4, label="all balls")
+    if len(balls) > 1:
+        axes.legend(handles=axes.lines[-1:], frameon=False, fontsize=8, loc="upper right")
     axes.fill_between(t, factor * total, color=PALE, lw=0, zorder=-1)
     low, high = min(0.0, float(total.min())), max(0.0, float(total.max()))
     if high > low:
@@ -500,8 +503,6 @@ def _legend(
     entries.append(Line2D([], [], ls="none", marker="o", ms=5.5, mfc="white", mec=INK, mew=0.9, label="start"))
     label = "comes to rest" if (ends == REST).any() and set(run.final_phase) <= {"rest"} else "end"
     entries.append(Line2D([], [], ls="none", marker="o", ms=5.5, mfc=INK, mec=INK, label=label))
-    if len(balls) > 1:
-        entries.append(Line2D([], [], color=INK, lw=1.3, label="energy of all"))
     figure.legend(
         handles=entries, loc="upper left", bbox_to_anchor=at, ncols=min(len(entries), 7), frameon=False, fontsize=7.5,
         handlelength=1.9, columnspacing=1.2, handletextpad=0.5, borderaxespad=0.0,
