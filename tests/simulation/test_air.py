@@ -277,14 +277,6 @@ def test_topspin_presses_and_backspin_lifts() -> None:
     assert lifted.phase(0.05)[0] == "flight"
 
 
-def test_derivatives_through_the_end_of_a_slide_are_refused() -> None:
-    scene = on_table(2.0, velocity=(3, 1, 0), lift="tennis")
-    with pytest.raises(carom.CaromError, match="end of a slide"):
-        api.simulate(scene).sensitivity(["balls.0.velocity"])
-    hops = api.replaced(scene, {"run.duration": 0.1})
-    assert np.isfinite(api.simulate(hops).sensitivity(["balls.0.velocity"]).final.position).all()
-
-
 def test_wind_sets_a_ball_going_or_not() -> None:
     floor = {"rolling_resistance": 0.01}
     # it rolls where K C_D s^2 > (1 + kappa) c g

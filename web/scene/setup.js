@@ -134,6 +134,7 @@ function airOf({ air, balls }, layout, share = false) {
   const known = new Map(); // the first rows of laws, by their numbers
   const own = balls.map((ball) => {
     const [a, perSpeed] = [ball.radius, (2 * ball.radius * air.density) / air.viscosity];
+    let acts = false; // whether a law is not zero
     const places = /** @type {const} */ (["drag", "lift"]).map((name) => {
       const law = ball[name] ?? 0;
       const segments = typeof law === "string" ? layout.air_laws[law][name] : [[law, 0, 0, 0, 0, 0, Infinity, 0]];
@@ -141,13 +142,14 @@ function airOf({ air, balls }, layout, share = false) {
         const top = extended(/** @type {any} */ (high));
         return [Number(overSpin), overSpin ? top : top / perSpeed, p0, p1 * perSpeed, p2 / perSpeed, p3 / (perSpeed * perSpeed), q, r];
       });
+      acts ||= rows.some((row) => row.slice(2).some((one) => one !== 0));
       const first = (share ? known.get(JSON.stringify(rows)) : undefined) ?? laws.length / 8;
       if (first === laws.length / 8) laws.push(...rows.flat());
       known.set(JSON.stringify(rows), first);
       return { [name]: first, [`${name}_last`]: first + rows.length - 1 };
     });
     const moved = ((air.density * 4) / 3 * Math.PI * (a * a * a)) / ball.mass;
-    return { ...places[0], ...places[1], air: (air.density * Math.PI * (a * a)) / (2 * ball.mass), buoyancy: air.buoyancy ? moved : 0, spin_decay: ball.spin_decay ?? 0 };
+    return { ...places[0], ...places[1], air: acts ? (air.density * Math.PI * (a * a)) / (2 * ball.mass) : 0, buoyancy: air.buoyancy ? moved : 0, spin_decay: ball.spin_decay ?? 0 };
   });
   const most = layout.records.world.fields.laws.count;
   return laws.length > most && !share ? airOf(/** @type {Scene} */ ({ air, balls }), layout, true) : { world: { wind: air.wind, laws }, balls: own };

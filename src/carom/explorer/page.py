@@ -27,6 +27,7 @@ from carom.laws.law import Law
 from carom.laws.registry import law_named, law_styles, one_or_several
 from carom.laws.registry import laws as all_laws
 from carom.scene.scene import Scene, scene_dict
+from carom.scene.schema import Model
 from carom.scene.shapes import FigureWall
 from carom.scene.shapes.planes import Plane
 from carom.scene.toml import load_scene
@@ -298,6 +299,10 @@ def not_shown(scene: Scene, where: str) -> FaultList:
         if wall.kind not in known:
             advice = "the page holds no other; carom simulate takes it"
             faults.add(f"walls[{i}].shape", f"one of {', '.join(known)}", repr(wall.kind), advice)
+    for i, ball in enumerate(scene.balls):
+        for name in ("drag", "lift"):
+            if isinstance(getattr(ball, name), Model):
+                faults.add(f"balls[{i}].{name}", "a number or the name of a law", "a form", "carom simulate takes it")
     features = sum(len(wall.features()) for wall in scene.walls)
     for what, count, most in (("balls", len(scene.balls), MOST_BALLS), ("features of walls", features, MOST_FEATURES)):
         if count > most:

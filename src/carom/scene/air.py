@@ -7,6 +7,8 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
 from pydantic import BeforeValidator, PlainSerializer, PlainValidator, model_validator
 
 from carom.core.motion.air import LAWS
@@ -25,8 +27,12 @@ from carom.scene.schema import (
     refused,
 )
 
+Array = NDArray[np.float64]
 # Dry air: gas constant, J/(kg K); Sutherland's viscosity, U.S. Standard Atmosphere (1976), eq. 51
 GAS_CONSTANT, SUTHERLAND, SUTHERLAND_AT = 287.05287, 1.458e-6, 110.4
+ATMOSPHERE = 101325.0  # Pa
+# From which numbers those follow that are not given
+FOLLOWS = {"air.density": "air.temperature and air.pressure", "air.viscosity": "air.temperature"}
 Positive = Annotated[float, BeforeValidator(Number("a density in kg/m^3, > 0", "kg/m^3", least=0, above=True))]
 Viscosity = Annotated[float, BeforeValidator(Number("a viscosity in Pa s, > 0", "Pa*s", least=0, above=True))]
 Temperature = Annotated[float, BeforeValidator(Number("a temperature in K, > 0", "K", least=0, above=True))]
@@ -56,7 +62,7 @@ class SceneAir(Model):
 
     density: Positive | None = None
     temperature: Temperature = 293.15
-    pressure: Pressure | None = None
+    pressure: Pressure = ATMOSPHERE
     viscosity: Viscosity | None = None
     wind: Annotated[tuple[Speed, Speed, Speed], BeforeValidator(Components("3 speeds in m/s: of the wind", (3,)))] = (
         0.0,
@@ -67,15 +73,14 @@ class SceneAir(Model):
 
     @model_validator(mode="after")
     def _one_density(self) -> SceneAir:
-        if self.density is not None and self.pressure is not None:
+        if self.density is not None and self.pressure != ATMOSPHERE:
             raise_faults([Fault("", "density", "no density with a pressure", "both", "leave out one of them")])
         return self
 
     @property
     def rho(self) -> float:
         """Return its density, kg/m^3."""
-        pressure = 101325.0 if self.pressure is None else self.pressure
-        return self.density if self.density is not None else pressure / (GAS_CONSTANT * self.temperature)
+        return self.density if self.density is not None else self.pressure / (GAS_CONSTANT * self.temperature)
 
     @property
     def eta(self) -> float:
@@ -152,7 +157,8 @@ class Coefficients:
 
     def __init__(self, name: str, least: float = -math.inf) -> None:
         self.names = [law.card.name for law in AIR_LAWS.values() if getattr(law, name)]
-        self.what = f"a number, one of {', '.join(self.names)}, or a table {{ form = ... }} of {', '.join(FORMS)}"
+        number = "a number" if least == -math.inf else f"a number >= {least:g}"
+        self.what = f"{number}, one of {', '.join(self.names)}, or a table {{ form = ... }} of {', '.join(FORMS)}"
         self.number = Number(self.what, least=least)
 
     def __call__(self, value: Any) -> Any:
@@ -229,6 +235,30 @@ def balls_in_air(scene: Any, share: bool = False) -> tuple[list[BallInAir], list
         k = air.rho * math.pi * (a * a) / (2 * ball.mass)
         found.append(BallInAir(strength=k, buoyancy=moved if air.buoyancy else 0.0, **places))
     return balls_in_air(scene, True) if len(rows) > LAWS and not share else (found, rows)
+
+
+def air_acceleration(scene: Any, velocity: Array, spin: Array) -> Array:
+    """Return the acceleration that air gives the balls of a scene at velocities and spins (..., B, 3): drag, lift, buoyancy."""
+    balls, rows = balls_in_air(scene)
+    u, size = velocity - np.array(scene.air.wind), np.linalg.norm(spin, axis=-1)
+    s = np.linalg.norm(u, axis=-1)
+    found = np.zeros_like(u)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for i, (own, ball) in enumerate(zip(balls, scene.balls, strict=True)):
+            ratio = ball.radius * size[..., i] / s[..., i]
+            drag, lift = (_coefficient(np.array(rows[a : b + 1]), s[..., i], ratio) for a, b in (own.drag, own.lift))
+            across = np.nan_to_num(np.cross(spin[..., i, :], u[..., i, :]) / size[..., i, None])
+            force = own.strength * s[..., i, None] * (lift[..., None] * across - drag[..., None] * u[..., i, :])
+            found[..., i, :] = np.where(s[..., i, None] > 0, force, 0 * u[..., i, :])
+    bears: Array = found - np.array([own.buoyancy for own in balls])[:, None] * np.array(scene.pull)
+    return bears
+
+
+def _coefficient(law: Array, s: Array, ratio: Array) -> Array:
+    """Return a coefficient by the rows of its law, at speeds and spin ratios."""
+    _over, _high, p0, p1, p2, p3, q, r = law[np.searchsorted(law[:-1, 1], np.where(law[0, 0] != 0, ratio, s))].T
+    found: Array = (p0 + p1 * s + p2 / s + p3 / s**2 + q * ratio) / (1 + r * ratio)
+    return found
 
 
 def air_faults(scene: Any) -> Iterable[Fault]:

@@ -21,6 +21,7 @@ from carom.errors import CaromError
 from carom.files import atomic_path, import_optional, require_writable
 from carom.formatting import counted, json_value
 from carom.laws.landing import REGIME_NAMES as NAMES
+from carom.scene.air import air_acceleration
 from carom.scene.toml import stored_model
 from carom.simulation.contact_kinds import PARTNERS
 from carom.simulation.records import KINDS, LOG, START, EventSource, RunRecord, kind_names
@@ -35,7 +36,7 @@ UNITS = {
     "t": "s", **dict.fromkeys(AXES, "m"),
     **{f"{of}{axis}{when}": unit for of, unit in (("v", "m/s"), ("w", "rad/s")) for axis in AXES for when in ("", "_before")},
     **{f"{of}_{axis}": "N s" for of in ("impulse", "floor_impulse") for axis in AXES},
-    "energy_lost": "J", "energy": "J", **{f"q{part}": "1" for part in ("w", *AXES)},
+    **{f"air_{axis}": "m/s^2" for axis in AXES}, "energy_lost": "J", "energy": "J", **{f"q{part}": "1" for part in ("w", *AXES)},
 }  # fmt: skip
 
 
@@ -108,7 +109,8 @@ def many_events_table(runs: EventSource, rows: NDArray[np.void]) -> pandas.DataF
 def state_columns(run: RunRecord, times: NDArray[np.float64]) -> Columns:
     """Return states at times, s, as named columns, one row per ball and time.
 
-    ``qw`` ... ``qz`` are the orientation, a unit quaternion from the body's frame; ``energy`` is the ball's own.
+    ``qw`` ... ``qz`` are the orientation, a unit quaternion from the body's frame; ``energy`` is the ball's own; in air
+    ``air_x`` ... are the acceleration that it gives the ball.
     """
     state, count = run.at(times), len(run.scene.balls)
     assert state.position is not None
@@ -123,6 +125,8 @@ def state_columns(run: RunRecord, times: NDArray[np.float64]) -> Columns:
     for name, part in zip(("qw", "qx", "qy", "qz"), run.orientation(times).reshape(-1, 4).T, strict=True):
         columns[name] = np.ascontiguousarray(part)
     columns["energy"] = np.ravel(run.energy(times, each=True))
+    if run.scene.air is not None:
+        _parts(columns, "air_", air_acceleration(run.scene, state.velocity, state.spin).reshape(-1, 3))
     return columns
 
 
@@ -315,15 +319,16 @@ def _arrays(run: RunRecord, times: NDArray[np.float64], rate: float) -> dict[str
     state = run.at(times)
     assert state.position is not None
     balls = zip(run.scene.ball_names, run.scene.balls, strict=True)
-    return {
+    found = {
         "scene": run.scene.describe(),
         "rate": rate,
         "units": {
             "t": "s",
-            "position": UNITS["x"],
-            "velocity": UNITS["vx"],
-            "spin": UNITS["wx"],
+            "position": "m",
+            "velocity": "m/s",
+            "spin": "rad/s",
             "orientation": "w, x, y, z",
+            "air": "m/s^2",
         },
         "balls": [{"name": name, "radius": ball.radius, "mass": ball.mass} for name, ball in balls],
         "t": times.tolist(),
@@ -333,3 +338,6 @@ def _arrays(run: RunRecord, times: NDArray[np.float64], rate: float) -> dict[str
         "orientation": run.orientation(times).tolist(),
         "phase": run.phase(times).tolist(),
     }
+    if run.scene.air is not None:
+        found["air"] = air_acceleration(run.scene, state.velocity, state.spin).tolist()
+    return found

@@ -112,7 +112,9 @@ def plain_value(value: Any) -> Any:
 AXES = ("x", "y", "z")
 FAILED = "failed"
 # Codes of the variable ``failed``.
-FAILURES = ("no", "law_needs_a_rolling_ball", "law_undefined_for_pressed_ball", "ball_locked", "refused")
+FAILURES = (
+    "no", "law_needs_a_rolling_ball", "law_undefined_for_pressed_ball", "ball_locked", "refused", "lost_in_air", "endless_in_air",
+)  # fmt: skip
 NOT_DONE = -1  # of a point that was not computed yet
 
 

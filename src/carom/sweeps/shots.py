@@ -21,7 +21,13 @@ from carom.laws.strike import Cue, strike
 from carom.scene.ball import SceneBall
 from carom.scene.scene import Scene
 from carom.scene.toml import PathMatch, path_match, replaced, stored_model
-from carom.simulation.contact_kinds import REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
+from carom.simulation.contact_kinds import (
+    REFUSED_ENDLESS,
+    REFUSED_ON_FLOOR,
+    REFUSED_ROLLING,
+    REFUSED_STALL,
+    REFUSED_UNDEFINED,
+)
 from carom.simulation.loop import LIMIT, PHASES_FROM, run_limits, run_scene
 from carom.simulation.records import BALL, KINDS, LOG, POCKETED_EVENT
 from carom.simulation.setup import SceneArrays, overlapping, set_up
@@ -134,7 +140,7 @@ def _set_motion(ball: SceneBall, given: dict[tuple[str | int, ...], Array], rows
 
 Columns = dict[str, Array]
 REFUSED = FAILURES.index("refused")
-FAILURE_OF = {REFUSED_ROLLING: 1, REFUSED_UNDEFINED: 2, REFUSED_STALL: 3}
+FAILURE_OF = {REFUSED_ROLLING: 1, REFUSED_UNDEFINED: 2, REFUSED_STALL: 3, REFUSED_ON_FLOOR: 5, REFUSED_ENDLESS: 6}
 FIRST_EVENTS = 1 << 16  # of all runs in the first call of the loop
 # A group of fewer points is not worth finding out where its numbers end.
 WORTH_PROBING = 8

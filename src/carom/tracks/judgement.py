@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.polynomial import Polynomial
+from numpy.polynomial import Polynomial, polynomial
 from numpy.typing import NDArray
 
 from carom.data.columns import Columns, as_columns, is_columns, read_columns
@@ -42,12 +42,14 @@ LARGEST = 1e30  # in SI units: no squares of squares overflow
 LABELS = ("name", "ball")
 # What carom's own files have besides
 OF_FRAMES = ("vx", "vy", "vz", "qw", "qx", "qy", "qz", "energy", "phase", "species", "shot", "frame")
-NUMBERS = ("t", "x", "y", "z", "wx", "wy", "wz", "radius", "mass")
+OF_AIR = ("air_x", "air_y", "air_z")  # the acceleration that the air gives a ball
+NUMBERS = ("t", "x", "y", "z", "wx", "wy", "wz", "radius", "mass", *OF_AIR)
+SMOOTH = 5  # degree of that acceleration over a piece
 
 
 @dataclass(frozen=True)
 class PathPiece:
-    """Frames of one ball with one acceleration: its parabola about the middle, with the covariance of a coordinate's numbers."""
+    """Frames of one ball with one acceleration, beside that by the air: a parabola about the middle, and its covariance."""
 
     first: int
     last: int
@@ -56,18 +58,27 @@ class PathPiece:
     covariance: Array  # (3, 3)
     spins: Array | None  # (2, 3): spin, and its rate of change
     spin_error: float = 0.0  # of a component at the ends, at most
+    air: Array | None = None  # (k, 3): the acceleration by the air, as a polynomial of the time after the middle
+
+    def _by_air(self, tau: float, times: int) -> Any:
+        """Return what the air's acceleration gives, integrated so many times."""
+        return 0.0 if self.air is None else polynomial.polyval(tau, polynomial.polyint(self.air, times))
 
     def place(self, t: float) -> tuple[Array, float]:
         """Return the place (3,) at a time, and the standard error of a coordinate."""
         tau = t - self.middle
         g = np.array([1.0, tau, tau * tau])
-        return g @ self.numbers, math.sqrt(g @ self.covariance @ g)
+        return g @ self.numbers + self._by_air(tau, 2), math.sqrt(g @ self.covariance @ g)
 
     def velocity(self, t: float) -> tuple[Array, float]:
         """Return the velocity (3,) at a time, and the standard error of a component."""
         tau = t - self.middle
         g = np.array([0.0, 1.0, 2 * tau])
-        return g @ self.numbers, math.sqrt(g @ self.covariance @ g)
+        return g @ self.numbers + self._by_air(tau, 1), math.sqrt(g @ self.covariance @ g)
+
+    def parabola(self, t: float) -> Array:
+        """Return the parabola that touches the path at a time: place, velocity, half the acceleration, by coordinate (3, 3)."""
+        return np.stack([self.place(t)[0], self.velocity(t)[0], self.numbers[2] + self._by_air(t - self.middle, 0) / 2])
 
     def spin(self, t: float) -> Array:
         """Return the spin (3,) at a time."""
@@ -76,7 +87,7 @@ class PathPiece:
 
     @property
     def acceleration(self) -> tuple[Array, float]:
-        """Return the acceleration (3,), and the standard error of a component."""
+        """Return the acceleration (3,) beside that by the air, and the standard error of a component."""
         return 2 * self.numbers[2], 2 * math.sqrt(self.covariance[2, 2])
 
 
@@ -98,7 +109,7 @@ class BallPath:
 
 
 class BallRows(NamedTuple):
-    """A ball with its rows, sorted by time; its spins (n, 3) if they are known, radius and mass."""
+    """A ball with its rows, sorted by time; its spins and what the air does to it (n, 3) if they are known, radius and mass."""
 
     name: str
     t: Array
@@ -106,14 +117,16 @@ class BallRows(NamedTuple):
     w: Array | None
     radius: float
     mass: float
+    air: Array | None = None
 
 
 def read_paths(
-    table: Any, radius: float | None, mass: float, noise: float | None
+    table: Any, radius: float | None, mass: float, noise: float | None, drag: float = 0.0
 ) -> tuple[list[BallPath], float, list[str]]:
-    """Return the balls of a table with their pieces, the noise of a coordinate (m), and what was assumed."""
+    """Return the balls of a table with their pieces, the noise of a coordinate (m), and what was assumed; ``drag`` in 1/m."""
     rows, sigma, notes = read_rows(table, radius, mass, noise)
-    return [BallPath(name, t, x, a, m, tuple(_pieces(t, x, w, sigma))) for name, t, x, w, a, m in rows], sigma, notes
+    found = [BallPath(one.name, one.t, one.x, one.radius, one.mass, tuple(_pieces(one, sigma, drag))) for one in rows]
+    return found, sigma, notes
 
 
 def read_rows(
@@ -166,7 +179,10 @@ def _rows_of_balls(
     names = np.full(count, "ball")
     if label:  # (numbers are read as such: ball 1, not 1.0)
         names = np.array([f"{one:g}" if isinstance(one, float) else str(one) for one in columns[label]])
-    spins = np.stack([numbers[f"w{axis}"] for axis in "xyz"], axis=-1) if {"wx", "wy", "wz"} <= set(numbers) else None
+    spins, air = (
+        np.stack([numbers[name] for name in three], axis=-1) if set(three) <= set(numbers) else None
+        for three in (("wx", "wy", "wz"), OF_AIR)
+    )
     if radius is None and "radius" not in numbers:
         assumed = "its least height" if "z" in numbers else f"{POOL_BALL:g} m, a pool ball's"
         notes.append(f"no radius: each ball's is assumed to be {assumed}")
@@ -184,7 +200,8 @@ def _rows_of_balls(
         m = float(numbers["mass"][own][0]) if "mass" in numbers else mass
         z = numbers["z"][own] if "z" in numbers else np.full(len(own), a)
         x = np.stack([numbers["x"][own], numbers["y"][own], z], axis=-1)
-        rows.append(BallRows(name, numbers["t"][own], x, None if spins is None else spins[own], a, m))
+        of_own = (None if one is None else one[own] for one in (spins, air))
+        rows.append(BallRows(name, numbers["t"][own], x, next(of_own), a, m, next(of_own)))
     faults.raise_if_any()
     return rows
 
@@ -202,7 +219,7 @@ def _columns(path: Path, notes: list[str]) -> Columns:
     try:
         count, balls = len(given["t"]), given["balls"]
         found: Columns = {"t": np.repeat(np.array(given["t"], dtype=float), len(balls))}
-        for key, axes in (("position", "x y z"), ("spin", "wx wy wz")):
+        for key, axes in (("position", "x y z"), ("spin", "wx wy wz"), ("air", " ".join(OF_AIR))):
             if key == "position" or key in given:
                 flat = np.array(given[key], dtype=float).reshape(count * len(balls), 3)
                 found |= dict(zip(axes.split(), flat.T, strict=True))
@@ -292,9 +309,23 @@ def _numbers(faults: FaultList, name: str, column: NDArray[Any]) -> Array:
     return numbers
 
 
-def _third_differences(t: Array, x: Array) -> Array:
-    """Return third differences (n - 3, 3) of places (n, 3) at any times: a parabola has none, noise as many as at even times."""
-    a, b, c = np.diff(t)[:-2], np.diff(t)[1:-1], np.diff(t)[2:]
+def _third_differences(row: BallRows) -> Array:
+    """Return third differences (n - 3, 3) of places (n, 3) at any times: a parabola has none, noise as many as at even times.
+
+    What the air's acceleration makes of them, where it is known, is taken off.
+    """
+    t, x, dt = row.t, row.x, np.diff(row.t)
+    if row.air is not None:
+        steps = np.append(dt, 0.0)[:, None]
+        speed = np.cumsum(np.append(np.zeros((1, 3)), (row.air[:-1] + row.air[1:]) / 2 * dt[:, None], axis=0), axis=0)
+        far = (speed * steps + (2 * row.air + np.roll(row.air, -1, axis=0)) * steps**2 / 6)[:-1]
+        # (less h^2/12 of it: so the second differences are Numerov's)
+        x = (
+            x
+            - np.cumsum(np.append(np.zeros((1, 3)), far, axis=0), axis=0)
+            + np.gradient(t)[:, None] ** 2 * row.air / 12
+        )
+    a, b, c = dt[:-2], dt[1:-1], dt[2:]
     weights = np.array(
         [1 / (a * (a + b) * (a + b + c)), 1 / (a * b * (b + c)), 1 / ((a + b) * b * c), 1 / ((a + b + c) * (b + c) * c)]
     )
@@ -310,20 +341,21 @@ def _noise(rows: Sequence[BallRows]) -> float:
     """Estimate the noise of a coordinate from third differences, which events affect in few frames: their median is taken."""
     sizes = np.concatenate(
         [
-            np.abs(_third_differences(t, x))[np.abs(x[3:] - x[:-3]).max(axis=1) > 0].ravel()
-            for _name, t, x, *_rest in rows
-            if len(t) > 3
+            np.abs(_third_differences(row))[np.abs(row.x[3:] - row.x[:-3]).max(axis=1) > 0].ravel()
+            for row in rows
+            if len(row.t) > 3
         ]
     )
     # the median of |N(0, 1)| is 0.6745; 1 + 9 + 9 + 1 = 20
     return float(np.median(sizes[sizes > 0]) / 0.6745 / math.sqrt(20)) if (sizes > 0).any() else 0.0
 
 
-def _pieces(t: Array, x: Array, w: Array | None, sigma: float) -> Iterator[PathPiece]:
-    """Yield pieces of constant acceleration: runs of frames in which third differences are noise."""
+def _pieces(row: BallRows, sigma: float, drag: float) -> Iterator[PathPiece]:
+    """Yield pieces of constant acceleration beside that by the air: runs of frames in which third differences are noise."""
+    t, w = row.t, row.w
     if len(t) < FEW:
         return
-    calm = (np.abs(_third_differences(t, x)) < 6 * math.sqrt(20) * sigma + 1e-9).all(axis=1)
+    calm = (np.abs(_third_differences(row)) < 6 * math.sqrt(20) * sigma + 1e-9).all(axis=1)
     edges = np.flatnonzero(np.diff(np.concatenate([[False], calm, [False]])))
     for low, high in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
         first, last = low, high + 2  # window i has the frames i to i + 3
@@ -332,8 +364,16 @@ def _pieces(t: Array, x: Array, w: Array | None, sigma: float) -> Iterator[PathP
         middle = (t[first] + t[last]) / 2
         tau = t[first : last + 1] - middle
         design = np.stack([np.ones_like(tau), tau, tau * tau], axis=-1)
-        numbers = np.linalg.lstsq(design, x[first : last + 1], rcond=None)[0]
-        misfit = float(np.square(design @ numbers - x[first : last + 1]).sum()) / (3 * max(len(tau) - 3, 1))
+        x, by_air = row.x[first : last + 1], None if row.air is None else row.air[first : last + 1]
+        numbers = np.linalg.lstsq(design, x, rcond=None)[0]
+        if by_air is None and drag > 0:
+            v = numbers[1] + 2 * np.multiply.outer(tau, numbers[2])
+            by_air = -drag * np.linalg.norm(v, axis=1)[:, None] * v
+        air = None if by_air is None else polynomial.polyfit(tau, by_air, min(SMOOTH, len(tau) - 1))
+        if air is not None:
+            x = x - polynomial.polyval(tau, polynomial.polyint(air, 2)).T
+            numbers = np.linalg.lstsq(design, x, rcond=None)[0]
+        misfit = float(np.square(design @ numbers - x).sum()) / (3 * max(len(tau) - 3, 1))
         # (more than noise is a path that is no parabola: it does not average out, and the slope at the ends of a cubic is off by
         # 12 sqrt(7) r/T, r the rest and T the time, where noise of that size would make sqrt(192) r/T)
         misfit *= CUBIC * len(tau) if misfit > UNEVEN * sigma**2 else 1
@@ -345,7 +385,7 @@ def _pieces(t: Array, x: Array, w: Array | None, sigma: float) -> Iterator[PathP
             left = float(np.square(design[:, :2] @ spins - w[first : last + 1]).sum(axis=0).max())
             # (noise averages out, a spin that changes unevenly does not: the ends of its line are off by twice the rest)
             error = 2 * math.sqrt(left / max(len(tau) - 2, 1))
-        yield PathPiece(first, last, float(middle), numbers, covariance, spins, error)
+        yield PathPiece(first, last, float(middle), numbers, covariance, spins, error, air)
 
 
 # ----------------------------------------------------------------------------------------------------
@@ -447,6 +487,7 @@ def judge(
     friction: float = 1.0,
     floor_friction: float = 1.0,
     gravity: float = GRAVITY,
+    drag_per_metre: float = 0.0,
     slope: tuple[float, float] = (0.0, 0.0),
     noise: float | None = None,
     scale: float | str | None = None,
@@ -459,8 +500,9 @@ def judge(
     ----------
     table : path, or columns
         A row per ball and frame: ``t`` (s), ``x``, ``y``, ``z`` (m), where there are several balls ``ball``; where they are known
-        ``wx``, ``wy``, ``wz`` (rad/s), ``radius`` (m), ``mass`` (kg). ``Trajectory.save_frames`` writes these, as CSV,
-        Parquet or JSON. Without ``z`` the balls lie on the floor. Or a film, whose balls are tracked.
+        ``wx``, ``wy``, ``wz`` (rad/s), ``radius`` (m), ``mass`` (kg), ``air_x``, ``air_y``, ``air_z`` (m/s^2: the acceleration
+        that the air gives the ball; none: a vacuum). ``Trajectory.save_frames`` writes these, as CSV, Parquet or JSON. Without
+        ``z`` the balls lie on the floor. Or a film, whose balls are tracked.
     radius : float, optional
         Of balls without a column for it, m. Default: the least height of the ball's own centre, so that it is never in the floor.
     mass : float
@@ -473,6 +515,9 @@ def judge(
         Largest friction of the floor that counts as possible.
     gravity : float
         Gravity, m/s^2.
+    drag_per_metre : float
+        1/m: of balls without columns for it, air slows one of speed v by drag_per_metre v^2; across its way a spin may push it as
+        much.
     slope : (x, y)
         How far the floor falls per metre of its own along x and y (the sine of the angle, as in ``Floor``); z is normal to it.
     noise : float, optional
@@ -507,6 +552,7 @@ def judge(
         "friction": friction,
         "floor_friction": floor_friction,
         "gravity": gravity,
+        "drag_per_metre": drag_per_metre,
         "noise": noise,
     }.items():
         if value is not None:
@@ -518,7 +564,7 @@ def judge(
     said: list[str] = []
     if not is_columns(table) and is_film(path := as_path("judge", table)):
         table = _of_film(read_tracks(path, None, film_options(scale, rate, radius, film).calibration), gravity, said)
-    balls, sigma, notes = read_paths(table, radius, mass, noise)
+    balls, sigma, notes = read_paths(table, radius, mass, noise, drag_per_metre)
     notes += said
     times = np.concatenate([ball.t for ball in balls])
     found = Judgement(sigma, notes, (float(times.min()), float(times.max())))
@@ -526,7 +572,8 @@ def judge(
     for ball in balls:
         _in_the_floor(ball, sigma, found)
         for piece in ball.pieces:
-            rubs = max(rubs, _between_contacts(ball, piece, sigma, pull, floor_friction, found))
+            own = drag_per_metre if piece.air is not None else 0.0
+            rubs = max(rubs, _between_contacts(ball, piece, sigma, pull, floor_friction, own, found))
     _overlaps(balls, sigma, found)
     walls = _Walls(balls, sigma)
     for event in _events(balls, sigma):
@@ -535,6 +582,8 @@ def judge(
             _energy(t, late, event, kappa, pull, found)
             if len(event.members) == 2:
                 _momentum(t, late, event, friction, gravity, rubs, kappa, walls, found)
+    if found.of("gravity") and not any(piece.air is not None for ball in balls for piece in ball.pieces):
+        notes.append("gravity: flights are compared with those in a vacuum; drag_per_metre allows for air")
     found.violations.sort(key=lambda one: one.time)
     found.unchecked = {law: _why_unchecked(law, balls) for law, count in found.checked.items() if not count}
     return found
@@ -615,7 +664,7 @@ def _hashed(frame: NDArray[np.int64], cell: NDArray[np.int64]) -> NDArray[np.int
 
 
 def _between_contacts(
-    ball: BallPath, piece: PathPiece, sigma: float, pull: Array, floor_friction: float, found: Judgement
+    ball: BallPath, piece: PathPiece, sigma: float, pull: Array, floor_friction: float, drag: float, found: Judgement
 ) -> float:
     """Check free fall in the air; friction and its direction on the floor, and return how much it accelerates the ball at least."""
     up = ball.x[piece.first : piece.last + 1, 2] - ball.radius
@@ -628,7 +677,13 @@ def _between_contacts(
         if up.max() < -pull[2] * step**2 / 2:  # (it may hop from frame to frame)
             return 0.0
         off = float(np.linalg.norm(a - pull))
-        said = ", ".join(f"{x:.3g}" for x in a)
+        v = piece.velocity(piece.middle)[0]
+        if (
+            drag > 0 and (speed := float(np.linalg.norm(v))) > 0
+        ):  # (the Magnus force may be as large, and is across the way)
+            along = float((a - pull) @ v) / speed
+            off = math.hypot(along, max(math.sqrt(max(off * off - along * along, 0.0)) - drag * speed * speed, 0.0))
+        said = ", ".join(f"{x:.3g}" for x in piece.parabola(piece.middle)[2] * 2)
         found.check(
             "gravity", t, names, off, error, LEAST * -pull[2], f"the ball in the air accelerates by ({said}) m/s^2"
         )
@@ -707,8 +762,9 @@ def _events(balls: Sequence[BallPath], sigma: float) -> Iterator[_Event]:
     index = {id(ball): k for k, ball in enumerate(balls)}
     of = np.array([index[id(one.ball)] for one in changes], dtype=int)
     lows = np.array([one.ball.t[one.before.last] for one in changes])
-    middle = np.array([one.before.middle for one in changes])
-    numbers = np.array([one.before.numbers for one in changes]).reshape(-1, 3, 3)
+    numbers = np.array([one.before.parabola(low) for one, low in zip(changes, lows.tolist(), strict=True)]).reshape(
+        -1, 3, 3
+    )
     radius = np.array([ball.radius for ball in balls])
     beside = _Beside(balls, sigma)
     used = np.zeros(len(changes), dtype=bool)
@@ -720,7 +776,7 @@ def _events(balls: Sequence[BallPath], sigma: float) -> Iterator[_Event]:
         group, near, k = [i], np.zeros(stop - i, dtype=bool), i
         while True:  # (what a ball of the group reaches belongs to the group, in order of time)
             rest = slice(k + 1, stop)
-            tau = (lows[k] - middle[rest])[:, None]
+            tau = (lows[k] - lows[rest])[:, None]
             x, v, half = (numbers[rest, power] for power in range(3))
             here, own = changes[k].before.place(float(lows[k]))[0], changes[k].before.velocity(float(lows[k]))[0]
             gap = np.linalg.norm(here - (x + v * tau + half * tau**2), axis=1)
@@ -774,12 +830,7 @@ def _event_time(event: _Event) -> tuple[float, float]:
     span = event.high - event.low
     for ball, a, b in event.members:
         # how far both paths are apart, squared, over the share of the interval that has gone by
-        x, v, half = (
-            b.place(event.low)[0] - a.place(event.low)[0],
-            b.velocity(event.low)[0] - a.velocity(event.low)[0],
-            b.numbers[2] - a.numbers[2],
-        )
-        gone = np.stack([x, v * span, half * span * span])
+        gone = (b.parabola(event.low) - a.parabola(event.low)) * np.array([[1.0], [span], [span * span]])
         squares = [Polynomial(one) ** 2 for one in gone.T]
         apart = squares[0] + squares[1] + squares[2]
         turns = np.real(apart.deriv().trim(1e-12 * float(np.abs(apart.coef).max())).roots())

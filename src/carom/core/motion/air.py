@@ -66,14 +66,14 @@ SHORTEST = 1e-15  # s
 SETTLED, MOST_ROUNDS = 1e-8, 20  # of the accelerations: a change that is rounding; of finding them
 # Drag has a corner where a ball turns round in the air: pieces that begin below this speed, m/s, have the laws of where they begin.
 # As shares of the time in which that speed changes by itself: the longest piece while it falls, and the first one.
-SLOW, CORNER, FIRST = 5e-4, 0.7, 0.25
+SLOW, SLOW_ON_FLOOR, CORNER, FIRST = 5e-4, 5e-6, 0.35, 0.25
 LONGEST = 100.0  # s
 LAWS = 24  # segments of all laws of drag and lift
 CLOSE = 1e-6  # s: within that time a law is left at no knot
 # What ends with a piece: nothing, the phase, the spin about the vertical, or what is followed
 GOES_ON, PHASE_ENDS, SPIN_ENDS, LOST = range(4)
-# m/s: friction has a corner where a slip, and rolling resistance where a velocity, is zero; below this its direction stays
-LEAST_SLIP = 1e-12
+# m/s: friction has a corner where a slip, and rolling resistance where a velocity, is zero; below this all but the slip is constant
+LEAST_SLIP = 1e-7
 
 
 @kernel
@@ -446,6 +446,12 @@ def _approach(world: Any, ball: Any, acc: Vec, turn: Vec, load: float) -> float:
     else:
         x, y = x / size, y / size
         rate = p * x + q * y
+        # q' = D - m q/|q|: m |q| + D.q falls at the constant rate m^2 - |D|^2; the friction's mean direction is (q/t + D)/m
+        p, q = p + m * x, q + m * y
+        closes = m * m - p * p - q * q
+        if m > 0 and closes > 0:
+            closes = size * (m + p * x + q * y) / closes
+            x, y, rate = (x * size / closes + p) / m, (y * size / closes + q) / m, -size / closes
     ball.course[0], ball.course[1], ball.course[2] = x, y, 1 + 0 * load
     if not rate > 0:
         ball.ends = PHASE_ENDS
@@ -484,7 +490,8 @@ def begin_piece(world: Any, ball: Any, guess: float, horizon: float) -> None:  #
     v, w = vector(ball.v), vector(ball.w)
     u = (v[0] - world.wind[0], v[1] - world.wind[1], v[2] - world.wind[2])
     s = enter_segments(world, ball, v, w, True)
-    fixed = s if s < SLOW else -1.0
+    slow = SLOW if ball.phase == FLIGHT else SLOW_ON_FLOOR
+    fixed = s if s < slow else -1.0
     ball.ends, ball.course[2] = GOES_ON, 0 * s
     if ball.phase != FLIGHT:
         ball.sense = 1 if w[2] > 0 else -1 if w[2] < 0 else 0
@@ -507,7 +514,7 @@ def begin_piece(world: Any, ball: Any, guess: float, horizon: float) -> None:  #
     size, push = without_slopes(_root(dot(acc, acc))), without_slopes(_root(dot(pull, pull)))
     longest = LONGEST
     if fixed >= 0:
-        longest = SLOW / size if size > 0 else LONGEST
+        longest = slow / size if size > 0 else LONGEST
     elif not speeds_up and size > 0:
         longest = CORNER * s / size
     longest = min(longest, without_slopes(closes))

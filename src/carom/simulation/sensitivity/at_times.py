@@ -25,7 +25,7 @@ from carom.core.jit.dual.dual_records import float_count
 from carom.core.jit.dual.numbers import LANES
 from carom.core.jit.kernel import kernel
 from carom.core.jit.threads import block_slices, call_in_threads, thread_count
-from carom.core.motion.phases import HELD, PHASES, PIVOTING, REST, ROLLING
+from carom.core.motion.phases import HELD, PHASES
 from carom.errors import CaromError, require_type
 from carom.scene.scene import Scene
 from carom.scene.toml import replaced
@@ -403,9 +403,6 @@ def states_and_slopes(
 # Rows of a log at first; a run that needs more is run again.
 ROWS_AT_FIRST, MOST_ROWS = 512, 1 << 18
 NO_DERIVATIVE = "a graze, or nearly one: no derivative exists"
-NO_SLIDES_IN_AIR = (
-    "a ball rolls on the floor in air at last: derivatives through the end of a slide there are not followed"
-)
 
 
 @dataclass(frozen=True, eq=False)
@@ -543,15 +540,10 @@ def run_all(
             f" {int(np.argmax(status == FULL))}; set run.duration or run.max_events"
         )
     found = np.moveaxis(kept.finals_d, 1, 3).reshape(total, count, 9, -1)[..., :p]
-    # (what may have slid before)
-    moved = (kept.finals["x"] != starts["x"]).any(axis=-1)
-    slid = (np.isin(kept.finals["phase"], (ROLLING, PIVOTING, REST)) & moved).any(axis=-1)
-    slid &= scene.air is not None and parameters is not None
-    found[~(np.isin(status, ENDED) & (grazes < 0)) | slid] = math.nan
+    found[~(np.isin(status, ENDED) & (grazes < 0))] = math.nan
     why = np.array(
         [ALL_REFUSALS.get(int(code), NO_DERIVATIVE if graze >= 0 else "") for code, _count, graze in kept.ended]
     )
-    why = np.where((why == "") & slid, NO_SLIDES_IN_AIR, why)
     made = ManySensitivities(
         [one.name for one in columns], _states(kept.finals), _slopes(found), np.array(kept.finals["phase"]), kept.ends,
         events.copy(), why,

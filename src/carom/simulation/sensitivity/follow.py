@@ -23,7 +23,7 @@ from carom.core.jit.dual.dual_records import (
 )
 from carom.core.jit.dual.numbers import LANES, as_dual, overload_for_duals, seeded
 from carom.core.jit.kernel import DERIVED, ObjectArray, Vec, as_objects, kernel
-from carom.core.motion.phases import CONSTANT, HELD, SLIDING
+from carom.core.motion.phases import CONSTANT, HELD
 from carom.errors import CaromError
 from carom.laws.callbacks import call_user, dual_law_address, register_duals
 from carom.laws.law import Law
@@ -31,7 +31,7 @@ from carom.laws.two_step import first_impact_and_way
 from carom.simulation.contact_kinds import joint_impact
 from carom.simulation.loop import BEFORE_COMPILING, BEFORE_LOADING, MOST_RESTITUTION, compiled_engine, is_loaded
 from carom.simulation.motion import move_by
-from carom.simulation.records import BALLS, LOG, PHASE, WALL, WORLD
+from carom.simulation.records import BALLS, LOG, WALL, WORLD
 from carom.simulation.sensitivity.passages import (
     DUAL_MATH,
     PASSAGES,
@@ -368,12 +368,6 @@ def follow(scene: Any, parameters: Parameters, log: NDArray[np.void], end: float
 
     Raises CaromError at a graze, and for a law that takes no dual numbers.
     """
-    slid = (log["kind"] == PHASE) & (log["phase_before"] == SLIDING)
-    if scene.air is not None and slid.any():
-        raise CaromError(
-            f"sensitivity: t = {log['t'][slid][0]:.9g} s: expected flights, hops and rolling in air, got the end of a slide, whose"
-            " derivatives are not followed; end the run before (run.duration), or leave out air"
-        )
     passages, graze = _follow_to_graze(scene, parameters, log, end)
     if graze >= 0:
         row = log[graze]

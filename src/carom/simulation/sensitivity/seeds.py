@@ -19,6 +19,7 @@ from carom.core.jit.dual.dual_records import float_count, float_places
 from carom.core.jit.dual.numbers import LANES
 from carom.core.motion.phases import FLIGHT, PIVOTING, REST
 from carom.errors import CaromError
+from carom.scene.air import FOLLOWS
 from carom.scene.scene import Scene
 from carom.scene.toml import path_match, replaced
 from carom.simulation.setup import SceneArrays, set_up
@@ -90,7 +91,10 @@ def _columns_of(scene: Scene, wrt: Any, phases: Any) -> list[Column]:
         for number in one.values:
             x = number if one.component is None else number[one.component]
             if isinstance(x, bool) or not isinstance(x, int | float) or not math.isfinite(x):
-                raise CaromError(f"{WHERE}: wrt: {one.path}: expected a finite real number, got {x!r:.60}")
+                got = (
+                    f"nothing: it follows from {FOLLOWS[one.path]}; take these" if one.path in FOLLOWS else f"{x!r:.60}"
+                )
+                raise CaromError(f"{WHERE}: wrt: {one.path}: expected a finite real number, got {got}")
     if len(found) > MOST_COLUMNS:
         raise CaromError(
             f"{WHERE}: wrt: expected at most {MOST_COLUMNS} parameters, got {len(found)}; time and memory grow in proportion"
