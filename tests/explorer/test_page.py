@@ -230,6 +230,7 @@ def test_presets_are_scenes_with_words_and_known_laws() -> None:
         "superball",
         "cradle",
         "break",
+        "topspin",
     ]
     for preset in presets():
         assert preset["title"]

@@ -314,17 +314,7 @@ def _third_differences(row: BallRows) -> Array:
 
     What the air's acceleration makes of them, where it is known, is taken off.
     """
-    t, x, dt = row.t, row.x, np.diff(row.t)
-    if row.air is not None:
-        steps = np.append(dt, 0.0)[:, None]
-        speed = np.cumsum(np.append(np.zeros((1, 3)), (row.air[:-1] + row.air[1:]) / 2 * dt[:, None], axis=0), axis=0)
-        far = (speed * steps + (2 * row.air + np.roll(row.air, -1, axis=0)) * steps**2 / 6)[:-1]
-        # (less h^2/12 of it: so the second differences are Numerov's)
-        x = (
-            x
-            - np.cumsum(np.append(np.zeros((1, 3)), far, axis=0), axis=0)
-            + np.gradient(t)[:, None] ** 2 * row.air / 12
-        )
+    x, dt, by_air = row.x, np.diff(row.t), row.air
     a, b, c = dt[:-2], dt[1:-1], dt[2:]
     weights = np.array(
         [1 / (a * (a + b) * (a + b + c)), 1 / (a * b * (b + c)), 1 / ((a + b) * b * c), 1 / ((a + b + c) * (b + c) * c)]
@@ -334,6 +324,8 @@ def _third_differences(row: BallRows) -> Array:
     )  # (of even times 1, 3, 3, 1)
     # (relative to the first place, so that a coordinate at rest has none at all)
     found: Array = sum(weights[k][:, None] * (x[k : len(x) - 3 + k] - x[:-3]) for k in (1, 2, 3))
+    if by_air is not None:  # (as Numerov has its second differences, of even times)
+        found -= (b * b)[:, None] * (by_air[3:] - by_air[:-3] + 9 * (by_air[2:-1] - by_air[1:-2])) / 12
     return found
 
 
@@ -386,15 +378,6 @@ def _pieces(row: BallRows, sigma: float, drag: float) -> Iterator[PathPiece]:
             # (noise averages out, a spin that changes unevenly does not: the ends of its line are off by twice the rest)
             error = 2 * math.sqrt(left / max(len(tau) - 2, 1))
         yield PathPiece(first, last, float(middle), numbers, covariance, spins, error, air)
-
-
-# ----------------------------------------------------------------------------------------------------
-# Laws of mechanics in a trajectory of balls, of another engine, a video model or a film: which are violated, when, by how much.
-#
-# Tracks are cut into pieces of constant acceleration (:mod:`carom.tracks.judgement`). Velocities just before and after an event,
-# with their errors, follow from the pieces; the event is where their paths meet. Nothing else is assumed of the program that made
-# the trajectory: not its law of impact, nor its steps. An event that moves no place by 27 standard deviations of the noise within
-# a frame is not seen.
 
 
 LAWS = {
@@ -548,13 +531,8 @@ def judge(
     for name, value in {"radius": radius, "mass": mass, "kappa": kappa}.items():
         if value is not None:
             checked_number(faults, name, value, "a number > 0", lambda x: x > 0)
-    for name, value in {
-        "friction": friction,
-        "floor_friction": floor_friction,
-        "gravity": gravity,
-        "drag_per_metre": drag_per_metre,
-        "noise": noise,
-    }.items():
+    not_negative = {"friction": friction, "floor_friction": floor_friction, "gravity": gravity, "noise": noise}
+    for name, value in {**not_negative, "drag_per_metre": drag_per_metre}.items():
         if value is not None:
             checked_number(faults, name, value, "a number >= 0", lambda x: x >= 0)
     if not (len(slope) == 2 and math.hypot(*slope) < 1):
@@ -677,10 +655,8 @@ def _between_contacts(
         if up.max() < -pull[2] * step**2 / 2:  # (it may hop from frame to frame)
             return 0.0
         off = float(np.linalg.norm(a - pull))
-        v = piece.velocity(piece.middle)[0]
-        if (
-            drag > 0 and (speed := float(np.linalg.norm(v))) > 0
-        ):  # (the Magnus force may be as large, and is across the way)
+        speed = float(np.linalg.norm(v := piece.velocity(piece.middle)[0]))
+        if drag > 0 and speed > 0:  # (the Magnus force may be as large, and is across the way)
             along = float((a - pull) @ v) / speed
             off = math.hypot(along, max(math.sqrt(max(off * off - along * along, 0.0)) - drag * speed * speed, 0.0))
         said = ", ".join(f"{x:.3g}" for x in piece.parabola(piece.middle)[2] * 2)
@@ -762,9 +738,7 @@ def _events(balls: Sequence[BallPath], sigma: float) -> Iterator[_Event]:
     index = {id(ball): k for k, ball in enumerate(balls)}
     of = np.array([index[id(one.ball)] for one in changes], dtype=int)
     lows = np.array([one.ball.t[one.before.last] for one in changes])
-    numbers = np.array([one.before.parabola(low) for one, low in zip(changes, lows.tolist(), strict=True)]).reshape(
-        -1, 3, 3
-    )
+    numbers = np.array([one.before.parabola(low) for one, low in zip(changes, lows, strict=True)]).reshape(-1, 3, 3)
     radius = np.array([ball.radius for ball in balls])
     beside = _Beside(balls, sigma)
     used = np.zeros(len(changes), dtype=bool)
