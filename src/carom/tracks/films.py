@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.bodies import inertia_number
+from carom.data.columns import Columns
 from carom.data.rebounds import Rebounds, make_rebounds
 from carom.data.where import Where, rows_where
 from carom.errors import CaromError, FaultList, collected, noting, shortened_list, suggestion
@@ -26,6 +27,7 @@ from carom.tracks.floor import DECISIVE, WithError, hop_excess
 from carom.tracks.formats.tables import HEADER_EXAMPLE, Calibration
 from carom.tracks.measurement import Measured, measure
 from carom.tracks.pairs import PairContact, measure_pairs, pair_rebounds
+from carom.tracks.preprocess import guess_view
 from carom.tracks.read import (
     TrackFile,
     film_of,
@@ -500,3 +502,21 @@ def is_track(path: Path) -> bool:
             f" {HEADER_EXAMPLE!r} (carom tracks show)"
         )
     return True
+
+
+def columns_of_film(file: TrackFile, gravity: float, usual_radius: float, notes: list[str]) -> Columns:
+    """Return the columns of a film that carom tracked; of one from the side, heights above the lowest place of a ball."""
+    side = file.film is not None and guess_view(file.tracks, gravity)[0] == "side"
+    size = file.film.radius_px * file.film.scale if file.film is not None else usual_radius
+    x, y = np.concatenate([track.position for track in file.tracks]).T
+    found: Columns = {
+        "t": np.concatenate([track.time for track in file.tracks]), "x": x, "y": 0 * y if side else y,
+        "ball": np.concatenate([np.full(len(track), track.name) for track in file.tracks]), "radius": np.full(len(x), size),
+    }  # fmt: skip
+    if side:
+        found["z"] = y - y.min() + size
+    notes += [
+        *file.notes,
+        f"filmed from {'the side: the floor is taken at the lowest place of a ball' if side else 'above'}",
+    ]
+    return found

@@ -27,9 +27,8 @@ from carom.formatting import counted
 from carom.public.defaults import GRAVITY
 from carom.scene.floor import gravity_on_slope
 from carom.tracks.clock import times_behind_rounding
-from carom.tracks.films import film_options
-from carom.tracks.preprocess import guess_view
-from carom.tracks.read import TrackFile, read_tracks
+from carom.tracks.films import columns_of_film, film_options
+from carom.tracks.read import read_tracks
 from carom.tracks.video.reading import is_film
 
 Array = NDArray[np.float64]
@@ -67,14 +66,15 @@ class PathPiece:
     def place(self, t: float) -> tuple[Array, float]:
         """Return the place (3,) at a time, and the standard error of a coordinate."""
         tau = t - self.middle
-        g = np.array([1.0, tau, tau * tau])
-        return g @ self.numbers + self._by_air(tau, 2), math.sqrt(g @ self.covariance @ g)
+        return self._part(np.array([1.0, tau, tau * tau]), tau, 2)
 
     def velocity(self, t: float) -> tuple[Array, float]:
         """Return the velocity (3,) at a time, and the standard error of a component."""
         tau = t - self.middle
-        g = np.array([0.0, 1.0, 2 * tau])
-        return g @ self.numbers + self._by_air(tau, 1), math.sqrt(g @ self.covariance @ g)
+        return self._part(np.array([0.0, 1.0, 2 * tau]), tau, 1)
+
+    def _part(self, g: Array, tau: float, times: int) -> tuple[Array, float]:
+        return g @ self.numbers + self._by_air(tau, times), math.sqrt(g @ self.covariance @ g)
 
     def parabola(self, t: float) -> Array:
         """Return the parabola that touches the path at a time: place, velocity, half the acceleration, by coordinate (3, 3)."""
@@ -258,24 +258,6 @@ def _of_tracks(path: Path, columns: Columns, notes: list[str]) -> Columns:
             found[name].append(where.get(name, np.zeros(len(track.time))))
     flat = plane and not side
     return {name: np.concatenate(values) for name, values in found.items() if not (flat and name == "z")}
-
-
-def _of_film(file: TrackFile, gravity: float, notes: list[str]) -> Columns:
-    """Return the columns of a film that carom tracked; of one from the side, heights above the lowest place of a ball."""
-    side = file.film is not None and guess_view(file.tracks, gravity)[0] == "side"
-    size = file.film.radius_px * file.film.scale if file.film is not None else POOL_BALL
-    x, y = np.concatenate([track.position for track in file.tracks]).T
-    found: Columns = {
-        "t": np.concatenate([track.time for track in file.tracks]), "x": x, "y": 0 * y if side else y,
-        "ball": np.concatenate([np.full(len(track), track.name) for track in file.tracks]), "radius": np.full(len(x), size),
-    }  # fmt: skip
-    if side:
-        found["z"] = y - y.min() + size
-    notes += [
-        *file.notes,
-        f"filmed from {'the side: the floor is taken at the lowest place of a ball' if side else 'above'}",
-    ]
-    return found
 
 
 def _known_rows(faults: FaultList, numbers: dict[str, Array], notes: list[str]) -> NDArray[np.bool_]:
@@ -541,7 +523,9 @@ def judge(
     pull = np.array(gravity_on_slope(gravity, slope))
     said: list[str] = []
     if not is_columns(table) and is_film(path := as_path("judge", table)):
-        table = _of_film(read_tracks(path, None, film_options(scale, rate, radius, film).calibration), gravity, said)
+        table = columns_of_film(
+            read_tracks(path, None, film_options(scale, rate, radius, film).calibration), gravity, POOL_BALL, said
+        )
     balls, sigma, notes = read_paths(table, radius, mass, noise, drag_per_metre)
     notes += said
     times = np.concatenate([ball.t for ball in balls])
