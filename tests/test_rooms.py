@@ -248,7 +248,7 @@ CAPS = {
     "gas": 6948,
     "billiards": 5566,
     "tracks": 9102,
-    "simulation": 6444,
+    "simulation": 6448,
     "core": 5752,
     "laws": 4933,
     "scene": 4624,

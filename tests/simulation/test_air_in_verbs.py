@@ -126,7 +126,7 @@ def test_a_sweep_names_the_points_that_air_ends() -> None:
 def test_judge_blames_no_run_in_air(rate: float, kind: str, tmp_path: Path) -> None:
     topspin = carom.simulate(Path(carom.__file__).parent / "explorer/presets/topspin.toml")
     for n, run in enumerate((topspin, api.simulate(drawn_table(1)), api.simulate(drawn_room(2)))):
-        found = judge(run.save_frames(tmp_path / f"{n}{kind}", rate), radius=0.02, mass=0.0027, kappa=2 / 3)
+        found = judge(run.save_frames(tmp_path / f"{n}{kind}", rate))
         assert found.violations == []
     assert judge(topspin.save_frames(tmp_path / f"run{kind}", rate)).checked["gravity"] > 2
     # without what the air does to them, they do not fall freely; with a drag they do

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 Columns = dict[str, NDArray[Any]]
 AXES = ("x", "y", "z")
 UNITS = {
+    "radius": "m", "mass": "kg", "kappa": "1",
     "t": "s", **dict.fromkeys(AXES, "m"),
     **{f"{of}{axis}{when}": unit for of, unit in (("v", "m/s"), ("w", "rad/s")) for axis in AXES for when in ("", "_before")},
     **{f"{of}_{axis}": "N s" for of in ("impulse", "floor_impulse") for axis in AXES},
@@ -125,6 +126,8 @@ def state_columns(run: RunRecord, times: NDArray[np.float64]) -> Columns:
     for name, part in zip(("qw", "qx", "qy", "qz"), run.orientation(times).reshape(-1, 4).T, strict=True):
         columns[name] = np.ascontiguousarray(part)
     columns["energy"] = np.ravel(run.energy(times, each=True))
+    for field in ("radius", "mass", "kappa"):
+        columns[field] = np.tile(run.arrays.balls[field], times.size)
     if run.scene.air is not None:
         _parts(columns, "air_", air_acceleration(run.scene, state.velocity, state.spin).reshape(-1, 3))
     return columns
@@ -330,7 +333,10 @@ def _arrays(run: RunRecord, times: NDArray[np.float64], rate: float) -> dict[str
             "orientation": "w, x, y, z",
             "air": "m/s^2",
         },
-        "balls": [{"name": name, "radius": ball.radius, "mass": ball.mass} for name, ball in balls],
+        "balls": [
+            {"name": name, "radius": one.radius, "mass": one.mass, "kappa": float(one.ball.kappa)}
+            for name, one in balls
+        ],
         "t": times.tolist(),
         "position": state.position.tolist(),
         "velocity": state.velocity.tolist(),

@@ -42,7 +42,7 @@ LABELS = ("name", "ball")
 # What carom's own files have besides
 OF_FRAMES = ("vx", "vy", "vz", "qw", "qx", "qy", "qz", "energy", "phase", "species", "shot", "frame")
 OF_AIR = ("air_x", "air_y", "air_z")  # the acceleration that the air gives a ball
-NUMBERS = ("t", "x", "y", "z", "wx", "wy", "wz", "radius", "mass", *OF_AIR)
+NUMBERS = ("t", "x", "y", "z", "wx", "wy", "wz", "radius", "mass", "kappa", *OF_AIR)
 SMOOTH = 5  # degree of that acceleration over a piece
 
 
@@ -101,6 +101,7 @@ class BallPath:
     radius: float
     mass: float
     pieces: tuple[PathPiece, ...]
+    kappa: float
 
     @property
     def fastest(self) -> float:
@@ -118,15 +119,7 @@ class BallRows(NamedTuple):
     radius: float
     mass: float
     air: Array | None = None
-
-
-def read_paths(
-    table: Any, radius: float | None, mass: float, noise: float | None, drag: float = 0.0
-) -> tuple[list[BallPath], float, list[str]]:
-    """Return the balls of a table with their pieces, the noise of a coordinate (m), and what was assumed; ``drag`` in 1/m."""
-    rows, sigma, notes = read_rows(table, radius, mass, noise)
-    found = [BallPath(one.name, one.t, one.x, one.radius, one.mass, tuple(_pieces(one, sigma, drag))) for one in rows]
-    return found, sigma, notes
+    kappa: float | None = None
 
 
 def read_rows(
@@ -201,7 +194,8 @@ def _rows_of_balls(
         z = numbers["z"][own] if "z" in numbers else np.full(len(own), a)
         x = np.stack([numbers["x"][own], numbers["y"][own], z], axis=-1)
         of_own = (None if one is None else one[own] for one in (spins, air))
-        rows.append(BallRows(name, numbers["t"][own], x, next(of_own), a, m, next(of_own)))
+        kappa = float(numbers["kappa"][own][0]) if "kappa" in numbers else None
+        rows.append(BallRows(name, numbers["t"][own], x, next(of_own), a, m, next(of_own), kappa))
     faults.raise_if_any()
     return rows
 
@@ -223,7 +217,11 @@ def _columns(path: Path, notes: list[str]) -> Columns:
             if key == "position" or key in given:
                 flat = np.array(given[key], dtype=float).reshape(count * len(balls), 3)
                 found |= dict(zip(axes.split(), flat.T, strict=True))
-        found |= {key: np.tile([ball[key] for ball in balls], count) for key in ("name", "radius", "mass")}
+        found |= {
+            key: np.tile([ball[key] for ball in balls], count)
+            for key in ("name", "radius", "mass", "kappa")
+            if key != "kappa" or key in balls[0]
+        }
     except KeyError as error:
         raise CaromError(f"{expected}, got JSON without {error.args[0]!r}") from None
     except (ValueError, TypeError):
@@ -265,7 +263,7 @@ def _known_rows(faults: FaultList, numbers: dict[str, Array], notes: list[str]) 
     known = np.ones(len(numbers["t"]), dtype=bool)
     for name in {"t", "x", "y", "z"} & set(numbers):
         known &= np.isfinite(numbers[name])
-    for name in ("radius", "mass"):
+    for name in ("radius", "mass", "kappa"):
         wrong = numbers[name][known & ~(numbers[name] > 0)] if name in numbers else np.array([])
         if len(wrong):
             faults.add(name, "numbers > 0", f"{wrong[0]:g}")
@@ -465,15 +463,15 @@ def judge(
     ----------
     table : path, or columns
         A row per ball and frame: ``t`` (s), ``x``, ``y``, ``z`` (m), where there are several balls ``ball``; where they are known
-        ``wx``, ``wy``, ``wz`` (rad/s), ``radius`` (m), ``mass`` (kg), ``air_x``, ``air_y``, ``air_z`` (m/s^2: the acceleration
-        that the air gives the ball; none: a vacuum). ``Trajectory.save_frames`` writes these, as CSV, Parquet or JSON. Without
-        ``z`` the balls lie on the floor. Or a film, whose balls are tracked.
+        ``wx``, ``wy``, ``wz`` (rad/s), ``radius`` (m), ``mass`` (kg), ``kappa``, and the acceleration that the air gives the ball,
+        ``air_x``, ``air_y``, ``air_z`` (m/s^2; none: a vacuum). ``Trajectory.save_frames`` writes these, as CSV, Parquet or JSON.
+        Without ``z`` the balls lie on the floor. Or a film, whose balls are tracked.
     radius : float, optional
         Of balls without a column for it, m. Default: the least height of the ball's own centre, so that it is never in the floor.
     mass : float
         Of balls without a column for it, kg.
     kappa : float
-        Moment of inertia, I/(m a^2).
+        Of balls without a column for it: moment of inertia, I/(m a^2).
     friction : float
         Largest friction between balls that counts as possible.
     floor_friction : float
@@ -526,7 +524,12 @@ def judge(
         table = columns_of_film(
             read_tracks(path, None, film_options(scale, rate, radius, film).calibration), gravity, POOL_BALL, said
         )
-    balls, sigma, notes = read_paths(table, radius, mass, noise, drag_per_metre)
+    rows, sigma, notes = read_rows(table, radius, mass, noise)
+    pieces = [tuple(_pieces(one, sigma, drag_per_metre)) for one in rows]
+    balls = [
+        BallPath(one.name, one.t, one.x, one.radius, one.mass, own, one.kappa or kappa)
+        for one, own in zip(rows, pieces, strict=True)
+    ]
     notes += said
     times = np.concatenate([ball.t for ball in balls])
     found = Judgement(sigma, notes, (float(times.min()), float(times.max())))
@@ -541,9 +544,9 @@ def judge(
     for event in _events(balls, sigma):
         t, late = _event_time(event)
         if not math.isnan(t):
-            _energy(t, late, event, kappa, pull, found)
+            _energy(t, late, event, pull, found)
             if len(event.members) == 2:
-                _momentum(t, late, event, friction, gravity, rubs, kappa, walls, found)
+                _momentum(t, late, event, friction, gravity, rubs, walls, found)
     if found.of("gravity") and not any(piece.air is not None for ball in balls for piece in ball.pieces):
         notes.append("gravity: flights are compared with those in a vacuum; drag_per_metre allows for air")
     found.violations.sort(key=lambda one: one.time)
@@ -807,11 +810,11 @@ def _event_time(event: _Event) -> tuple[float, float]:
     return best, error
 
 
-def _energy(t: float, late: float, event: _Event, kappa: float, pull: Array, found: Judgement) -> None:
+def _energy(t: float, late: float, event: _Event, pull: Array, found: Judgement) -> None:
     """Check that no energy appears; where spins are unknown, up to that of rolling may come from them."""
     sums, variance, hidden, most = [0.0, 0.0], 0.0, 0.0, 0.0
     for ball, *pieces in event.members:
-        moment = kappa * ball.mass * ball.radius**2
+        moment = ball.kappa * ball.mass * ball.radius**2
         base = pieces[0].place(t)[0] if pull[0] or pull[1] else np.array([0.0, 0.0, ball.radius])
         for k, piece in enumerate(pieces):
             (v, dv), a = piece.velocity(t), piece.acceleration[0]
@@ -822,7 +825,7 @@ def _energy(t: float, late: float, event: _Event, kappa: float, pull: Array, fou
                 energy, power = energy + moment * float(w @ w) / 2, power + moment * float(w @ piece.spins[1])
                 variance += (moment * float(np.linalg.norm(w)) * piece.spin_error) ** 2
             elif k == 0:
-                hidden += kappa * ball.mass * float(v @ v) / 2
+                hidden += ball.kappa * ball.mass * float(v @ v) / 2
             sums[k] += energy
             variance += (ball.mass * float(np.linalg.norm(v)) * dv) ** 2 + (power * late) ** 2
         most = max(most, ball.mass * ball.fastest**2 / 2)
@@ -853,15 +856,7 @@ class _Walls:
 
 
 def _momentum(
-    t: float,
-    late: float,
-    event: _Event,
-    friction: float,
-    g: float,
-    rubs: float,
-    kappa: float,
-    walls: _Walls,
-    found: Judgement,
+    t: float, late: float, event: _Event, friction: float, g: float, rubs: float, walls: _Walls, found: Judgement
 ) -> None:
     """Check the momentum of two balls along the floor, but for what the floor and a wall can give them; and their friction.
 
@@ -873,6 +868,7 @@ def _momentum(
     if np.linalg.norm(x - y) - reach > SIGMAS * math.hypot(dx, dy) + SAME * reach:
         return  # two events side by side
     p, q = one.mass * (b.velocity(t)[0] - a.velocity(t)[0]), other.mass * (d.velocity(t)[0] - c.velocity(t)[0])
+    most = max(one.kappa, other.kappa)
     of_one, of_other = (math.hypot(x.velocity(t)[1], y.velocity(t)[1]) for x, y in ((a, b), (c, d)))
     error = math.hypot(one.mass * of_one, other.mass * of_other, (one.mass + other.mass) * g * late)
     size, extra = float(np.linalg.norm(p)), float(np.linalg.norm((p + q)[:2]))
@@ -884,7 +880,7 @@ def _momentum(
         _slip_of(ball, piece, event.high) < SAME * ball.fastest for ball, _, piece in event.members
     ):
         # (no ball was seen to slide, but one rolls: it did so between two frames, and the floor gave it this at most)
-        floor += min((one.mass + other.mass) * g * max(event.high - event.low, 0.0), 2 * kappa / (1 + kappa) * size)
+        floor += min((one.mass + other.mass) * g * max(event.high - event.low, 0.0), 2 * most / (1 + most) * size)
     if extra - floor > max(SIGMAS * error, PRESSED * size) and any(
         walls.pushes(ball, place[:2], (p + q)[:2]) for ball, place in ((one, x), (other, y))
     ):
