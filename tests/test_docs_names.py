@@ -80,3 +80,8 @@ def test_plain_words_where_a_newcomer_reads() -> None:
     found = {page.name: hits for page in pages if (hits := words.findall(prose(page)))}
     assert len(pages) > 20
     assert found == {}
+
+
+def test_the_changelog_of_a_version_is_one_page() -> None:
+    """What a user can do now, in at most 600 words for 0.2.0: who adds a bullet condenses another."""
+    assert len((ROOT / "CHANGELOG.md").read_text(encoding="utf-8").split()) <= 600
