@@ -371,7 +371,7 @@ def with_error_bar(estimate: Estimate, *, interval: bool = False) -> str:
     """Return a value with its error bar as text, to two digits of the error; on request with its 95 % interval, if known."""
     if estimate.value is None:
         return f"? ({estimate.note})"
-    if estimate.stderr is None or not estimate.stderr > 0:
+    if estimate.stderr is None or not 0 < estimate.stderr < math.inf:
         return f"{estimate.value:.4g} ({estimate.note or 'at its bound'})"
     places = max(0, 1 - math.floor(math.log10(estimate.stderr)))
     text = f"{estimate.value:.{places}f} ± {estimate.stderr:.{places}f}"
