@@ -20,7 +20,6 @@ import numpy as np
 
 from carom.data import Rebounds, make_rebounds, read_rebounds
 from carom.fitting import Fit, Ranking, Setting, fit_laws, make_problem
-from carom.fitting.laws import INDEX
 from carom.fitting.model import predict_law
 from carom.fitting.result import with_error_bar
 
@@ -77,8 +76,9 @@ def folded(rebounds: Rebounds) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.n
 
 
 def prior(fit: Fit) -> tuple[float, float]:
-    """Mean (v_t/a) and width (v/a) of the sidespins that describe the data best."""
-    return float(fit.numbers[INDEX["spin_mean"]]), float(fit.numbers[INDEX["spin_width"]])
+    """Mean (v_t/a) and width (v/a) of the sidespins that describe the data best, as the page prints them."""
+    mean, width = (fit.estimates[name].value for name in ("spin_mean", "spin_width"))
+    return float(mean), float(width)  # type: ignore[arg-type]
 
 
 def draw(rebounds: Rebounds, first: np.ndarray, fits: dict[str, Fit], *, narrow: bool = False) -> None:
