@@ -244,7 +244,7 @@ def test_no_build_product_is_tracked() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10488,
+    "fitting": 10625,
     "gas": 6948,
     "billiards": 5566,
     "tracks": 9102,
@@ -252,7 +252,7 @@ CAPS = {
     "core": 5752,
     "laws": 4933,
     "scene": 4624,
-    "cli": 4268,
+    "cli": 4285,
     "plot": 3630,
     "derive": 3165,
     "sweeps": 3125,
@@ -263,7 +263,7 @@ CAPS = {
     "public": 334,
     "top": 801,
 }
-MOST_MODULES = 352
+MOST_MODULES = 353
 NO_CODE = {
     tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER,
 }  # fmt: skip

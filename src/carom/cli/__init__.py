@@ -28,7 +28,8 @@ VERBS: dict[str, dict[str, str]] = {
     "Gases": {"gas": "gas:gas"},
     "Measurements": {
         "track": "tracks:track", "tracks show": "tracks:show", "tracks example": "tracks:example", "fit": "fit:fit",
-        "fit gas": "fit:fit_gas", "datasets": "catalog:datasets", "predict": "predict:predict", "design": "design:design",
+        "fit gas": "fit:fit_gas",
+        "fit air": "fit:fit_air", "datasets": "catalog:datasets", "predict": "predict:predict", "design": "design:design",
         "judge": "judge:judge",
     },
     "Installation": {"doctor": "doctor:doctor"},

@@ -336,14 +336,40 @@ def fit_gas(
 
     Example: carom fit gas tracks.csv --scene gas.toml.
     """
-    from carom.cli.streams import say, say_json, say_notes
     from carom.files import require_library
 
     require_library("scipy", "fit")
     from carom.fitting.gas import fit_gas as infer
-    from carom.fitting.result import with_error_bar
+
+    _numbers(infer(file, scene), as_json)
+
+
+def fit_air(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="Flights: columns t, ball, x, y, z, wx, wy, wz.")],
+    scene: Annotated[Path, typer.Option(metavar="SCENE.toml", help="Its air, and its first ball: drag and lift.")],
+    as_json: Annotated[bool, shared("json", rich_help_panel=OUTPUT)] = False,
+) -> None:
+    """Fit drag and lift of a ball to flights with known spins.
+
+    Example: carom fit air flights.csv --scene ball.toml.
+    """
+    from carom.cli.streams import say
+    from carom.fitting.air import fit_air as infer
 
     found = infer(file, scene)
+    _numbers(found, as_json)
+    if not as_json:
+        low, high = found.spin_ratios
+        say(
+            f"{found.flights} flights, {1e3 * found.residual:.3g} mm from their paths; spin ratios {low:.2g} to {high:.2g}"
+        )
+
+
+def _numbers(found: Any, as_json: bool) -> None:
+    """Print the numbers of a fit with their error bars, and its notes."""
+    from carom.cli.streams import say, say_json, say_notes
+    from carom.fitting.result import with_error_bar
+
     if as_json:
         say_json(found.to_dict())
         return
