@@ -104,7 +104,8 @@ def fit_air(file: str | Path | Any, scene: str | Path | Scene) -> AirFit:
         notes.append(f"{out}: farther from their paths than {ASTRAY:g} times the median")
     flights = [one for one, use in zip(flights, good, strict=True) if use]
     far = far[good]
-    ratios = [ball.radius * float(np.linalg.norm(one.w[0])) / float(np.linalg.norm(_start(one)[1])) for one in flights]
+    starts = [_start(one) for one in flights]
+    ratios = [ball.radius * float(np.linalg.norm(w) / np.linalg.norm(v)) for _x, v, w in starts]
     return AirFit(
         dict(zip(paths, values.tolist(), strict=True)),
         dict(zip(paths, np.sqrt(np.diag(covariance)).tolist(), strict=True)),
@@ -125,10 +126,10 @@ def _numbers(name: str, law: Any) -> list[str]:
     ]
 
 
-def _start(one: BallRows) -> tuple[Array, Array]:
-    """Return about where a flight begins, and how fast."""
+def _start(one: BallRows) -> tuple[Array, Array, Array]:
+    """Return about where a flight begins, how fast, and its spin."""
     numbers = np.polynomial.polynomial.polyfit(one.t - one.t[0], one.x, 2)
-    return numbers[0], numbers[1]
+    return numbers[0], numbers[1], np.zeros(3) if one.w is None else one.w[0]
 
 
 def _fit(
@@ -141,8 +142,7 @@ def _fit(
     times = np.array([np.pad(one.t - one.t[0], (0, most - len(one.t)), mode="edge") for one in flights])
     seen = np.array([np.arange(most) < len(one.t) for one in flights])
     measured = np.array([np.pad(one.x, ((0, most - len(one.t)), (0, 0)), mode="edge") for one in flights])
-    starts = np.array([np.concatenate(_start(one)) for one in flights])
-    spin = np.array([one.w[0] for one in flights if one.w is not None])
+    starts, spin = np.split(np.array([np.concatenate(_start(one)) for one in flights]), [6], axis=1)
     bends: Any = None
     for _ in range(ROUNDS):
         here = replaced(scene, dict(zip(paths, values.tolist(), strict=True)))
@@ -153,7 +153,7 @@ def _fit(
             raise CaromError(
                 f"fit_air: expected flights that can be followed, got at flight {bad[0]}: {many.why[bad[0]]}"
             )
-        apart = (measured - many.states.position[:, :, 0]) * seen[..., None]  # type: ignore[union-attr]
+        apart = (measured - many.states.position[:, :, 0]) * seen[..., None]  # type: ignore[union-attr, index]
         slopes = many.slopes.position[:, :, 0] * seen[..., None, None]  # type: ignore[union-attr]
         own, shared = np.zeros((len(flights), 6, len(paths) + 1)), []
         for n, (r, j) in enumerate(

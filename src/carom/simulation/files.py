@@ -127,7 +127,7 @@ def state_columns(run: RunRecord, times: NDArray[np.float64]) -> Columns:
         columns[name] = np.ascontiguousarray(part)
     columns["energy"] = np.ravel(run.energy(times, each=True))
     for field in ("radius", "mass", "kappa"):
-        columns[field] = np.tile(run.arrays.balls[field], times.size)
+        columns[field] = np.tile([float(getattr(one.ball, field)) for one in run.scene.balls], times.size)
     if run.scene.air is not None:
         _parts(columns, "air_", air_acceleration(run.scene, state.velocity, state.spin).reshape(-1, 3))
     return columns
