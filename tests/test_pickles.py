@@ -17,7 +17,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import carom
 from carom import billiards, data, derive, fitting, gas, scene, sweeps, tracks
-from carom.fitting import GasFit
+from carom.fitting import AirFit, GasFit
 from carom.fitting.shots import drawn_films
 from carom.fitting.tracks import fit_tracks
 from carom.gas.results import LayerAverages
@@ -187,6 +187,7 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
     "whole shots": a_whole_shot,
     "parts of longer fits and runs": lambda: [
         GasFit({"restitution": 0.9}, {"restitution": 0.01}, 30),
+        AirFit({"balls.0.drag": 0.5}, {"balls.0.drag": 0.01}, 30, 4e-3, (0.2, 1.0), carom.load_scene("carom")),
         gas.TransportCoefficients(*3 * [gas.Coefficient(0.2, 0.01, np.ones(3), np.ones(3))]),
         gas.enskog(0.1),
         gas.LayerProfiles(*2 * [LayerAverages("z", *7 * [np.ones(3)])]),

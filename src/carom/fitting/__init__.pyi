@@ -1,3 +1,4 @@
+from .air import AirFit as AirFit
 from .air import fit_air as fit_air
 from .evidence import Ranked as Ranked
 from .fit import fit_law as fit_law
