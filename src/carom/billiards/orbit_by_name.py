@@ -62,11 +62,11 @@ class OrbitResult(Orbit):
         """Return a Matplotlib figure: one orbit in its table, or the periodic orbits found. ``file``: write it there."""
         if self.periodic is None:
             return super().plot(file, **options)
-        return saved_figure("plot_periodic", file, self.periodic, **options)
+        return saved_figure("plot_periodic", file, self.periodic, **options)  # type: ignore[no-any-return]
 
     def lyapunov(self, file: str | Path | None = None) -> matplotlib.figure.Figure:
         """Return a figure of how the Lyapunov exponents converge, which are computed if they were not. ``file``: write it there."""
-        return saved_figure("plot_lyapunov", file, self.spectrum or _spectrum(self))
+        return saved_figure("plot_lyapunov", file, self.spectrum or _spectrum(self))  # type: ignore[no-any-return]
 
 
 def orbit(
