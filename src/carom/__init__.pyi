@@ -88,6 +88,9 @@ from .sweeps.ensembles import simulate_gas as simulate_gas
 from .sweeps.space import Space as Space
 from .sweeps.sweep import Sweep as Sweep
 from .sweeps.sweep import sweep as sweep
+from .sweeps.windows import Window as Window
+from .sweeps.windows import Windows as Windows
+from .sweeps.windows import aim_windows as aim_windows
 from .tracks.films import measure_tracks as measure_tracks
 from .tracks.video.film import track_film as track_film
 from .tracks.video.reading import TrackedFilm as TrackedFilm

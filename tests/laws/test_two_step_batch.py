@@ -71,12 +71,10 @@ def test_as_ball_by_ball() -> None:
     assert (gaps > 1e-7).mean() < 1e-3
 
 
-@pytest.mark.parametrize(
-    ("count", "spent"), [(1, -math.inf), (1, math.inf), (LANES - 1, -math.inf), (300, -math.inf), (300, math.inf)]
-)
-def test_same_bits_as_python(count: int, spent: float, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Few balls in Python, and in the compiled loop once Python has spent long enough: a lane does not know its neighbours."""
-    monkeypatch.setitem(arrays._spent, two_step_final_rows, spent)
+@pytest.mark.parametrize(("count", "ready"), [(1, False), (1, True), (LANES - 1, False), (300, False), (300, True)])
+def test_same_bits_as_python(count: int, ready: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Few balls in Python, and in the compiled loop where that is machine code: a lane does not know its neighbours."""
+    monkeypatch.setitem(arrays._ready, two_step_final_rows, ready)
     rng = np.random.default_rng(71)
     wall, floor, normal = carom.Surface(0.85, 0.2), carom.Surface(0.5, 0.2), (math.sqrt(0.84), 0.0, -0.4)
     v, w = balls(rng, 2000)
@@ -88,20 +86,24 @@ def test_same_bits_as_python(count: int, spent: float, monkeypatch: pytest.Monke
         np.testing.assert_array_equal(x[:count], y)
 
 
-def test_a_single_state_takes_the_loop_once_python_has_found_it_slow(monkeypatch: pytest.MonkeyPatch) -> None:
-    """And has the same bits, whatever comes before; where single states are quick, Python goes on."""
+def test_a_single_state_that_is_integrated_takes_the_loop(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where that is machine code, from the first call, with the bits of Python; another state is left to Python."""
     wall, floor, normal = carom.Surface(0.85, 0.2), carom.Surface(0.5, 0.2), (math.sqrt(0.84), 0.0, -0.4)
     v, w = balls(np.random.default_rng(74), 40)
     v, w = v[v[:, 2] == 0], w[v[:, 2] == 0]
     found: list[list[Any]] = []
-    for alone in ((9.0, 900_000), (9.0, 900)):
-        monkeypatch.setitem(arrays._alone, first_rows, alone)
+    compiled, taken = arrays._compiled, []
+    monkeypatch.setattr(arrays, "_compiled", lambda loop: taken.append(loop) or compiled(loop))
+    for ready in (False, True):
+        monkeypatch.setitem(arrays._ready, first_rows, ready)
         answers = [carom.two_step(BALL, carom.State(x, y), wall, floor, normal) for x, y in zip(v, w, strict=True)]
-        assert (arrays._alone[first_rows][1] == 900) == (alone[1] == 900)
         found.append([(one.floor_impulse, one.wall.impulse, one.rolling.velocity, one.why) for one in answers])
+        assert taken == [first_rows] * (len(v) if ready else 0)  # (under a nose)
     for python, loop in zip(*found, strict=True):
         for x, y in zip(python, loop, strict=True):
             np.testing.assert_array_equal(x, y)
+    carom.two_step(BALL, carom.rolling(BALL, (-1.0, 1.0)), wall, floor)  # (friction lifts it)
+    assert len(taken) == len(v)
 
 
 def test_same_bits_for_any_number_of_threads() -> None:

@@ -97,7 +97,8 @@ def called(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     monkeypatch.setattr(engine_loop, "run_interpreted", python)
     monkeypatch.setattr(engine_loop, "is_loaded", lambda: False)
     monkeypatch.setattr(engine_loop, "compiled_before", lambda _scene: False)
-    monkeypatch.setattr(engine_loop, "_spent", 0.0)
+    monkeypatch.setattr(engine_loop, "is_at_hand", lambda _loop: False)
+    monkeypatch.setattr(engine_loop, "_written", 0)
     return calls
 
 
@@ -117,7 +118,7 @@ def test_a_long_run_goes_on_in_the_compiled_loop(called: list[str], monkeypatch:
         "friction": 0,
     }
     scene = table(walls=[elastic], floor=None, gravity=0.0, run={"max_events": 1000})
-    monkeypatch.setattr(engine_loop, "BEFORE_COMPILING", 1e-9)
+    monkeypatch.setattr(engine_loop, "BEFORE_COMPILING", 1)
     run = carom.simulate(scene)
     assert called[:2] == ["Python", "compiled"]
     assert "Python" not in called[1:]

@@ -63,6 +63,16 @@ def aim(
         ),
     ] = None,
     given: Given,
+    windows: Annotated[
+        int | None,
+        option(
+            OUTPUT,
+            "Acceptance windows of directions at so many speeds, in place of solutions.",
+            "--windows",
+            min=1,
+            metavar="SPEEDS",
+        ),
+    ] = None,
     allow_own_laws: Annotated[bool, shared("allow_own_laws")] = False,
     as_json: Annotated[bool, shared("json")] = False,
     quiet: Annotated[bool, shared("quiet")] = False,
@@ -89,8 +99,23 @@ def aim(
     ranges = found.attempt(_ranges, free or [usual])
     if found or made is None or ranges is None:
         raise CaromError(*found)
-    from carom.cli.console import working
+    from carom.cli.console import out, working
     from carom.sweeps.aiming import aim as solve
+    from carom.sweeps.windows import aim_windows
+
+    if windows is not None:
+        with working("shots", quiet=quiet) as show:
+            wide = aim_windows(made, ranges, target, speeds=windows, progress=show)
+        if as_json:
+            say_json(wide.as_dict())
+        elif not quiet:
+            out().table(wide.table())
+        if plot is not None:
+            from carom.plot.sweeps import plot_windows
+
+            plot_windows(wide, plot)
+            wrote(plot)
+        return
 
     with working("aiming", quiet=quiet) as show:
         aims = solve(made, ranges, target, progress=show and (lambda _done, _total, text: show(0, None, text)), **given)

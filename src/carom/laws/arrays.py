@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import functools
 import math
-import time
+from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -30,10 +30,9 @@ from carom.errors import (
 )
 
 Array = NDArray[np.float64]
-# Below so many rows Python is faster than to compile a loop first. A loop that is shipped is loaded as soon as Python has spent so
-# many seconds in it, in all calls together: a row may cost 5 us or, of a pressed ball, 10 ms.
-FEW, FEW_AT_FIRST, PATIENCE = 12, 400, 0.25
-SLOW = 1e-4  # s that a single state takes in Python on average, above which such a loop is taken for one
+# Fewer rows than FEW are evaluated in Python; fewer than FEW_AT_FIRST as well where the loop is no machine code yet, but for a loop
+# of the package in at most so many calls: a row takes Python 5 us or, of a pressed ball, 10 ms.
+FEW, FEW_AT_FIRST, CALLS_AT_FIRST = 12, 400, 8
 WallKernel = Callable[[Vec, Vec, Vec, float, float, float, float, float], tuple[Vec, Vec]]
 
 
@@ -204,20 +203,20 @@ def answer_rows(
     vectors: Sequence[Array],
     parameters: Sequence[Any],
     *more: Any,
+    integrated: Callable[..., bool] | None = None,
 ) -> list[Any]:
     """Return a kernel's results for all states; ``widths`` gives their types: "v" vector (..., 3), "x" number, "c" code.
 
     Vectors, the last of them normals, and parameters broadcast. A single state is passed to the kernel as Python numbers, and its
-    vectors share the memory of one array; many are evaluated by the loop, and so is a single one where Python has found that it
-    takes long.
+    vectors share the memory of one array; many are evaluated by the loop, and so is a single one that has to be ``integrated``
+    (a function of the kernel's arguments), which takes Python long.
     """
     alone = max([x.ndim for x in vectors]) == 1 and (
         set(map(type, parameters)) == {float} or not any(map(np.ndim, parameters))
     )
-    if alone and not _is_slow(loop):
-        begin = time.perf_counter()
-        found = kernel(*[tuple(x.tolist()) for x in vectors], *map(float, parameters), *more)
-        _note_alone(loop, time.perf_counter() - begin)
+    one = (*[tuple(x.tolist()) for x in vectors], *map(float, parameters), *more) if alone else ()
+    if alone and not (integrated is not None and integrated(*one) and is_ready(loop)):
+        found = kernel(*one)
         made = iter(np.array([x for x, kind in zip(found, widths, strict=True) if kind == "v"], dtype=float))
         return [next(made) if kind == "v" else x for x, kind in zip(found, widths, strict=True)]
     shape, rows = _rows_of(vectors, parameters)
@@ -307,58 +306,30 @@ def _compiled(loop: Callable[..., None]) -> Callable[..., None]:
     return njit(loop, parallel=True, cache=loop not in _FRESH)
 
 
-_spent: dict[Callable[..., None], float] = {}
-
-
 def loop_for(loop: Callable[..., None], rows: int) -> Callable[..., None]:
     """Return the loop: in Python for a few rows, compiled and in slices for many, with the same bits."""
-    if rows < FEW_AT_FIRST and not is_ready(loop):
-        return _timed(loop)
+    if rows < FEW or (rows < FEW_AT_FIRST and not is_ready(loop)):
+        return _without_warnings(loop)
     from carom.core.jit.compile import compiler_is_off
 
     return _without_warnings(loop) if compiler_is_off() else sliced(_compiled(loop), rows)
 
 
+_ready: dict[Callable[..., None], bool] = {}
+_calls: Counter[Callable[..., None]] = Counter()
+
+
 def is_ready(loop: Callable[..., None]) -> bool:
-    """Return whether a loop that the package has compiled is taken for any number of rows: Python has spent long enough in it."""
-    if _spent.get(loop, 0.0) < PATIENCE:
-        return False
-    from carom.core.jit.native import is_shipped
+    """Return whether a loop of the package is taken for few rows: it is machine code already, or Python was called often enough."""
+    if loop not in _ready:
+        from carom.core.jit.native import is_kept
 
-    if is_shipped(loop):
-        return True
-    _spent[loop] = -math.inf  # (it is never asked again)
-    return False
-
-
-_alone: dict[Callable[..., None], tuple[float, int]] = {}  # seconds and number of single states that Python evaluated
-
-
-def _note_alone(loop: Callable[..., None], seconds: float) -> None:
-    spent, calls = _alone.get(loop, (0.0, 0))
-    _alone[loop] = (spent + seconds, calls + 1)
-
-
-def _is_slow(loop: Callable[..., None]) -> bool:
-    """Return whether single states took so long in Python that a loop of the package, called for one row, is faster."""
-    spent, calls = _alone.get(loop, (0.0, 1))
-    if spent < PATIENCE or spent < SLOW * calls:
-        return False
-    from carom.core.jit.native import is_shipped
-
-    return is_shipped(loop)
-
-
-def _timed(loop: Callable[..., None]) -> Callable[..., None]:
-    """Return the loop in Python, whose time is counted."""
-
-    def timed(*args: Any) -> None:
-        begin = time.perf_counter()
-        with np.errstate(all="ignore"):
-            loop(*args)
-        _spent[loop] = _spent.get(loop, 0.0) + time.perf_counter() - begin
-
-    return timed
+        kept = is_kept(loop)
+        if kept is False and _calls[loop] < CALLS_AT_FIRST:
+            _calls[loop] += 1
+            return False
+        _ready[loop] = kept is not None
+    return _ready[loop]
 
 
 def _without_warnings(loop: Callable[..., None]) -> Callable[..., None]:

@@ -180,6 +180,11 @@ def two_step_final(
     return rolling_after(v1, w1, n, a, kappa, ef, muf, betaf, g, h)
 
 
+def _is_pressed(v: Vec, w: Vec, n: Vec, a: float, _kappa: float, _e: float, mu: float, *others: Any) -> bool:
+    *_others, h, together = others
+    return together and pressed_down(v, w, n, a, mu, h)
+
+
 def first_rows(
     v: Array, w: Array, n: Array, p: Array, together: bool,
     v1: Array, w1: Array, j: Array, jf: Array, required: Array, regime: Any,
@@ -265,7 +270,13 @@ def two_step(
         floor.restitution, floor.friction, floor.tangential_restitution, h,
     )  # fmt: skip
     v1, w1, j, jf, required, code = answer_rows(
-        first_impact, first_rows, "vvvvxc", (state.velocity, state.spin, n), parameters, together
+        first_impact,
+        first_rows,
+        "vvvvxc",
+        (state.velocity, state.spin, n),
+        parameters,
+        together,
+        integrated=_is_pressed,
     )
     require_defined(code == UNDEFINED)
     after = State.of(v1, w1, state.position)

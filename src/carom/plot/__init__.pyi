@@ -24,6 +24,7 @@ from .style import require_matplotlib as require_matplotlib
 from .style import require_writable as require_writable
 from .style import save as save
 from .sweeps import plot_sweep as plot_sweep
+from .sweeps import plot_windows as plot_windows
 from .tracks import plot_judgement as plot_judgement
 from .trajectory import plot_aims as plot_aims
 from .trajectory import plot_trajectory as plot_trajectory

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+import os
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -10,13 +12,16 @@ import numpy as np
 
 from carom.errors import CaromError, Fault, did_you_mean
 from carom.formatting import format_number
-from carom.plot.style import INK, literal, new_figure, style
+from carom.plot.style import INK, drawn, literal, new_figure, require_matplotlib, style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from carom.sweeps.windows import Windows
+
 MOST_PANELS = 16
 MAP = "viridis"
+LEAST_BAR = 0.7  # degrees
 REPEAT = "repeat"  # the dimension of repeated points
 # Colours of named outcomes (phases, pockets, laws): told apart in grey, and by those who see few colours (Okabe & Ito 2008).
 NAMED = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442", "#666666", "#bbbbbb", "#44AA99")
@@ -255,3 +260,57 @@ def _legend(figure: Any, names: list[str], there: set[int]) -> None:
     figure.legend(
         handles=parts, loc="outside lower center", ncols=max(min(len(parts), most, 6), 1), frameon=False, fontsize=8
     )
+
+
+def plot_windows(found: Windows, file: str | os.PathLike[str] | None = None) -> Figure:
+    """Draw acceptance windows: a bar for each, over direction, at its speed; a colour for each pocket.
+
+    Parameters
+    ----------
+    found : Windows
+        Of :func:`carom.aim_windows`.
+    file : str or path, optional
+        File to write, .svg, .pdf or .png.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        A bar is at least 0.7 degrees wide, so that it can be seen.
+
+    Raises CaromError: a file that cannot be written, or Matplotlib is missing.
+
+    Examples
+    --------
+    >>> import carom
+    >>> balls = [carom.SceneBall(radius=0.03, mass=0.2, position=(x, 0)) for x in (0, 0.6)]
+    >>> scene = carom.Scene(floor=carom.Floor(friction=0.2, rolling_resistance=0.01), balls=balls, run=carom.Run(duration=3))
+    >>> found = carom.aim_windows(scene, {"balls.0.velocity": (1.0, 2.0)}, {"hit": 1}, speeds=2, angles=360)
+    >>> len(carom.plot.plot_windows(found).axes[0].collections)
+    1
+    """
+    require_matplotlib()
+    from matplotlib.collections import PolyCollection
+    from matplotlib.ticker import MultipleLocator
+
+    names = sorted({one.outcome for one in found})
+    gap = (found.speeds[-1] - found.speeds[0]) / max(len(found.speeds) - 1, 1) or 1.0
+
+    def draw() -> Figure:
+        figure = new_figure(6.4, 3.6)
+        axes = figure.add_subplot()
+        for name, colour in zip(names, itertools.cycle(NAMED), strict=False):
+            bars = [one for one in found if one.outcome == name]
+            middle = np.array([(one.low + one.high) / 2 for one in bars])
+            width = np.array([max(one.width, LEAST_BAR) for one in bars])
+            height = np.array([one.speed for one in bars])
+            corners = np.stack([middle - width / 2, height - 0.4 * gap, middle + width / 2, height + 0.4 * gap], axis=1)
+            boxes = [[(x, y), (z, y), (z, w), (x, w)] for x, y, z, w in corners.tolist()]
+            axes.add_collection(PolyCollection(boxes, facecolors=colour, edgecolors="none", label=literal(name)))
+        axes.set(xlim=found.range, ylim=(found.speeds[0] - gap / 2, found.speeds[-1] + gap / 2))
+        axes.set(xlabel="direction, degrees", ylabel="speed, m/s")
+        axes.xaxis.set_major_locator(MultipleLocator(45))
+        if names:
+            figure.legend(loc="outside upper center", ncols=3, frameon=False)
+        return figure
+
+    return drawn(draw, file)

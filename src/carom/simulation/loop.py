@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import functools
 import math
-import time
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -20,8 +19,9 @@ from carom.core.contact import NO_REGIME
 from carom.core.geometry.circles import rim_entry
 from carom.core.geometry.curve_arcs import arc_entry
 from carom.core.geometry.features import CURVE, FEATURES, RIM
-from carom.core.jit.compile import array_of, is_cached, njit, signature
+from carom.core.jit.compile import array_of, is_at_hand, is_cached, njit, signature
 from carom.core.jit.kernel import Vec, as_objects, dot, kernel, vector, write_back
+from carom.core.jit.native import prepared
 from carom.core.jit.threads import Pace
 from carom.core.motion.air import LOST
 from carom.core.motion.phases import BOUNCING, CONSTANT, FLIGHT, HELD, PIVOTING
@@ -501,26 +501,27 @@ def _one_end(worlds: Any, balls: Any, t: float) -> None:
 # takes ten seconds or more, loading half a second.
 
 
-# What Python may take in a process, s, until the loop is compiled, or loaded where it lies compiled in the cache.
-BEFORE_COMPILING, BEFORE_LOADING = 2.0, 0.3
+# Rows of a log that Python may write in a process, at about a millisecond each, until the loop is brought to machine code, or
+# compiled, where it does not lie ready.
+BEFORE_LOADING, BEFORE_COMPILING = 300, 2000
 # In a larger scene one event takes Python too long.
 MOST_BALLS, MOST_FEATURES = 24, 200
 # A floor that returns more than this of the speed makes a ball bounce so often that Python takes seconds for one event.
 MOST_RESTITUTION = 0.99
 
-_spent = 0.0
+_written = 0
 
 
 def worth_interpreting(scene: Scene) -> bool:
     """Return whether the next events of a scene should be run as Python: few balls, and no compiled loop at hand."""
-    if is_loaded() or len(scene.balls) > MOST_BALLS:
+    if is_loaded() or len(scene.balls) > MOST_BALLS or is_at_hand(_one_run):
         return False
     if scene.floor is not None:
         form, numbers, *_ = scene.floor.contact
         # (nor where the floor is tilted: one touch of a curved path takes thousands of integrals)
         if form != CONSTANT or MOST_RESTITUTION < numbers[0] < 1 or any(scene.floor.slope):
             return False
-    return _spent < (BEFORE_LOADING if compiled_before(scene) else BEFORE_COMPILING)
+    return _written < (BEFORE_LOADING if compiled_before(scene) else BEFORE_COMPILING)
 
 
 def run_interpreted(
@@ -530,16 +531,15 @@ def run_interpreted(
 
     None where Python refuses what compiled code has a number for, such as a division by zero; ``balls`` are as they were.
     """
-    global _spent  # noqa: PLW0603
-    begin = time.perf_counter()
+    global _written  # noqa: PLW0603
     world, ours, rows = as_objects(worlds)[0], as_objects(balls), as_objects(log)
     try:
         with np.errstate(all="ignore"):  # (laws with tables bring numbers of NumPy's in)
             answer = run(world, as_objects(features), ours, rows, slow, until, most, users, keep)
     except (ArithmeticError, ValueError):
+        _written += len(log)
         return None
-    finally:
-        _spent += time.perf_counter() - begin
+    _written += answer[2]
     write_back(ours, balls)
     write_back(rows, log, answer[2])
     return answer
@@ -569,7 +569,19 @@ class SceneLoop:
         """Speed below which a ball in contact is not approaching; less than 0 before the first event."""
         self.last = 0.0
         """Time of the last event, s."""
-        self._loop: Callable[..., Any] = run_interpreted if self._interpreted else compiled_engine().run
+
+    def _step(self, log: NDArray[np.void], until: float, most: int) -> Any:
+        """Run the loop until the log is full, in Python or compiled."""
+        world, features, _balls, users = self.arrays
+        if self._interpreted:
+            return run_interpreted(world, features, self.balls, log, self.slow, until, most, users, ALL)
+        loop = compiled_engine().run
+        key = ("prepared loop", loop)
+        if key not in self.scene.kept:
+            # (with the address of every array at each call, a shot of one ball took half as long again)
+            arguments = (world, features, self.balls[:0], np.empty(0, LOG), self.slow, until, most, users, ALL)
+            self.scene.kept[key] = prepared(loop, arguments, (2, 3, 4, 5, 6))
+        return self.scene.kept[key](self.balls, log, self.slow, until, most)
 
     def follow(
         self, until: float, most: int, progress: Callable[[int, float], None] | None = None
@@ -578,21 +590,19 @@ class SceneLoop:
 
         ``progress`` is called with the events so far and the time, s. CaromError for an event for which a law has no answer.
         """
-        log, parts = _rows(FIRST_ROWS + len(self.balls)), []
-        events, status = 0, FULL
-        pace = Pace(len(log))
+        log = _rows(FIRST_ROWS + len(self.balls))
+        parts: list[NDArray[np.void]] = []
+        events, status, pace = 0, FULL, Pace(len(log))
         while status == FULL:
             pace.begin()
-            world, features, users = self.arrays.world, self.arrays.features, self.arrays.users
-            answer = self._loop(world, features, self.balls, log, self.slow, until, most - events, users, ALL)
+            answer = self._step(log, until, most - events)
             if answer is not None:
                 status, more, written, at_fault, self.slow, self.last = answer
                 parts.append(log[:written])
                 events += more
             if status == FULL:
                 if self._interpreted and (answer is None or not worth_interpreting(self.scene)):
-                    self._interpreted, self._loop = False, compiled_engine().run
-                    self.arrays = set_up(self.scene)
+                    self._interpreted, self.arrays = False, set_up(self.scene)
                 rows = 4 * len(log)
                 if answer is not None:
                     pace.done(written)

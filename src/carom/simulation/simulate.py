@@ -293,18 +293,25 @@ def simulate(
     """
     if isinstance(scene, str | Path):
         scene = load_scene(scene)
-    remedy = "carom.Scene(**scene) makes one" if isinstance(scene, Mapping) else ""
-    require_type("simulate", "scene", scene, Scene, remedy)
-    settings: dict[str, Any] = {"law": law, "duration": duration, "max_events": max_events}
-    if given := {name: value for name, value in settings.items() if value is not None}:
-        try:
-            run = Run(**given)
-        except CaromError as error:
-            raise CaromError(*(fault.replace("Run:", "simulate:", 1) for fault in error.faults)) from None
-        scene = replaced(scene, {f"run.{name}": getattr(run, name) for name in given})
+    if not isinstance(scene, Scene):
+        remedy = "carom.Scene(**scene) makes one" if isinstance(scene, Mapping) else ""
+        require_type("simulate", "scene", scene, Scene, remedy)
+    if law is not None or duration is not None or max_events is not None:
+        scene = _with_settings(scene, {"law": law, "duration": duration, "max_events": max_events})
+    if progress is None:
+        return Trajectory(*run_scene(scene))
     most = math.nan if scene.run.max_events is None else float(scene.run.max_events)
-    tell = loop_callback(progress, lambda now: lambda events, t: now(events, most, f"{t:.4g} s"))
-    return Trajectory(*run_scene(scene, tell))
+    return Trajectory(*run_scene(scene, lambda events, t: progress(events, most, f"{t:.4g} s")))
+
+
+def _with_settings(scene: Scene, settings: dict[str, Any]) -> Scene:
+    """Return the scene with what is given of the settings of its run."""
+    given = {name: value for name, value in settings.items() if value is not None}
+    try:
+        run = Run(**given)
+    except CaromError as error:
+        raise CaromError(*(fault.replace("Run:", "simulate:", 1) for fault in error.faults)) from None
+    return replaced(scene, {f"run.{name}": getattr(run, name) for name in given})
 
 
 def simulate_many(

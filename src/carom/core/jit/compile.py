@@ -27,7 +27,7 @@ import numpy as np
 
 from carom.core.jit.cache import cache_folder
 from carom.core.jit.kernel import DERIVED, HOT, KERNELS, PLAIN
-from carom.core.jit.native import LoopSource, is_shipped, kinds_text, shipped_loop
+from carom.core.jit.native import LoopSource, is_kept, is_shipped, kinds_text, shipped_loop
 from carom.core.jit.threads import listen, thread_count
 from carom.errors import CaromError
 
@@ -216,6 +216,12 @@ def plain_numbers(*kinds: Any) -> bool:
 
 
 # --- compiled functions ----------------------------------------------------------------------------------------------
+
+
+def is_at_hand(function: Callable[..., Any]) -> bool:
+    """Return whether a loop is machine code already, in the process or in the cache."""
+    kept = is_kept(function)
+    return is_cached(function) if kept is None else kept
 
 
 def is_cached(function: Callable[..., Any]) -> bool:

@@ -417,6 +417,15 @@ class NativeCode:
             )  # fmt: skip
         return self._addresses[symbol]
 
+    def is_kept(self) -> bool:
+        """Return whether its machine code for this processor is in the process or in the cache."""
+        if self._addresses:
+            return True
+        try:
+            return (_objects(INDEX) / f"{self.described['name']}.o").exists()
+        except (OSError, RuntimeError, ImportError):
+            return False
+
     def given(self, arguments: tuple[Any, ...]) -> list[Any]:
         """Return the arguments as C takes them; MismatchError where they are not of the kinds that this code is for."""
         if len(arguments) != len(self._writes):
@@ -435,6 +444,27 @@ class NativeCode:
         else:
             self._require_ok(call(out, WHOLE, *given))
         return None if self.reader is None else self.reader.read(out)
+
+    def prepared(self, arguments: tuple[Any, ...], given: list[Any], changing: Sequence[int]) -> Callable[..., Any]:
+        """Return the loop, of one thread and without tuples, as a function of its arguments at these places alone.
+
+        The others are written once (which takes longer than a shot of one ball); those that are given have to be numbers, or arrays
+        that nobody else has, of the kinds that stand there now.
+        """
+        call, room, reader = self._call or self._load(), self._room, self.reader
+        assert reader is not None
+        before, between, read = given.copy(), [isinstance(arguments[k], np.ndarray) for k in changing], reader.read
+        places = list(zip(changing, between, strict=True))
+
+        def run(*values: Any, _kept: object = arguments) -> Any:  # (`before` has their addresses only)
+            row = before.copy()
+            for (place, is_array), value in zip(places, values, strict=True):
+                row[place] = id(value) + HEAD if is_array else value
+            out = room()
+            self._require_ok(call(out, WHOLE, *row))
+            return read(out)
+
+        return run
 
     def _share(self, call: Callable[..., int], out: Any, arguments: tuple[Any, ...], given: list[Any]) -> None:
         """Call a parallel loop, by one thread where the work is less than handing it over."""
@@ -532,6 +562,19 @@ class NativeLoop:
         from numba import typeof
 
         return typeof(self.numbas())
+
+
+def prepared(loop: Callable[..., Any], arguments: tuple[Any, ...], changing: Sequence[int]) -> Callable[..., Any]:
+    """Return a loop of one thread as a function of its arguments at these places alone (:meth:`NativeCode.prepared`)."""
+    if isinstance(loop, NativeLoop) and (found := loop.code_for(arguments)) is not None:
+        with contextlib.suppress(UnusableError):
+            return found[0].prepared(arguments, found[1], changing)
+
+    def run(*values: Any) -> Any:
+        given = dict(zip(changing, values, strict=True))
+        return loop(*[given.get(k, one) for k, one in enumerate(arguments)])
+
+    return run
 
 
 # --- which loops are shipped ------------------------------------------------------------------------------------------
@@ -677,6 +720,12 @@ def _bitcode(name: str) -> bytes:
 def is_shipped(function: Callable[..., Any]) -> bool:
     """Return whether the package has code of a loop."""
     return bool(_native_codes(function))
+
+
+def is_kept(function: Callable[..., Any]) -> bool | None:
+    """Return whether a loop of the package is at hand as machine code for this processor; None for one that it has not."""
+    codes = _native_codes(function)
+    return any(one.is_kept() for one in codes) if codes else None
 
 
 def shipped_loop(source: LoopSource) -> NativeLoop | None:

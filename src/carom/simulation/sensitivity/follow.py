@@ -5,7 +5,6 @@ from __future__ import annotations
 import functools
 import math
 import sys
-import time
 from collections.abc import Callable, Iterable
 from types import FunctionType
 from typing import Any
@@ -14,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.geometry.features import FEATURES
-from carom.core.jit.compile import array_of, compiling_failed, is_cached, njit, signature
+from carom.core.jit.compile import array_of, compiling_failed, is_at_hand, is_cached, njit, signature
 from carom.core.jit.dual.dual_records import (
     dual_records,
     float_count,
@@ -29,7 +28,7 @@ from carom.laws.callbacks import call_user, dual_law_address, register_duals
 from carom.laws.law import Law
 from carom.laws.two_step import first_impact_and_way
 from carom.simulation.contact_kinds import joint_impact
-from carom.simulation.loop import BEFORE_COMPILING, BEFORE_LOADING, MOST_RESTITUTION, compiled_engine, is_loaded
+from carom.simulation.loop import BEFORE_COMPILING, BEFORE_LOADING, MOST_RESTITUTION, compiled_engine
 from carom.simulation.motion import move_by
 from carom.simulation.records import BALLS, LOG, WALL, WORLD
 from carom.simulation.sensitivity.passages import (
@@ -345,22 +344,18 @@ def follow_interpreted(scene: Any, parameters: Parameters, log: NDArray[np.void]
 # Follow a log with dual numbers: in Python at first, compiled where that is at hand or pays; the bits are the same.
 
 
-# What one row of a log takes Python, s.
-PER_ROW = 1e-3
-_spent = 0.0
+_followed = 0  # rows
 
 
 def _worth_interpreting(scene: Any, rows: int) -> bool:
     """Return whether Python should follow a log: it is short, and the compiled pass is not at hand."""
-    if compiled_follow.cache_info().currsize > 0:
+    if compiled_follow.cache_info().currsize > 0 or is_at_hand(pass_loop):
         return False
     if scene.floor is not None:  # (one event may be ten thousands of bounces: carom.simulation.loop)
         form, numbers, *_ = scene.floor.contact
         if form != CONSTANT or MOST_RESTITUTION < numbers[0] < 1:
             return False
-    if is_cached(pass_loop):
-        return not is_loaded() and _spent + PER_ROW * rows < BEFORE_LOADING
-    return _spent + PER_ROW * rows < BEFORE_COMPILING
+    return _followed + rows < (BEFORE_LOADING if is_cached(pass_loop) else BEFORE_COMPILING)
 
 
 def follow(scene: Any, parameters: Parameters, log: NDArray[np.void], end: float) -> Passages:
@@ -383,12 +378,11 @@ def follow(scene: Any, parameters: Parameters, log: NDArray[np.void], end: float
 
 def _follow_to_graze(scene: Any, parameters: Parameters, log: NDArray[np.void], end: float) -> tuple[Passages, int]:
     """Return the passages of a run, and the row of the first event without a derivative, up to which they hold, or -1."""
-    global _spent  # noqa: PLW0603
+    global _followed  # noqa: PLW0603
     found = None
     if _worth_interpreting(scene, len(log)):
-        began = time.perf_counter()
         found = _interpreted(scene, parameters, log)
-        _spent += time.perf_counter() - began
+        _followed += len(log)
     if found is None:
         try:
             found = follow_compiled(scene, parameters, log, end)

@@ -1,0 +1,81 @@
+"""Acceptance windows: closed forms of a direct hit and of a bank, and single runs on either side of every edge."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import pytest
+from reference.commands import command, fails
+from sweeps.test_aim import bank
+
+import carom
+
+
+def test_windows_of_a_direct_hit_and_of_a_bank_have_their_closed_forms() -> None:
+    scene = carom.replaced(bank(), {"floor.friction": 0.0})  # (straight on after the wall)
+    found = carom.aim_windows(scene, {"balls.0.velocity": (1.0, 2.0)}, {"hit": "red"}, speeds=3, angles=720)
+    assert [one.outcome for one in found] == ["red"] * 6
+    # the red ball, and its mirror image in the line that the centre turns round at
+    for x, y in ((0.3, 0.9), (-1.24, 0.9)):
+        middle, half = math.degrees(math.atan2(y, x)), math.degrees(math.asin(0.06 / math.hypot(x, y)))
+        same = [one for one in found if one.low < middle < one.high]
+        assert sorted(one.speed for one in same) == [1.0, 1.5, 2.0]
+        for one in same:
+            assert (one.low, one.high) == pytest.approx((middle - half, middle + half), abs=1e-5)
+    after = carom.aim_windows(
+        scene, {"balls.0.velocity": (1.0, 2.0)}, {"hit": "red", "cushions": 1}, speeds=1, angles=720
+    )
+    assert [round(one.low) for one in after] == [round(found[-1].low)]
+
+
+def pool() -> carom.Scene:
+    ball = {"radius": 0.028575, "mass": 0.17}
+    return carom.Scene(
+        floor={"restitution": 0.5, "friction": 0.2, "rolling_resistance": 0.01, "spin_friction": 0.0127},
+        walls=[{"shape": "table", "preset": "pool-9ft"}],
+        balls=[{**ball, "position": (-0.6, -0.2), "name": "cue"}, {**ball, "position": (0.2, 0.15), "name": "one"}],
+        ball_contact={"restitution": 0.95, "friction": 0.06},
+        run={"duration": 20},
+    )
+
+
+def pocket_of(scene: carom.Scene, speed: float, degrees: float) -> str:
+    turned = math.radians(degrees)
+    velocity = (speed * math.cos(turned), speed * math.sin(turned), 0.0)
+    fell = carom.simulate(carom.replaced(scene, {"balls.0.velocity": velocity})).events.of("pocketed", ball="one")
+    return fell[0].name if len(fell) else ""
+
+
+def test_single_runs_on_either_side_of_the_edges() -> None:
+    scene = pool()
+    found = carom.aim_windows(
+        scene, {"balls.0.velocity": (1.5, 4.0)}, {"ball": "one", "pocket": "any"}, speeds=2, angles=1440
+    )
+    assert len(found) >= 4
+    assert len({one.outcome for one in found}) >= 2
+    assert [one.width for one in found] == sorted((one.width for one in found), reverse=True)
+    for one in found[:4]:
+        for inside, outside in ((one.low + 1e-4, one.low - 1e-4), (one.high - 1e-4, one.high + 1e-4)):
+            assert pocket_of(scene, one.speed, inside) == one.outcome
+            assert pocket_of(scene, one.speed, outside) != one.outcome
+
+
+def test_the_command_prints_and_draws_them(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file, picture = tmp_path / "bank.toml", tmp_path / "windows.png"
+    carom.save_scene(bank(), file)
+    words = ["aim", str(file), "--hit", "red", "--free", "balls.0.velocity=1:2", "--windows", "2"]
+    printed = command(capsys, *words, "--json", "--plot", str(picture))
+    found = json.loads(printed[1])
+    assert [one["outcome"] for one in found["windows"]] == ["red"] * 4
+    assert found["speeds"] == [1.0, 2.0]
+    assert picture.stat().st_size > 5000
+    assert "expected" in " ".join(fails(capsys, *words[:-1], "0"))
+
+
+def test_what_has_no_windows_is_refused() -> None:
+    for free, many in ((["balls.0.spin_z"], 3), (["balls.0.velocity", "balls.0.spin_z"], 3), (["balls.0.velocity"], 0)):
+        with pytest.raises(carom.CaromError) as error:
+            carom.aim_windows(bank(), free, {"hit": "red"}, speeds=many)
+        assert error.value.records[0].field in ("free", "speeds")
