@@ -101,7 +101,7 @@ def aim(
         raise CaromError(*found)
     from carom.cli.console import out, working
     from carom.sweeps.aiming import aim as solve
-    from carom.sweeps.windows import aim_windows
+    from carom.sweeps.aiming import aim_windows
 
     if windows is not None:
         with working("shots", quiet=quiet) as show:

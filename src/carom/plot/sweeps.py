@@ -17,7 +17,7 @@ from carom.plot.style import INK, drawn, literal, new_figure, require_matplotlib
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from carom.sweeps.windows import Windows
+    from carom.sweeps.aiming import Windows
 
 MOST_PANELS = 16
 MAP = "viridis"

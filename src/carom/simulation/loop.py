@@ -576,12 +576,13 @@ class SceneLoop:
         if self._interpreted:
             return run_interpreted(world, features, self.balls, log, self.slow, until, most, users, ALL)
         loop = compiled_engine().run
-        key = ("prepared loop", loop)
-        if key not in self.scene.kept:
+        kept, step = self.scene.kept.get("prepared loop", (None, None))
+        if kept is not loop:
             # (with the address of every array at each call, a shot of one ball took half as long again)
             arguments = (world, features, self.balls[:0], np.empty(0, LOG), self.slow, until, most, users, ALL)
-            self.scene.kept[key] = prepared(loop, arguments, (2, 3, 4, 5, 6))
-        return self.scene.kept[key](self.balls, log, self.slow, until, most)
+            step = prepared(loop, arguments, (2, 3, 4, 5, 6))
+            self.scene.kept["prepared loop"] = loop, step
+        return step(self.balls, log, self.slow, until, most)
 
     def follow(
         self, until: float, most: int, progress: Callable[[int, float], None] | None = None
