@@ -8,6 +8,7 @@ import numpy as np
 
 import carom
 from carom.tracks import judge
+from carom.tracks.film_laws import FilmPath
 
 RATES = (60, 120, 240, 480)
 R = 0.0286
@@ -74,3 +75,50 @@ def judged(kind, seed):
     """Return the judgement of a drawn run."""
     run = carom.simulate(scene_of(kind, seed))
     return judge(frames(run, RATES[seed % len(RATES)]), slope=tuple(run.scene.floor.slope))
+
+
+# --- films ----------------------------------------------------------------------------------------------------------------
+
+FILM_KINDS = ("clean", "noisy", "gaps", "rounded", "fast")
+
+
+def film_of(kind, seed, wrong=None, size=0.0):
+    """Return a ball that bounces before a camera, px: with drag, perspective, a rolled and tilted camera, shadows near the floor.
+
+    ``wrong``: "hang": a wave of ``size`` radii on the height in the air; "jitter": places off by ``size`` radii.
+    """
+    rng = np.random.default_rng([40 + FILM_KINDS.index(kind), seed])
+    rate = rng.uniform(60, 240) * (0.5 if kind == "fast" else 1)
+    focal, depth, radius = rng.uniform(800, 2000), rng.uniform(1.0, 4.0), rng.uniform(0.02, 0.06)
+    if focal * radius / depth < 12:
+        depth = focal * radius / 12
+    tilt, roll, drag, e = rng.normal(0, 0.15), rng.normal(0, 0.03), rng.uniform(0, 0.15), rng.uniform(0.5, 0.9)
+    x, v = (
+        np.array([rng.normal(0, 0.3), rng.uniform(0.3, 1.2), 0.0]),
+        np.array([*rng.normal(0, 0.3, 2), rng.normal(0, 0.3)]),
+    )
+    places, step = [], 1 / rate / 20
+    for k in range(20 * round(min(rng.uniform(0.6, 1.8), 1.8) * rate)):
+        if k % 20 == 0:
+            places.append(x.copy())
+        v = v + step * (np.array([0.0, -9.81, 0.0]) - drag * np.linalg.norm(v) * v)
+        x = x + step * v
+        if x[1] < radius and v[1] < 0:
+            v[1] *= -e
+    seen = np.array(places)
+    c, s = math.cos(tilt), math.sin(tilt)
+    up, away = c * seen[:, 1] - s * seen[:, 2], depth + s * seen[:, 1] + c * seen[:, 2]
+    px = focal * np.column_stack([seen[:, 0], -up]) / away[:, None]
+    px = px @ np.array([[math.cos(roll), math.sin(roll)], [-math.sin(roll), math.cos(roll)]])
+    a = focal * radius / float(np.median(away))
+    near = np.exp(-((seen[:, 1] - radius) / radius))  # (a shadow pulls the outline down)
+    px[:, 1] += 0.05 * a * near * rng.random()
+    if wrong == "hang":
+        px[:, 1] += size * a * np.sin(2 * np.pi * np.arange(len(px)) / rng.uniform(16, 26))
+    scatter = {"noisy": 0.02}.get(kind, 0.005) * a
+    px += rng.normal(scale=scatter + (size * a if wrong == "jitter" else 0.0), size=px.shape)
+    if kind == "rounded":
+        px = np.round(px, 1)
+    if kind == "gaps":
+        px[rng.random(len(px)) < 0.1] = np.nan
+    return FilmPath(np.arange(len(px)) / 30, px, float(a), 1.0)

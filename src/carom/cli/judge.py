@@ -11,7 +11,7 @@ from carom.cli.options import require_outputs, shared, wrote
 from carom.cli.parameters import Given, of_library
 
 if TYPE_CHECKING:
-    from carom.tracks.judgement import Judgement
+    from carom.tracks.verdicts import Judgement
 
 
 @of_library("tracks.judgement:judge", "tracks.video.film:track_film", without=("kappa", "gravity"))
@@ -37,7 +37,8 @@ def judge(
     given.faults.raise_if_any()
     found = find(table, **given)
     if as_json:
-        say_json(vars(found) | {"violations": [vars(one) | {"sigmas": one.sigmas} for one in found.violations]})
+        violations = [vars(one) | {"sigmas": one.sigmas} for one in found.violations]
+        say_json(vars(found) | {"scores": found.scores, "violations": violations})
     else:
         say_notes(found.notes)
         _show(found)
@@ -53,10 +54,9 @@ def judge(
 def _show(found: Judgement) -> None:
     from carom.cli.console import out
     from carom.formatting import Listing, format_number
-    from carom.tracks.judgement import LAWS
 
     rows = []
-    for law, text in LAWS.items():
+    for law, text in found.laws.items():
         worst = found.worst(law)
         said = f"not checked: {found.unchecked[law]}" if law in found.unchecked else text
         if worst is not None:
@@ -64,4 +64,4 @@ def _show(found: Judgement) -> None:
             said = f"{worst.time:.4g} s, {' and '.join(worst.balls)}: {worst.text} ({errors} errors)"
         rows.append((law, f"{found.checked[law]:,}", f"{len(found.of(law)):,}", said))
     out().table(Listing(("law", "checked", "violated", "the clearest violation"), rows), grid=True, fold=True)
-    out().print(f"\nnoise of a coordinate {found.noise:.2g} m\n{found.verdict}")
+    out().print(f"\nnoise of a coordinate {found.noise:.2g} {found.unit}\n{found.verdict}")

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from carom.plot.style import GREY, INK, drawn, literal, new_figure, style
 from carom.tracks.contact import TrackContact
-from carom.tracks.judgement import LAWS
 from carom.tracks.measurement import Measured
 from carom.tracks.rebounds import usable_stages
 from carom.tracks.track import Track
@@ -18,7 +17,7 @@ from carom.tracks.track import Track
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from carom.tracks.judgement import Judgement
+    from carom.tracks.verdicts import Judgement
 
 Array = NDArray[np.float64]
 BLUE, ORANGE = "#0072B2", "#D55E00"
@@ -260,14 +259,14 @@ def _figure(found: Judgement) -> Figure:
     room = 0.02 * max(last - first, LEAST_SPAN)
     strips[0].set_xlim(first - room, last + room)
     for axes, law in zip(strips, laws, strict=False):
-        axes.set_title(f"{law}: {LAWS[law]}", loc="left", fontsize=8, color=INK, pad=3)
+        axes.set_title(f"{law}: {found.laws[law]}", loc="left", fontsize=8, color=INK, pad=3)
         axes.set_title(f"{len(found.of(law)):,} of {checked[law]:,}", loc="right", fontsize=8, color=INK, pad=3)
         _dots(axes, found, law)
     if not laws:
         strips[0].set(yticks=[], title="no violation")
     strips[-1].set_xlabel("time, s")
     kept = ", ".join(f"{law} ({count:,})" for law, count in checked.items() if law not in laws)
-    rest = ", ".join(law for law in LAWS if law not in checked)
+    rest = ", ".join(law for law in found.laws if law not in checked)
     words = [f"{what}: {names}" for what, names in (("not violated", kept), ("not checked", rest)) if names]
     figure.text(0.98, 0.06 / height, "; ".join(words), fontsize=8, color=GREY, ha="right")
     return figure

@@ -3,8 +3,6 @@ from .contact import TrackContact as TrackContact
 from .events import TrackEvent as TrackEvent
 from .events import WallLine as WallLine
 from .formats.tables import Calibration as Calibration
-from .judgement import Judgement as Judgement
-from .judgement import Violation as Violation
 from .judgement import judge as judge
 from .least_squares import ContactFit as ContactFit
 from .measurement import Measured as Measured
@@ -18,3 +16,5 @@ from .read import read_tracks as read_tracks
 from .rebounds import to_rebounds as to_rebounds
 from .rebounds import usable_stages as usable_stages
 from .track import Track as Track
+from .verdicts import Judgement as Judgement
+from .verdicts import Violation as Violation

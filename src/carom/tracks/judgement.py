@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -27,8 +27,11 @@ from carom.formatting import counted
 from carom.public.defaults import GRAVITY
 from carom.scene.floor import gravity_on_slope
 from carom.tracks.clock import times_behind_rounding
+from carom.tracks.film_laws import by_film_laws
 from carom.tracks.films import columns_of_film, film_options
 from carom.tracks.read import read_tracks
+from carom.tracks.verdicts import SIGMAS, Judgement
+from carom.tracks.video.film import likeliest_ball
 from carom.tracks.video.reading import is_film
 
 Array = NDArray[np.float64]
@@ -360,85 +363,15 @@ def _pieces(row: BallRows, sigma: float, drag: float) -> Iterator[PathPiece]:
         yield PathPiece(first, last, float(middle), numbers, covariance, spins, error, air)
 
 
-LAWS = {
-    "penetration": "balls, and a ball and the floor, do not overlap",
-    "gravity": "a ball in the air falls freely",
-    "momentum": "two balls that meet keep their momentum",
-    "energy": "no contact adds energy",
-    "friction": "a contact's friction is at most mu times its normal force",
-    "slip": "friction acts against the slip, and a ball that rolls goes on rolling",
-}
-UNITS = {"penetration": "m", "gravity": "m/s^2", "momentum": "N s", "energy": "J", "friction": "", "slip": ""}
-SIGMAS = 5.0  # a violation is larger than so many of its standard errors
 LEAST = 1e-6  # relative: what is less is the rounding of a file
 RESOLVED = 2e-3  # relative: more than two events between the same two frames change
 PRESSED = 0.03  # of the impulse: the floor's friction on a ball that another presses down takes more of the momentum
 COMPRESSED = 1e-3  # of their distance: balls that meet are, those of pool at 0.4 m/s, and at 1 m/s twice as much
 RESISTANCE = 0.05  # of the weight: what resists a ball that rolls is less
 SAME = 1e-3  # of the speed: a ball that slips less rolls
+SLOWED = "by this scale and the film's times"  # a note of a film whose ball falls with another g
 CELLS = 2**40  # along an axis: cells farther apart may have one number
 MOST_PAIRS = 50_000_000  # of places in cells beside each other
-
-
-@dataclass(frozen=True)
-class Violation:
-    """A law that a trajectory violates."""
-
-    law: str
-    """One of :data:`LAWS`."""
-    time: float
-    """s."""
-    balls: tuple[str, ...]
-    size: float
-    """m, m/s^2, N s, J; of friction and slip, a coefficient or a share."""
-    error: float
-    """Standard error of the size."""
-    text: str
-
-    @property
-    def sigmas(self) -> float:
-        """The size over its error."""
-        return self.size / self.error if self.error > 0 else math.inf
-
-
-@dataclass
-class Judgement:
-    """Result of :func:`judge`."""
-
-    noise: float
-    """Standard deviation of a coordinate in a frame, m."""
-    notes: list[str]
-    times: tuple[float, float] = (0.0, 0.0)
-    """Of the first and the last frame, s."""
-    checked: dict[str, int] = field(default_factory=lambda: dict.fromkeys(LAWS, 0))
-    """How often each law was checked."""
-    violations: list[Violation] = field(default_factory=list)
-    """In order of time."""
-    unchecked: dict[str, str] = field(default_factory=dict)
-    """Why the other laws could not be checked."""
-
-    @property
-    def verdict(self) -> str:
-        """How many laws were checked, and how many violations there are in them."""
-        laws, count = len(LAWS) - len(self.unchecked), len(self.violations)
-        found = counted(count, "violation") if count else "no violation"
-        return f"checked {laws} of {len(LAWS)} laws: {found} in {'it' if laws == 1 else 'them'}"
-
-    def of(self, law: str) -> list[Violation]:
-        """Return the violations of a law."""
-        return [one for one in self.violations if one.law == law]
-
-    def worst(self, law: str) -> Violation | None:
-        """Return the violation of a law that is the largest in its own errors; None if there is none."""
-        return max(self.of(law), key=lambda one: one.sigmas, default=None)
-
-    def check(
-        self, law: str, time: float, balls: Sequence[str], size: float, error: float, least: float, text: str
-    ) -> None:
-        """Count a check; keep it if it is larger than its errors and than rounding."""
-        self.checked[law] += 1
-        if size > SIGMAS * error and size > least:
-            self.violations.append(Violation(law, time, tuple(balls), size, error, text))
 
 
 def judge(
@@ -521,9 +454,15 @@ def judge(
     pull = np.array(gravity_on_slope(gravity, slope))
     said: list[str] = []
     if not is_columns(table) and is_film(path := as_path("judge", table)):
-        table = columns_of_film(
-            read_tracks(path, None, film_options(scale, rate, radius, film).calibration), gravity, POOL_BALL, said
-        )
+        known = film_options(scale, rate, radius, film).calibration
+        try:
+            tracked = read_tracks(path, None, known)
+            if rate is None and any(note.startswith(SLOWED) for note in tracked.notes):
+                raise CaromError(f"{path}: expected the true `rate` of the film, or its `scale`, got neither")
+        except CaromError as error:
+            part = {name: known.film.get(name) for name in ("start", "end", "region")}
+            return by_film_laws(likeliest_ball(path, error, rate=rate, **part), f"{error}")
+        table = columns_of_film(tracked, gravity, POOL_BALL, said)
     rows, sigma, notes = read_rows(table, radius, mass, noise)
     pieces = [tuple(_pieces(one, sigma, drag_per_metre)) for one in rows]
     balls = [

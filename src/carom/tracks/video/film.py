@@ -14,6 +14,7 @@ from carom.files import as_path
 from carom.formatting import counted
 from carom.public.defaults import GRAVITY
 from carom.public.progress import Progress
+from carom.tracks.film_laws import FilmPath
 from carom.tracks.track import Track, position_noise
 from carom.tracks.video.balls import (
     CHANGED,
@@ -511,6 +512,34 @@ def track_film(
         file, ground, times, places, costs, optics, (scale, length, radius, readout, gravity), asked, lags, notes
     )
     return with_spins(found) if spin else found
+
+
+def likeliest_ball(path: FilePath, error: CaromError, **given: Any) -> FilmPath:
+    """Follow what is most likely a ball in a film that is refused: to be judged, not to be measured.
+
+    ``given``: ``rate``, ``start``, ``end``, ``region`` of :func:`track_film`. Raises ``error`` where nothing moves that may be a
+    ball, and where the camera moves.
+    """
+    names = ("start", "end", "region", "rate")
+    start, end, region, rate = (given.get(name) for name in names)
+    asked = check_arguments(1, None, None, None, None, rate, (), None, region, None, start, end)
+    file = open_film(path)
+    part = (file.start + (start or 0.0), np.inf if end is None else file.start + end)
+    samples = sampled(file, part)
+    if len(samples) < LEAST_FRAMES:
+        raise error
+    ground = find_background(samples)._replace(rows=rows_direction(file.rotation))
+    try:
+        stamps, paths = _linked(file, ground, part, asked, lambda _done, _text: None)
+    except CaromError:
+        raise error from None
+    times = film_times(file, stamps, rate, [])
+    found = _usual_optics(file, ground, likely_paths(paths, LEAST_FRAMES)[:5], times)
+    if not found:
+        raise error
+    ball = max(found, key=lambda one: one.score)
+    places = _followed(file, ground, ball, times, lambda _done: None)[0]
+    return FilmPath(times, places, ball.optics.radius, ball.seen)
 
 
 def _by_rows(
