@@ -414,7 +414,7 @@ def test_tables_of_gases_have_units(folder: Path) -> None:
     heads = " ".join(out.split())
     assert "species balls velocity spin" in heads  # (one species' temperatures are those of the gas)
     assert "1/s (normal), J (tangential), J to spin, J" in heads
-    assert "SI where the scene's numbers are in SI units" in heads
+    assert "Units of the scene" in heads
     out = runner.invoke(
         app, ["gas", "rough.toml", "--ensemble", "2"], catch_exceptions=False, env={"COLUMNS": "120"}
     ).stdout

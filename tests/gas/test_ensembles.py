@@ -122,7 +122,7 @@ def test_means_and_errors_are_those_of_the_members(folder):
     assert figure.axes[3].get_title(loc="left") == "pair correlation (local density)"
     assert figure.axes[4].get_title(loc="left") == "mean number density, 1/m²"
     assert figure.axes[5].get_title(loc="left") == "pressure of each gas, N/m"
-    assert "Units: SI where the scene's numbers are in SI units" in figure.texts[1].get_text()
+    assert "Units of the scene" in figure.texts[1].get_text()
 
 
 def test_the_ratio_of_the_temperatures_is_a_mean_over_the_gases(folder):

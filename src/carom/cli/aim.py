@@ -25,7 +25,7 @@ def aim(
     scene: Annotated[Path, typer.Argument(metavar="SCENE.toml", help="A scene file; carom scene new FILE writes one.")],
     *,
     ball: Annotated[
-        str, option(TARGET, "Number or name of the ball that is to reach it.", "--ball", metavar="BALL")
+        str, option(TARGET, "Number or name of the ball that reaches the target.", "--ball", metavar="BALL")
     ] = "0",
     hit: Annotated[
         list[str] | None,
@@ -35,12 +35,14 @@ def aim(
         int, option(TARGET, "Cushions before the last of them, at least.", "--cushions", min=0, metavar="N")
     ] = 0,
     pocket: Annotated[
-        str | None, option(TARGET, "Pocket that it is to fall into.", "--pocket", metavar="NAME|any")
+        str | None, option(TARGET, "Pocket into which the ball falls.", "--pocket", metavar="NAME|any")
     ] = None,
-    point: Annotated[str | None, option(TARGET, "Place where it is to end, m.", "--point", metavar="X,Y")] = None,
+    point: Annotated[str | None, option(TARGET, "Place where the ball ends, m.", "--point", metavar="X,Y")] = None,
     within: Annotated[
         float | None,
-        option(TARGET, "How far from there it may end, m.", "--within", unit="m", show_default="its radius"),
+        option(
+            TARGET, "Largest distance of the end from that place, m.", "--within", unit="m", show_default="its radius"
+        ),
     ] = None,
     speed: Annotated[
         float | None,

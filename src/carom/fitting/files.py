@@ -121,9 +121,9 @@ def fit(
     friction : str
         Friction: constant, or linear or exponential in the slip, or in v_n, slip/v_n, speed after a colon.
     tangential_restitution : str
-        Tangential restitution: the same, by default in slip/v_n.
+        Tangential restitution: constant, linear or exponential, by default in slip/v_n.
     stiffness_ratio : str
-        Stiffness ratio: the same, by default in slip/v_n.
+        Stiffness ratio: constant, linear or exponential, by default in slip/v_n.
     forms : bool
         Choose a form or a spline for each parameter of the best law, and the tails of errors, by rows held out.
     fit : sequence of str
@@ -137,7 +137,7 @@ def fit(
     contact_height : float, optional
         Height of the contact above the floor, in ball radii; billiard cushions: 1.25 to 1.4. Default: 1.
     floor_friction : float, optional
-        Friction of the floor. Default: what the film says, else 0.2.
+        Friction of the floor. Default: that of the film, else 0.2.
     floor_restitution : float
         Restitution at the floor, 0 to 1.
     roll : float

@@ -17,7 +17,7 @@ from carom.gas.session import Session
 
 Array = NDArray[np.float64]
 # A scene's numbers are in SI units, or in any consistent others; tables and pictures name the SI units.
-UNITS_NOTE = "Units: SI where the scene's numbers are in SI units, else the scene's own."
+UNITS_NOTE = "Units of the scene, shown as SI."
 
 
 def pressure_unit(scene: GasScene) -> str:

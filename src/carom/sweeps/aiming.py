@@ -471,7 +471,7 @@ def aim(
         ``"speed": 0.8``: and comes there with this speed (m/s), within a tenth, or ``"speed_within"`` m/s.
         Several must all be met: pot a ball and leave the cue ball at a place.
     errors : mapping, optional
-        The player's, one standard deviation: speed (a share: 0.03), angle and azimuth (0.2 degrees), elevation (0.5 degrees),
+        Standard deviations of the player's: speed (a share: 0.03), angle and azimuth (0.2 degrees), elevation (0.5 degrees),
         side and top (0.02 radii), spin_z (2 rad/s).
     solutions : int
         How many are found, at most.
