@@ -70,7 +70,7 @@ def _on_floor(worst: Any, run: Any, i: int, row: Any, times: Any, after: Any, fo
     if row["phase"] in (SLIDING, ROLLING):
         law = OnFloor(force, ball.radius, kappa, floor, row["phase"] == SLIDING, float(np.sign(row["w"][2])))
         found, ends = floor_path(law, *start, times)
-        worst["at"] = max(worst["at"], float(np.abs(places[:-1] - found[:3, :-1].T).max()))
+        worst["at"] = max(worst["at"], float(np.nan_to_num(np.abs(places[:-1] - found[:3, :-1].T)).max()))
         if len(after) and after[0]["kind"] != PHASE:
             ends = (times[-1], found[:3, -1], found[3:6, -1], found[6:, -1])
     elif row["phase"] == BOUNCING:

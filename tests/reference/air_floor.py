@@ -59,7 +59,7 @@ def floor_path(law: OnFloor, x: Any, v: Any, w: Any, times: Any) -> tuple[Any, A
 
     gone.terminal, gone.direction = True, -1  # type: ignore[attr-defined]
     until, t0, last = 2 * float(times[-1]), 0.0, start
-    states = np.tile(start[:, None], len(times))
+    states = np.full((9, len(times)), np.nan)  # (nor are there any of a ball that is NEAR)
     while near(0, last) > 0 and t0 < until:
         found = solve_ivp(
             straight, (t0, until), last, "DOP853", rtol=3e-14, atol=1e-16, events=(near, gone), dense_output=True
