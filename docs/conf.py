@@ -5,6 +5,7 @@ sphinx-build -q -W --keep-going -b html docs docs/_build/html
 
 from __future__ import annotations
 
+import logging
 import os
 import sys
 import tempfile
@@ -83,6 +84,7 @@ os.environ.update(NO_COLOR="1", TTY_COMPATIBLE="0", COLUMNS="100", PYTHONWARNING
 # figures go into the page, also where the caller draws without a screen (MPLBACKEND=Agg)
 # in carom's style, whoever draws them
 os.environ["MATPLOTLIBRC"] = str(Path(carom.__file__).parent / "plot" / "carom.mplstyle")
+logging.getLogger("traitlets").setLevel(logging.WARNING)  # (a line for each page that is executed)
 os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
 
 # --- the reference ------------------------------------------------------------------------------------------------

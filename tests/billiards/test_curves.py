@@ -78,6 +78,21 @@ def test_first_hits_are_those_of_brute_force(name: str, pull: float) -> None:
     assert depth(curve, found.position[:, 0]) == pytest.approx(a, abs=1e-14)
 
 
+def test_a_start_on_the_wall_to_the_rounding_of_its_place_meets_the_wall_again() -> None:
+    """A panel is off by some units in the last place: what lies as far behind it is on it, and does not leave the table."""
+    curve, a = CURVES["random 5"]
+    table = billiards.under(table_of(curve, "surface" if a else "centre"), (0.0, -1.0))
+    t = np.linspace(0.0, 6.28, 400)
+    y, d, _dd = curve.at(t)
+    n = np.stack([-d[:, 1], d[:, 0]], axis=1) / np.hypot(*d.T)[:, None]
+    x = y + a * n
+    x, n = x[depth(curve, x) > a - 1e-13], n[depth(curve, x) > a - 1e-13]
+    v = 0.3 * (0.02 * n + np.stack([-n[:, 1], n[:, 0]], axis=1))
+    found = billiards.orbit(table, (x, v, 0.0), 1, ball=carom.Disc(a or 1.0, 1.0), law="mirror", corners="pass")
+    assert len(x) > 300
+    assert (found.count == 1).all()
+
+
 @pytest.mark.parametrize("a", [0.0, 0.1, 0.3])
 def test_place_normal_and_curvature_to_forty_digits(a: float) -> None:
     curve = PolarSum(((2, 0.1, 0.3), (3, 0.03, 1.0)))
