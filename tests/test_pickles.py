@@ -212,7 +212,10 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
         carom.simulate_many(a_scene(), velocity=TWO_STARTS),
         carom.sensitivities(a_scene(), "balls.0.velocity", velocity=TWO_STARTS),
     ],
-    "aims": lambda: [carom.aim(a_scene(), ["balls.white.velocity"], {"hit": 1}, seed=1)],
+    "aims": lambda: [
+        carom.aim(a_scene(), ["balls.white.velocity"], {"hit": 1}, seed=1),
+        carom.aim_windows(a_scene(), ["balls.white.velocity"], {"hit": 1}, speeds=2, angles=90),
+    ],
     "sweeps": lambda: [
         carom.Space(a_scene(), {"walls.0.restitution": [0.1, 0.2]}),
         carom.sweep(carom.Space(a_scene(), {"walls.0.restitution": [0.1]}), keep=["final.position"]),

@@ -722,8 +722,10 @@ def test_compiling_is_told_and_loading_is_not(tmp_path):
         progress(1, 2)
     shown = terminal.file.getvalue()
     assert shown.index("predict") < shown.index("compiling, once")
-    with working("predict", Console(file=io.StringIO())) as progress:
-        assert progress is None  # nobody looks
+    file = Console(file=io.StringIO(), width=80)
+    with working("predict", file) as progress:
+        progress(1, 2)
+    assert not file.file.getvalue()  # (a line every ten seconds)
 
 
 def test_a_table_keeps_bytes_that_are_not_utf8(tmp_path):

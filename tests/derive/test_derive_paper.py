@@ -181,7 +181,6 @@ def test_json_is_json_and_nothing_else(rows):
     for record in found:
         assert {"id", "status", "printed", "derived", "note"} <= set(record)
         assert record["status"] in ("holds", "misprint", "conditional")
-    assert "kinematics" in done.stderr  # progress is on standard error
 
 
 def test_one_equation_with_its_steps(capsys):
@@ -191,8 +190,7 @@ def test_one_equation_with_its_steps(capsys):
     assert "steps" in said
     assert "(31g)  holds" in said
     assert "(31i)  conditional" in said
-    _code, said, notes = command(capsys, "derive", "--equation", "s4-3", "--json")
-    assert "angles" in notes
+    _code, said, _notes = command(capsys, "derive", "--equation", "s4-3", "--json")
     (record,) = json.loads(said)["equations"]
     assert record["status"] == "conditional"
     assert record["note"].endswith("51.519802 degrees.")
