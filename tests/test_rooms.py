@@ -253,7 +253,7 @@ CAPS = {
     "laws": 4926,
     "scene": 4624,
     "cli": 4310,
-    "plot": 3638,
+    "plot": 3639,
     "derive": 3163,
     "sweeps": 3262,
     "data": 2681,

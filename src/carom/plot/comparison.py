@@ -136,6 +136,7 @@ def _above(
     v = np.asarray(m.state.velocity)[:2]
     into = v / float(np.hypot(*v)) if np.any(v) else np.array([-1.0, 0.0])
     tail = _leave(start, -into, r)
+    tail = start + (tail - start) * min(1.0, low * r / -tail[1] if tail[1] < 0 else 1.0)  # (from the lower edge)
     axes.plot(*np.stack([tail, start]).T, color=INK, lw=1.6, zorder=4)
     _heads(axes, tail, start, INK)
     _circle(axes, start, a, INK, 1.0, face="white")
