@@ -53,7 +53,7 @@ COMMANDS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "simulate": (("simulate", "FILE", "--max-events", "40", "--duration", "2", "--json"), ("scene",)),
     "gas": (("gas", "FILE", "--max-events", "10", "--quiet"), ("gas",)),  # (a run of few events has hundreds of samples)
     "sweep": (("sweep", "explain", "FILE"), ("sweep",)),
-    "figure": (("orbit", "FILE", "--bounces", "20"), ("figure",)),
+    "figure": (("orbit", "--table", "FILE", "--bounces", "20"), ("figure",)),
     "judge": (("judge", "FILE", "--radius", "0.03"), ("film",)),
     "gas from a checkpoint": (("gas", "--resume", "FILE", "--quiet"), ("checkpoint",)),
 }  # fmt: skip
@@ -90,6 +90,7 @@ ENCODINGS = ("utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "utf-32", "latin-1
 
 
 COMPILING_S = 600.0
+ENOUGH = 500  # files of a command, of which some are intact where it matters
 STOPPED = "stopped without a checkpoint"  # (with one it has answered)
 PATIENCE = 5.0  # times the limit: compiled code is not ended by it
 KEPT_FILMS = 300
@@ -562,10 +563,12 @@ def main(words: Sequence[str] | None = None) -> int:
             rows = [row for row in found if row["kind"] == name]
             each = Counter(row["outcome"] for row in rows)
             bad = {key: n for key, n in each.items() if key not in ("answered", "refused")}
+            if len(rows) >= ENOUGH and not each["answered"]:  # (then the command itself is wrong)
+                bad["refused without exception"] = len(rows)
             faults.update(bad)
             run.say(f"{name:24} {len(rows):6,} files, {each['answered']:6,} answered, {each['refused']:6,} refused")
             for key, n in bad.items():
-                first = min(row["seed"] for row in rows if row["outcome"] == key)
+                first = min((row["seed"] for row in rows if row["outcome"] == key), default=run.given.first)
                 run.say(f"    {n} × {key} (seed {first})")
         run.say(f"{len(found):,} files, {faults.total():,} faults")
     return 1 if faults else 0

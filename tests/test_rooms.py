@@ -249,7 +249,7 @@ CAPS = {
     "billiards": 5566,
     "tracks": 9272,
     "simulation": 6454,
-    "core": 5786,
+    "core": 5787,
     "laws": 4926,
     "scene": 4624,
     "cli": 4310,

@@ -82,6 +82,7 @@ HOSTILE = {
     "'1'": "functions of one argument", "open('ran', 'w')": "functions of one argument",
     "1\x00": "a formula of theta", "": "a formula of theta", "0.2 + cos(theta)": "does not meet itself",
     "1 + 0.3*abs(cos(theta))": "a continuous tangent", "1 + cos(theta)": "none near|cusp|does not meet",
+    "1 + -1*cos(3*theta)": "none near",  # (a node of the scan lies in the cusp)
 }  # fmt: skip
 
 

@@ -396,9 +396,10 @@ def _across(one: Array, other: Array) -> Array:
 
 
 def curvature(at: At, t: Array) -> Array:
-    """Return the curvature (N) at parameters (N); positive where the curve turns to the left."""
+    """Return the curvature (N) at parameters (N); positive where the curve turns to the left, NaN or infinite at a cusp."""
     _x, d, dd = at(t)
-    found: Array = _across(d, dd) / np.hypot(d[..., 0], d[..., 1]) ** 3
+    with np.errstate(divide="ignore", invalid="ignore"):
+        found: Array = _across(d, dd) / np.hypot(d[..., 0], d[..., 1]) ** 3
     return found
 
 
