@@ -214,7 +214,7 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
     ],
     "aims": lambda: [
         carom.aim(a_scene(), ["balls.white.velocity"], {"hit": 1}, seed=1),
-        carom.aim_windows(a_scene(), ["balls.white.velocity"], {"hit": 1}, speeds=2, angles=90),
+        carom.aim_windows(a_scene(), ["balls.white.velocity"], {"hit": 1}, speeds=2, directions=90),
     ],
     "sweeps": lambda: [
         carom.Space(a_scene(), {"walls.0.restitution": [0.1, 0.2]}),

@@ -255,7 +255,7 @@ CAPS = {
     "cli": 4310,
     "plot": 3639,
     "derive": 3163,
-    "sweeps": 3262,
+    "sweeps": 3264,
     "data": 2681,
     "interop": 1127,
     "explorer": 963,

@@ -15,19 +15,19 @@ import carom
 
 def test_windows_of_a_direct_hit_and_of_a_bank_have_their_closed_forms() -> None:
     scene = carom.replaced(bank(), {"floor.friction": 0.0})  # (straight on after the wall)
-    found = carom.aim_windows(scene, {"balls.0.velocity": (1.0, 2.0)}, {"hit": "red"}, speeds=3, angles=720)
+    found = carom.aim_windows(scene, {"balls.0.velocity": (1.0, 2.0)}, {"hit": "red"}, speeds=3, directions=720)
     assert [one.outcome for one in found] == ["red"] * 6
     # the red ball, and its mirror image in the line that the centre turns round at
     for x, y in ((0.3, 0.9), (-1.24, 0.9)):
         middle, half = math.degrees(math.atan2(y, x)), math.degrees(math.asin(0.06 / math.hypot(x, y)))
-        same = [one for one in found if one.low < middle < one.high]
+        same = [one for one in found if one.low_deg < middle < one.high_deg]
         assert sorted(one.speed for one in same) == [1.0, 1.5, 2.0]
         for one in same:
-            assert (one.low, one.high) == pytest.approx((middle - half, middle + half), abs=1e-5)
+            assert (one.low_deg, one.high_deg) == pytest.approx((middle - half, middle + half), abs=1e-5)
     after = carom.aim_windows(
-        scene, {"balls.0.velocity": (1.0, 2.0)}, {"hit": "red", "cushions": 1}, speeds=1, angles=720
+        scene, {"balls.0.velocity": (1.0, 2.0)}, {"hit": "red", "cushions": 1}, speeds=1, directions=720
     )
-    assert [round(one.low) for one in after] == [round(found[-1].low)]
+    assert [round(one.low_deg) for one in after] == [round(found[-1].low_deg)]
 
 
 def pool() -> carom.Scene:
@@ -51,13 +51,13 @@ def pocket_of(scene: carom.Scene, speed: float, degrees: float) -> str:
 def test_single_runs_on_either_side_of_the_edges() -> None:
     scene = pool()
     found = carom.aim_windows(
-        scene, {"balls.0.velocity": (1.5, 4.0)}, {"ball": "one", "pocket": "any"}, speeds=2, angles=1440
+        scene, {"balls.0.velocity": (1.5, 4.0)}, {"ball": "one", "pocket": "any"}, speeds=2, directions=1440
     )
     assert len(found) >= 4
     assert len({one.outcome for one in found}) >= 2
-    assert [one.width for one in found] == sorted((one.width for one in found), reverse=True)
+    assert [one.width_deg for one in found] == sorted((one.width_deg for one in found), reverse=True)
     for one in found[:4]:
-        for inside, outside in ((one.low + 1e-4, one.low - 1e-4), (one.high - 1e-4, one.high + 1e-4)):
+        for inside, outside in ((one.low_deg + 1e-4, one.low_deg - 1e-4), (one.high_deg - 1e-4, one.high_deg + 1e-4)):
             assert pocket_of(scene, one.speed, inside) == one.outcome
             assert pocket_of(scene, one.speed, outside) != one.outcome
 

@@ -284,7 +284,7 @@ def plot_windows(found: Windows, file: str | os.PathLike[str] | None = None) -> 
     >>> import carom
     >>> balls = [carom.SceneBall(radius=0.03, mass=0.2, position=(x, 0)) for x in (0, 0.6)]
     >>> scene = carom.Scene(floor=carom.Floor(friction=0.2, rolling_resistance=0.01), balls=balls, run=carom.Run(duration=3))
-    >>> found = carom.aim_windows(scene, {"balls.0.velocity": (1.0, 2.0)}, {"hit": 1}, speeds=2, angles=360)
+    >>> found = carom.aim_windows(scene, {"balls.0.velocity": (1.0, 2.0)}, {"hit": 1}, speeds=2, directions=360)
     >>> len(carom.plot.plot_windows(found).axes[0].collections)
     1
     """
@@ -300,13 +300,13 @@ def plot_windows(found: Windows, file: str | os.PathLike[str] | None = None) -> 
         axes = figure.add_subplot()
         for name, colour in zip(names, itertools.cycle(NAMED), strict=False):
             bars = [one for one in found if one.outcome == name]
-            middle = np.array([(one.low + one.high) / 2 for one in bars])
-            width = np.array([max(one.width, LEAST_BAR) for one in bars])
+            middle = np.array([(one.low_deg + one.high_deg) / 2 for one in bars])
+            width = np.array([max(one.width_deg, LEAST_BAR) for one in bars])
             height = np.array([one.speed for one in bars])
             corners = np.stack([middle - width / 2, height - 0.4 * gap, middle + width / 2, height + 0.4 * gap], axis=1)
             boxes = [[(x, y), (z, y), (z, w), (x, w)] for x, y, z, w in corners.tolist()]
             axes.add_collection(PolyCollection(boxes, facecolors=colour, edgecolors="none", label=literal(name)))
-        axes.set(xlim=found.range, ylim=(found.speeds[0] - gap / 2, found.speeds[-1] + gap / 2))
+        axes.set(xlim=found.range_deg, ylim=(found.speeds[0] - gap / 2, found.speeds[-1] + gap / 2))
         axes.set(xlabel="direction, degrees", ylabel="speed, m/s")
         axes.xaxis.set_major_locator(MultipleLocator(45))
         if names:

@@ -700,15 +700,15 @@ class Window(NamedTuple):
     """The pocket, or what else reaches the target."""
     speed: float
     """m/s."""
-    low: float
+    low_deg: float
     """degrees."""
-    high: float
+    high_deg: float
     """degrees; above 360 where the window goes round."""
 
     @property
-    def width(self) -> float:
+    def width_deg(self) -> float:
         """In degrees."""
-        return self.high - self.low
+        return self.high_deg - self.low_deg
 
 
 @dataclass(frozen=True, eq=False)
@@ -718,9 +718,9 @@ class Windows(Sequence[Window]):
     windows: tuple[Window, ...]
     speeds: tuple[float, ...]
     """m/s: of the grid."""
-    range: tuple[float, float]
+    range_deg: tuple[float, float]
     """degrees: of the grid."""
-    step: float
+    step_deg: float
     """degrees, between two directions of the grid: a narrower window may be missed."""
     runs: int
     """Shots that were simulated."""
@@ -736,22 +736,24 @@ class Windows(Sequence[Window]):
     def table(self) -> Listing:
         """Return the widest windows."""
         rows = [
-            [one.outcome, *(format_number(x, 5) for x in (one.speed, one.low, one.high)), format_number(one.width)]
+            [
+                one.outcome,
+                *(format_number(x, 5) for x in (one.speed, one.low_deg, one.high_deg)),
+                format_number(one.width_deg),
+            ]
             for one in self.windows[:SHOWN]
         ]
         some = f", the widest {len(rows)} shown" if len(rows) < len(self) else ""
-        said = (
-            f"{counted(len(self), 'window')} in {self.runs:,} shots{some}; a window below {self.step:g}° may be missed."
-        )
+        said = f"{counted(len(self), 'window')} in {self.runs:,} shots{some}; a window below {self.step_deg:g}° may be missed."
         return Listing(["target", "speed m/s", "from °", "to °", "width °"], rows, said)
 
     def as_dict(self) -> dict[str, Any]:
         """Return all of it as plain numbers and texts."""
-        each = [{**one._asdict(), "width": one.width} for one in self.windows]
+        each = [{**one._asdict(), "width_deg": one.width_deg} for one in self.windows]
         return {
             "speeds": list(self.speeds),
-            "range": list(self.range),
-            "step": self.step,
+            "range_deg": list(self.range_deg),
+            "step_deg": self.step_deg,
             "runs": self.runs,
             "windows": each,
         }
@@ -770,7 +772,7 @@ def aim_windows(
     reach: Any,
     *,
     speeds: int = 20,
-    angles: int = 7200,
+    directions: int = 7200,
     progress: Progress | None = None,
 ) -> Windows:
     """Compute the acceptance windows of a shot: between which directions, at each speed, a ball reaches a target.
@@ -785,7 +787,7 @@ def aim_windows(
         ``balls.0.velocity`` or ``balls.0.strike``, as :func:`carom.aim` takes them.
     reach : mapping, or several
         The target, as :func:`carom.aim` takes it. For ``"pocket": "any"`` each pocket has windows of its own.
-    speeds, angles : int
+    speeds, directions : int
         Of the grid: speeds from the lowest to the highest, and directions round the circle.
     progress : callable(done, total, text), optional
         Called with the shots so far.
@@ -802,37 +804,37 @@ def aim_windows(
     >>> import carom
     >>> balls = [carom.SceneBall(radius=0.03, mass=0.2, position=(x, 0)) for x in (0, 0.6)]
     >>> scene = carom.Scene(floor=carom.Floor(friction=0.2, rolling_resistance=0.01), balls=balls, run=carom.Run(duration=3))
-    >>> found = carom.aim_windows(scene, {"balls.0.velocity": (1.0, 2.0)}, {"hit": 1}, speeds=2, angles=360)
-    >>> found[0].outcome, round(found[0].width, 3)  # 2 asin(2 a/d) = 11.478
+    >>> found = carom.aim_windows(scene, {"balls.0.velocity": (1.0, 2.0)}, {"hit": 1}, speeds=2, directions=360)
+    >>> found[0].outcome, round(found[0].width_deg, 3)  # 2 asin(2 a/d) = 11.478
     ('ball 1', 11.478)
     """
     require_type("aim_windows", "scene", scene, Scene)
     faults = FaultList("aim_windows")
     unknowns = faults.attempt(unknowns_of, scene, free, {})
     targets = faults.attempt(targets_of, scene, reach)
-    for name, value, least in (("speeds", speeds, 1), ("angles", angles, 3)):
+    for name, value, least in (("speeds", speeds, 1), ("directions", directions, 3)):
         if isinstance(value, bool) or not isinstance(value, Integral) or not least <= value <= MOST_RUNS:
             faults.add(name, f"a whole number from {least} to {MOST_RUNS:,}", f"{value!r:.60}")
-    if not faults and speeds * angles > MOST_RUNS:
-        faults.add("speeds", f"at most {MOST_RUNS:,} shots in all", f"{speeds:,} x {angles:,}")
+    if not faults and speeds * directions > MOST_RUNS:
+        faults.add("speeds", f"at most {MOST_RUNS:,} shots in all", f"{speeds:,} x {directions:,}")
     if unknowns and [one.name == "speed" or one.circular for one in unknowns] != [True, True]:
         faults.add("free", "one ball's velocity or strike: a speed and a direction", f"{free!r:.60}")
     faults.raise_if_any()
     problem = AimProblem(scene, unknowns, targets)
-    step = 360.0 / angles
+    step = 360.0 / directions
     grid = np.linspace(problem.low[0], problem.high[0], speeds)
-    directions = problem.low[1] + step * np.arange(angles)
-    runs = _Labels(problem, speeds * angles, progress)
-    points = np.stack(np.broadcast_arrays(grid[:, None], directions), axis=-1)
-    label = runs.of(points.reshape(-1, 2)).reshape(speeds, angles)
+    around = problem.low[1] + step * np.arange(directions)
+    runs = _Labels(problem, speeds * directions, progress)
+    points = np.stack(np.broadcast_arrays(grid[:, None], around), axis=-1)
+    label = runs.of(points.reshape(-1, 2)).reshape(speeds, directions)
     row, first = np.nonzero(label != np.roll(label, -1, axis=1))
-    edges = runs.edges(grid[row], directions[first], step, label[row, first])
+    edges = runs.edges(grid[row], around[first], step, label[row, first])
     found = [
         Window(runs.names[code], float(grid[i]), low, high)
         for i in range(speeds)
         for code, low, high in _spans(label[i], first[row == i], edges[row == i], float(problem.low[1]))
     ]
-    found.sort(key=lambda one: (-one.width, one.outcome, one.speed))
+    found.sort(key=lambda one: (-one.width_deg, one.outcome, one.speed))
     return Windows(
         tuple(found), tuple(grid.tolist()), (float(problem.low[1]), float(problem.low[1]) + 360.0), step, runs.done
     )
