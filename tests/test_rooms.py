@@ -245,7 +245,7 @@ def test_no_build_product_is_tracked() -> None:
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
     "fitting": 10624,
-    "gas": 6948,
+    "gas": 6949,
     "billiards": 5566,
     "tracks": 9272,
     "simulation": 6454,

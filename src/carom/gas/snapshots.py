@@ -270,7 +270,8 @@ class Snapshots:
     def __new__(cls, path: Path, *_more: Any, **_options: Any) -> Snapshots:
         """Return the writer of the file's format."""
         kinds = {".npz": NpzSnapshots, ".xyz": XyzSnapshots}
-        return super().__new__(kinds.get(path.suffix.lower(), GsdSnapshots) if cls is Snapshots else cls)
+        suffix = Path(path).suffix.lower() if isinstance(path, str | Path) else ""
+        return super().__new__(kinds.get(suffix, GsdSnapshots) if cls is Snapshots else cls)
 
     def __init__(
         self, path: Path, names: tuple[str, ...], keep: int | None = None, *, max_bytes: float = MAX_BYTES
