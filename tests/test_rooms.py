@@ -245,7 +245,7 @@ def test_no_build_product_is_tracked() -> None:
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
     "fitting": 10624,
-    "gas": 6949,
+    "gas": 6947,
     "billiards": 5566,
     "tracks": 9272,
     "simulation": 6454,
@@ -259,7 +259,7 @@ CAPS = {
     "data": 2681,
     "interop": 1127,
     "explorer": 963,
-    "env": 599,
+    "env": 596,
     "public": 334,
     "top": 801,
 }

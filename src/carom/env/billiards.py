@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -89,9 +90,9 @@ class BilliardGame(Game):
         """Return speed, angle, side, top and elevation, (n, 5), of actions."""
         return self.clipped(actions)
 
+    @abstractmethod
     def judged(self, rows: Rows, shots: PlayedShots) -> Judged:
         """Return what shots give by the rules, and the state of the tables after them, by name."""
-        raise NotImplementedError
 
     def play(self, rows: Rows, actions: Array) -> Played:
         """Play a shot on each of some tables."""

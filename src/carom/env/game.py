@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar, NamedTuple
 
@@ -33,7 +34,7 @@ class Played(NamedTuple):
     """(n,): what the player wins of the other one, where there are two."""
 
 
-class Game:
+class Game(ABC):
     """A game on ``count`` tables at once.
 
     Parameters
@@ -77,17 +78,17 @@ class Game:
             self.rngs[row] = rng
             self.draw(row, rng)
 
+    @abstractmethod
     def draw(self, row: int, rng: np.random.Generator) -> None:
         """Draw the start of a game."""
-        raise NotImplementedError
 
+    @abstractmethod
     def play(self, rows: Rows, actions: Array) -> Played:
         """Play a step on some tables, with an action for each, (n, A)."""
-        raise NotImplementedError
 
+    @abstractmethod
     def observe(self, rows: Rows) -> NDArray[np.float32]:
         """Return what the players see whose turn it is, (n, ...)."""
-        raise NotImplementedError
 
     def seen(self, rows: Rows) -> NDArray[np.float32]:
         """Return the same, all numbers in a row, (n, K)."""

@@ -13,12 +13,7 @@ def register() -> None:
     Raises MissingLibraryError without Gymnasium.
     """
     gymnasium = import_optional("gymnasium", "environments for learning")
+    made = {"entry_point": "carom.env.gym:CaromEnv", "vector_entry_point": "carom.env.gym:CaromVectorEnv"}
     for game in GAMES:
-        name = f"carom/{game}-v0"
-        if name not in gymnasium.registry:
-            gymnasium.register(
-                name,
-                entry_point="carom.env.gym:CaromEnv",
-                vector_entry_point="carom.env.gym:CaromVectorEnv",
-                kwargs={"game": game},
-            )
+        if (name := f"carom/{game}-v0") not in gymnasium.registry:
+            gymnasium.register(name, **made, kwargs={"game": game})

@@ -266,6 +266,9 @@ class Snapshots:
     """
 
     _file: Any
+    # What each format has of its own: how a file is opened, and how a frame is written.
+    _open: Callable[[int | None], None]
+    _write: Callable[[Gas], None]
 
     def __new__(cls, path: Path, *_more: Any, **_options: Any) -> Snapshots:
         """Return the writer of the file's format."""
@@ -280,9 +283,6 @@ class Snapshots:
         self._bytes, self._last_frame, self._count = 0, 0, keep or 0
         self._open(keep)
 
-    def _open(self, keep: int | None) -> None:
-        raise NotImplementedError
-
     def write(self, gas: Gas) -> None:
         """Append the gas as it is now."""
         if self._bytes + self._last_frame > self.max_bytes:
@@ -295,9 +295,6 @@ class Snapshots:
             self._write(gas)
         self._count += 1
         self._last_frame = self._bytes - before
-
-    def _write(self, gas: Gas) -> None:
-        raise NotImplementedError
 
     def flush(self) -> None:
         """Write all frames to disk."""
