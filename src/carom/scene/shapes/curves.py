@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Hashable, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
@@ -36,6 +36,7 @@ COLUMNS = 10  # of a piece: way, x, y, ux, uy, size, cosine, x and y of its end,
 # POST: an edge at (x, y)
 SMOOTH, POST = 2.0, 3.0
 REENTRANT = -1e-12  # sine of the turn at a corner
+UNIT = 1e-9  # rounding of the length of a direction
 
 
 @kernel
@@ -131,6 +132,35 @@ class OutlineWall(WallShape):
         BeforeValidator(Components("rows of tables", range(1_000_000))),
     ] = ()
     sense: Coefficient = 1.0
+
+    @model_validator(mode="after")
+    def _sound_pieces(self) -> OutlineWall:
+        faults = [fault for k, row in enumerate(self.pieces) for fault in self._faults(f"pieces.{k}", *row)]
+        if self.sense not in (-1, 0, 1):
+            faults.append(Fault("", "sense", "1, -1 or 0", f"{self.sense:g}"))
+        raise_faults(faults)
+        return self
+
+    def _faults(
+        self, where: str, way: float, x: float, y: float, ux: float, uy: float, size: float, cosine: float,
+        _x: float, _y: float, corner: float,
+    ) -> Iterator[Fault]:  # fmt: skip
+        if way not in (-1, 0, 1, SMOOTH, POST):
+            yield Fault("", f"{where}.0", "a way: 0, 1, -1, 2 or 3", f"{way:g}")
+        if corner not in (0, 1):
+            yield Fault("", f"{where}.9", "1 where a re-entrant corner is, or 0", f"{corner:g}")
+        if way != POST and abs(math.hypot(ux, uy) - 1) > UNIT:
+            yield Fault("", f"{where}.3", "a direction of length 1", f"({ux:.6g}, {uy:.6g})")
+        if way != POST and not size > 0:
+            yield Fault("", f"{where}.5", "a size > 0", f"{size:g}")
+        if way == SMOOTH and not self._has_table(cosine):
+            yield Fault("", f"{where}.6", "the first row of a table in panels", f"{cosine:g}")
+
+    def _has_table(self, first: float) -> bool:
+        if not (first.is_integer() and 0 <= first < len(self.panels)):
+            return False
+        count = self.panels[int(first)][COUNT]
+        return count.is_integer() and 1 <= count <= len(self.panels) - first - 2
 
     def features(self) -> tuple[Feature, ...]:
         """Return its faces, arcs and edges."""

@@ -299,7 +299,7 @@ def met_feature(walls: Any, row: Any, a: float) -> int:
     """Return the number of the feature that a ball has met: of the wall's or pocket's, the one in touch."""
     kind, who = row.kind, row.other
     x, v = vector(row.x), vector(row.v_before)
-    far, best, found = True, math.inf, -1
+    least, best, found = 3, math.inf, -1
     for k in range(walls.shape[0]):
         f = walls[k]
         gate = f.kind == OVER
@@ -311,12 +311,16 @@ def met_feature(walls: Any, row: Any, a: float) -> int:
             mine = gate and f.wall == who and f.ends != FALLS
         if mine:
             # (in a corner two are in touch: the ball has met the one that it approaches fastest)
-            rate = feature_gap_rate(f, x, v)
-            gap = abs(contact_gap(f, a, feature_gap(f, a, x), rate) if f.yield_time > 0 else feature_gap(f, a, x))
-            apart = gap > IN_TOUCH * a
-            score = gap if apart else rate
-            if (far and not apart) or (far == apart and score < best):
-                far, best, found = apart, score, k
+            gap, rate = feature_gap(f, a, x), feature_gap_rate(f, x, v)
+            deep = contact_gap(f, a, gap, rate) if f.yield_time > 0 else gap
+            if abs(deep) <= IN_TOUCH * a:
+                order, score = 0, rate
+            elif f.yield_time > 0 and deep < 0 and rate < 0:  # (something has driven it back to the depth at which it was)
+                order, score = 1, rate
+            else:
+                order, score = 2, abs(deep)
+            if order < least or (order == least and score < best):
+                least, best, found = order, score, k
     return found
 
 
