@@ -113,8 +113,8 @@ def compare(seed: int, drawn: bool = False) -> list[Case]:
         return [Case(seed, "", f"refused: {str(error)[:110]}")]
     at = found.at(t)
     told = np.concatenate([at.position, at.velocity], axis=1)  # (B, 6, p)
-    low = [one for one, time in zip(found.margin, run.events.t, strict=True) if one.which == "graze" and time <= t]
-    if any(one.distance < LOW for one in low):
+    passed = found._passages.values
+    if np.nanmin(np.abs(passed["approach"][passed["time"] <= t]), initial=math.inf) < LOW:
         return [Case(seed, "", "bounces along a wall")]
     expected, cases = sequence(run, t), []
     for c, column in enumerate(found.columns):

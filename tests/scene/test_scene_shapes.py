@@ -23,6 +23,7 @@ from carom.scene import (
     Table,
     Wedge,
 )
+from carom.scene.shapes import OutlineWall
 from carom.scene.wall import WallShape
 
 Distance = Callable[[np.ndarray], float]
@@ -416,6 +417,17 @@ WRONG = {
         lambda: Arc(center=(0, 0), radius=1, from_angle=90, to_angle=0),
         "Arc: expected an arc of more than 0 and at most 360 degrees, got 90 to 0; to_angle is the greater one",
     ),
+    "outline of numbers that no piece has": (
+        lambda: OutlineWall(pieces=[(0.5, 0, 0, 1, 0, 1, 0, 0, 0, 0), (0, 0, 0, 1, 1, 1, 0, 0, 0, 2)], sense=0.5),
+        "OutlineWall: pieces.0.0: expected a way: 0, 1, -1, 2 or 3, got 0.5",
+        "OutlineWall: pieces.1.9: expected 1 where a re-entrant corner is, or 0, got 2",
+        "OutlineWall: pieces.1.3: expected a direction of length 1, got (1, 1)",
+        "OutlineWall: sense: expected 1, -1 or 0, got 0.5",
+    ),
+    "outline without the table of its arc": (
+        lambda: OutlineWall(pieces=[(2, 0, 0, 1, 0, 1, 0, 0, 0, 0)]),
+        "OutlineWall: pieces.0.6: expected the first row of a table in panels, got 0",
+    ),
     "arc of no length": (
         lambda: Arc(center=(0, 0), radius=1, from_angle=90, to_angle=90),
         "Arc: expected an arc of more than 0 and at most 360 degrees, got 90 to 90; to_angle is the greater one",
@@ -437,10 +449,10 @@ WRONG = {
 
 @pytest.mark.parametrize("name", WRONG)
 def test_a_shape_that_is_none_says_why(name: str) -> None:
-    make, line = WRONG[name]
+    make, *lines = WRONG[name]
     with pytest.raises(carom.CaromError) as error:
         make()
-    assert error.value.faults == (line,)
+    assert error.value.faults == tuple(lines)
 
 
 def test_sound_polygons_are_let_through() -> None:

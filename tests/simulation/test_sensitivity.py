@@ -261,3 +261,32 @@ def test_a_wall_that_stops_pressing_a_ball_on_a_floor_of_infinite_friction() -> 
         h = 1e-6 * value
         ends = [carom.simulate(carom.replaced(scene, {path: value + d})).at(1.0).velocity[0] for d in (h, -h)]
         assert found.at(1.0).velocity[0, :, c] == pytest.approx((ends[0] - ends[1]) / (2 * h), abs=1e-6)
+
+
+def test_a_ball_in_a_corner_of_walls_that_yield_meets_the_one_that_it_falls_back_to() -> None:
+    """It has turned in both, and gravity drives it back into one, of which it is farther from the face."""
+    ball = {
+        "radius": 0.03703842832814348, "mass": 0.0965, "inertia": 0.3,
+        "position": (-0.5788931403620415, -0.20416646047327003, 0.48786916839480343),
+        "velocity": (-1.0124621413556203, -1.7465259048500728, 0.9669704088396809),
+    }  # fmt: skip
+    wall = {
+        "shape": "regular", "sides": 3, "radius": 1.0, "restitution": 0.010593787393216259, "friction": 0.23837497279194453,
+        "tangential_restitution": -0.3677207324877576, "contact_time": 3e-4, "yield_time": 0.0006879554303687932,
+    }  # fmt: skip
+    contact: Any = {"young": 5.84e9, "poisson": 0.34, "law": "contact", "overlap": True}
+    scene: Any = carom.Scene(
+        gravity=(0.1, -0.2, -9.0),
+        walls=[wall],
+        balls=[ball],
+        ball_contact=contact,
+        run={"duration": 1.0, "max_events": 8},
+    )
+    found = carom.simulate(scene).sensitivity(["balls.0.velocity", "walls.0.friction"]).at(0.2731)
+    vx, vy, vz = ball["velocity"]
+    for c, changed in (
+        (1, lambda h: {"balls.0.velocity": (vx, vy + h, vz)}),
+        (3, lambda h: {"walls.0.friction": wall["friction"] + h}),
+    ):
+        ends = [carom.simulate(carom.replaced(scene, changed(h))).at(0.2731).velocity[0] for h in (1e-6, -1e-6)]
+        assert found.velocity[0, :, c] == pytest.approx((ends[0] - ends[1]) / 2e-6, abs=1e-5)

@@ -315,7 +315,9 @@ def met_feature(walls: Any, row: Any, a: float) -> int:
             deep = contact_gap(f, a, gap, rate) if f.yield_time > 0 else gap
             if abs(deep) <= IN_TOUCH * a:
                 order, score = 0, rate
-            elif f.yield_time > 0 and deep < 0 and rate < 0:  # (something has driven it back to the depth at which it was)
+            elif (
+                f.yield_time > 0 and deep < 0 and rate < 0
+            ):  # (something has driven it back to the depth at which it was)
                 order, score = 1, rate
             else:
                 order, score = 2, abs(deep)
