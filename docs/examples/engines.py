@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import sys
 from pathlib import Path
 from typing import Any
@@ -10,9 +11,11 @@ import numpy as np
 from IPython.display import Markdown
 
 import carom
+from carom.interop import engines
 from carom.plot.style import new_figure, style
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "campaigns"))
+from engines_asked import TABLE, by_carom
 from engines_judged import ENGINES, RADIUS, SITUATIONS, file_of, judged, plays
 
 FOUND = {
@@ -98,3 +101,30 @@ def picture() -> Any:
         cradle.legend(fontsize=8)
         figure.tight_layout()
     return figure
+
+
+def asked() -> Markdown:
+    """Restitution and friction got, of what was asked."""
+    with TABLE.open(encoding="utf-8", newline="") as file:
+        rows = list(csv.reader(file))[1:]
+    es = list(dict.fromkeys(row[2] for row in rows))
+    lines = [f"| e asked | {' | '.join(es)} | {' | '.join(es)} |", "|---|" + "---:|" * (2 * len(es))]
+    for name, rate in dict.fromkeys((row[0], row[1]) for row in rows):
+        mine = [row for row in rows if row[:2] == [name, rate]]
+        cells = [f"{float(row[k]):.{3 if k == 3 else 4}f}" for k in (3, 5) for row in mine]
+        lines.append(f"| {name}, {rate}/s | {' | '.join(cells)} |")
+    exact = [by_carom(float(e)) for e in es]
+    lines.append(
+        f"| carom | {' | '.join(f'{one[0]:.3f}' for one in exact)} | {' | '.join(f'{one[1]:.4f}' for one in exact)} |"
+    )
+    return Markdown("\n".join(lines))
+
+
+def recipes() -> Markdown:
+    """MuJoCo's solref and Hunt and Crossley's dissipation for some restitutions."""
+    lines = ["| e | `solref`, 20 ms | d at 1 m/s, s/m | at 5 m/s |", "|---|---|---:|---:|"]
+    for e in (0.1, 0.3, 0.5, 0.7, 0.8, 0.9, 1.0):
+        spring = " ".join(f"{one:.5g}" for one in engines.solref(e, 0.02).round(2) + 0.0)
+        d = engines.hunt_crossley_dissipation(e, [1.0, 5.0])
+        lines.append(f"| {e} | {spring} | {d[0]:.4f} | {d[1]:.4f} |")
+    return Markdown("\n".join(lines))

@@ -23,7 +23,7 @@ from carom.tracks.contact import (
 from carom.tracks.contact_models import fit_table, friction_excess
 from carom.tracks.events import BEYOND_WALL_M, TrackEvent, WallLine, flight_ends, velocity_jump
 from carom.tracks.flights import STILL_AIR, Air, fit_flight
-from carom.tracks.floor import DECISIVE, WithError, hop_notes, pool_floor, pool_gravity, with_hops
+from carom.tracks.floor import DECISIVE, WithError, averaged, hop_notes, pool_floor, pool_gravity, with_hops
 from carom.tracks.least_squares import (
     AT_CONTACT,
     WHITE,
@@ -38,7 +38,7 @@ from carom.tracks.least_squares import (
     weigh_correlations,
     whitening,
 )
-from carom.tracks.no_friction import on_either_floor
+from carom.tracks.plausibility import restitutions_in_words
 from carom.tracks.track import Track
 
 Array = NDArray[np.float64]
@@ -95,7 +95,7 @@ class ContactFitter:
         if any(one.friction_excess for one in found) and excess > -DECISIVE:
             say = list[str]()
             straight = bare._fitted(tracks, events, say, progress)
-            found, verdict = on_either_floor(found, straight, excess)
+            found, verdict = _on_either_floor(found, straight, excess)
             if excess > 0:
                 said = say
                 self.noise, self.blind = bare.noise, bare.blind
@@ -447,3 +447,31 @@ def pooled_noise(contacts: Sequence[TrackContact], otherwise: float) -> float:
     good = scatter <= 2 * np.median(scatter)
     found = float(np.sqrt((scatter[good] ** 2 * dof[good]).sum() / max(dof[good].sum(), 1.0)))
     return max(found, MIN_NOISE_SHARE * otherwise)
+
+
+def _on_either_floor(
+    sliding: Sequence[TrackContact], straight: Sequence[TrackContact], excess: float
+) -> tuple[list[TrackContact], list[str]]:
+    """Return contacts that are fitted with and without friction of the floor, as its verdict has them, and a note on it.
+
+    A ball that rolls into a wall leaves it sliding, and friction slows it down and turns it; on an air table it goes straight on.
+    In doubt the velocities are means of both, and their error bars contain the difference.
+    ``excess``: by how much all of them together are fitted worse with friction, which is not certain.
+    """
+    straight = [replace(one, friction_excess=its.friction_excess) for one, its in zip(straight, sliding, strict=True)]
+    if excess >= DECISIVE:
+        return straight, [
+            "the floor has no friction, as of an air table: the ball goes straight on at constant speed where friction would"
+            " slow it down after a wall; its spin is unknown (`floor_friction` gives one)"
+        ]
+    likelier, other = (straight, sliding) if excess > 0 else (sliding, straight)
+    share = 1 / (1 + float(np.exp(abs(excess) / 2)))
+    mixed = [
+        replace(one, fit=averaged(one.fit, its.fit, share)) if one.fit is not None and its.fit is not None else one
+        for one, its in zip(likelier, other, strict=True)
+    ]
+    told = [f"{restitutions_in_words(some)} {how} friction" for some, how in ((sliding, "with"), (straight, "without"))]
+    return mixed, [
+        f"the frames do not show whether the floor has friction: out/in is {told[0]}, {told[1]}; the velocities after the contacts"
+        " are means of both, and their error bars contain the difference (`floor_friction` 0, as of an air table, or 0.2 decides)"
+    ]
