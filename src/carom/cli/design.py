@@ -66,12 +66,14 @@ def _show(plan: Any) -> None:
     )
     if plan.shots and plan.count:
         compared = all(shot.without is not None for shot in plan.shots)
-        heads = ["angle\ndegrees", "speed\nm/s", "spin\nrad/s", "repeats", "2 log odds\neach"]
+        heads = ["shot", "angle\ndegrees", "speed\nm/s", "spin\nrad/s", "repeats", "2 log odds\neach"]
         heads += ["2 log odds\nwithout one"] * compared
         rows = []
-        for shot in plan.shots:
+        for number, shot in enumerate(plan.shots, 1):
             spin = "unknown" if shot.spin is None else f"{shot.spin:.4g}"
-            rows.append([f"{shot.angle_deg:.4g}", f"{shot.speed:.4g}", spin, str(shot.repeat), f"{shot.gain:.3g}"])
+            rows.append(
+                [str(number), f"{shot.angle_deg:.4g}", f"{shot.speed:.4g}", spin, str(shot.repeat), f"{shot.gain:.3g}"]
+            )
             rows[-1] += [f"{shot.without:.3g}" if shot.without >= 5e-3 else "0"] if compared else []
         console.table(Listing(heads, rows))
     console.print(plan.sentence, style="bold green" if plan.count else "bold yellow", soft_wrap=True)

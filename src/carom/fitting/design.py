@@ -232,8 +232,8 @@ class ShotSearch:
     """A plan as it grows.
 
     ``plain``, ``owed``: deviance under the true law of each row, and of shared errors. Afterwards: ``order``, shots as they were
-    added; ``best``, parameters of the other law; ``so_far`` and ``total``, 2 log odds of the filmed shots and of all; ``over``,
-    whether no shot has a gain; ``fewer``, 2 log odds of the plan with one shot less, by shot.
+    added; ``best``, parameters of the other law, and ``first``, before the plan; ``so_far`` and ``total``, 2 log odds of the filmed
+    shots and of all; ``over``, whether no shot has a gain; ``fewer``, 2 log odds of the plan with one shot less, by shot.
     """
 
     def __init__(self, fit: Fit, rows: Candidates, plain: Array, owed: float, target: float) -> None:
@@ -247,7 +247,7 @@ class ShotSearch:
         self.best, self.so_far = self.start, 0.0
         if rows.have:
             self.best, self.so_far = self.lost()
-        self.total = self.so_far
+        self.total, self.first = self.so_far, self.best
         self._add_shots()
         if not self.over and self.total >= target:
             if len(self.order) > 1:
@@ -387,7 +387,8 @@ class Plan:
     fine_axes: tuple[Array, Array, Array] | None = None
     """Axes of a finer map, for a picture; None unless it was asked for."""
     fine_gain: Array | None = None
-    """The same gain there."""
+    """2 log odds of one shot there before the plan: the misfit of the other law, fitted to the filmed shots or else all over
+    the ranges."""
 
     def as_dict(self) -> dict[str, object]:
         """Return the plan for JSON."""
@@ -426,8 +427,8 @@ def design(
     """Plan shots that discriminate between two laws, the first assumed to be true with the parameters ``truth``.
 
     ``filmed``: rebounds already measured; their evidence counts, and without ``truth`` the first law is fitted to them. ``spin``:
-    their unmeasured spins, as for :func:`carom.fitting.rows`, which says which of them are used. ``fine``: compute the gain
-    on a finer grid, too, for a picture. Raises CaromError for empty ranges and unknown laws.
+    their unmeasured spins, as for :func:`carom.fitting.rows`, which says which of them are used. ``fine``: compute what one shot
+    gains before the plan, on a finer grid, for a picture. Raises CaromError for empty ranges and unknown laws.
     """
     require_plan(setting, laws, shots, truth, odds)
     said: list[str] = []
@@ -502,7 +503,7 @@ def design(
         angles, speeds, spins = shots.counts
         counts = tuple((count - 1) * steps + 1 for count in (angles, speeds, spins))
         finer = grid(replace(shots, counts=counts))  # type: ignore[arg-type]
-        gain = gains(fit, finer, deviances(truly, finer), finer.cells, done.best)
+        gain = gains(fit, finer, deviances(truly, finer), finer.cells, done.first)
         plan = replace(plan, fine_axes=finer.axes, fine_gain=gain.reshape([len(x) for x in finer.axes]))
     return replace(plan, sentence=_sentence(plan, true, other))
 

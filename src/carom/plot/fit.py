@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from carom.fitting.result import with_error_bar
-from carom.formatting import format_number
+from carom.formatting import counted, format_number
 from carom.laws.registry import law_styles
 from carom.plot.style import GREY, INK, literal, new_figure, style
 
@@ -364,12 +364,11 @@ def write_report(ranking: Ranking, path: str | Path, films: Sequence[TrackedFilm
 
 
 def plot_design(plan: Plan) -> Figure:
-    """Plot the gain of one more shot over angle and speed, and over angle and spin where spins vary, with the shots of the plan."""
-    from matplotlib.patheffects import withStroke  # makes a circle visible on every colour
-
+    """Plot what one shot gains before the plan over angle and speed, and over spin where spins vary, with the numbered shots."""
     fine = plan.fine_axes is not None and plan.fine_gain is not None
     angles, speeds, spins = plan.fine_axes if fine else plan.axes  # type: ignore[misc]
     found: Any = plan.fine_gain if fine else plan.gain
+    gained = "2 log odds of one shot, " + ("before the plan" if fine else "after the plan")
     with style():
         panels = [(speeds, "speed, m/s", found.max(axis=2), "speed")]
         if len(spins) > 1:
@@ -378,55 +377,39 @@ def plot_design(plan: Plan) -> Figure:
         for axes, (values, label, gain, name) in zip(
             figure.subplots(1, len(panels), squeeze=False)[0], panels, strict=True
         ):
-            if len(values) > 1 and len(angles) > 1:
+            is_map = len(values) > 1 and len(angles) > 1
+            if is_map:
                 drawn = axes.contourf(angles, values, gain.T, levels=12, cmap="viridis")
-                for shot in plan.shots:
-                    axes.plot(shot.angle_deg, getattr(shot, name), "o", ms=7 + 2 * min(shot.repeat, 6) ** 0.5, mfc="none",
-                              mec="white", mew=1.4, zorder=3, label="_shot",
-                              path_effects=[withStroke(linewidth=2.6, foreground=INK)])  # fmt: skip
-                # the best shots often are at the border of the map: leave room for their circles
-                axes.margins(0.05, 0.07)
-                axes.use_sticky_edges = False
-                axes.autoscale_view()
                 bar = figure.colorbar(drawn, ax=axes, pad=0.03)
-                bar.set_label("increase of 2 log odds by one more shot")
+                bar.set_label(gained)
                 bar.outline.set_visible(False)
-                axes.set_ylabel(label)
             else:
                 axes.plot(angles, gain.max(axis=1), color=INK)
-                for shot in plan.shots:
-                    axes.plot(
-                        shot.angle_deg, shot.gain, "o", color="#D55E00", ms=5, zorder=3, clip_on=False, label="_shot"
-                    )
-                axes.set(ylabel="increase of 2 log odds by one more shot", ylim=(0, None))
-            axes.set_xlabel("angle of incidence, degrees from the wall's normal")
+                axes.set(ylim=(0, None))
+            for number, shot in enumerate(plan.shots, 1):
+                at = getattr(shot, name) if is_map else float(np.interp(shot.angle_deg, angles, gain.max(axis=1)))
+                axes.plot(shot.angle_deg, at, "o", ms=12, mfc="white", mec=INK, mew=1, zorder=3 + number, label="_shot")
+                axes.text(
+                    shot.angle_deg, at, str(number), ha="center", va="center_baseline", fontsize=8, zorder=3 + number
+                )
+            # the best shots often are at the border of the map: leave room for their circles
+            axes.margins(0.05, 0.07)
+            axes.use_sticky_edges = False
+            axes.autoscale_view()
+            axes.set(xlabel="angle of incidence, degrees from the wall's normal", ylabel=label if is_map else gained)
         more = "more " if plan.filmed is not None else ""
         shots = "shot" if plan.count == 1 else "shots"
         need = f"{plan.count} {more}{shots} for {plan.odds:g} to 1" if plan.count else "no more shots are needed"
         if plan.count is None:
             need = "no number of shots suffices"
-        figure.suptitle(
-            f"{plan.laws[0]} (true) against {plan.laws[1]}: {need}; circles: the shots to film", fontsize=9, color=INK
-        )
-        said = "Noise of the shots as given; the other law is fitted again to all of them."
-        if dark := _needed(plan):
-            said += f"\n{dark}"
-        figure.text(0.01, 0.01, said, fontsize=7, color=GREY, va="bottom", linespacing=1.4)
-        figure.tight_layout(rect=(0, 0.03 + 0.04 * bool(dark), 1, 1))
+        figure.suptitle(f"{plan.laws[0]} (true) against {plan.laws[1]}: {need}", fontsize=9, color=INK)
+        each = [
+            f"{k}: {counted(shot.repeat, 'shot')} at {shot.angle_deg:.4g}\N{DEGREE SIGN}, {shot.speed:.4g} m/s"
+            for k, shot in enumerate(plan.shots, 1)
+        ]
+        figure.text(0.01, 0.01, ";  ".join(each), fontsize=7, color=GREY, va="bottom", wrap=True)
+        figure.tight_layout(rect=(0, 0.03, 1, 1))
     return figure
-
-
-def _needed(plan: Plan) -> str:
-    """Return words on shots that stand where the map is dark, but without which the odds are missed."""
-    fewer = [shot.without for shot in plan.shots if shot.without is not None]
-    if not fewer or min(shot.gain for shot in plan.shots) > 0.5 * float(plan.gain.max()):
-        return ""
-    low, high = (format_number(x if x >= 5e-3 else 0.0) for x in (min(fewer), max(fewer)))
-    left = low if low == high else f"{low} to {high}"
-    return (
-        f"Circles where little gain is left determine parameters of {plan.laws[1]}: with one shot less, 2 log odds are {left}"
-        f" in place of {format_number(plan.expected)}."
-    )
 
 
 # ----------------------------------------------------------------------------------------------------

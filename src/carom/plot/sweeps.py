@@ -26,6 +26,13 @@ REPEAT = "repeat"  # the dimension of repeated points
 # Colours of named outcomes (phases, pockets, laws): told apart in grey, and by those who see few colours (Okabe & Ito 2008).
 NAMED = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442", "#666666", "#bbbbbb", "#44AA99")
 NOTHING = "#ececec"
+MOST_STEPS = 16  # of colours, one for each whole number
+EVENTS = {
+    "wall": "impacts on walls",
+    "floor": "landings on the floor",
+    "ball": "collisions of balls",
+    "pocketed": "balls pocketed",
+}
 
 
 def plot_sweep(
@@ -73,7 +80,7 @@ def plot_sweep(
     of = of or names[0]
     if of not in found:
         raise CaromError(Fault("plot", "of", f"an outcome of {', '.join(names)}", repr(of), did_you_mean(of, names)))
-    array, title, error = found[of], [of], None
+    array, title, error = found[of], [_in_words(of)], None
     dims = [str(dim) for dim in array.dims]
     for option, dim in (("x", x), ("y", y), ("panels", panels), *(("at", dim) for dim in at or ())):
         if dim is not None and dim not in dims:
@@ -126,7 +133,7 @@ def _chosen(array: Any, dim: str, value: Any) -> tuple[Any, str]:
     """Return the array at a value of a dimension, the first by default, and a few words on it."""
     if dim not in array.coords:
         k = 0 if value is None else int(value)
-        return array.isel({dim: k}), f"{dim} {k}"
+        return array.isel({dim: k}), f"{_in_words(dim)} {k}"
     coordinate = array[dim]
     if value is None:
         k = 0
@@ -142,7 +149,7 @@ def _chosen(array: Any, dim: str, value: Any) -> tuple[Any, str]:
             k = int(np.abs(coordinate.values - float(value)).argmin())
         except ValueError:
             raise CaromError(f"plot: at: expected a number for {dim}, got {value!r}") from None
-    return array.isel({dim: k}), f"{dim} {_text(coordinate.values[k], coordinate)}"
+    return array.isel({dim: k}), f"{_name(array, dim)} {_text(coordinate.values[k], coordinate)}"
 
 
 def _text(value: Any, coordinate: Any) -> str:
@@ -152,13 +159,44 @@ def _text(value: Any, coordinate: Any) -> str:
     )
 
 
+def _in_words(path: str) -> str:
+    """Return words for the name of an outcome, or for the path to a number."""
+    words = path.replace("_", " ")
+    match words.split("."):
+        case ["events", "count"]:
+            words = "number of events"
+        case ["events", kind, "count"]:
+            words = f"number of {EVENTS.get(kind, f'{kind} events')}"
+        case ["events", kind, number, part]:
+            words = f"{part} at {kind} event {number}"
+        case ["final", part]:
+            words = f"final {part}"
+        case [group, which, *_part, last] if which == "*" or which.isdigit():
+            words = f"{last} of all {group}" if which == "*" else f"{last} of {group.removesuffix('s')} {which}"
+        case [part, last]:
+            words = f"{last} of the {part}"
+    return words
+
+
+def _name(array: Any, dim: str) -> str:
+    """Return words for a dimension: what runs along it, where that is one number."""
+    path = array[dim].attrs.get("path") if dim in array.coords else None
+    return _in_words(dim if path is None else path)
+
+
+def _with_units(words: str, attrs: Mapping[str, Any]) -> str:
+    return literal(f"{words} ({attrs['units']})" if attrs.get("units") else words)
+
+
 def _label(array: Any, dim: str) -> str:
-    units = array[dim].attrs.get("units", "") if dim in array.coords else ""
-    return literal(f"{dim} ({units})" if units else dim)
+    return _with_units(_name(array, dim), array[dim].attrs if dim in array.coords else {})
 
 
 def _draw(array: Any, error: Any, x: str, y: str | None, panels: str | None, title: str) -> Figure:
+    from matplotlib.ticker import MaxNLocator
+
     with style():
+        outcome = _with_units(_in_words(str(array.name)), array.attrs)
         count = 1 if panels is None else array.sizes[panels]
         # (as few empty places as possible)
         columns = min(count, min((3, 2, 4) if count <= 6 else (3, 4, 2), key=lambda n: -count % n))
@@ -182,7 +220,9 @@ def _draw(array: Any, error: Any, x: str, y: str | None, panels: str | None, tit
             if panels is not None:
                 coordinate = array[panels] if panels in array.coords else None
                 axes.set_title(
-                    literal(f"{panels} {k if coordinate is None else _text(coordinate.values[k], coordinate)}")
+                    literal(
+                        f"{_name(array, panels)} {k if coordinate is None else _text(coordinate.values[k], coordinate)}"
+                    )
                 )
             if y is None:
                 _line(axes, one, bars, x, limits)
@@ -192,19 +232,18 @@ def _draw(array: Any, error: Any, x: str, y: str | None, panels: str | None, tit
                 axes.set_xlabel(_label(array, x))
                 axes.tick_params(labelbottom=True)
             if k % columns == 0:
-                units = array.attrs.get("units", "")
-                axes.set_ylabel(
-                    _label(array, y) if y is not None else literal(f"{array.name}{f' ({units})' if units else ''}")
-                )
+                axes.set_ylabel(outcome if y is None else _label(array, y))
         for axes in flat[count:]:
             axes.set_visible(False)
-        units = array.attrs.get("units", "")
         figure.suptitle(literal(title), fontsize=10)
         if y is not None and names:
             _legend(figure, names, {int(value) for value in np.unique(numbers)})
         elif y is not None:
             bar = figure.colorbar(drawn, ax=flat[:count], fraction=0.05, pad=0.02)
-            bar.set_label(literal(f"{array.name}{f' ({units})' if units else ''}"))
+            bar.set_label(outcome)
+            if array.dtype.kind == "i":
+                bar.locator = MaxNLocator(integer=True)
+                bar.minorticks_off()
         return figure
 
 
@@ -240,6 +279,9 @@ def _map(axes: Any, one: Any, x: str, y: str, limits: tuple[float, float], names
         values = np.ma.masked_less(values, 0)
         colours: Any = ListedColormap([NAMED[k % len(NAMED)] for k in range(len(names))])
         norm: Any = BoundaryNorm(np.arange(len(names) + 1) - 0.5, len(names)) if len(names) > 1 else Normalize(0, 1)
+    elif one.dtype.kind == "i" and limits[1] - limits[0] < MOST_STEPS:
+        edges = np.arange(limits[0], limits[1] + 2) - 0.5
+        colours, norm = MAP, BoundaryNorm(edges, 256) if len(edges) > 2 else Normalize(*limits)
     else:
         colours, norm = MAP, Normalize(*limits)
     axes.set_facecolor(NOTHING)

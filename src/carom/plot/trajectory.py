@@ -557,17 +557,37 @@ def plot_aims(aims: Aims, file: str | os.PathLike[str] | None = None, *, solutio
     rows = math.ceil(len(shown) / columns)
 
     def draw() -> Figure:
-        panel = WIDTH * seen.size[1] / seen.size[0] + 0.45
-        figure = new_figure(WIDTH * columns, panel * rows)
+        panel, below = WIDTH * seen.size[1] / seen.size[0] + 0.45, 0.5 if columns == 1 else 0.3
+        height = panel * rows + below
+        figure = new_figure(WIDTH * columns, height)
         for k, one in enumerate(shown):
             axes = figure.add_subplot(rows, columns, k + 1)
             _panel(axes, aims, one, runs[k], ways[k], seen)
         figure.subplots_adjust(
-            left=0.01, right=0.99, bottom=0.01, top=1 - 0.32 / (panel * rows), wspace=0.04, hspace=0.16
+            left=0.01, right=0.99, bottom=below / height, top=1 - 0.32 / height, wspace=0.04, hspace=0.16
         )
+        figure.legend(
+            handles=_marks(any(one.linear for one in shown)), loc="lower center", ncols=2 if columns == 1 else 4, fontsize=7.5,
+            frameon=False, handletextpad=0.5, columnspacing=1.4,
+        )  # fmt: skip
         return figure
 
     return drawn(draw, file)
+
+
+def _marks(with_spread: bool) -> list[Any]:
+    """Return what the marks are, for a legend."""
+    from matplotlib.lines import Line2D
+
+    spread = Line2D(
+        [], [], color=INK, lw=1.4, marker="|", ms=4, label="spread by the player's errors (2 standard deviations)"
+    )
+    return [
+        Line2D([], [], color=GREY, ls="none", marker="o", ms=5, label="start"),
+        Line2D([], [], color=GREY, ls="none", marker="o", ms=5, mfc="none", label="when the target is reached"),
+        *([spread] if with_spread else []),
+        Line2D([], [], ls="none", label="%: chance of success"),
+    ]
 
 
 def _panel(axes: Any, aims: Aims, one: Aim, run: Any, ways: list[Any], seen: View) -> None:
