@@ -244,7 +244,7 @@ def test_no_build_product_is_tracked() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10624,
+    "fitting": 10625,
     "gas": 6947,
     "billiards": 5566,
     "tracks": 9265,
@@ -252,8 +252,8 @@ CAPS = {
     "core": 5787,
     "laws": 4926,
     "scene": 4651,
-    "cli": 4310,
-    "plot": 3639,
+    "cli": 4312,
+    "plot": 3675,
     "derive": 3163,
     "sweeps": 3264,
     "data": 2681,
