@@ -17,7 +17,7 @@ from carom.data.rebounds import make_rebounds
 from carom.fitting import Setting, fit_law, make_problem, with_bootstrap
 from carom.fitting.laws import laws_named
 from carom.fitting.table_numbers import StatesBy
-from carom.fitting.tracks import fit_tracks, objective
+from carom.fitting.tracks import fit_tracks, model
 from carom.simulation.sensitivity.at_times import states_at
 from carom.tracks import Measured, Settings, measure
 
@@ -37,12 +37,12 @@ def by_differences() -> Iterator[None]:
 
     def states(table, frames, q, shared=False):
         def places(at, tried):
-            balls, _by = objective._on_table(at.arrays, frames, tried)
+            balls, _by = model._on_table(at.arrays, frames, tried)
             return states_at(at.arrays, balls, frames.time, frames.count, 2)
 
         here, by_start = places(table, q), []
         for k in range(q.shape[1]):
-            moves = k not in range(q.shape[1])[objective.SLIP] or q[:, k].any()  # (no slip: held)
+            moves = k not in range(q.shape[1])[model.SLIP] or q[:, k].any()  # (no slip: held)
             h = 1e-6 * max(float(np.abs(q[:, k]).max()), 0.01)
             tried = q + h * np.eye(q.shape[1])[k]
             by_start.append((places(table, tried) - here) / h if moves else 0 * here)
@@ -54,11 +54,11 @@ def by_differences() -> Iterator[None]:
         columns = [np.nan_to_num(np.stack(some, axis=-1)) if some else None for some in (by_start, by_shared)]
         return StatesBy(here, *columns)
 
-    before, objective._states = objective._states, states
+    before, model._states = model._states, states
     try:
         yield
     finally:
-        objective._states = before
+        model._states = before
 
 
 def whole(measured: Measured) -> list[float]:

@@ -19,14 +19,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.fitting.shots.film import FilmedShot
-from carom.fitting.shots.result import ShotsFit
+from carom.fitting.shots.result import ShotsFit, table_of
 from carom.fitting.shots.search import (
     FIRST_PLACE,
     LIMITS,
     SPIN,
     TIME,
     VELOCITY,
+    FilmedShot,
     SearchSettings,
     ShotStart,
     error_of_frames,
@@ -38,7 +38,6 @@ from carom.fitting.shots.search import (
     start_size,
     starting_balls,
 )
-from carom.fitting.shots.table import table_of
 from carom.fitting.table_numbers import TableNumbers, balls_by, balls_of, states_by
 from carom.simulation.sensitivity.at_times import states_at
 

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from campaign import Row, campaign
 from reference.judged_runs import FILM_KINDS, KINDS, film_of, judged
 
-from carom.tracks.film_laws import by_film_laws
+from carom.tracks.verdicts import by_film_laws
 
 WRONG = (("hang", 0.1), ("hang", 0.2), ("hang", 0.4), ("jitter", 0.1), ("jitter", 0.2))  # radii
 

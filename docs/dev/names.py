@@ -33,7 +33,7 @@ from carom.scene.shapes import Table
 from carom.scene.shapes.table import Pockets
 from carom.sweeps import ImpactCase
 from carom.tracks import Settings
-from carom.tracks.rebounds import FLOOR as FILM_COLUMNS
+from carom.tracks.films import FLOOR as FILM_COLUMNS
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "reference" / "names.md"

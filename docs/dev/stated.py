@@ -42,7 +42,7 @@ import carom
 from carom.data import read_rebounds
 from carom.fitting import evidence
 from carom.fitting import identify as identifiability
-from carom.fitting import law_table as tabulated
+from carom.fitting import model as tabulated
 from carom.fitting import spins as spin_quadrature
 from carom.gas import initial, session
 from carom.gas.edmd import calendar, collisions
@@ -360,7 +360,7 @@ STATEMENTS = (
             ("gas", r"a ball that has (\d+) contacts in a row", collisions.PATIENCE, "carom.gas.edmd.collisions"),
             ("pairs", r"and Kennedy\), (\d+) a contact", cluster_steps.STEPS, "carom.simulation.cluster_steps"),
             ("fitting", r"has risen by ([\d.]+) \(99", identifiability.FLAT_RISE, "carom.fitting.identify"),
-            ("fitting", r"From (\d+) rows without spin on", tabulated.LEAST_ROWS, "carom.fitting.law_table"),
+            ("fitting", r"From (\d+) rows without spin on", tabulated.LEAST_ROWS, "carom.fitting.model"),
             ("fitting", r"normal prior by (\d+) to 1", evidence.DECIDED, "carom.fitting.evidence"),
             (
                 "fitting",

@@ -25,10 +25,10 @@ from .data import rebounds as rebounds
 from .data.predict import predict as predict
 from .errors import CaromError as CaromError
 from .explorer.page import explore as explore
-from .fitting.air import fit_air as fit_air
 from .fitting.design_shots import design as design
 from .fitting.files import fit as fit
-from .fitting.gas import fit_gas as fit_gas
+from .fitting.free_balls import fit_air as fit_air
+from .fitting.free_balls import fit_gas as fit_gas
 from .fitting.shots.fit import fit_shots as fit_shots
 from .laws.comparison import Comparison as Comparison
 from .laws.comparison import Verdict as Verdict

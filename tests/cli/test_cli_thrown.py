@@ -16,7 +16,7 @@ from carom.data import make_rebounds, read_rebounds
 from carom.fitting import Setting, fit_laws, make_problem, usable_rows
 from carom.plot.tracks import plot_tracks
 from carom.tracks import Settings, measure, to_rebounds
-from carom.tracks.rebounds import first_contacts
+from carom.tracks.films import first_contacts
 
 BALL = ("--radius", str(RADIUS), "--inertia", "hollow")
 SETTING = Setting(radius=RADIUS, kappa=KAPPA)

@@ -11,7 +11,7 @@ import pytest
 
 import carom
 from carom.fitting.shots import FittedShot, drawn_films
-from carom.fitting.shots.film import filmed_shots
+from carom.fitting.shots.search import filmed_shots
 
 RADIUS = 0.03075
 

@@ -15,12 +15,11 @@ from carom.data import make_rebounds, published_rebounds, read_rebounds
 from carom.data.datasets import load
 from carom.fitting import Setting, fit_law, fit_laws, make_problem
 from carom.fitting.design import Shots, design
-from carom.fitting.identify import with_profiles
+from carom.fitting.identify import with_bootstrap, with_profiles
 from carom.fitting.laws import FORMS, laws_named
 from carom.fitting.model import model_of
 from carom.fitting.result import refit, rows_of_fit
 from carom.fitting.rows import require_settings
-from carom.fitting.scatter import with_bootstrap
 from carom.laws import maw
 
 A, KAPPA = 0.02, 2 / 3

@@ -12,8 +12,8 @@ from reference.exploring import tried
 import carom
 from carom.data import make_rebounds, rebounds_of_collisions
 from carom.fitting import Setting, fit_law, fit_laws, make_problem
-from carom.fitting import held_out as cross_validation
-from carom.fitting import law_table as tabulated
+from carom.fitting import model as tabulated
+from carom.fitting import ranking as cross_validation
 from carom.fitting.laws import INDEX, NUMBERS, PARAMETERS, laws_for, laws_named
 from carom.fitting.likelihood import evaluate, predictions
 from carom.fitting.model import model_of, predict_law

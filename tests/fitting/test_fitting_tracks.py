@@ -22,8 +22,16 @@ from carom.fitting.laws import FITTED, FORMS
 from carom.fitting.rows import Setting
 from carom.fitting.table_numbers import TableNumbers, balls_of, states_by
 from carom.fitting.tracks import TrackFit, TrackRanking, fit_tracks
-from carom.fitting.tracks.model import find_segments, track_models
-from carom.fitting.tracks.objective import SIDESPIN, START, SegmentArrays, balls_by_start, gaps, shared_slope
+from carom.fitting.tracks.model import (
+    SIDESPIN,
+    START,
+    SegmentArrays,
+    balls_by_start,
+    find_segments,
+    gaps,
+    shared_slope,
+    track_models,
+)
 from carom.scene.shapes import Table
 from carom.simulation.sensitivity.at_times import states_at
 from carom.simulation.setup import set_up

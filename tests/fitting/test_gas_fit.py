@@ -11,7 +11,7 @@ from reference.commands import command, fails
 from reference.gas_films import film, scene
 
 import carom
-from carom.fitting.gas import collisions_of_tracks
+from carom.fitting.free_balls import collisions_of_tracks
 from carom.gas import gas_text
 
 TRUTH = {"restitution": 0.85, "friction": 0.3, "tangential_restitution": 0.4}

@@ -10,7 +10,7 @@ from reference.gas_events import RADIUS, film, scene
 
 import carom
 from carom.errors import CaromError
-from carom.fitting.gas import collisions_of_tracks
+from carom.fitting.free_balls import collisions_of_tracks
 
 TRUTH = {"restitution": 0.8, "friction": 0.3, "tangential_restitution": 0.4}
 LAW = tuple(TRUTH.values())

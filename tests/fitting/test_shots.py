@@ -13,12 +13,27 @@ from carom.core.motion.phases import REST
 from carom.fitting.identify import NOT_IDENTIFIABLE, Identified
 from carom.fitting.result import Estimate
 from carom.fitting.shots import drawn_films, fit_of_some
-from carom.fitting.shots.film import filmed_shots
 from carom.fitting.shots.fit import DRAWS, _Together
-from carom.fitting.shots.joint import PRIOR_WIDTH, JointFit, Optimum, TablePrior, in_combination, likely_widths
-from carom.fitting.shots.search import VELOCITY, SearchSettings, _drawn, descend, residuals, rms, search_start
-from carom.fitting.shots.table import FREE, TERMS, TableModel, begun, scene_of_films
-from carom.fitting.shots.together import searched_together
+from carom.fitting.shots.joint import (
+    PRIOR_WIDTH,
+    JointFit,
+    Optimum,
+    TablePrior,
+    in_combination,
+    likely_widths,
+    searched_together,
+)
+from carom.fitting.shots.result import FREE, TERMS, TableModel, begun, scene_of_films
+from carom.fitting.shots.search import (
+    VELOCITY,
+    SearchSettings,
+    _drawn,
+    descend,
+    filmed_shots,
+    residuals,
+    rms,
+    search_start,
+)
 from carom.simulation.sensitivity.seeds import parameters_of
 from carom.simulation.setup import set_up
 from carom.tracks import Track
@@ -273,7 +288,8 @@ def test_the_table_at_other_numbers_is_that_of_its_scene(films):
 def test_laws_are_searched_from_each_others_optimum(ranking):
     best, said = ranking.best, []
     # another law, whose own search has lost its way
-    other = replace(best, model=best.model.with_law("two-step-after"), deviance=best.deviance + 1e3)
+    law = replace(best.model, scene=carom.replaced(best.model.scene, {"run.law": "two-step-after"}))
+    other = replace(best, model=law, deviance=best.deviance + 1e3)
     found = searched_together([best, other], lambda done, text: said.append((done, text)))
     assert found[1].deviance <= best.deviance
     assert found[0].deviance < best.deviance + 500

@@ -10,9 +10,9 @@ from reference.puck_sequences import KAPPA, RADIUS, deviance, table
 
 from carom.data import Rebounds, make_rebounds
 from carom.fitting import Setting, fit_law, make_problem, spin_chains, usable_rows
-from carom.fitting.held_out import cross_validated_score
 from carom.fitting.laws import INDEX, laws_named
 from carom.fitting.model import model_of
+from carom.fitting.ranking import cross_validated_score
 from carom.fitting.result import Estimate
 from carom.fitting.rows import Problem
 from carom.fitting.verdict import unsettled

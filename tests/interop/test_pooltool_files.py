@@ -231,7 +231,7 @@ def test_what_is_read_says_what_it_is() -> None:
 
 def test_a_shot_stored_by_pooltool_with_two_step_has_its_states_after_every_cushion() -> None:
     from carom.interop.pooltool.physics import nose_normal
-    from carom.tracks.formats.pooltool_fields import open_file
+    from carom.tracks.formats.pooltool import open_file
 
     ball, wall, floor = carom.Ball(0.03075, 0.2125), carom.Surface(0.85, 0.2), carom.Surface(0.0, 0.2)
     found = 0
@@ -263,7 +263,7 @@ def test_a_file_of_the_main_branch_has_its_floors_restitution(name: str) -> None
 
 
 def test_a_hop_that_main_flew_is_caroms() -> None:
-    from carom.tracks.formats.pooltool_fields import open_file
+    from carom.tracks.formats.pooltool import open_file
 
     (shot,) = read(FILES / "main_hop.msgpack")
     events = open_file(FILES / "main_hop.msgpack")["events"].each()

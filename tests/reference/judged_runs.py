@@ -8,7 +8,7 @@ import numpy as np
 
 import carom
 from carom.tracks import judge
-from carom.tracks.film_laws import FilmPath
+from carom.tracks.verdicts import FilmPath
 
 RATES = (60, 120, 240, 480)
 R = 0.0286

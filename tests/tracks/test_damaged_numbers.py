@@ -12,9 +12,9 @@ import carom
 from carom.core.units import parse_quantity
 from carom.errors import CaromError
 from carom.tracks import judge, read_tracks
-from carom.tracks.clock import file_interval
-from carom.tracks.floor import shared_fraction
+from carom.tracks.contact import shared_fraction
 from carom.tracks.formats.missing import without_marked_places
+from carom.tracks.preprocess import file_interval
 from carom.tracks.track import Track
 
 

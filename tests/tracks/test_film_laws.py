@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from reference.judged_runs import FILM_KINDS, film_of
 
-from carom.tracks.film_laws import by_film_laws
+from carom.tracks.verdicts import by_film_laws
 
 
 @pytest.mark.parametrize("kind", FILM_KINDS)

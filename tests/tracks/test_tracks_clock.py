@@ -7,7 +7,7 @@ import pytest
 
 from carom.errors import CaromError
 from carom.tracks import Track
-from carom.tracks.clock import at_rate, on_camera_clock, without_rounding
+from carom.tracks.preprocess import at_rate, on_camera_clock, without_rounding
 
 CLOCKS = [
     (0.01, 5), (0.02, 5), (0.1, 5), (1.0, 5),

@@ -12,9 +12,9 @@ import carom
 from carom.fitting import Setting, fit_laws
 from carom.scene.shapes import Plane, Table
 from carom.tracks import Measured, Settings, Track, measure, to_rebounds
+from carom.tracks.contact import averaged
 from carom.tracks.contact_models import hop_slide_roll, hopped_slopes, slide_then_roll
 from carom.tracks.films import hops_together
-from carom.tracks.floor import averaged
 
 RADIUS, FLOOR = 0.025, 0.25
 ABOVE = Settings(view="above", radius=RADIUS)

@@ -19,8 +19,7 @@ from carom.data import read_rebounds
 from carom.errors import CaromError
 from carom.scene.shapes import Plane
 from carom.tracks import Measured, Settings, Track, WallLine, measure, to_rebounds, usable_stages
-from carom.tracks.clock import camera_clock
-from carom.tracks.contact import _not_rolling
+from carom.tracks.contact import _not_rolling, pool_floor, shared_fraction
 from carom.tracks.contact_models import (
     COUNT,
     at_contact,
@@ -32,9 +31,8 @@ from carom.tracks.contact_models import (
 )
 from carom.tracks.events import _bends
 from carom.tracks.flights import _position, _slope_in_vacuum
-from carom.tracks.floor import pool_floor, shared_fraction
 from carom.tracks.least_squares import ContactFit, Prior
-from carom.tracks.preprocess import rounding_step, without_outliers
+from carom.tracks.preprocess import camera_clock, rounding_step, without_outliers
 from carom.tracks.read import read_tracks
 from carom.tracks.track import position_noise
 

@@ -11,9 +11,9 @@ from reference.synthetic_tracks import Camera, seen, shot
 
 from carom.errors import CaromError
 from carom.tracks import Settings, Track, measure, to_rebounds
-from carom.tracks.elsewhere import find_turns
 from carom.tracks.events import wall_through
 from carom.tracks.flights import falls_freely
+from carom.tracks.plausibility import find_turns
 
 
 @pytest.mark.parametrize("name", KINDS)

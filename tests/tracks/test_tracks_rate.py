@@ -9,8 +9,8 @@ import pytest
 
 from carom.errors import CaromError
 from carom.tracks import Calibration, Settings, Track, TrackFile, measure, read_tracks
-from carom.tracks.clock import at_rate, even_interval, on_camera_clock, rounding_of_times, without_rounding
 from carom.tracks.films import measure_films
+from carom.tracks.preprocess import at_rate, even_interval, on_camera_clock, rounding_of_times, without_rounding
 
 RATE = 119.88
 

@@ -14,7 +14,7 @@ import pytest
 import carom
 from carom.errors import CaromError
 from carom.fitting.shots import drawn_films
-from carom.fitting.shots.film import filmed_shots
+from carom.fitting.shots.search import filmed_shots
 from carom.tracks import Calibration, Track, read_tracks
 from carom.tracks.films import tracks_of_films
 from carom.tracks.formats.programs import TAILUGE as UNIT

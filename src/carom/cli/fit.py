@@ -339,7 +339,7 @@ def fit_gas(
     from carom.files import require_library
 
     require_library("scipy", "fit")
-    from carom.fitting.gas import fit_gas as infer
+    from carom.fitting.free_balls import fit_gas as infer
 
     _numbers(infer(file, scene), as_json)
 
@@ -354,7 +354,7 @@ def fit_air(
     Example: carom fit air flights.csv --scene ball.toml.
     """
     from carom.cli.streams import say
-    from carom.fitting.air import fit_air as infer
+    from carom.fitting.free_balls import fit_air as infer
 
     found = infer(file, scene)
     _numbers(found, as_json)

@@ -64,9 +64,9 @@ def facts(found: TrackFile, measured: Measured, stage: str, sliding: bool) -> di
 
 
 def _contact(one: TrackContact, stage: str, sliding: bool) -> dict[str, Any]:
+    from carom.tracks.films import usable_stages
     from carom.tracks.least_squares import OUTPUTS
     from carom.tracks.plausibility import impossible
-    from carom.tracks.rebounds import usable_stages
 
     stages, why = usable_stages(one, stage, sliding)  # type: ignore[arg-type]
     found: dict[str, Any] = {"group": one.group, "track": one.track, "wall": one.wall.name, "t": json_value(one.time),
@@ -131,8 +131,8 @@ def _label(*names: str) -> str:
 
 def tell_contacts(console: Console, films: Sequence[tuple[str, Measured]], stage: str, sliding: bool) -> None:
     """Print the contacts of some films, each with its name (empty for a single film), and why the others were not measured."""
+    from carom.tracks.films import usable_stages
     from carom.tracks.plausibility import impossible
-    from carom.tracks.rebounds import usable_stages
 
     rows: list[tuple[str, ...]] = []
     whys: list[str] = []
@@ -476,7 +476,7 @@ def _notes(
     table: Rebounds | None,
 ) -> None:
     """Print the notes of all films, each once, and of their rebounds what the contacts alone do not show."""
-    from carom.tracks.camera import needs_lines
+    from carom.tracks.plausibility import needs_lines
 
     films: dict[str, list[str]] = {}
     for name, film, one in zip(names, found, measured, strict=True):

@@ -1,9 +1,10 @@
-from .air import AirFit as AirFit
-from .air import fit_air as fit_air
 from .evidence import Ranked as Ranked
 from .fit import fit_law as fit_law
-from .gas import GasFit as GasFit
-from .gas import fit_gas as fit_gas
+from .free_balls import AirFit as AirFit
+from .free_balls import GasFit as GasFit
+from .free_balls import fit_air as fit_air
+from .free_balls import fit_gas as fit_gas
+from .identify import with_bootstrap as with_bootstrap
 from .identify import with_profiles as with_profiles
 from .laws import FITTED as FITTED
 from .laws import FittedLaw as FittedLaw
@@ -16,6 +17,5 @@ from .rows import Problem as Problem
 from .rows import Setting as Setting
 from .rows import make_problem as make_problem
 from .rows import usable_rows as usable_rows
-from .scatter import with_bootstrap as with_bootstrap
 from .varying import Prediction as Prediction
 from .verdict import Outlier as Outlier

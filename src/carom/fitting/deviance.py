@@ -51,7 +51,7 @@ class RowData(NamedTuple):
     nu: float
     """Degrees of freedom of Student's t; 0: normal errors."""
     known: Any
-    """(M,) a table of the law at the trial point (:mod:`carom.fitting.law_table`); empty where the law itself is asked."""
+    """(M,) a table of the law at the trial point (:mod:`carom.fitting.model`); empty where the law itself is asked."""
 
 
 class Trial(NamedTuple):

@@ -24,9 +24,8 @@ from carom.fitting.laws import ALONG, INDEX, unknown_laws
 from carom.fitting.ranking import Ranking, RankingsBy, fit_by, fit_laws
 from carom.fitting.rows import FORM_PARAMETERS, Setting, require_error_bars, require_settings, spin_of_rows
 from carom.fitting.shots.fit import fit_shots
-from carom.fitting.shots.result import ShotsRanking
-from carom.fitting.shots.table import FREE
-from carom.fitting.tracks.ranking import TrackRanking, fit_tracks
+from carom.fitting.shots.result import FREE, ShotsRanking
+from carom.fitting.tracks.fit import TrackRanking, fit_tracks
 from carom.public.defaults import CUSHIONS
 from carom.public.progress import Progress
 from carom.scene.scene import Scene

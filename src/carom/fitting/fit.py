@@ -2,7 +2,7 @@
 
 Error bars given with the data are used as given: the deviance is chi^2, AIC is chi^2 + 2 k. Without them, the scatter of each
 measured quantity is an additional parameter of the law, and the deviance is n log(scatter^2) + n. Scatter between contacts beyond
-given error bars is fitted as one more parameter on request (:mod:`carom.fitting.scatter`).
+given error bars is fitted as one more parameter on request (:mod:`carom.fitting.identify`).
 """
 
 from __future__ import annotations
@@ -16,20 +16,32 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.identify import half_width, identified_covariance, identify, parameter_ranges
-from carom.fitting.law_table import LawTable, coarse_table, fine_table
-from carom.fitting.laws import FORMS, INDEX, NUMBERS, FittedLaw
-from carom.fitting.likelihood import TabulatedLaw
-from carom.fitting.model import STEPS, TOLERANCE, FitModel, feels_spins, form_starts, model_of
-from carom.fitting.result import Estimate, Fit, refit, working_model
-from carom.fitting.rows import Problem
-from carom.fitting.scatter import (
+from carom.fitting.identify import (
     Scattered,
+    half_width,
+    identified_covariance,
+    identify,
+    parameter_ranges,
     with_contact_scatter,
     with_estimated_scatter,
     with_marginal_errors,
     with_profiled_friction,
 )
+from carom.fitting.laws import FORMS, INDEX, NUMBERS, FittedLaw
+from carom.fitting.likelihood import TabulatedLaw
+from carom.fitting.model import (
+    STEPS,
+    TOLERANCE,
+    FitModel,
+    LawTable,
+    coarse_table,
+    feels_spins,
+    fine_table,
+    form_starts,
+    model_of,
+)
+from carom.fitting.result import Estimate, Fit, refit, working_model
+from carom.fitting.rows import Problem
 from carom.fitting.spin_chains import EVERYWHERE, Minimum, chain_information, cross_kinks
 
 Array = NDArray[np.float64]

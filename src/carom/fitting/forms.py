@@ -13,14 +13,12 @@ from numpy.typing import NDArray
 from carom.fitting.deviance import SPIN_MEAN, SPIN_WIDTH
 from carom.fitting.evidence import DECIDED
 from carom.fitting.fit import Place, fit_at, fit_law, none_above
-from carom.fitting.identify import half_width
-from carom.fitting.law_table import coarse_table, fine_table
+from carom.fitting.identify import half_width, with_contact_scatter
 from carom.fitting.laws import FORMS, INDEX, NUMBERS, PLACES
 from carom.fitting.likelihood import SpinMixture, evaluate_components, mixture_deviances
-from carom.fitting.model import FitModel, feels_spins, model_of
+from carom.fitting.model import FitModel, coarse_table, feels_spins, fine_table, model_of
 from carom.fitting.result import Fit, scaled
 from carom.fitting.rows import Problem, Setting
-from carom.fitting.scatter import with_contact_scatter
 from carom.fitting.spin_chains import observed_information
 from carom.fitting.varying import (
     ERRORS,

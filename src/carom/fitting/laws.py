@@ -235,7 +235,7 @@ ALONG = {parameter: _forms_along(parameter) for parameter in _USUAL}
 # at once. Any other code is the address of a law's kernel (carom.laws.callbacks); with a minus sign where the last number that
 # the kernel takes is the stiffness ratio in place of the tangential restitution.
 CONTACT, SMOOTH, CONVENTIONAL, TURN, TOGETHER = range(5)
-TABULATED = 5  # both at once, from a table (carom.fitting.law_table)
+TABULATED = 5  # both at once, from a table (carom.fitting.model)
 LEAST_STIFFNESS = 0.1  # of a stiffness ratio that depends on the impact
 # Stages at which the outgoing ball was measured
 AFTER_WALL, ROLLING = 0, 1

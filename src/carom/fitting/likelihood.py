@@ -43,7 +43,7 @@ SERIAL_WORK = 4000  # law evaluations up to which one core is faster
 
 
 class TabulatedLaw(Protocol):
-    """A table in place of a law (:mod:`carom.fitting.law_table`)."""
+    """A table in place of a law (:mod:`carom.fitting.model`)."""
 
     def at(self, p: Array, moves: Array, free: NDArray[np.int64]) -> Array:
         """Return the table at a trial point, with derivatives in the free numbers, as compiled code reads it."""

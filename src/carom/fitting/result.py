@@ -140,7 +140,7 @@ class Estimate:
     bootstrap: float | None = None
     """Standard error from resampled rows."""
     shared: float | None = None
-    """Standard error from systematic errors common to all rows (:func:`carom.fitting.scatter.with_shared`)."""
+    """Standard error from systematic errors common to all rows (:func:`carom.fitting.identify.with_shared`)."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -33,7 +33,7 @@ from carom.fitting.shared_errors import SHARED, Shared, film_says, numbers_of, s
 from carom.fitting.spin_chains import chains_of
 from carom.fitting.spins import SpinGrid, sigma_grid
 from carom.tracks.contact import BALL_RADIUS, MAX_RADIUS_M
-from carom.tracks.rebounds import first_contacts
+from carom.tracks.films import first_contacts
 
 SCATTERS = ("share", "absolute")
 PRIORS = ("uniform", "normal")

@@ -13,7 +13,7 @@ import functools
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +27,6 @@ from carom.fitting.laws import (
     PARAMETERS,
     PLACES,
     RESTITUTION_FORMS,
-    FittedLaw,
     of_impact,
     speed_restitution,
 )
@@ -166,22 +165,6 @@ STEPS, TOLERANCE = 60, 1e-6
 STUDENT = (math.log(2.0), math.log(200.0))  # bounds of log nu
 
 
-class FittedLawNumbers(Protocol):
-    """A law fitted to rows (:class:`carom.fitting.Fit`)."""
-
-    @property
-    def law(self) -> FittedLaw:
-        """The law."""
-
-    @property
-    def problem(self) -> Problem:
-        """The rows."""
-
-    @property
-    def numbers(self) -> Array:
-        """All numbers of the law."""
-
-
 @dataclass(frozen=True, eq=False)
 class VaryingModel:
     """Rows, a law, smooth parameters and noise. Fitted are q: numbers of the law and splines, log scatter, its power, the shape."""
@@ -191,8 +174,6 @@ class VaryingModel:
     """(NUMBERS,) where the law's fitted numbers begin, and the values of the others."""
     smooth: tuple[Smooth, ...] = ()
     noise: Noise = NORMAL
-    prior: tuple[Array, Array] | None = None
-    """Mean and precisions (k,) of all numbers, where they are known before."""
 
     @property
     def problem(self) -> Problem:
@@ -241,12 +222,11 @@ class VaryingModel:
         for one in self.smooth:
             p[at : at + one.count, at : at + one.count] = one.penalty
             at += one.count
-        return p if self.prior is None else p + np.diag(self.prior[1])
+        return p
 
     def penalty(self, q: Array) -> tuple[float, Array]:
-        """Return the penalty of splines and prior, and -1/2 of its gradient."""
-        off = q if self.prior is None else q - self.prior[0] * (self.prior[1] > 0)
-        return float(off @ self.precision @ off), -self.precision @ off
+        """Return the penalty of splines, and -1/2 of its gradient."""
+        return float(q @ self.precision @ q), -self.precision @ q
 
     def start(self, like: FitModel | None = None, numbers: Array | None = None) -> Array:
         """Return q at the law's own numbers, or at those of the same law with other forms, which the splines follow."""
@@ -323,15 +303,14 @@ class VaryingModel:
                 j[:, :, o] = (self.predict(q, moved) - here) / step[:, None]
         return j
 
-    def by_numbers(self, q: Array, x: Array | None = None) -> Array:
+    def by_numbers(self, q: Array) -> Array:
         """Return the derivatives (N, 3, m) of the prediction in the numbers of law and splines."""
-        x = self.problem.x if x is None else x
         m, high = self.parts["smooth"].stop, self.bounds[1]
         sizes = STEP * np.maximum(np.abs(q[:m]), 0.1)
         sizes = np.where(q[:m] + sizes > high[:m], -sizes, sizes)
         moved = np.tile(q, (m + 1, 1))
         moved[np.arange(m), np.arange(m)] += sizes
-        told = self.predict_many(moved, x)
+        told = self.predict_many(moved, self.problem.x)
         return np.asarray(np.moveaxis((told[:m] - told[m]) / sizes[:, None, None], 0, -1))
 
     def scatter(self, q: Array, x: Array) -> Array:
@@ -467,7 +446,7 @@ class VaryingFit:
         return np.asarray(np.linalg.pinv(self.information[:m, :m] + np.diag(weak), hermitian=True, rcond=1e-10))
 
 
-def varying_model(fit: FittedLawNumbers, smooth: tuple[Smooth, ...] = (), noise: Noise = NORMAL) -> VaryingModel:
+def varying_model(fit: Any, smooth: tuple[Smooth, ...] = (), noise: Noise = NORMAL) -> VaryingModel:
     """Return a model that begins at a fit to the same rows."""
     problem = fit.problem
     if problem.spins is not None:
@@ -479,7 +458,7 @@ def varying_model(fit: FittedLawNumbers, smooth: tuple[Smooth, ...] = (), noise:
 
 
 def fit_varying(
-    fit: FittedLawNumbers, smooth: tuple[Smooth, ...] = (), noise: Noise = NORMAL, start: Array | None = None
+    fit: Any, smooth: tuple[Smooth, ...] = (), noise: Noise = NORMAL, start: Array | None = None
 ) -> VaryingFit:
     """Fit smooth parameters and noise on top of a law that was fitted to the same rows.
 

@@ -164,7 +164,7 @@ def _all_shots(fit: ShotsFit) -> list[str]:
 
 def _from_above(axes: Any, shot: FittedShot, *, marks: bool = False, size: float = 1.0) -> None:
     """Plot one shot from above: noses of the cushions, rows of the film, paths and contacts of the model; ``size`` of the marks."""
-    from carom.fitting.shots.table import table_of
+    from carom.fitting.shots.result import table_of
 
     table = table_of(shot.scene)
     half, (cx, cy) = np.array([table.length, table.width]) / 2, table.center

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from carom.plot.style import GREY, INK, drawn, literal, new_figure, style
 from carom.tracks.contact import TrackContact
+from carom.tracks.films import usable_stages
 from carom.tracks.measurement import Measured
-from carom.tracks.rebounds import usable_stages
 from carom.tracks.track import Track
 
 if TYPE_CHECKING:

@@ -2,6 +2,8 @@ from .contact import Settings as Settings
 from .contact import TrackContact as TrackContact
 from .events import TrackEvent as TrackEvent
 from .events import WallLine as WallLine
+from .films import to_rebounds as to_rebounds
+from .films import usable_stages as usable_stages
 from .formats.tables import Calibration as Calibration
 from .judgement import judge as judge
 from .least_squares import ContactFit as ContactFit
@@ -13,8 +15,6 @@ from .pairs import measure_pairs as measure_pairs
 from .pairs import pair_rebounds as pair_rebounds
 from .read import TrackFile as TrackFile
 from .read import read_tracks as read_tracks
-from .rebounds import to_rebounds as to_rebounds
-from .rebounds import usable_stages as usable_stages
 from .track import Track as Track
 from .verdicts import Judgement as Judgement
 from .verdicts import Violation as Violation

@@ -5,14 +5,13 @@ model is fitted to the frames on both sides of the contact, in the frame of the 
 
 A ball that rolls into a wall and touches it at its centre is lifted by the wall's friction, and hops before it slides. Seen from
 above, a hop of duration T is hardly distinguishable from a start that is faster by mu g T / 2: frames show long hops, not short
-ones. So each contact is fitted without a hop and with one, and all contacts with a wall decide (:mod:`carom.tracks.floor`).
+ones. So each contact is fitted without a hop and with one, and all contacts with a wall decide (:mod:`carom.tracks.contact`).
 """
 
 from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
@@ -20,6 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.jit.compile import njit
 from carom.core.jit.kernel import kernel
 from carom.public.defaults import GRAVITY
 from carom.tracks.least_squares import (
@@ -38,6 +38,7 @@ from carom.tracks.least_squares import (
 
 Array = NDArray[np.float64]
 TINY = 1e-12
+compiled = functools.cache(njit)  # (at the first call, and kept)
 
 
 class TableMotion(NamedTuple):
@@ -57,14 +58,14 @@ def slide_then_roll(v: Array, u: Array, t: Array, mu_g: float, c_g: float, k: fl
     ``mu_g`` and ``c_g`` are the decelerations while it slides and rolls, m/s^2; k = kappa / (1 + kappa), 2/7 for a solid ball.
     """
     found = TableMotion(np.empty((len(t), 2)), np.empty((len(t), 2)), np.empty((len(t), 2)))
-    _compiled()(*_two(v), *_two(u), float(mu_g), float(c_g), float(k), np.ascontiguousarray(t), *found)
+    compiled(_fill)(*_two(v), *_two(u), float(mu_g), float(c_g), float(k), np.ascontiguousarray(t), *found)
     return found
 
 
 def hop_slide_roll(v: Array, u: Array, hop: float, t: Array, mu_g: float, c_g: float, k: float) -> Array:
     """Compute the displacement (n, 2) of a ball that hops for the time ``hop``, s, and then slides and rolls."""
     way = np.empty((len(t), 2))
-    _compiled_hop()(*_two(v), *_two(u), float(hop), float(mu_g), float(c_g), float(k), np.ascontiguousarray(t), way)
+    compiled(_fill_hop)(*_two(v), *_two(u), float(hop), float(mu_g), float(c_g), float(k), np.ascontiguousarray(t), way)
     return way
 
 
@@ -193,20 +194,6 @@ def _fill_hop(
         way[i, 0], way[i, 1], _vx, _vy = hopped_after(t[i], vx, vy, ux, uy, hop, mu_g, c_g, k)
 
 
-@functools.cache
-def _compiled() -> Callable[..., None]:
-    from carom.core.jit.compile import njit
-
-    return njit(_fill)
-
-
-@functools.cache
-def _compiled_hop() -> Callable[..., None]:
-    from carom.core.jit.compile import njit
-
-    return njit(_fill_hop)
-
-
 # ----------------------------------------------------------------------------------------------------
 # Path of a ball on a table before and after a contact, by the parameters of a fit, with its derivatives.
 #
@@ -238,14 +225,14 @@ def at_contact(theta: Array, since: float, k: float) -> tuple[Array, Array]:
 def contact_path(theta: Array, since: float, t: Array, k: float) -> Array:
     """Return the positions (n, 2) at times t (n,), m."""
     places = np.empty((len(t), 2))
-    _compiled_contact()(theta, since, k, t, places, NO_SLOPES, NO_WORK)
+    compiled(_fill_contact)(theta, since, k, t, places, NO_SLOPES, NO_WORK)
     return places
 
 
 def contact_slopes(theta: Array, since: float, t: Array, k: float) -> Array:
     """Return the derivatives (n, 2, COUNT) of the positions with respect to theta."""
     slope = np.zeros((len(t), 2, COUNT))
-    _compiled_contact()(theta, since, k, t, np.empty((len(t), 2)), slope, np.empty((2, 2, 7)))
+    compiled(_fill_contact)(theta, since, k, t, np.empty((len(t), 2)), slope, np.empty((2, 2, 7)))
     return slope
 
 
@@ -317,13 +304,6 @@ def _fill_contact(theta: Any, since: float, k: float, t: Any, places: Any, slope
                         row[7 + j] = work[1, c, j]
 
 
-@functools.cache
-def _compiled_contact() -> Callable[..., None]:
-    from carom.core.jit.compile import njit
-
-    return njit(_fill_contact)
-
-
 # ----------------------------------------------------------------------------------------------------
 # Models of a contact on a table: the ball slides or rolls before it, and slides, then rolls after it.
 #
@@ -333,7 +313,7 @@ def _compiled_contact() -> Callable[..., None]:
 # A ball that rolls into a wall and touches it at its centre is lifted by the wall's friction, and hops before it slides. Seen
 # from above, a hop of duration T is hardly distinguishable from a start that is faster by mu g T / 2: frames show long hops, not
 # short ones. So each contact is fitted without a hop and with one, and all contacts with a wall decide
-# (:mod:`carom.tracks.floor`).
+# (:mod:`carom.tracks.contact`).
 
 
 Free = NDArray[np.bool_]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.jit.compile import njit
 from carom.core.jit.kernel import kernel
 from carom.errors import CaromError
 from carom.public.defaults import GRAVITY
@@ -34,6 +35,7 @@ from carom.tracks.least_squares import (
 from carom.tracks.track import Track, position_noise
 
 Array = NDArray[np.float64]
+_compiled = functools.cache(njit)
 STEP_S = 0.05  # of the integration; a ball that turns at the top within one is off by some micrometres
 # Beside a contact the ball is compressed, and the frame nearest to it may lie on either side.
 NEAR_FRAMES, NEAR_S = 1.5, 0.012
@@ -127,7 +129,7 @@ def flight_path(velocity: Array, gravity: Array, drag: Array | float, s: Array) 
     k = np.array(np.broadcast_to(drag, shape), dtype=float).ravel()
     count = max(int(np.ceil(np.abs(s).max(initial=0.0) / STEP_S)), 1)
     places = np.empty((len(v), len(s), 2))
-    _compiled()(v, g, k, np.ascontiguousarray(s, dtype=float), count, places)
+    _compiled(_fill_flights)(v, g, k, np.ascontiguousarray(s, dtype=float), count, places)
     return places.reshape(*shape, len(s), 2)
 
 
@@ -152,13 +154,6 @@ def _fill_flights(velocity: Any, gravity: Any, drag: Any, s: Any, count: int, pl
                 y = y + h * vy + h * h / 6 * (ay + by + cy)
                 vx, vy = vx + h / 6 * (ax + 2 * bx + 2 * cx + dx), vy + h / 6 * (ay + 2 * by + 2 * cy + dy)
             places[b, i, 0], places[b, i, 1] = x, y
-
-
-@functools.cache
-def _compiled() -> Callable[..., None]:
-    from carom.core.jit.compile import njit
-
-    return njit(_fill_flights)
 
 
 def air_and_notes(

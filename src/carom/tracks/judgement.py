@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -26,11 +26,10 @@ from carom.files import MOST_TABLE, as_path, parse_json, read_regular
 from carom.formatting import counted
 from carom.public.defaults import GRAVITY
 from carom.scene.floor import gravity_on_slope
-from carom.tracks.clock import times_behind_rounding
-from carom.tracks.film_laws import by_film_laws
 from carom.tracks.films import columns_of_film, film_options
+from carom.tracks.preprocess import times_behind_rounding
 from carom.tracks.read import read_tracks
-from carom.tracks.verdicts import SIGMAS, Judgement
+from carom.tracks.verdicts import SIGMAS, Judgement, by_film_laws
 from carom.tracks.video.film import likeliest_ball
 from carom.tracks.video.reading import is_film
 
@@ -94,35 +93,24 @@ class PathPiece:
         return 2 * self.numbers[2], 2 * math.sqrt(self.covariance[2, 2])
 
 
-@dataclass(frozen=True)
-class BallPath:
-    """A ball with its frames: times (n,), s, and places (n, 3), m; and its pieces."""
+@dataclass(frozen=True, eq=False)
+class BallRows:
+    """A ball with its rows, sorted by time."""
 
     name: str
-    t: Array
-    x: Array
+    t: Array  # (n,) s
+    x: Array  # (n, 3) m
+    w: Array | None  # (n, 3): its spins, if they are known
     radius: float
     mass: float
-    pieces: tuple[PathPiece, ...]
-    kappa: float
+    air: Array | None = None  # (n, 3): what the air does to it, if it is known
+    kappa: float = 0.0  # 0: not known
+    pieces: tuple[PathPiece, ...] = ()
 
     @property
     def fastest(self) -> float:
         """The largest speed in the middle of a piece, m/s."""
         return max((float(np.linalg.norm(piece.numbers[1])) for piece in self.pieces), default=0.0)
-
-
-class BallRows(NamedTuple):
-    """A ball with its rows, sorted by time; its spins and what the air does to it (n, 3) if they are known, radius and mass."""
-
-    name: str
-    t: Array
-    x: Array
-    w: Array | None
-    radius: float
-    mass: float
-    air: Array | None = None
-    kappa: float | None = None
 
 
 def read_rows(
@@ -161,7 +149,7 @@ def read_rows(
         raise CaromError(
             f"{where}: {several[0]}: expected one row per frame, got two of the same time; give each ball a name"
         )
-    rows = [one._replace(t=t) for one, t in zip(rows, clock, strict=True)]
+    rows = [replace(one, t=t) for one, t in zip(rows, clock, strict=True)]
     sigma = _noise(rows) if noise is None else float(noise)
     return rows, max(sigma, 4e-16 * max(float(np.abs(one.x).max(initial=0.0)) for one in rows)), notes
 
@@ -197,7 +185,7 @@ def _rows_of_balls(
         z = numbers["z"][own] if "z" in numbers else np.full(len(own), a)
         x = np.stack([numbers["x"][own], numbers["y"][own], z], axis=-1)
         of_own = (None if one is None else one[own] for one in (spins, air))
-        kappa = float(numbers["kappa"][own][0]) if "kappa" in numbers else None
+        kappa = float(numbers["kappa"][own][0]) if "kappa" in numbers else 0.0
         rows.append(BallRows(name, numbers["t"][own], x, next(of_own), a, m, next(of_own), kappa))
     faults.raise_if_any()
     return rows
@@ -464,11 +452,7 @@ def judge(
             return by_film_laws(likeliest_ball(path, error, rate=rate, **part), f"{error}")
         table = columns_of_film(tracked, gravity, POOL_BALL, said)
     rows, sigma, notes = read_rows(table, radius, mass, noise)
-    pieces = [tuple(_pieces(one, sigma, drag_per_metre)) for one in rows]
-    balls = [
-        BallPath(one.name, one.t, one.x, one.radius, one.mass, own, one.kappa or kappa)
-        for one, own in zip(rows, pieces, strict=True)
-    ]
+    balls = [replace(one, kappa=one.kappa or kappa, pieces=tuple(_pieces(one, sigma, drag_per_metre))) for one in rows]
     notes += said
     times = np.concatenate([ball.t for ball in balls])
     found = Judgement(sigma, notes, (float(times.min()), float(times.max())))
@@ -493,7 +477,7 @@ def judge(
     return found
 
 
-def _why_unchecked(law: str, balls: Sequence[BallPath]) -> str:
+def _why_unchecked(law: str, balls: Sequence[BallRows]) -> str:
     pieces = [piece for ball in balls for piece in ball.pieces]
     if not pieces:
         return f"no ball has more than {FEW} frames on a smooth path: too few frames, or too much noise"
@@ -515,14 +499,14 @@ def _why_unchecked(law: str, balls: Sequence[BallPath]) -> str:
 # --- without contacts ---------------------------------------------------------------------------------------------------
 
 
-def _in_the_floor(ball: BallPath, sigma: float, found: Judgement) -> None:
+def _in_the_floor(ball: BallRows, sigma: float, found: Judgement) -> None:
     depth = ball.radius - ball.x[:, 2]
     k = int(np.argmax(depth))
     least = 1e-4 * ball.radius
     found.check("penetration", float(ball.t[k]), [ball.name], float(depth[k]), sigma, least, "the ball is in the floor")
 
 
-def _overlaps(balls: Sequence[BallPath], sigma: float, found: Judgement) -> None:
+def _overlaps(balls: Sequence[BallRows], sigma: float, found: Judgement) -> None:
     """Check all pairs of balls that have frames in common; only places in cells beside each other are compared."""
     begin, end = (np.sort([ball.t[k] for ball in balls]) for k in (0, -1))
     # (all pairs but those of which one has ended before the other begins)
@@ -568,7 +552,7 @@ def _hashed(frame: NDArray[np.int64], cell: NDArray[np.int64]) -> NDArray[np.int
 
 
 def _between_contacts(
-    ball: BallPath, piece: PathPiece, sigma: float, pull: Array, floor_friction: float, drag: float, found: Judgement
+    ball: BallRows, piece: PathPiece, sigma: float, pull: Array, floor_friction: float, drag: float, found: Judgement
 ) -> float:
     """Check free fall in the air; friction and its direction on the floor, and return how much it accelerates the ball at least."""
     up = ball.x[piece.first : piece.last + 1, 2] - ball.radius
@@ -600,7 +584,7 @@ def _between_contacts(
     return 0.0
 
 
-def _slip_of(ball: BallPath, piece: PathPiece, t: float) -> float:
+def _slip_of(ball: BallRows, piece: PathPiece, t: float) -> float:
     """Return the speed of the lowest point of a ball on the floor, infinite where spins are unknown."""
     if piece.spins is None:
         return math.inf
@@ -608,7 +592,7 @@ def _slip_of(ball: BallPath, piece: PathPiece, t: float) -> float:
     return math.hypot(v[0] - ball.radius * w[1], v[1] + ball.radius * w[0])
 
 
-def _slip(ball: BallPath, piece: PathPiece, a: Array, error: float, found: Judgement) -> None:
+def _slip(ball: BallRows, piece: PathPiece, a: Array, error: float, found: Judgement) -> None:
     """Check that friction acts against the slip of a ball on the floor, and that a ball that rolls goes on rolling."""
     t0, t1 = float(ball.t[piece.first]), float(ball.t[piece.last])
     slips = []
@@ -638,7 +622,7 @@ def _slip(ball: BallPath, piece: PathPiece, a: Array, error: float, found: Judge
 class _Change(NamedTuple):
     """A ball, and its pieces before and after an event."""
 
-    ball: BallPath
+    ball: BallRows
     before: PathPiece
     after: PathPiece
 
@@ -651,7 +635,7 @@ class _Event(NamedTuple):
     members: tuple[_Change, ...]
 
 
-def _events(balls: Sequence[BallPath], sigma: float) -> Iterator[_Event]:
+def _events(balls: Sequence[BallRows], sigma: float) -> Iterator[_Event]:
     """Yield events: changes of one ball, joined where two balls are in reach of each other at the same time."""
     most = 1 if sigma < EXACT else 5  # frames between two pieces, with one event there
     changes = [
@@ -698,7 +682,7 @@ def _events(balls: Sequence[BallPath], sigma: float) -> Iterator[_Event]:
 class _Beside:
     """The balls beside an event: finds whether one of them takes part in it, so that the event is not resolved."""
 
-    def __init__(self, balls: Sequence[BallPath], sigma: float) -> None:
+    def __init__(self, balls: Sequence[BallRows], sigma: float) -> None:
         self.balls, self.sigma = balls, sigma
         self.of = np.repeat(np.arange(len(balls)), [len(ball.t) for ball in balls])
         t = np.concatenate([ball.t for ball in balls])
@@ -778,12 +762,12 @@ def _energy(t: float, late: float, event: _Event, pull: Array, found: Judgement)
 class _Walls:
     """Walls that a run may have: no ball of it was ever behind them."""
 
-    def __init__(self, balls: Sequence[BallPath], sigma: float) -> None:
+    def __init__(self, balls: Sequence[BallRows], sigma: float) -> None:
         self.x = np.concatenate([ball.x[:, :2] for ball in balls])
         self.radius = np.repeat([ball.radius for ball in balls], [len(ball.x) for ball in balls])
         self.sigma = sigma
 
-    def pushes(self, ball: BallPath, place: Array, impulse: Array) -> bool:
+    def pushes(self, ball: BallRows, place: Array, impulse: Array) -> bool:
         """Return whether a wall that touches a ball at its place (2,) may give it an impulse (2,), with friction up to 1."""
         for turn in np.linspace(-1, 1, 17) * math.pi / 4:
             c, s = math.cos(turn), math.sin(turn)

@@ -23,10 +23,9 @@ from numpy.typing import NDArray
 from carom.data.rebounds import Rebounds, make_rebounds
 from carom.errors import CaromError
 from carom.formatting import counted
-from carom.tracks.contact_fits import MIN_FRAMES_AFTER, MIN_FRAMES_BEFORE
+from carom.tracks.contact import WithError
 from carom.tracks.contact_models import hop_slide_roll, landed, slide_then_roll
 from carom.tracks.events import TrackEvent
-from carom.tracks.floor import WithError
 from carom.tracks.least_squares import (
     WHITE,
     FrameGroups,
@@ -38,7 +37,7 @@ from carom.tracks.least_squares import (
     solve_free,
     whitening,
 )
-from carom.tracks.measurement import Measured
+from carom.tracks.measurement import MIN_FRAMES_AFTER, MIN_FRAMES_BEFORE, Measured
 from carom.tracks.track import Track
 
 Array = NDArray[np.float64]

@@ -1,4 +1,4 @@
-"""Track files: recognise the program that wrote one, read its tracks, and check them."""
+"""Files that are no tables: projects of tracking programs, pictures, spreadsheets; and the menu that exports positions as text."""
 
 from __future__ import annotations
 
@@ -19,18 +19,117 @@ from carom.data.rebound_files import heads_rebounds
 from carom.errors import CaromError, Fault, FaultList, shortened_list, suggestion
 from carom.files import as_path, open_regular, read_text
 from carom.public.defaults import GRAVITY
-from carom.tracks.clock import MIN_INTERVAL_S, at_rate, without_rounding
 from carom.tracks.flights import in_a_plane, likely_unit
 from carom.tracks.formats import pooltool, programs
 from carom.tracks.formats import tables as columns
 from carom.tracks.formats.missing import without_marked_places
-from carom.tracks.formats.pooltool_fields import open_file
-from carom.tracks.formats.projects import START, foreign_file
+from carom.tracks.formats.pooltool import open_file
 from carom.tracks.formats.tables import Calibration, first_rows
-from carom.tracks.preprocess import with_one_name, with_own_names
+from carom.tracks.preprocess import (
+    MIN_INTERVAL_S,
+    at_rate,
+    times_in_words,
+    with_one_name,
+    with_own_names,
+    without_rounding,
+)
 from carom.tracks.track import Track, position_noise
 from carom.tracks.video.film import track_film
 from carom.tracks.video.reading import TrackedFilm, is_film
+
+START = 1 << 16  # bytes from which a file is recognised
+TRACKER = "export the positions with Tracker's menu File > Export > Data File"
+KINOVEA = "export the positions with Kinovea's menu File > Export to spreadsheet, as CSV"
+TRACKMATE = "export the spots as a table: TrackMate's last panel, Spots, Export to CSV"
+SLEAP = "export the positions with SLEAP's menu File > Export Analysis CSV"
+DEEPLABCUT = (
+    "write it as CSV with deeplabcut.analyze_videos_converth5_to_csv, or analyse the film with save_as_csv=True"
+)
+LOGGER_PRO = "export the positions with Logger Pro's menu File > Export As > CSV"
+VERNIER = "export the positions with the program's menu File > Export > CSV"
+IDTRACKER = "write the trajectories of idtracker.ai as CSV (trajectories_formats = csv)"
+MATLAB = "write the positions as CSV with MATLAB's writetable, under names such as t, x, y"
+PANDAS = "write the data frame as CSV with its method to_csv"
+BALL = "track the ball first, with Tracker or Kinovea, and export its positions"
+TABLE = "export the positions as a table of text (CSV) from the program that made it"
+
+
+@dataclass(frozen=True)
+class ForeignFile:
+    """A file that holds no table of text.
+
+    Examples
+    --------
+    >>> foreign_file("ball.trk", b"<?xml version='1.0'?><object class='org.opensourcephysics.cabrillo.tracker.TrackerPanel'>").what
+    'a project of Tracker'
+    """
+
+    what: str
+    advice: str
+
+
+ARCHIVE = ("a spreadsheet or another archive (zip)", "save the sheet as CSV")
+XML = ("an XML file", TABLE)
+# What a file begins with or has near its beginning, and what it is; the first that is found counts.
+BEGINNINGS = (
+    (b"\x89PNG", "a picture (PNG)", BALL), (b"\xff\xd8\xff", "a picture (JPEG)", BALL), (b"GIF8", "a picture (GIF)", BALL),
+    (b"MATLAB", "a MATLAB file", MATLAB), (b"\x93NUMPY", "a NumPy array", "write it with numpy.savetxt, delimiter and header"),
+    (b"PAR1", "a Parquet file", PANDAS), (b"ARROW1", "a Feather file", PANDAS), (b"\x80\x04", "a pickle of Python", PANDAS),
+    (b"\x80\x05", "a pickle of Python", PANDAS), (b"\x80\x03", "a pickle of Python", PANDAS),
+    (b"\xd0\xcf\x11\xe0", "an old spreadsheet (xls)", "save the sheet as CSV"),
+    (b"PK\x03\x04", *ARCHIVE), (b"\x1aE\xdf\xa3", "a film", BALL), (b"RIFF", "a film (AVI)", BALL), (b"%PDF", "a PDF", TABLE),
+)  # fmt: skip
+WITHIN = (
+    (b"org.opensourcephysics", "a project of Tracker", TRACKER),
+    (b"<KinoveaVideoAnalysis", "a file of annotations of Kinovea", KINOVEA),
+    (b"<TrackMate", "a project of TrackMate", TRACKMATE),
+    (b"<Tracks ", "tracks of TrackMate as XML", TRACKMATE),
+    (b"<?xml", *XML),
+    (b"<html", "a web page", TABLE),
+)
+HDF5 = (b"\x89HDF\r\n\x1a\n", "an HDF5 file", TABLE)
+MARKUP = ("a file of markup", TABLE)
+IN_HDF5 = (
+    (b"df_with_missing", "positions of DeepLabCut (HDF5)", DEEPLABCUT),
+    (b"node_names", "an analysis of SLEAP (HDF5)", SLEAP), (b"track_occupancy", "an analysis of SLEAP (HDF5)", SLEAP),
+    (b"suggestions_json", "a project of SLEAP", SLEAP), (b"id_probabilities", "trajectories of idtracker.ai", IDTRACKER),
+)  # fmt: skip
+SHARED = (HDF5[1:], MARKUP, ARCHIVE, XML, ("a MATLAB file", MATLAB))
+ENDINGS = {
+    ".trk": ("a project of Tracker", TRACKER), ".trz": ("a project of Tracker", TRACKER),
+    ".kva": ("a file of annotations of Kinovea", KINOVEA), ".slp": ("a project of SLEAP", SLEAP),
+    ".cmbl": ("a file of Logger Pro", LOGGER_PRO), ".gambl": ("a file of Graphical Analysis", VERNIER),
+    ".vmbl": ("a file of Video Analysis", VERNIER), ".mat": ("a MATLAB file", MATLAB),
+    ".pkl": ("a pickle of Python", PANDAS), ".pickle": ("a pickle of Python", PANDAS),
+    ".xlsx": ("a spreadsheet", "save the sheet as CSV"), ".ods": ("a spreadsheet", "save the sheet as CSV"),
+    **dict.fromkeys((".mp4", ".mov", ".avi", ".mkv"), ("a film", BALL)),
+}  # fmt: skip
+
+
+def foreign_file(path: str | Path, start: bytes) -> ForeignFile | None:
+    """Return the kind of a file that holds no table of text, from its name and its first bytes; None if it may hold one."""
+    ending = ENDINGS.get(Path(path).suffix.lower())
+    found = _from_start(start)
+    if found is not None:  # a name says more than the beginnings that many programs share
+        return ForeignFile(*(ending if ending and found in SHARED else found))
+    return ForeignFile(*ending) if ending and b"\0" in start else None
+
+
+def _from_start(start: bytes) -> tuple[str, str] | None:
+    """Return the kind of file that begins with these bytes, and the advice; None if they may be a table of text."""
+    plain = start.replace(b"\0", b"")
+    if start.startswith(HDF5[0]):
+        return next(((what, advice) for sign, what, advice in IN_HDF5 if sign in start), HDF5[1:])
+    if plain.lstrip(b"\xef\xbb\xbf\xff\xfe \t\r\n").startswith(b"<"):
+        return next(((what, advice) for sign, what, advice in WITHIN if sign in plain), MARKUP)
+    if start[4:8] == b"ftyp":
+        return "a film (MP4)", BALL
+    return next(((what, advice) for sign, what, advice in BEGINNINGS if start.startswith(sign)), None)
+
+
+# ----------------------------------------------------------------------------------------------------
+# Track files: recognise the program that wrote one, read its tracks, and check them.
+
 
 MESSAGE_PACK = ".msgpack"
 OF_REBOUNDS = ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in")  # columns
@@ -433,10 +532,6 @@ def _jumps(track: Track) -> list[str]:
         return []
     at = seen.time[far[0] + 1]
     return [
-        f"{label}: the ball jumps {_times(len(far))}, by up to {step[far].max():.3g} m, first at t = {at:.6g} s; its usual step"
-        f" is {usual:.2g} m: are there rows in another unit, or was another object tracked? correct or delete these rows"
+        f"{label}: the ball jumps {times_in_words(len(far))}, by up to {step[far].max():.3g} m, first at t = {at:.6g} s; its usual"
+        f" step is {usual:.2g} m: are there rows in another unit, or was another object tracked? correct or delete these rows"
     ]
-
-
-def _times(count: int) -> str:
-    return "once" if count == 1 else f"{count} times"

@@ -1,6 +1,4 @@
-from .drawn import drawn_films as drawn_films
-from .film import FilmedEvent as FilmedEvent
-from .film import FilmedShot as FilmedShot
+from .fit import drawn_films as drawn_films
 from .fit import fit_of_some as fit_of_some
 from .fit import fit_shots as fit_shots
 from .result import EventMatch as EventMatch
@@ -8,3 +6,5 @@ from .result import FittedShot as FittedShot
 from .result import ShotsFit as ShotsFit
 from .result import ShotsRanking as ShotsRanking
 from .result import stroke_of as stroke_of
+from .search import FilmedEvent as FilmedEvent
+from .search import FilmedShot as FilmedShot

@@ -1,3 +1,3 @@
-from .objective import TrackFit as TrackFit
-from .ranking import TrackRanking as TrackRanking
-from .ranking import fit_tracks as fit_tracks
+from .fit import TrackRanking as TrackRanking
+from .fit import fit_tracks as fit_tracks
+from .model import TrackFit as TrackFit

@@ -6,7 +6,7 @@ is read as one of the main branch (of 28 June 2026), any other as one of 0.6.0.
 
 from __future__ import annotations
 
-from carom.tracks.formats.pooltool_fields import Field
+from carom.tracks.formats.pooltool import Field
 
 SYSTEM = ("cue", "table", "balls", "t", "events")
 CUE = ("id", "V0", "phi", "theta", "a", "b", "cue_ball_id", "specs")

@@ -18,8 +18,7 @@ from carom.scene.shapes.planes import Segment
 from carom.scene.shapes.rounds import Arc
 from carom.scene.shapes.table import Pockets, Table
 from carom.scene.wall import WallShape
-from carom.tracks.formats.pooltool import CONTINUOUS, EVENTS, POCKETED, recorded
-from carom.tracks.formats.pooltool_fields import Field, open_file
+from carom.tracks.formats.pooltool import CONTINUOUS, EVENTS, POCKETED, Field, open_file, recorded
 
 Array = NDArray[np.float64]
 SAME = 1e-6  # m: places in a file and on a carom table this close count as the same

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.formatting import counted
 from carom.tracks.track import Track
 
 Array = NDArray[np.float64]
@@ -36,7 +37,7 @@ def without_markers(place: Array, label: str, notes: list[str]) -> Array:
         gone = rows if far.mean() > 0.5 else rows[far]  # (a ball may pass by the place of a marker)
         if len(gone):
             found[gone] = np.nan
-            notes.append(f"{label}{marker:g}, {marker:g} in {_frames(len(gone))}: taken as missing")
+            notes.append(f"{label}{marker:g}, {marker:g} in {counted(len(gone), 'frame')}: taken as missing")
     return found
 
 
@@ -60,9 +61,5 @@ def without_invisible(place: Array, visible: Array, label: str, notes: list[str]
     """Return places (n, 2) with NaN where a column of visibility (n,) is 0; add a note."""
     gone = (visible == 0) & np.isfinite(place).any(axis=1)
     if gone.any():
-        notes.append(f"{label}not visible in {_frames(int(gone.sum()))}: taken as missing")
+        notes.append(f"{label}not visible in {counted(int(gone.sum()), 'frame')}: taken as missing")
     return np.where(gone[:, None], np.nan, place)
-
-
-def _frames(count: int) -> str:
-    return "1 frame" if count == 1 else f"{count:,} frames"

@@ -21,8 +21,8 @@ from carom.data.headers import ColumnNames, Heading, missing_unit
 from carom.data.rebounds import not_used
 from carom.data.table_cells import SIGNS, SPREADSHEET, decimal_commas, number_advice, parse_numbers, plain_number
 from carom.errors import MAX_MAGNITUDE, CaromError, Fault, FaultList, suggestion
-from carom.tracks.clock import camera_clock
 from carom.tracks.formats.missing import without_invisible, without_markers
+from carom.tracks.preprocess import camera_clock
 from carom.tracks.track import Track
 
 Array = NDArray[np.float64]

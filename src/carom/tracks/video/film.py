@@ -14,8 +14,8 @@ from carom.files import as_path
 from carom.formatting import counted
 from carom.public.defaults import GRAVITY
 from carom.public.progress import Progress
-from carom.tracks.film_laws import FilmPath
 from carom.tracks.track import Track, position_noise
+from carom.tracks.verdicts import FilmPath
 from carom.tracks.video.balls import (
     CHANGED,
     LEAST_TILES,

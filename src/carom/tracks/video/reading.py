@@ -16,7 +16,7 @@ from carom.errors import CaromError, Fault
 from carom.files import as_path, import_optional, open_regular, write_text
 from carom.formatting import counted
 from carom.public.other_rooms import figure_maker
-from carom.tracks.clock import even_interval
+from carom.tracks.preprocess import even_interval
 from carom.tracks.track import Track
 from carom.tracks.video.edges import Patch
 
