@@ -15,6 +15,7 @@ from carom.fitting.forms import _Joint, with_mixtures
 from carom.fitting.laws import laws_named
 from carom.fitting.likelihood import SpinMixture
 from carom.fitting.model import form_starts, model_of
+from carom.fitting.ranking import _variances
 from carom.fitting.rows import usable_rows
 
 BALL = Setting(RADIUS, KAPPA)
@@ -224,3 +225,12 @@ def test_laws_that_were_not_tried_are_named():
     (note,) = laws_named(None, "table", False)[1]
     assert "han2005" in note
     assert "stronge-cushion" in note
+
+
+def test_a_number_without_information_in_a_group_has_no_error_bar() -> None:
+    """Where all rows of a group stick, the information on friction is rounding, and its inverse was an error bar of 3e-9."""
+    own = np.array([[8e6, -2e-8, 3e6], [-2e-8, 2.7e-21, -9e-9], [3e6, -9e-9, 1.6e6]])
+    expected = np.diag(np.linalg.inv(own[np.ix_([0, 2], [0, 2])]))
+    found = _variances(own, np.array([1.0, 5.0, 2.0]))
+    assert np.isnan(found[1])
+    np.testing.assert_allclose(found[[0, 2]], expected, rtol=1e-12)

@@ -161,6 +161,7 @@ LEAST_ROWS, MOST_GROUPS = 5, 40
 ONE_SIDE = 0.8413  # probability up to one error bar
 MOST_WORK = 4e5  # law evaluations for all groups
 STAGE = "stage"
+LEAST_STRENGTH = 1e-9  # of the information in a direction, each number's own being 1: below it rounding decides
 
 
 def with_group_scatter(fit: Fit) -> tuple[Fit, list[str], str]:
@@ -242,17 +243,29 @@ def _by_group(fit: Fit, groups: Array) -> tuple[Array, Array]:
     model = model_of(fit.law, problem)
     seen = model.evaluate(numbers, groups)
     places = [model.places[name] for name in fit.names]
+    low, high = model.low[places], model.high[places]
     variances = np.full((len(groups), len(places)), np.nan)
     for g, information in enumerate(seen.information):
         own = own_information(
             information + np.diag((model.free >= len(fit.numbers) - len(fit.problem.shared)) * 1.0), len(places)
         )
-        inverse = np.linalg.pinv(own, hermitian=True)
-        variances[g] = np.diag(inverse)
-    low, high = model.low[places], model.high[places]
+        variances[g] = _variances(own, high - low)
     values = numbers[:, places]
     variances[(values <= low) | (values >= high)] = np.nan
     return values, variances
+
+
+def _variances(information: Array, width: Array) -> Array:
+    """Return the variances (k,) of numbers that lie in ranges (k,) by the information on them (k, k); NaN where there is none."""
+    found = np.full(len(width), np.nan)
+    known = np.flatnonzero(
+        np.diag(information) * np.square(width) > 1
+    )  # (else the whole range is within one error bar)
+    size = np.sqrt(np.diag(information)[known])
+    strength, direction = np.linalg.eigh(information[np.ix_(known, known)] / np.outer(size, size))
+    if len(known) and strength.min() > LEAST_STRENGTH:
+        found[known] = (np.square(direction) / strength).sum(axis=1) / np.square(size)
+    return found
 
 
 def _scatter(values: Array, variances: Array) -> tuple[float, float, float, float]:

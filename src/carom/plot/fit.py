@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import functools
 import html
 import io
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from carom.fitting.result import with_error_bar
-from carom.formatting import counted, format_number
+from carom.formatting import counted
 from carom.laws.registry import law_styles
 from carom.plot.style import GREY, INK, literal, new_figure, style
 
@@ -41,30 +42,6 @@ def plot_fit(ranking: Ranking) -> Figure:
         _along(right, ranking, ranking.ranked[:SHOWN])
         right.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=7, frameon=False, markerscale=2)
         figure.tight_layout(w_pad=2.0)
-    return figure
-
-
-def plot_laws(ranking: Ranking) -> Figure:
-    """Plot the motion along the wall, measured and predicted, in one panel per law, best first. Returns a Matplotlib Figure."""
-    count = len(ranking.ranked)
-    columns = min(count, 3)
-    rows = math.ceil(count / columns)
-    with style():
-        figure = new_figure(9.6, 2.7 * rows + 0.3)
-        panels = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
-        best = ranking.ranked[0].fit.aicc
-        for k, (axes, one) in enumerate(zip(panels.ravel(), ranking.ranked, strict=False)):
-            _along(axes, ranking, [one])
-            behind = one.fit.aicc - best
-            said = "best" if k == 0 else f"ΔAICc {format_number(behind, 4)}"
-            axes.set_title(f"{one.fit.law.name}: {said}", color=_look(ranking)[one.fit.law.name][0])
-            axes.label_outer()
-        for axes in panels.ravel()[count:]:
-            axes.set_visible(False)
-        for axes in panels[-2][count % columns :] if rows > 1 and count % columns else ():
-            axes.tick_params(labelbottom=True)
-            axes.set_xlabel(panels[-1, 0].get_xlabel())
-        figure.tight_layout(w_pad=1.5)
     return figure
 
 
@@ -196,29 +173,41 @@ def _spin_out(rebounds: Any) -> Any:
     return rebounds["spin_out" if rebounds.kind == "planar" else "spin_z_out"]
 
 
-def plot_residuals(ranking: Ranking) -> Figure:
-    """Plot the residuals of the two best laws, in error bars, against the angle of incidence. Returns a Matplotlib Figure."""
-    with style():
-        fits = [one.fit for one in ranking.ranked[:2]]
-        seen = [j for j in range(3) if np.isfinite(fits[0].problem.y[:, j]).any()]
-        figure = new_figure(9.6, 1.5 + 1.7 * len(fits))
-        panels = figure.subplots(len(fits), len(seen), squeeze=False, sharex=True, sharey="row")
-        look = _look(ranking)
-        for row, fit in enumerate(fits):
-            x = np.degrees(fit.problem.rebounds.angle_in)
-            gap = (fit.problem.y - fit.predicted()) / np.sqrt(fit.problem.vy)
-            for column, j in enumerate(seen):
-                axes = panels[row, column]
+def _residuals(ranking: Ranking) -> list[str]:
+    """Return the residuals of the two best laws, in error bars, against incidence, speed and the order of the rows (HTML)."""
+    parts = []
+    for one in ranking.ranked[:2]:
+        problem, ink = one.fit.problem, _look(ranking)[one.fit.law.name][0]
+        gap, speed = (problem.y - one.fit.predicted()) / np.sqrt(problem.vy), np.hypot(*_velocity_in(problem.rebounds))
+        against = {
+            "incidence, degrees": np.degrees(problem.rebounds.angle_in), "speed, m/s": speed, "row": np.arange(len(gap)) + 1,
+        }  # fmt: skip
+        parts += [f"<h3>{html.escape(one.fit.law.name)}</h3>"]
+        for j in range(3):
+            if not np.isfinite(problem.y[:, j]).any():
+                continue
+
+            def draw(axes: Any, j: int = j, label: str = "", x: Any = None, gap: Any = gap, ink: Any = ink) -> None:
                 axes.axhspan(-2, 2, color="#eeeeee", zorder=0)
                 axes.axhline(0, color=GREY, lw=0.6)
-                axes.plot(x, gap[:, j], "o", ms=2.5 if len(x) < 300 else 1, color=look[fit.law.name][0], alpha=0.8)
-                if row == 0:
-                    axes.set_title(NAMES[j])
-                if row == len(fits) - 1:
-                    axes.set_xlabel("incidence, degrees")
-            panels[row, 0].set_ylabel(f"{fit.law.name}\nmeasured - law, error bars")
-        figure.tight_layout()
-    return figure
+                axes.plot(x, gap[:, j], "o", ms=3 if len(x) < 300 else 1, color=ink, alpha=0.8)
+                axes.set(xlabel=label, ylabel=f"{NAMES[j]}:\nmeasured - law, error bars")
+                axes.xaxis.get_major_locator().set_params(integer=label == "row")
+
+            parts.append(
+                beside(
+                    [
+                        panel(functools.partial(draw, label=label, x=x), 3.4, 2.3, **MARGINS)
+                        for label, x in against.items()
+                    ],
+                    "beside three",
+                )
+            )
+    return parts
+
+
+def _velocity_in(rebounds: Any) -> tuple[Any, Any]:
+    return rebounds["v_n_in"], rebounds["v_t_in"]
 
 
 def svg(figure: Any) -> str:
@@ -230,12 +219,29 @@ def svg(figure: Any) -> str:
     return text[text.index("<svg") :]
 
 
+MARGINS = {"left": 0.19, "right": 0.97, "top": 0.9, "bottom": 0.22}  # of a panel with axes
+
+
+def panel(draw: Callable[[Any], None], width: float, height: float, **margins: float) -> str:
+    """Return one panel as a drawing of its own: on a narrow page such drawings stand below each other, and stay readable."""
+    with style():
+        figure = new_figure(width, height)
+        draw(figure.subplots())
+        figure.subplots_adjust(**margins)
+    return svg(figure)
+
+
+def beside(drawings: Iterable[str], kind: str = "beside") -> str:
+    """Return drawings beside each other, as many as the page is wide."""
+    return f'<div class="{kind}">{"".join(drawings)}</div>'
+
+
 PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>{title}</title>
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <style>
 body {{ font: 16px/1.5 system-ui, sans-serif; color: #222; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }}
-h1 {{ font-size: 1.5rem; }} h2 {{ font-size: 1.1rem; margin-top: 2rem; }}
+h1 {{ font-size: 1.5rem; overflow-wrap: anywhere; }} h2 {{ font-size: 1.1rem; margin-top: 2rem; }}
 p.verdict {{ font-size: 1.15rem; border-left: 4px solid {colour}; padding: .4rem .8rem; background: #f6f6f4; }}
 div.wide {{ overflow-x: auto; }}
 table {{ border-collapse: collapse; font-size: .88rem; }} th, td {{ padding: .25rem .7rem; }}
@@ -246,8 +252,13 @@ th:first-child, td:first-child {{ min-width: 8rem; }}
 svg {{ max-width: 100%; height: auto; }} footer {{ color: #777; font-size: .8rem; margin-top: 2rem; }}
 h3 {{ font-size: 1rem; margin: 1rem 0 .2rem; }}
 div.beside {{ display: flex; flex-wrap: wrap; gap: .2rem .8rem; }} div.beside svg {{ flex: 0 1 29rem; min-width: 0; }}
-div.small svg {{ flex: 0 1 11.5rem; }}
-@media (max-width: 40rem) {{ div.beside svg {{ flex-basis: 100%; }} div.small svg {{ flex-basis: 47%; }} }}
+div.small svg {{ flex: 0 1 11.5rem; }} div.three svg {{ flex: 0 1 19rem; }}
+@media (max-width: 40rem) {{
+div.beside svg {{ flex-basis: 100%; }} div.small svg {{ flex-basis: 47%; }}
+table.laws, .laws tr, .laws td {{ display: block; }} .laws th {{ display: none; }} .laws td {{ padding: 0 .5rem; }}
+.laws td.n {{ text-align: left; }} .laws td.n::before {{ content: attr(data-head) " "; color: #777; }}
+.laws tr {{ margin-bottom: 1rem; }}
+}}
 @media (prefers-color-scheme: dark) {{
 :root {{ color-scheme: dark; }} body {{ color: #e6e6e6; background: #111; }}
 p.verdict, tr:nth-child(odd) td {{ background: #1c1c1c; }}
@@ -259,8 +270,9 @@ th {{ border-color: #999; }} footer {{ color: #999; }} svg, svg image {{ filter:
 """
 
 
-def _cell(text: str, number: bool = True) -> str:
-    return f'<td class="n">{text}</td>' if number else f"<td>{text}</td>"
+def _cell(text: str, head: str = "") -> str:
+    """Return a cell of a table; one of numbers has the head of its column, which stands before it on a narrow page."""
+    return f'<td class="n" data-head="{head}">{text}</td>' if head else f"<td>{text}</td>"
 
 
 def table_of_laws(
@@ -268,15 +280,14 @@ def table_of_laws(
     parameters: bool = True,
 ) -> str:  # fmt: skip
     """Return the table of laws, best first; ``cells`` of a ranked fit: one for each of ``heads``, and the parameters."""
-    rows = []
+    rows, numbered = [], ("ΔAICc", *heads)
     for one in ranking.ranked:
-        law, numbers = one.fit.law, cells(one)
-        made = _cell(f"<b>{law.name}</b><br>{html.escape(law.words)}", False)
-        made += "".join(map(_cell, (f"{one.fit.aicc - ranking.best.aicc:.1f}", *numbers[: len(heads)])))
-        made += "".join(_cell(text, False) for text in numbers[len(heads) :])
+        law, found = one.fit.law, (f"{one.fit.aicc - ranking.best.aicc:.1f}", *cells(one))
+        made = _cell(f"<b>{law.name}</b><br>{html.escape(law.words)}")
+        made += "".join(map(_cell, found[: len(numbered)], numbered)) + "".join(map(_cell, found[len(numbered) :]))
         rows.append(f'<tr class="{"best" if one is ranking.ranked[0] else ""}">{made}</tr>')
-    head = "".join(f"<th>{head}</th>" for head in ("law", "ΔAICc", *heads, *(["parameters"] if parameters else [])))
-    return f'<div class="wide"><table><tr>{head}</tr>{"".join(rows)}</table></div>'
+    head = "".join(f"<th>{head}</th>" for head in ("law", *numbered, *(["parameters"] if parameters else [])))
+    return f'<div class="wide"><table class="laws"><tr>{head}</tr>{"".join(rows)}</table></div>'
 
 
 def _estimate(estimate: Any) -> str:
@@ -346,11 +357,16 @@ def film_parts(films: Sequence[TrackedFilm]) -> list[str]:
 def write_report(ranking: Ranking, path: str | Path, films: Sequence[TrackedFilm] = ()) -> Path:
     """Write the HTML report atomically: verdict, figures, table, unconstrained parameters, outliers, sheets of the films."""
     setting, best = ranking.best.problem.setting, ranking.best
+
+    def along(axes: Any) -> None:
+        _along(axes, ranking, ranking.ranked[:SHOWN])
+        axes.legend(loc="best", fontsize=7, frameon=False, markerscale=2)
+
     parts = [
         f"<p>{len(best.problem.x)} rebounds ({best.law.kind}), {best.problem.count} measurements after the wall. Ball of"
         f" radius {setting.radius * 1e3:.4g} mm, moment of inertia {setting.kappa:.4g} m a²{_table(best)}.</p>",
-        svg(plot_fit(ranking)), "<h2>The laws, best first</h2>", _laws(ranking),
-        "<h2>Measured and predicted, law by law</h2>", svg(plot_laws(ranking)), "<h2>Residuals</h2>", svg(plot_residuals(ranking)),
+        beside([panel(lambda axes: _normal(axes, ranking), 4.5, 3.4, **MARGINS), panel(along, 4.5, 3.4, **MARGINS)]),
+        "<h2>The laws, best first</h2>", _laws(ranking), "<h2>Residuals of the two best laws</h2>", *_residuals(ranking),
         listed("Outliers under the best law", [f"{o.row}: chi² {o.chi2:.1f}; {o.why}" for o in ranking.outliers]),
     ]  # fmt: skip
     footer = (

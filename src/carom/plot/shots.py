@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +12,7 @@ import numpy as np
 
 from carom.fitting.result import with_error_bar
 from carom.formatting import called_ball
-from carom.plot.fit import BALLS, SHOWN, svg, table_of_laws, write_page
+from carom.plot.fit import BALLS, SHOWN, beside, panel, table_of_laws, write_page
 from carom.plot.style import GREY, INK, literal, new_figure, style
 
 if TYPE_CHECKING:
@@ -152,14 +152,14 @@ def _by_horizon(axes: Any, fit: ShotsFit) -> None:
 def _all_shots(fit: ShotsFit) -> list[str]:
     """Return the drawings of all shots: small multiples, if there are several, and their distances."""
     small = [
-        _panel(lambda axes, one=one: _small(axes, one), 2.15, 1.3, left=0.02, right=0.98, top=0.88, bottom=0.02)  # type: ignore[misc]
+        panel(lambda axes, one=one: _small(axes, one), 2.15, 1.3, left=0.02, right=0.98, top=0.88, bottom=0.02)  # type: ignore[misc]
         for one in fit.shots
     ]
     curves = [
-        _panel(lambda axes: _distances(axes, fit), 4.5, 3.0, **MARGINS),
-        _panel(lambda axes: _by_horizon(axes, fit), 4.5, 3.0, **MARGINS),
+        panel(lambda axes: _distances(axes, fit), 4.5, 3.0, **MARGINS),
+        panel(lambda axes: _by_horizon(axes, fit), 4.5, 3.0, **MARGINS),
     ]
-    return [_beside(small, "beside small") if len(small) > 1 else "", _beside(curves)]
+    return [beside(small, "beside small") if len(small) > 1 else "", beside(curves)]
 
 
 def _from_above(axes: Any, shot: FittedShot, *, marks: bool = False, size: float = 1.0) -> None:
@@ -248,19 +248,6 @@ def _numbers(ranking: ShotsRanking) -> str:
     return f'<div class="wide"><table><tr>{head}</tr>{body}</table></div>'
 
 
-def _panel(draw: Callable[[Any], None], width: float, height: float, **margins: float) -> str:
-    """Return one panel as a drawing of its own: on a narrow page such drawings stand below each other, and stay readable."""
-    with style():
-        figure = new_figure(width, height)
-        draw(figure.subplots())
-        figure.subplots_adjust(**margins)
-    return svg(figure)
-
-
-def _beside(drawings: Iterable[str], kind: str = "beside") -> str:
-    return f'<div class="{kind}">{"".join(drawings)}</div>'
-
-
 def _shot(shot: FittedShot) -> str:
     """Return the two drawings of a shot below its name."""
 
@@ -276,8 +263,8 @@ def _shot(shot: FittedShot) -> str:
         )
 
     said = f"{html.escape(shot.name)}: {1e3 * shot.rms:.3g} mm{'' if shot.followed else ', not followed'}"
-    whole = _panel(above, 4.6, 2.6, left=0.01, right=0.99, top=0.99, bottom=0.12)
-    return f"<h3>{said}</h3>" + _beside([whole, _panel(lambda axes: _over_time(axes, shot), 4.4, 2.6, **MARGINS)])
+    whole = panel(above, 4.6, 2.6, left=0.01, right=0.99, top=0.99, bottom=0.12)
+    return f"<h3>{said}</h3>" + beside([whole, panel(lambda axes: _over_time(axes, shot), 4.4, 2.6, **MARGINS)])
 
 
 def _legend_of_marks() -> str:
@@ -285,7 +272,7 @@ def _legend_of_marks() -> str:
         axes.set_axis_off()
         axes.legend(handles=_marks(), loc="center", ncols=3, fontsize=8, frameon=False)
 
-    return _panel(draw, 4.6, 0.5, left=0.0, right=1.0, top=1.0, bottom=0.0)
+    return panel(draw, 4.6, 0.5, left=0.0, right=1.0, top=1.0, bottom=0.0)
 
 
 def write_shots_report(ranking: ShotsRanking, source: str, path: str | Path) -> Path:

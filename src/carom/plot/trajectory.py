@@ -567,7 +567,7 @@ def plot_aims(aims: Aims, file: str | os.PathLike[str] | None = None, *, solutio
             left=0.01, right=0.99, bottom=below / height, top=1 - 0.32 / height, wspace=0.04, hspace=0.16
         )
         figure.legend(
-            handles=_marks(any(one.linear for one in shown)), loc="lower center", ncols=2 if columns == 1 else 4, fontsize=7.5,
+            handles=_aim_marks(any(one.linear for one in shown)), loc="lower center", ncols=2 if columns == 1 else 4, fontsize=7.5,
             frameon=False, handletextpad=0.5, columnspacing=1.4,
         )  # fmt: skip
         return figure
@@ -575,7 +575,7 @@ def plot_aims(aims: Aims, file: str | os.PathLike[str] | None = None, *, solutio
     return drawn(draw, file)
 
 
-def _marks(with_spread: bool) -> list[Any]:
+def _aim_marks(with_spread: bool) -> list[Any]:
     """Return what the marks are, for a legend."""
     from matplotlib.lines import Line2D
 
