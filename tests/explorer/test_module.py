@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+import carom
 from carom.core.jit import webassembly
 from carom.core.jit.compile import numba_signature, signature
 from carom.core.jit.kernel_hash import kernel_hash
@@ -83,7 +84,7 @@ def test_code_that_numba_writes_otherwise_is_refused_in_a_sentence() -> None:
         build(text.replace("double %arg.x", "float %arg.x"))
     with pytest.raises(LoweringError, match=r"^expected LLVM code as Numba .* no function "):
         build(text.replace(f"@{name}(", "@other("))
-    with pytest.raises(webassembly.WebAssemblyError, match=r"^make wasm: expected LLVM code as Numba "):
+    with pytest.raises(carom.CaromError, match=r"^make wasm: expected LLVM code as Numba "):
         build(text.replace("ret i32 0", "return 0"))
 
 

@@ -123,15 +123,15 @@ def _described(annotation: Any, metadata: list[Any]) -> dict[str, Any]:  # noqa:
         optional = {"optional": True} if len(options) < len(get_args(annotation)) else {}
         return {**(_described(options[0], metadata) if len(options) == 1 else {"of": "restitution"}), **optional}
     checks = [getattr(one, "func", None) for one in metadata]
-    counts = next((one for one in checks if isinstance(one, Components)), None)
-    if get_origin(annotation) is tuple and counts is not None:
+    check = next((one for one in checks if isinstance(one, Components | Number | Whole)), None)
+    if isinstance(check, Components):
         each = _described(next(one for one in get_args(annotation) if one is not Ellipsis), [])
-        found = {"kind": "vector", "what": counts.what, "counts": [counts.counts[0], counts.counts[-1]], "each": each}
-        return {**found, **({"nonzero": True} if counts.what.endswith("a direction") else {})}
-    if number := next((one for one in checks if isinstance(one, Number)), None):
-        return _number(number)
-    if whole := next((one for one in checks if isinstance(one, Whole)), None):
-        return {"kind": "whole", "what": whole.what, "least": whole.least}
+        found = {"kind": "vector", "what": check.what, "counts": [check.counts[0], check.counts[-1]], "each": each}
+        return {**found, **({"nonzero": True} if check.what.endswith("a direction") else {})}
+    if isinstance(check, Number):
+        return _number(check)
+    if isinstance(check, Whole):
+        return {"kind": "whole", "what": check.what, "least": check.least}
     if get_origin(annotation) is Literal:
         values = get_args(annotation)
         return {"kind": "choice", "what": " or ".join(map(repr, values)), "values": list(values)}

@@ -179,7 +179,6 @@ def build() -> tuple[bytes, str, str]:
     from carom.core.jit.compile import signature
     from carom.core.jit.webassembly import (
         Export,
-        WebAssemblyError,
         build_module,
         libm_licence,
         plain_signature,
@@ -187,11 +186,7 @@ def build() -> tuple[bytes, str, str]:
         tool_versions,
     )
 
-    try:
-        require_tools()
-    except WebAssemblyError as error:  # (before the kernels are compiled, which takes a minute)
-        raise CaromError(str(error)) from None
-
+    require_tools()  # (before the kernels are compiled, which takes a minute)
     # (in the engine's own loop another process compiles this part)
     kernel(joint_impact)
     register_calls()
@@ -202,15 +197,11 @@ def build() -> tuple[bytes, str, str]:
         for one in entries()
     ]  # fmt: skip
     described = description()
-    try:
-        module = build_module(exports, described["version"])
-        described["built_with"] = tool_versions()
-        licence = libm_licence()
-    except WebAssemblyError as error:
-        raise CaromError(str(error)) from None
+    module = build_module(exports, described["version"])
+    described["built_with"] = tool_versions()
     if len(module) > MAX_BYTES:
         raise CaromError(f"make wasm: expected at most {MAX_BYTES:,} bytes, got {len(module):,}")
-    return module, json.dumps(described, indent=1, allow_nan=False) + "\n", licence
+    return module, json.dumps(described, indent=1, allow_nan=False) + "\n", libm_licence()
 
 
 def main() -> int:

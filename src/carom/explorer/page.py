@@ -13,15 +13,15 @@ import tomllib
 from collections.abc import Iterable, Sequence
 from importlib.resources import files
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from carom.data.rebound_files import read_rebounds
 from carom.data.rebounds import Rebounds
-from carom.errors import CaromError, Fault, FaultList, require_type, shortened_list, suggestion
-from carom.explorer.module import MOST_BALLS, MOST_FEATURES, engine_bytes, engine_layout
+from carom.errors import CaromError, Fault, FaultList, collected, require_type, shortened_list, suggestion
+from carom.explorer.module import ASSETS, MOST_BALLS, MOST_FEATURES, engine_bytes, engine_layout
 from carom.files import as_path, require_writable, write_text
 from carom.laws.law import Law
 from carom.laws.registry import law_named, law_styles, one_or_several
@@ -32,7 +32,6 @@ from carom.scene.shapes import FigureWall
 from carom.scene.shapes.planes import Plane
 from carom.scene.toml import load_scene
 from carom.scene.wall import WallShape, law_name
-from carom.simulation.records import LOG
 from carom.simulation.simulate import simulate
 from carom.simulation.trajectory import Trajectory
 from carom.tracks.read import film_of
@@ -46,47 +45,18 @@ STEP_S, MOST_PLACES = 0.002, 20_000  # of the run, between which a ball is taken
 FAR = 0.3  # m: a frame that is farther from the run counts as this far
 
 
-class FilmedRun(Protocol):
-    """A run beside its film: a shot of a fit (:class:`carom.fitting.shots.FittedShot`; fits stand above the page's room)."""
+def fitted_shots(given: Any) -> tuple[Any, ...]:
+    """Return the shots of a fit to whole shots, of a ranking of such fits, or one shot; none of anything else.
 
-    @property
-    def name(self) -> str:
-        """Its title."""
-        ...
-
-    @property
-    def scene(self) -> Scene:
-        """The table with the balls as they start."""
-        ...
-
-    @property
-    def film(self) -> Any:
-        """Its ``balls``, ``time`` (T,), ``position`` (T, B, 2) and ``measured`` (T, B)."""
-        ...
-
-    @property
-    def time(self) -> float:
-        """Time of the film at which the scene begins, s."""
-        ...
-
-    @property
-    def rms(self) -> float:
-        """Root mean square distance from the film, m."""
-        ...
+    A shot (:class:`carom.fitting.shots.FittedShot`; fits stand above the page's room) is a scene beside its film, with the time of
+    the film at which the scene begins, s, and the root mean square distance from the film, m.
+    """
+    shots = getattr(getattr(given, "best", given), "shots", (given,))
+    are_shots = all(isinstance(getattr(one, "scene", None), Scene) and hasattr(one, "film") for one in shots)
+    return tuple(shots) if are_shots else ()
 
 
-def fitted_shots(given: Any) -> tuple[FilmedRun, ...]:
-    """Return the shots of a fit to whole shots, of a ranking of such fits, or one shot; none of anything else."""
-    fit = getattr(given, "best", given)
-    shots = getattr(fit, "shots", (given,))
-    return (
-        tuple(shots)
-        if all(isinstance(getattr(one, "scene", None), Scene) and hasattr(one, "film") for one in shots)
-        else ()
-    )
-
-
-def places_of_shot(shot: FilmedRun) -> PageFilm:
+def places_of_shot(shot: Any) -> PageFilm:
     """Return where the film of a fitted shot saw its balls."""
     film = shot.film
     return [
@@ -129,34 +99,26 @@ def _rows(time: Any, position: Any) -> list[list[float]]:
 def _start_of_scene(scene: Scene, order: Sequence[int], tracks: Sequence[Track]) -> float:
     """Return the time of a film, s, at which the run of a scene begins that is nearest to it."""
     run = simulate(scene)
-    seen = [
-        (k, *_some(track.time[track.seen], track.position[track.seen])) for k, track in zip(order, tracks, strict=True)
-    ]
+    seen = []
+    for k, track in zip(order, tracks, strict=True):
+        rows = np.flatnonzero(track.seen)
+        rows = rows[np.unique(np.linspace(0, len(rows) - 1, FRAMES).astype(int))]
+        seen.append((k, track.time[rows], track.position[rows, 0] + 1j * track.position[rows, 1]))
     first, last = min(t[0] for _k, t, _x in seen), max(t[-1] for _k, t, _x in seen)
     until = min(run.end, last - first + BEFORE_FILM_S)
     grid = np.linspace(0.0, until, max(2, min(MOST_PLACES, int(until / STEP_S))))
-    path = np.nan_to_num(np.asarray(run.at(grid).position)[:, :, :2], nan=np.inf)
+    x, y, _z = np.moveaxis(np.asarray(run.at(grid).position), -1, 0)
+    path = x + 1j * y
 
     def distance(start: float) -> float:
         """Mean distance of the frames from the run, m."""
-        far = [
-            np.hypot(
-                np.interp(t - start, grid, path[:, k, 0]) - x[:, 0], np.interp(t - start, grid, path[:, k, 1]) - x[:, 1]
-            )
-            for k, t, x in seen
-        ]
+        far = [np.abs(np.interp(t - start, grid, path[:, k]) - place) for k, t, place in seen]
         return float(np.mean(np.fmin(np.concatenate(far), FAR)))
 
     tried = np.linspace(first - BEFORE_FILM_S, last, STARTS)
     best = min(tried, key=distance)
     step = tried[1] - tried[0]
     return float(min(np.linspace(best - step, best + step, 41), key=distance))
-
-
-def _some(time: Any, position: Any) -> tuple[Any, Any]:
-    """Return as many frames as are compared."""
-    rows = np.unique(np.linspace(0, len(time) - 1, FRAMES).astype(int))
-    return time[rows], position[rows]
 
 
 # ----------------------------------------------------------------------------------------------------
@@ -271,15 +233,14 @@ def explore(
 
 def _scene(scene: Scene | str | os.PathLike[str], faults: FaultList) -> Scene | None:
     """Return a scene that the page can show; else add to the faults why it cannot."""
-    try:
-        found = load_scene(Path(scene)) if isinstance(scene, str | os.PathLike) else scene
+    is_file = isinstance(scene, str | os.PathLike)
+    with collected(faults):
+        found = load_scene(Path(scene)) if is_file else scene
         require_type("explore", "scene", found, Scene)
-    except CaromError as error:
-        faults += error.records
-        return None
-    found = with_outlines(found)
-    faults += not_shown(found, str(scene) if isinstance(scene, str | os.PathLike) else "explore")
-    return found
+        found = with_outlines(found)
+        faults += not_shown(found, str(scene) if is_file else "explore")
+        return found
+    return None
 
 
 def with_outlines(scene: Scene) -> Scene:
@@ -317,15 +278,8 @@ def not_shown(scene: Scene, where: str) -> FaultList:
 
 def _laws(laws: str | Iterable[str] | None, faults: FaultList) -> list[str]:
     """Return the names of laws, each once."""
-    if laws is None:
-        return []
-    try:
-        asked = one_or_several("explore", laws)
-    except CaromError as error:
-        faults += error.records
-        return []
     found: dict[str, None] = {}
-    for name in asked:
+    for name in faults.attempt(one_or_several, "explore", laws or []) or ():
         try:
             law = name if isinstance(name, Law) else law_named(name)
         except CaromError as error:
@@ -366,15 +320,15 @@ def page_text(
         # (many balls under all laws at once, or paths of other laws among a film's dots, would hide what is to be seen)
         alone = len(scene.balls) > FEW_BALLS or "film" in (seen or {})
         wanted = {*own} if alone else {*_for_walls(scene, _main_laws()), *own}
-        several = [SEVERAL_LAWS] if any(wall.law is not None for wall in scene.walls) else []
+        several = [SEVERAL_LAWS] if _several(scene) else []
         listed = laws or [*several, *(name for name in names if name in wanted)]
         shown.insert(0, {**first, **_strikes(scene), "laws": listed, "slow": 1.0, **(seen or {})})
     elif laws:
         shown[0]["laws"] = laws
-    return _page_of(shown, names, rebounds)
+    return _page_of(shown, map(_card, names), rebounds)
 
 
-def _shots_text(shots: Sequence[FilmedRun], laws: list[str], rebounds: Rebounds | None) -> str:
+def _shots_text(shots: Sequence[Any], laws: list[str], rebounds: Rebounds | None) -> str:
     """Return the HTML of a page with the shots of a fit, each with its film."""
     shown = []
     for one in shots:
@@ -385,7 +339,8 @@ def _shots_text(shots: Sequence[FilmedRun], laws: list[str], rebounds: Rebounds 
             "laws": laws or [own], "slow": 1.0, "view": "above", "film": places_of_shot(one),
         }  # fmt: skip
         shown.append(found)
-    return _page_of(shown, _offered([*laws, *(law_name(one.scene.run.law) for one in shots)]), rebounds)
+    names = _offered([*laws, *(law_name(one.scene.run.law) for one in shots)])
+    return _page_of(shown, map(_card, names), rebounds)
 
 
 def _main_laws() -> list[Law]:
@@ -396,17 +351,6 @@ def _offered(others: Iterable[str]) -> list[str]:
     """Return the laws of which the page has cards: the laws of carom compare, and others."""
     wanted = {*(law.name for law in _main_laws()), *others}
     return [name for name in _compiled() if name in wanted]
-
-
-def _page_of(shown: list[dict[str, Any]], names: list[str], rebounds: Rebounds | None) -> str:
-    return filled_page(
-        {
-            "presets": shown,
-            "cards": [_card(name) for name in names],
-            "rebounds": [] if rebounds is None else _angles(rebounds),
-            "reboundsFrom": "" if rebounds is None else Path(rebounds.source).name or "the data given",
-        }
-    )
 
 
 def _for_walls(scene: Scene, laws: list[Law]) -> set[str]:
@@ -437,17 +381,28 @@ def _strikes(scene: Scene) -> dict[str, Any]:
     }
 
 
-def filled_page(data: dict[str, Any]) -> str:
+def _page_of(
+    shown: list[dict[str, Any]], cards: Iterable[dict[str, Any]], rebounds: Rebounds | None = None, **more: Any
+) -> str:
     """Return the page's HTML around what it shows, in the form of ``PageData`` of ``web/main.js``."""
-    return _filled(
-        STYLE=_asset("style.css"),
-        DATA=_script_json(data),
-        LAYOUT=_script_json(engine_layout()),
+    data = {
+        "presets": shown,
+        "cards": list(cards),
+        "rebounds": [] if rebounds is None else _angles(rebounds),
+        "reboundsFrom": "" if rebounds is None else Path(rebounds.source).name or "the data given",
+        **more,
+    }
+    parts = {
+        "STYLE": _asset("style.css"),
+        "DATA": _script_json(data),
+        "LAYOUT": _script_json(engine_layout()),
         # (the file is a copy of what is inside, so that their licences go with it)
-        LICENCES=(_asset("LICENSES.txt") + _asset("LICENSE-musl.txt")).replace("</", "<\\/"),
-        MODULE=base64.b64encode(engine_bytes()).decode("ascii"),
-        SCRIPT=_asset("page.js"),
-    )
+        "LICENCES": (_asset("LICENSES.txt") + _asset("LICENSE-musl.txt")).replace("</", "<\\/"),
+        "MODULE": base64.b64encode(engine_bytes()).decode("ascii"),
+        "SCRIPT": _asset("page.js"),
+    }
+    # in one pass: what is put in is not looked at again
+    return re.sub(r"@([A-Z]+)@", lambda match: parts[match[1]], _asset("index.html"))
 
 
 def _card(name: str) -> dict[str, Any]:
@@ -479,17 +434,12 @@ def _angles(rebounds: Rebounds) -> list[dict[str, Any]]:
 
 @functools.cache
 def _asset(name: str) -> str:
-    return (files("carom.explorer") / "assets" / name).read_text(encoding="utf-8")
+    return (ASSETS / name).read_text(encoding="utf-8")
 
 
 def _script_json(data: Any) -> str:
     """Return JSON that may stand in a script element, whatever names are in it."""
     return json.dumps(data, separators=(",", ":"), allow_nan=False, ensure_ascii=True).replace("<", "\\u003c")
-
-
-def _filled(**parts: str) -> str:
-    """Return the page with its parts, in one pass: what is put in is not looked at again."""
-    return re.sub(r"@([A-Z]+)@", lambda match: parts[match[1]], _asset("index.html"))
 
 
 # ----------------------------------------------------------------------------------------------------
@@ -522,7 +472,7 @@ def player_page(run: Trajectory, start: float, end: float, speed: float) -> str:
     scene = with_outlines(run.scene)
     why = _why_recorded(run, scene)
     if not why:
-        return page_text(scene, [SEVERAL_LAWS if _several(run) else law_name(run.scene.run.law)], seen=seen)
+        return page_text(scene, [SEVERAL_LAWS if _several(run.scene) else law_name(run.scene.run.law)], seen=seen)
     rows = _piece_rows(run, start, end)
     if len(rows) > MOST_ROWS + len(run.scene.balls):
         raise CaromError(
@@ -537,15 +487,7 @@ def player_page(run: Trajectory, start: float, end: float, speed: float) -> str:
         "end": min(run.end, max(end, float(rows["t"].max(initial=0.0)))),
         "why": f"A recorded run ({why}): it is played, not computed anew.",
     }
-    return filled_page(
-        {
-            "presets": [{**first, "scene": scene_dict(scene), **seen}],
-            "cards": [card],
-            "rebounds": [],
-            "reboundsFrom": "",
-            "recorded": recorded,
-        }
-    )
+    return _page_of([{**first, "scene": scene_dict(scene), **seen}], [card], recorded=recorded)
 
 
 def _why_recorded(run: Trajectory, scene: Scene) -> str:
@@ -558,8 +500,8 @@ def _why_recorded(run: Trajectory, scene: Scene) -> str:
     return "a page does not show its walls or its law" if not_shown(scene, "") else ""
 
 
-def _several(run: Trajectory) -> bool:
-    return any(wall.law is not None for wall in run.scene.walls)
+def _several(scene: Scene) -> bool:
+    return any(wall.law is not None for wall in scene.walls)
 
 
 def _piece_rows(run: Trajectory, start: float, end: float) -> NDArray[np.void]:
@@ -568,19 +510,15 @@ def _piece_rows(run: Trajectory, start: float, end: float) -> NDArray[np.void]:
     before = log[log["t"] <= start]
     last = {int(ball): i for i, ball in enumerate(before["ball"])}
     first = before[[last[i] for i in range(len(run.scene.balls))]]
-    rows = np.concatenate([first, log[(log["t"] > start) & (log["t"] <= end)]])
-    # (the page reads the records by the layout of its module)
-    assert rows.dtype == LOG
-    assert LOG.itemsize == engine_layout()["records"]["log"]["bytes"]
-    return rows
+    return np.concatenate([first, log[(log["t"] > start) & (log["t"] <= end)]])
 
 
 def _run_card(run: Trajectory) -> dict[str, Any]:
     """Description of the law of a recorded run, as the page shows it."""
-    several, law = _several(run), run.scene.run.law
-    card = (law if isinstance(law, Law) else law_named(law)).card
-    name = SEVERAL_LAWS if several else law_name(law)
-    colour, _dashes = law_styles([name])[name] if not several else ("#777777", None)
-    summary = "Each wall with its own law." if several else card.summary
-    valid = "" if several else card.valid
-    return {"name": name, "summary": summary, "valid": valid, "colour": colour, "dashes": None, "reads": None}
+    law = run.scene.run.law
+    law = law if isinstance(law, Law) else law_named(law)
+    card = {"name": law.name, "summary": law.card.summary, "valid": law.card.valid}
+    colour, _dashes = law_styles([law.name])[law.name]
+    if _several(run.scene):
+        card, colour = {"name": SEVERAL_LAWS, "summary": "Each wall with its own law.", "valid": ""}, "#777777"
+    return {**card, "colour": colour, "dashes": None, "reads": None}

@@ -12,6 +12,7 @@ import functools
 import inspect
 import os
 import sys
+import traceback
 import types
 import typing
 import warnings
@@ -43,13 +44,13 @@ def is_the_users(frame: FrameType) -> bool:
     return room not in LIBRARIES and (room == "__main__" or room not in sys.stdlib_module_names)
 
 
-def called_from_outside(depth: int = 2) -> bool:
+def called_from_outside() -> bool:
     """Return whether the function that asks was called by code outside carom: directly, through a public name, or by a library."""
-    frame: FrameType | None = sys._getframe(depth)
-    while frame is not None and not is_the_users(frame):
+    for frame, _line in traceback.walk_stack(sys._getframe(2)):
+        if is_the_users(frame):
+            return True
         if _name(frame).partition(".")[0] == PACKAGE and _name(frame) != BORDER:
             return False
-        frame = frame.f_back
     return True
 
 
@@ -170,8 +171,8 @@ def _explained(
         return None
     first = next(iter(signature.parameters), "")
     if first in ("self", "cls"):
-        if where == type(given.get("self")).__mro__[0].__name__ or not where.partition(".")[2]:
-            where = type(given["self"]).__name__ if "self" in given else where
+        if "self" in given and "." not in where:
+            where = type(given["self"]).__name__
         given = {name: value for name, value in given.items() if name != first}
     faults = []
     for name, value in given.items():
@@ -197,13 +198,7 @@ def _explained(
 
 def _is_the_callers(error: Exception) -> bool:
     """Return whether an exception comes from code that is neither carom's nor a library's: a callback, a law of the user's own."""
-    trace = error.__traceback__
-    trace = trace.tb_next if trace is not None else None  # (the first frame is the guard's)
-    while trace is not None:
-        if is_the_users(trace.tb_frame):
-            return True
-        trace = trace.tb_next
-    return False
+    return any(is_the_users(frame) for frame, _line in traceback.walk_tb(error.__traceback__))
 
 
 def _shown(value: Any) -> str:

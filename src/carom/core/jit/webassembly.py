@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 
 from carom.core.jit.compile import numba_signature, register_kernels
 from carom.core.jit.lowering import CFunction, LoweringError, linked_dispatcher, llvm_text, whole_module, with_entry
+from carom.errors import CaromError
 
 INSTALL = "python -m pip install -e '.[wasm]'"  # in a clone, where make wasm runs
 TRIPLE = "wasm32-unknown-unknown"
@@ -32,10 +33,6 @@ LIBM = {
 }  # fmt: skip
 LIBM_ALWAYS = ("__math_divzero", "__math_invalid", "__math_oflow", "__math_uflow", "__math_xflow", "scalbn")
 INSTRUCTIONS = {"sqrt", "floor", "ceil", "fabs"}
-
-
-class WebAssemblyError(Exception):
-    """A module cannot be built: a sentence says why, and what to do."""
 
 
 class Export(NamedTuple):
@@ -53,7 +50,7 @@ class Export(NamedTuple):
 
 
 def require_tools() -> None:
-    """Raise WebAssemblyError where ziglang is missing, or is one that cannot build a module."""
+    """Raise CaromError where ziglang is missing, or is one that cannot build a module."""
     _math_folder()
 
 
@@ -69,7 +66,7 @@ def build_module(exports: Sequence[Export], version: str = "") -> bytes:
 
     ``version`` is kept in it, as its custom section "carom".
 
-    Raises WebAssemblyError where ziglang is missing, and where Numba writes other code than this module knows.
+    Raises CaromError where ziglang is missing, and where Numba writes other code than this module knows.
     """
     register_kernels()
     text = [_text(export) for export in exports]
@@ -77,7 +74,7 @@ def build_module(exports: Sequence[Export], version: str = "") -> bytes:
         work = Path(folder)
         made, needed = _object(exports, text)
         if unknown := needed - set(LIBM):
-            raise WebAssemblyError(
+            raise CaromError(
                 f"make wasm: expected functions of {', '.join(LIBM)}, got {', '.join(sorted(unknown))};"
                 f" add their files to LIBM in {__name__}"
             )
@@ -103,7 +100,7 @@ def _text(export: Export) -> str:
         name, text = llvm_text(linked_dispatcher(export.function, kind))
         return _of_numbas_text(export, kind.args, name, text)
     except LoweringError as error:
-        raise WebAssemblyError(f"make wasm: {error}") from None
+        raise CaromError(f"make wasm: {error}") from None
 
 
 def _of_numbas_text(export: Export, arguments: Sequence[Any], name: str, text: str) -> str:
@@ -122,7 +119,7 @@ def _object(exports: Sequence[Export], texts: Sequence[str]) -> tuple[bytes, set
     try:
         whole = whole_module(texts, {f"{of}{one.name}" for one in exports for of in ("", "address_of_")})
     except LoweringError as error:
-        raise WebAssemblyError(f"make wasm: {error}") from None
+        raise CaromError(f"make wasm: {error}") from None
     machine = llvm.Target.from_triple(TRIPLE).create_target_machine(opt=3, reloc="static", codemodel="default")
     options = llvm.create_pipeline_tuning_options(speed_level=2)
     options.inlining_threshold, options.loop_unrolling = INLINED, False  # (a page is to be small: 295 kB for 332)
@@ -149,16 +146,16 @@ def _zig(*arguments: str) -> None:
     if done.returncode != 0:
         said = done.stderr.strip().splitlines() or ["no message"]
         first = next((line for line in said if "error" in line), said[0])
-        raise WebAssemblyError(f"make wasm: expected {arguments[0]} to succeed, got: {first}")
+        raise CaromError(f"make wasm: expected {arguments[0]} to succeed, got: {first}")
 
 
 def _math_folder() -> Path:
     found = find_spec("ziglang")
     if found is None or found.origin is None:
-        raise WebAssemblyError(f"make wasm: expected ziglang, got none; run {INSTALL}")
+        raise CaromError(f"make wasm: expected ziglang, got none; run {INSTALL}")
     folder = Path(found.origin).parent / "lib" / "libc" / "musl" / "src" / "math"
     if not (folder / "exp.c").is_file():
-        raise WebAssemblyError(f"make wasm: expected a ziglang with musl's libm (0.13), got another; run {INSTALL}")
+        raise CaromError(f"make wasm: expected a ziglang with musl's libm (0.13), got another; run {INSTALL}")
     return folder
 
 
