@@ -167,7 +167,8 @@ def rolling_state():
 
 def conventional_jumps():
     motion = bodies.ball_on_wall(friction=sp.oo, nonhol_coneqs=bodies.rolling())
-    wall = {r.name: r.expression for r in motion.contact_rows["wall"]}
+    (contact,) = motion.contacts
+    wall = {f"wall {i}": expr for i, expr in enumerate((contact.normal, *contact.tangents))}
     energy = bodies.m * (bodies.VX**2 + bodies.VY**2 + bodies.VZ**2) / 2
     energy += bodies.kappa * bodies.m * a**2 * (bodies.WX**2 + bodies.WY**2 + bodies.WZ**2) / 2
     motion = ImpulsiveMotion(

@@ -263,7 +263,6 @@ def test_a_gyroscopic_term_takes_no_part_in_the_jump():
     plain = ImpulsiveMotion(T, [x, y], imposed=[x.diff(t) - y.diff(t)])
     charged = ImpulsiveMotion(T + field * (x * y.diff(t) - y * x.diff(t)), [x, y], imposed=[x.diff(t) - y.diff(t)])
     assert plain.solve().after == charged.solve().after
-    assert charged.momentum(0)[0] == m * sp.Symbol("xdot0", real=True) - field * y
 
 
 def test_a_slide_says_under_which_conditions_it_stands():
@@ -320,8 +319,8 @@ def test_singular_attitude_is_told_and_has_a_limit():
         fixed.lagrangian,
         fixed.coordinates,
         at=at,
-        nonhol_coneqs={r.name: r.expression for r in fixed.permanent},
-        instant={r.name: r.expression for r in fixed.imposed},
+        nonhol_coneqs={name: row.xreplace(model.LIFTED) for name, row in model.floor_rows().items()},
+        instant={name: row.xreplace(model.LIFTED) for name, row in model.wall_rows().items()},
     )
     with pytest.raises(CaromError, match=r"varphi.*cannot parametrise.*speeds that move: .*theta.*psi"):
         fixed.virtual_displacements([rate])
@@ -412,22 +411,6 @@ def test_kane_and_levinsons_pendulum_gains_energy_under_newtons_rule_only():
     assert newton.energy_change / start == pytest.approx(0.298, abs=1e-3)
     for rule in ("poisson", "stronge"):  # silent, and dissipative
         assert pendulum.percussion("tip", values, rule).energy_change / start < -0.3
-
-
-def test_newton_minors_find_the_restitution_above_which_some_velocity_gains():
-    rod = bodies.rod_on_one_end()
-    # where a minor of Newton's loss is negative some velocity gains energy; the eigenvector is one
-    minors = rod.newton_minors("end")
-    steep = {bodies.theta: sp.pi / 4, bodies.m: 1, bodies.l: 1}
-    limit = sp.solve(minors[-1].subs(steep), bodies.e)
-    threshold = next(x for x in limit if x.is_positive)
-    assert 0 < threshold < 1
-    for e, gains in ((threshold - R(1, 50), False), (threshold + R(1, 50), True)):
-        g_matrix = rod.delassus("end").subs(steep)
-        loss = (sp.eye(2) + sp.diag(e, 0)) * g_matrix.inv() * (sp.eye(2) - sp.diag(e, 0))
-        values_of = [sp.N(v) for v in ((loss + loss.T) / 2).eigenvals()]
-        assert any(v < 0 for v in values_of) is gains
-        assert bool(sp.N(minors[-1].subs(steep).subs(bodies.e, e)) < 0) is gains
 
 
 def test_energy_gain_and_jam_warn():

@@ -23,7 +23,7 @@ import sympy as sp
 
 from carom.derive.impulsive import ImpulsiveMotion
 from carom.derive.linear import Expr, Matrix, independent_rows, is_zero, null_basis, reduce_trig, tidy
-from carom.derive.percussion import Jump, delassus
+from carom.derive.percussion import Jump, delassus, rk4
 from carom.derive.system import ConstraintRow, constraint_row, make_speeds, named_constraints
 from carom.errors import CaromError, Fault
 
@@ -293,9 +293,7 @@ def first_integrals(test: Integrability, degree: int = 2, extra: Iterable[Expr] 
     rows = []
     for k in range(test.closure.cols):
         field = test.closure[:, k]
-        common = sp.S.One
-        for x in field:
-            common = sp.lcm(common, sp.fraction(reduce_trig(x))[1])
+        common = sp.lcm_list([sp.fraction(reduce_trig(x))[1] for x in field])
         cleared = [reduce_trig(x * common) for x in field]
         rates = [
             reduce_trig(sum((sp.diff(t, q) * c for q, c in zip(test.coordinates, cleared, strict=True)), sp.S.Zero))
@@ -323,9 +321,7 @@ def first_integrals(test: Integrability, degree: int = 2, extra: Iterable[Expr] 
 
 def _coefficient_rows(rates: Sequence[Expr]) -> list[list[Expr]]:
     """Return the linear conditions on the coefficients c_i: every monomial of the sum of c_i rates_i must vanish."""
-    common = sp.S.One
-    for r in rates:
-        common = sp.lcm(common, sp.fraction(sp.together(r))[1])
+    common = sp.lcm_list([sp.fraction(sp.together(r))[1] for r in rates])
     numerators = [sp.expand(sp.cancel(r * common)) for r in rates]
     table: dict[Expr, dict[int, Expr]] = {}
     gens = sorted({g for n in numerators for g in (n.atoms(sp.sin, sp.cos) | n.free_symbols)}, key=str)
@@ -357,23 +353,18 @@ def integral_drift(
     table = test.fields.subs(numbers).tolist()
     field: Any = sp.lambdify(list(test.coordinates), table, modules="math")
     value: Any = sp.lambdify(list(test.coordinates), sp.sympify(integral).subs(numbers), modules="math")
-    q = [float(start[c]) for c in test.coordinates]
+    y = [0.0, *(float(start[c]) for c in test.coordinates)]
 
-    def flow(s: float, at: Sequence[float]) -> list[float]:
-        columns, speeds = field(*at), drive(s)
+    def flow(at: list[float]) -> list[float]:
+        columns, speeds = field(*at[1:]), drive(at[0])
         if len(speeds) != test.rank:
             raise CaromError(
                 f"integral drift: expected {test.rank} speeds along the allowed velocities, got {len(speeds)}"
             )
-        return [float(sum(columns[i][k] * speeds[k] for k in range(test.rank))) for i in range(len(at))]
+        return [1.0, *(float(sum(c * u for c, u in zip(row, speeds, strict=True))) for row in columns)]
 
-    h, first, worst = length / steps, value(*q), 0.0
-    for n in range(steps):
-        s = n * h
-        k1 = flow(s, q)
-        k2 = flow(s + h / 2, [a + h / 2 * b for a, b in zip(q, k1, strict=True)])
-        k3 = flow(s + h / 2, [a + h / 2 * b for a, b in zip(q, k2, strict=True)])
-        k4 = flow(s + h, [a + h * b for a, b in zip(q, k3, strict=True)])
-        q = [a + h / 6 * (b + 2 * c + 2 * d + e) for a, b, c, d, e in zip(q, k1, k2, k3, k4, strict=True)]
-        worst = max(worst, abs(value(*q) - first))
+    first, worst = value(*y[1:]), 0.0
+    for _ in range(steps):
+        y = rk4(flow, y, length / steps)
+        worst = max(worst, abs(value(*y[1:]) - first))
     return worst

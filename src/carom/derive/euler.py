@@ -181,14 +181,9 @@ def wall_rates(angles: ArrayLike, speed: ArrayLike = 1.0) -> Array:
     >>> euler.wall_rates((1.5707963267948966, 0.0, 0.0), speed=2**0.5).round(12) + 0.0
     array([ 1.,  0., -1.])
     """
-    th, _ph, _ps = _triple(angles, "angles")
     size = np.asarray(speed, dtype=float) / np.sqrt(2)
     # (4) with (2): omega_y = 0 and omega_x = -omega_z
-    spin = np.stack(np.broadcast_arrays(size, 0 * size, -size), axis=-1)
-    shape = np.broadcast_shapes(th.shape, spin.shape[:-1])
-    return euler_rates(
-        np.broadcast_to(np.asarray(angles, dtype=float), (*shape, 3)), np.broadcast_to(spin, (*shape, 3))
-    )
+    return euler_rates(angles, np.stack([size, 0 * size, -size], axis=-1))
 
 
 def psi_integral(angles: ArrayLike) -> Any:

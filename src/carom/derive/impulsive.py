@@ -131,7 +131,7 @@ class ImpulsiveMotion:
             if q not in self.coordinates:
                 raise CaromError(f"at: {q} is not a coordinate; expected some of {list(self.coordinates)}")
         self.lagrangian = sp.sympify(lagrangian)
-        self.mass, self._drift_momentum = mass_matrix(self.lagrangian, self.coordinates, self.speeds, self.at)
+        self.mass = mass_matrix(self.lagrangian, self.coordinates, self.speeds, self.at)
         bounce = {str(k): sp.sympify(v) for k, v in (restitution or {}).items()}
 
         def rows(
@@ -181,13 +181,6 @@ class ImpulsiveMotion:
     def u1(self) -> Matrix:
         """Symbols of the speeds just after."""
         return sp.Matrix(self.speeds.after)
-
-    def momentum(self, moment: int) -> Matrix:
-        """Return the generalised momenta just before (0) or just after (1) the instant, in the symbols of that moment."""
-        speeds = self.speeds.after if moment else self.speeds.before
-        return (self.mass * sp.Matrix(speeds) + self.speeds.plain(self._drift_momentum).xreplace(self.at)).applyfunc(
-            tidy
-        )
 
     def velocity(self, expr: Expr, jump: Jump | None = None) -> Expr:
         """Return a velocity (an expression of the speeds) just before the instant or, given its ``jump``, just after it."""
@@ -242,8 +235,8 @@ class ImpulsiveMotion:
             )
         return [sp.sign(values[0])] if len(values) == 1 else [v / size for v in values]
 
-    def _instant(self, rows: list[ConstraintRow], columns: Matrix) -> Instant:
-        return Instant(self.mass, self.u0, rows, columns, self.impulse)
+    def _instant(self, modes: Mapping[str, str] | str | None) -> Instant:
+        return Instant(self.mass, self.u0, *self.acting(modes), self.impulse)
 
     def contact(self, name: str) -> tuple[Contact, list[ConstraintRow]]:
         """Return the contact of that name and its constraint rows: normal, then tangents."""
@@ -257,8 +250,7 @@ class ImpulsiveMotion:
 
         Raises CaromError where two constraints contradict each other (equal coefficients, different drift or restitution).
         """
-        rows, _ = self.acting(modes)
-        return split_rows(rows)[1]
+        return split_rows(self.acting(modes)[0])[1]
 
     # -- first derivation: virtual displacements ----------------------------------------------------------------------
 
@@ -286,12 +278,13 @@ class ImpulsiveMotion:
 
     def jump_equations(self, modes: Mapping[str, str] | str | None = None) -> list[Expr]:
         """Return the linear equations for the speeds just after: momenta along virtual displacements, then restitution."""
-        rows, columns = self.acting(modes)
+        instant = self._instant(modes)
         shift = self.mass * (self.u1 - self.u0) - self.impulse
-        kept, redundant = split_rows(rows)
-        wanted = targets(self._instant(rows, columns), kept, redundant)
+        _, wanted = targets(instant)
         equations = [sp.Eq(tidy(sp.expand(x)), 0) for x in self.virtual_displacements(modes=modes).T * shift]
-        equations += [sp.Eq(sp.expand((rows[i].coefficients * self.u1)[0]), tidy(v)) for i, v in sorted(wanted.items())]
+        equations += [
+            sp.Eq(sp.expand((instant.rows[i].coefficients * self.u1)[0]), tidy(v)) for i, v in sorted(wanted.items())
+        ]
         return equations
 
     # -- solutions ------------------------------------------------------------------------------------------------------
@@ -316,10 +309,9 @@ class ImpulsiveMotion:
         """
         if method not in ("multipliers", "virtual"):
             raise CaromError(f"method: expected 'multipliers' or 'virtual', got {method!r}")
-        rows, columns = self.acting(modes)
+        instant, poisson = self._instant(modes), dict[str, Expr]()
         chosen = self._modes(modes)
         self._check_hypotheses(chosen)
-        instant, poisson = self._instant(rows, columns), dict[str, Expr]()
         by_poisson = {c.name: c for c in self.contacts if c.hypothesis == "poisson" and chosen[c.name] != "open"}
         if by_poisson:
             restitution = {f"{name}.n": c.restitution for name, c in by_poisson.items()}
@@ -330,8 +322,7 @@ class ImpulsiveMotion:
         else:
             u1 = solve_by_displacements(instant)
             impulses = impulses_of(instant, kept, u1)
-        impulses = {**poisson, **impulses}
-        return self._finish(u1, impulses, redundant, chosen)
+        return self._finish(u1, {**poisson, **impulses}, redundant, chosen)
 
     def _check_hypotheses(self, chosen: Mapping[str, str]) -> None:
         for c in self.contacts:
@@ -349,8 +340,8 @@ class ImpulsiveMotion:
         The equations contain the symbols ``speeds.before`` and ``speeds.after`` and may be nonlinear (the paper's third
         hypothesis, conservation of energy). Raises CaromError where they leave a family of solutions or have none.
         """
-        rows, columns = self.acting(modes)
-        kept, redundant = split_rows(rows)
+        instant = self._instant(modes)
+        kept, redundant = split_rows(instant.rows)
         linear = [e.lhs - e.rhs for e in self.jump_equations(modes) if not isinstance(e, sp.logic.boolalg.BooleanAtom)]
         extra = [
             (e.lhs - e.rhs if isinstance(e, sp.Equality) else sp.sympify(e)).xreplace(self.pre_relations)
@@ -363,8 +354,7 @@ class ImpulsiveMotion:
             if u1.has(*self.speeds.after):
                 raise CaromError("close: equations: they leave a family of solutions; give one more")
             u1 = u1.applyfunc(tidy)
-            impulses = impulses_of(self._instant(rows, columns), kept, u1)
-            jumps.append(self._finish(u1, impulses, redundant, self._modes(modes)))
+            jumps.append(self._finish(u1, impulses_of(instant, kept, u1), redundant, self._modes(modes)))
         if not jumps:
             raise CaromError("close: equations: expected a common solution, but no speeds meet all the equations")
         return jumps
@@ -379,7 +369,6 @@ class ImpulsiveMotion:
         # The difference of squares keeps symbolic results short: (u1 - u0) M (u1 + u0) / 2
         change = tidy(((u1 - self.u0).T * self.mass * (u1 + self.u0))[0] / 2)
         notes, free, conditions = [], [], dict[str, Expr]()
-        impulses = dict(impulses)
         for name, how in redundant.items():
             if any(name.startswith(f"{c.name}.") and chosen[c.name] == "slide" for c in self.contacts):
                 raise CaromError(
@@ -423,10 +412,6 @@ class ImpulsiveMotion:
     def jam_friction(self, name: str) -> Expr:
         """Return the friction coefficient above which some slip of the contact jams; oo where none does."""
         return contact_mass.jam_friction(self.delassus(name))
-
-    def newton_minors(self, name: str) -> list[Expr]:
-        """Return the leading minors of the energy loss under Newton's rule; see :func:`carom.derive.percussion.newton_minors`."""
-        return contact_mass.newton_minors(self.delassus(name), self.contact(name)[0])
 
     def percussion(self, name: str, values: Mapping[Expr, Any], hypothesis: str | None = None) -> Percussion:
         """Follow one contact through its impact numerically: slip, reversal, stick, jam (:func:`percussion.follow`).

@@ -6,7 +6,7 @@ SymPy's own elimination treats ``sin(q)`` and ``cos(q)`` as independent, so a pi
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from functools import cache, lru_cache
 from typing import Any
 
@@ -82,7 +82,8 @@ def reduce_trig(expr: Expr, keep: str = "sin") -> Expr:
 
     Tangents, cotangents and multiple angles are expanded first, so that cos^2 + sin^2 = 1 is the only relation left.
     """
-    return _reduced(sp.sympify(expr), keep)
+    expr = sp.sympify(expr)
+    return expr if expr.is_Atom else _reduced(expr, keep)
 
 
 @lru_cache(maxsize=4096)
@@ -132,11 +133,6 @@ def _tidied(expr: Expr) -> Expr:
     return min((sp.factor(form) for form in forms), key=sp.count_ops)
 
 
-def _short(expr: Expr) -> Expr:
-    """Cancel common factors, and sin^2 + cos^2, between elimination steps."""
-    return expr if expr.is_Atom else reduce_trig(expr)
-
-
 def independent_rows(rows: Matrix) -> tuple[list[int], dict[int, dict[int, Expr]]]:
     """Return the indices of a maximal set of independent rows, and each other row as a combination of them.
 
@@ -152,7 +148,7 @@ def independent_rows(rows: Matrix) -> tuple[list[int], dict[int, dict[int, Expr]
             factor = row[column]
             if factor == 0:
                 continue
-            row = [_short(x - factor * b) for x, b in zip(row, base, strict=True)]
+            row = [reduce_trig(x - factor * b) for x, b in zip(row, base, strict=True)]
             row[column] = sp.S.Zero
             for j, c in how.items():
                 combination[j] = combination.get(j, sp.S.Zero) + factor * c
@@ -161,7 +157,7 @@ def independent_rows(rows: Matrix) -> tuple[list[int], dict[int, dict[int, Expr]
             dependent[i] = {j: tidy(c) for j, c in combination.items() if not is_zero(c)}
             continue
         scale = row[pivot]
-        row = [_short(x / scale) for x in row]
+        row = [reduce_trig(x / scale) for x in row]
         how_new = {j: -c / scale for j, c in combination.items()}
         how_new[i] = 1 / scale
         reduced.append((pivot, row, how_new))
@@ -183,14 +179,12 @@ def solve_linear(matrix: Matrix, right: Matrix, what: str = "linear equations") 
         best = min(choices, key=lambda i: sp.count_ops(table[i][k]))
         table[k], table[best] = table[best], table[k]
         pivot = table[k][k]
-        table[k] = [x if j < k else _short(x / pivot) for j, x in enumerate(table[k])]
+        table[k] = [reduce_trig(x / pivot) for x in table[k]]
         for i in range(size):
             factor = table[i][k]
             if i == k or factor == 0:
                 continue
-            table[i] = [
-                _short(x - factor * y) if j >= k else x for j, (x, y) in enumerate(zip(table[i], table[k], strict=True))
-            ]
+            table[i] = [reduce_trig(x - factor * y) for x, y in zip(table[i], table[k], strict=True)]
             table[i][k] = sp.S.Zero
     return sp.Matrix([[tidy(x) for x in row[size:]] for row in table])
 
@@ -203,7 +197,7 @@ def null_basis(rows: Matrix, free: Sequence[int] | None = None) -> Matrix:
     kept, _ = independent_rows(rows)
     system = rows.extract(kept, list(range(rows.cols))) if kept else sp.zeros(0, rows.cols)
     wanted = rows.cols - len(kept)
-    bound = _bound_columns(system, () if free is None else free)
+    bound = bound_columns(system, free or ())
     loose = [j for j in range(rows.cols) if j not in bound]
     if free is not None and set(loose) != set(free):
         raise CaromError(
@@ -221,19 +215,10 @@ def null_basis(rows: Matrix, free: Sequence[int] | None = None) -> Matrix:
     return basis
 
 
-def _bound_columns(system: Matrix, avoid: Iterable[int]) -> list[int]:
-    """Return the columns of ``system`` to solve for: those outside ``avoid`` first, and the last ones first."""
-    away = set(avoid)
-    order = [j for j in reversed(range(system.cols)) if j not in away] + [
-        j for j in reversed(range(system.cols)) if j in away
-    ]
+def bound_columns(system: Matrix, avoid: Sequence[int] = ()) -> list[int]:
+    """Return the columns that independent rows determine in terms of the others: those outside ``avoid`` first, the last first."""
     if not system.rows:
         return []
+    order = sorted(range(system.cols), key=lambda j: (j in avoid, -j))
     kept, _ = independent_rows(system.extract(list(range(system.rows)), order).T)
     return sorted(order[i] for i in kept)
-
-
-def bound_columns(rows: Matrix) -> list[int]:
-    """Return the columns that the rows determine in terms of the others, the last ones first."""
-    kept, _ = independent_rows(rows)
-    return _bound_columns(rows.extract(kept, list(range(rows.cols))), ())

@@ -262,7 +262,8 @@ def follow(g: Matrix, start: Sequence[Number], e: Number, mu: Number, hypothesis
         raise CaromError(f"percussion: the contact separates (normal velocity {start[0]} > 0), there is no impact")
     zero = start[0] * 0
     run = _Run(hypothesis, e, start[0], zero, start[0], list(start[1:]), [zero] * (size - 1), zero)
-    phases = _in_plane(g, run, mu) if size == 2 else _in_space(g, run, mu)
+    over = mu == sp.oo and _stopped_at_once(g, run)
+    phases = [] if over else (_in_plane if size == 2 else _in_space)(g, run, mu)
     velocity = (run.un, *run.ut)
     impulse = (run.p, *run.rt)
     change = sum(((v + u) * r for v, u, r in zip(velocity, start, impulse, strict=True)), zero) / 2
@@ -288,8 +289,6 @@ def _in_plane(g: Matrix, run: _Run, mu: Number) -> list[Phase]:
     """Follow the impact in the plane by Routh's diagram: slip, then stick or reversed slip."""
     nn, nt, tt = g[0, 0], g[0, 1], g[1, 1]
     phases: list[Phase] = []
-    if mu == sp.oo and _stopped_at_once(g, run):
-        return phases
     if run.ut[0] != 0:
         side = sp.sign(run.ut[0])
         rate, slip = nn - mu * side * nt, nt - mu * side * tt
@@ -319,8 +318,6 @@ _STEP = 0.01  # of the slip's own decay; RK4 leaves about 1e-9 of the slip
 def _in_space(g: Matrix, run: _Run, mu: Number) -> list[Phase]:
     """Follow the impact in space: integrate the hodograph of the slip, then stick or straight slip."""
     phases: list[Phase] = []
-    if mu == sp.oo and _stopped_at_once(g, run):
-        return phases
     for name in ("e", "first", "p", "un", "work"):
         setattr(run, name, float(getattr(run, name)))
     run.ut, run.rt = [float(u) for u in run.ut], [float(r) for r in run.rt]
@@ -367,6 +364,15 @@ def _ray(m: list[list[float]], mu: float) -> tuple[list[float], list[float]]:
     raise CaromError("percussion: the contact can neither stick nor slip; its inverse mass is not a rigid body's")
 
 
+def rk4(flow: Callable[[list[float]], list[float]], y: list[float], h: float) -> list[float]:
+    """Return y after a step h of y' = flow(y), by the classical method of Runge and Kutta."""
+    k1 = flow(y)
+    k2 = flow([a + h / 2 * b for a, b in zip(y, k1, strict=True)])
+    k3 = flow([a + h / 2 * b for a, b in zip(y, k2, strict=True)])
+    k4 = flow([a + h * b for a, b in zip(y, k3, strict=True)])
+    return [a + h / 6 * (b + 2 * c + 2 * d + f) for a, b, c, d, f in zip(y, k1, k2, k3, k4, strict=True)]
+
+
 def _swerve(m: list[list[float]], run: _Run, mu: float) -> tuple[bool, bool]:
     """Integrate in s, dp = |u_t| ds, in which the slip decays smoothly; return whether the impact is over, and has jammed."""
     first = math.hypot(*run.ut)
@@ -379,19 +385,12 @@ def _swerve(m: list[list[float]], run: _Run, mu: float) -> tuple[bool, bool]:
         speed = [sum(m[i][j] * push[j] for j in range(3)) for i in range(3)]
         return [push[0], speed[0], speed[1], speed[2], push[1], push[2], y[1] * push[0]]
 
-    def rk4(y: list[float], h: float) -> list[float]:
-        k1 = flow(y)
-        k2 = flow([a + h / 2 * b for a, b in zip(y, k1, strict=True)])
-        k3 = flow([a + h / 2 * b for a, b in zip(y, k2, strict=True)])
-        k4 = flow([a + h * b for a, b in zip(y, k3, strict=True)])
-        return [a + h / 6 * (b + 2 * c + 2 * d + f) for a, b, c, d, f in zip(y, k1, k2, k3, k4, strict=True)]
-
     def until(y: list[float], h: float, passed: Callable[[list[float]], bool]) -> list[float]:
         low, high = 0.0, h
         for _ in range(60):
             middle = (low + high) / 2
-            low, high = (low, middle) if passed(rk4(y, middle)) else (middle, high)
-        return rk4(y, high)
+            low, high = (low, middle) if passed(rk4(flow, y, middle)) else (middle, high)
+        return rk4(flow, y, high)
 
     def ended(y: list[float]) -> bool:
         if run.p_c is None:
@@ -405,7 +404,7 @@ def _swerve(m: list[list[float]], run: _Run, mu: float) -> tuple[bool, bool]:
     y = [run.p, run.un, *run.ut, *run.rt, run.work]
     over = False
     while math.hypot(y[2], y[3]) > 1e-12 * first:
-        new = rk4(y, step)
+        new = rk4(flow, y, step)
         jammed = jammed or (run.p_c is None and new[1] < y[1])
         if run.p_c is None and y[1] < 0 <= new[1]:
             y = until(y, step, lambda z: z[1] >= 0)
@@ -445,10 +444,6 @@ class Instant:
     columns: Matrix
     impulse: Matrix
 
-    def value(self, row: ConstraintRow) -> Expr:
-        """Return the velocity of a row just before."""
-        return value_of(row, self.u0)
-
 
 def value_of(row: ConstraintRow, speeds: Matrix) -> Expr:
     """Return the velocity that a constraint row measures, for given speeds."""
@@ -473,11 +468,12 @@ def split_rows(rows: Sequence[ConstraintRow]) -> tuple[list[int], Redundant]:
     return kept, redundant
 
 
-def targets(at: Instant, kept: list[int], redundant: Mapping[str, Mapping[str, Expr]]) -> dict[int, Expr]:
-    """Return the velocity along each kept row just after; redundant rows must ask for the same."""
+def targets(at: Instant) -> tuple[list[int], dict[int, Expr]]:
+    """Return the independent rows, and the velocity along each just after; redundant rows must ask for the same."""
     rows = at.rows
+    kept, redundant = split_rows(rows)
     wants = {
-        i: -r.drift if r.closing == 0 else -r.drift - r.closing * at.value(r)
+        i: -r.drift if r.closing == 0 else -r.drift - r.closing * value_of(r, at.u0)
         for i, r in enumerate(rows)
         if r.closing is not None
     }
@@ -492,38 +488,36 @@ def targets(at: Instant, kept: list[int], redundant: Mapping[str, Mapping[str, E
                 f"constraints: {name} follows from {', '.join(how)}, but their restitution asks for another velocity "
                 f"afterwards (they differ by {tidy(gap)})"
             )
-    return {i: wants[i] for i in kept if i in wants}
+    return kept, {i: wants[i] for i in kept if i in wants}
+
+
+def _not_closed(rows: Sequence[ConstraintRow], kept: list[int], wanted: Mapping[int, Expr]) -> CaromError:
+    loose = ", ".join(rows[i].name for i in kept if i not in wanted)
+    return CaromError(
+        f"jump: expected a closing equation for every acting constraint, got none for {loose}; give its restitution or call "
+        "close(...)"
+    )
 
 
 def solve_by_displacements(at: Instant) -> Matrix:
     """Return the speeds just after: momenta along virtual displacements are conserved, and restitution closes the rest."""
     rows = at.rows
-    kept, redundant = split_rows(rows)
-    wanted = targets(at, kept, redundant)
+    kept, wanted = targets(at)
     basis = null_basis(at.columns.T)
     left = [basis.T * at.mass] + [rows[i].coefficients for i in sorted(wanted)]
     right = [basis.T * (at.mass * at.u0 + at.impulse)] + [sp.Matrix([wanted[i]]) for i in sorted(wanted)]
     matrix = sp.Matrix.vstack(*left)
     if matrix.rows != matrix.cols:
-        loose = [rows[i].name for i in kept if i not in wanted]
-        raise CaromError(
-            f"jump: expected a closing equation for every acting constraint, got none for {', '.join(loose)}; give "
-            "its restitution or call close(...)"
-        )
+        raise _not_closed(rows, kept, wanted)
     return solve_linear(matrix, sp.Matrix.vstack(*right), "jump equations")
 
 
 def solve_by_multipliers(at: Instant) -> tuple[Matrix, dict[str, Expr]]:
     """Return the speeds just after and the impulses: M (u1 - u0) = sum of impulses, with restitution as closing equations."""
     rows = at.rows
-    kept, redundant = split_rows(rows)
-    wanted = targets(at, kept, redundant)
+    kept, wanted = targets(at)
     if len(wanted) < len(kept):
-        loose = [rows[i].name for i in kept if i not in wanted]
-        raise CaromError(
-            f"jump: expected a closing equation for every acting constraint, got none for {', '.join(loose)}; give "
-            "its restitution or call close(...)"
-        )
+        raise _not_closed(rows, kept, wanted)
     n, r = at.mass.rows, len(kept)
     push = at.columns.extract(list(range(n)), kept)
     table = sp.zeros(n + r, n + r)
@@ -557,19 +551,10 @@ def impulses_of(at: Instant, kept: list[int], u1: Matrix) -> dict[str, Expr]:
 
 def relations_before(held: Sequence[ConstraintRow], before: Sequence[Expr]) -> dict[Expr, Expr]:
     """Return the speeds just before that the constraints held until then determine, in terms of the other speeds."""
-    if not held:
-        return {}
-    rows = sp.Matrix.vstack(*[r.coefficients for r in held])
-    kept, dependent = independent_rows(rows)
-    for i, how in dependent.items():
-        gap = held[i].drift - sum((c * held[j].drift for j, c in how.items()), sp.S.Zero)
-        if not is_zero(gap):
-            raise CaromError(
-                f"constraints: {held[i].name} contradicts {', '.join(held[j].name for j in how) or 'itself'}"
-            )
-    system = rows.extract(kept, list(range(rows.cols)))
+    kept, _ = split_rows(held)
+    system = sp.Matrix.vstack(*[held[i].coefficients for i in kept])
     bound = bound_columns(system)
-    loose = [j for j in range(rows.cols) if j not in bound]
+    loose = [j for j in range(system.cols) if j not in bound]
     right = -sp.Matrix([held[i].drift for i in kept])
     if loose:
         right -= system.extract(list(range(len(kept))), loose) * sp.Matrix([before[j] for j in loose])
@@ -669,20 +654,6 @@ def jam_friction(inverse_mass: Matrix) -> Expr:
         return sp.oo
     cross = sp.Abs(g[0, 1]) if g.cols == 2 else sp.sqrt(sum((g[0, i] ** 2 for i in range(1, g.cols)), sp.S.Zero))
     return g[0, 0] / cross
-
-
-def newton_minors(inverse_mass: Matrix, contact: Contact) -> list[Expr]:
-    """Return the leading minors of the energy loss of a sticking contact under Newton's rule, as a quadratic form.
-
-    With u the contact's velocity before, the loss is u^T Q u / 2, Q the symmetric part of (1 + E) G^-1 (1 - E),
-    E = diag(e, beta, beta). If a minor is negative, some velocities gain energy (Kane and Levinson's observation).
-    """
-    g = inverse_mass
-    e = sp.diag(contact.restitution, *[contact.tangential_restitution] * len(contact.tangents))
-    one = sp.eye(g.rows)
-    loss = (one + e) * solve_linear(g, one, f"contact {contact.name}") * (one - e)
-    loss = (loss + loss.T) / 2
-    return [tidy(loss[:k, :k].det()) for k in range(1, g.rows + 1)]
 
 
 # ----------------------------------------------------------------------------------------------------

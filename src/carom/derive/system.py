@@ -28,7 +28,6 @@ class ConstraintRow:
     coefficients: Matrix
     drift: Expr
     closing: Expr | None = sp.S.Zero
-    expression: Expr = None
 
 
 @dataclass(frozen=True)
@@ -48,10 +47,6 @@ class Speeds:
     def plain(self, expr: Expr) -> Expr:
         """Return ``expr`` with every speed replaced by a dummy symbol, so that it can be differentiated with respect to it."""
         return sp.sympify(expr).xreplace(dict(zip(self.names, self.dummies, strict=True)))
-
-    def at(self, expr: Expr, moment: int) -> Expr:
-        """Return ``expr`` with the speeds just before (``moment`` 0) or just after (1) the instant."""
-        return sp.sympify(expr).xreplace(dict(zip(self.names, self.after if moment else self.before, strict=True)))
 
 
 def _base_name(speed: Expr) -> str:
@@ -96,10 +91,8 @@ def check_known(expr: Expr, coordinates: Sequence[Expr], speeds: Speeds, where: 
         )
 
 
-def mass_matrix(
-    lagrangian: Expr, coordinates: Sequence[Expr], speeds: Speeds, at: Mapping[Expr, Expr]
-) -> tuple[Matrix, Matrix]:
-    """Return the mass matrix M and the part b of the momenta that does not depend on the speeds: p = M u + b.
+def mass_matrix(lagrangian: Expr, coordinates: Sequence[Expr], speeds: Speeds, at: Mapping[Expr, Expr]) -> Matrix:
+    """Return the mass matrix M: the momenta are M u, and a part that does not depend on the speeds and so does not jump.
 
     Raises CaromError where the Lagrangian is not quadratic in the speeds, or M is singular; the message then names the motion
     that carries no kinetic energy.
@@ -113,7 +106,6 @@ def mass_matrix(
             raise CaromError(
                 f"Lagrangian: not quadratic in the speed {u}; impulsive motion needs a momentum linear in it"
             )
-    rest = sp.Matrix([p.xreplace(dict.fromkeys(speeds.dummies, sp.S.Zero)) for p in momenta])
     mass = mass.xreplace(dict(at)).applyfunc(tidy)
     kept, _ = independent_rows(mass)
     if len(kept) < speeds.count:
@@ -124,7 +116,7 @@ def mass_matrix(
             "(a massless coordinate, or an attitude where the angles themselves fail: take other angles or "
             "quasi-velocities)"
         )
-    return mass, rest
+    return mass
 
 
 def constraint_row(
@@ -156,7 +148,7 @@ def constraint_row(
             raise CaromError(f"constraint {name}: not linear in the speed {u}: {expr}")
         coefficients.append(tidy(c.xreplace(dict(at))))
     drift = tidy(plain.xreplace(dict.fromkeys(speeds.dummies, sp.S.Zero)).xreplace(dict(at)))
-    return ConstraintRow(name, sp.Matrix([coefficients]), drift, closing, expr)
+    return ConstraintRow(name, sp.Matrix([coefficients]), drift, closing)
 
 
 def named_constraints(constraints: Mapping[str, Any] | Iterable[Any] | None, prefix: str) -> dict[str, Any]:
@@ -319,9 +311,7 @@ def displacement_basis(names: Sequence[Expr], columns: Matrix, independent: Sequ
 def displacement_limit(column: Matrix, towards: Mapping[Expr, Expr]) -> Matrix:
     """Return the direction of a displacement at a pole of its components: times their common denominator it has a limit."""
     together = [sp.fraction(reduce_trig(x)) for x in column]
-    common = sp.S.One
-    for _, below in together:
-        common = sp.lcm(common, below)
+    common = sp.lcm_list([below for _, below in together])
     cleared = [tidy(above * common / below) for above, below in together]
     found = sp.Matrix([tidy(x.xreplace(dict(towards))) for x in cleared])
     if all(is_zero(x) for x in found):

@@ -50,27 +50,24 @@ def function(scene: Scene, wrt: str | Iterable[str], of: str = "final.position")
     run = RunFunction(scene, wrt, of, "interop.jax.function")
     numbers = jax.numpy
 
-    def value(x: Any) -> Any:
-        kind = numbers.result_type(x, float)
-        if not isinstance(x, jax.core.Tracer):  # (outside of jit and vmap: what is refused is not wrapped by JAX)
-            return numbers.asarray(run.evaluate(np.asarray(x)).astype(kind))
-        shape = jax.ShapeDtypeStruct(run.shape, kind)
-        return jax.pure_callback(
-            lambda x: run.evaluate(np.asarray(x)).astype(kind), shape, x, vmap_method="broadcast_all"
-        )
+    def outside(compute: Callable[[Any], Any], *shapes: tuple[int, ...]) -> Callable[[Any], Any]:
+        """Return a function that NumPy computes: at once, or from within jit and vmap as a callback."""
 
-    @jax.custom_jvp  # type: ignore[untyped-decorator]
-    def both(x: Any) -> tuple[Any, Any]:
-        kind = numbers.result_type(x, float)
-        if not isinstance(x, jax.core.Tracer):
-            return tuple(numbers.asarray(one.astype(kind)) for one in run.differentiate(np.asarray(x)))
-        shapes = (jax.ShapeDtypeStruct(run.shape, kind), jax.ShapeDtypeStruct((*run.shape, len(run.columns)), kind))
-        return jax.pure_callback(  # type: ignore[no-any-return]
-            lambda x: tuple(one.astype(kind) for one in run.differentiate(np.asarray(x))),
-            shapes,
-            x,
-            vmap_method="broadcast_all",
-        )
+        def called(x: Any) -> Any:
+            kind = numbers.result_type(x, float)
+
+            def computed(x: Any) -> tuple[Any, ...]:
+                return tuple(one.astype(kind) for one in compute(np.asarray(x)))
+
+            if not isinstance(x, jax.core.Tracer):  # (what is refused is not wrapped by JAX)
+                return tuple(map(numbers.asarray, computed(x)))
+            made = tuple(jax.ShapeDtypeStruct(shape, kind) for shape in shapes)
+            return jax.pure_callback(computed, made, x, vmap_method="broadcast_all")
+
+        return called
+
+    value = outside(lambda x: (run.evaluate(x),), run.shape)
+    both = jax.custom_jvp(outside(run.differentiate, run.shape, (*run.shape, len(run.columns))))
 
     @both.defjvp  # type: ignore[untyped-decorator]
     def second(_primals: Any, _tangents: Any) -> Any:
@@ -81,7 +78,7 @@ def function(scene: Scene, wrt: str | Iterable[str], of: str = "final.position")
 
     @jax.custom_jvp  # type: ignore[untyped-decorator]
     def final(x: Any) -> Any:
-        return value(x)
+        return value(x)[0]
 
     @final.defjvp  # type: ignore[untyped-decorator]
     def final_jvp(primals: Any, tangents: Any) -> Any:

@@ -33,8 +33,6 @@ class _Place(NamedTuple):
     field: str
     holds: NDArray[np.bool_]
     """Which hold the number itself."""
-    free: NDArray[np.bool_]
-    """Which do not depend on it."""
 
 
 class RunFunction:
@@ -106,23 +104,20 @@ class RunFunction:
         self._parameters = parameters_of(self.scene, arrays, self.wrt, first_phases(self.scene))
         taken: set[tuple[Any, ...]] = set()
         for column, slopes in zip(self._columns, self._parameters.slopes, strict=True):
-            match, places = path_match(self.scene, column.path), []
+            match, places, itself = path_match(self.scene, column.path), list[_Place](), True
             start = all(keys[0] == "balls" and keys[2] in LINEAR_FIELDS for keys in match.places)
             for name in () if start else ("world", "features"):
                 for field, slope in slopes[name].items():
                     if slope.any():
-                        places.append(_Place(name, field, slope == 1, slope == 0))
+                        holds = slope == 1
+                        same = getattr(arrays, name)[field][holds] == column.value
+                        itself &= bool(same.all() and (holds | (slope == 0)).all())
+                        places.append(_Place(name, field, holds))
             self._places.append(places)
             held = [(one.array, one.field, *at) for one in places for at in np.argwhere(one.holds).tolist()]
-            itself = all(
-                (one.holds | one.free).all()
-                and (getattr(arrays, one.array)[one.field][one.holds] == column.value).all()
-                for one in places
-            )
-            on_balls = not start and any(slope.any() for slope in slopes["balls"].values())
-            yield (len(match.places) == 1 if start else bool(places) and itself and not on_balls) and taken.isdisjoint(
-                held
-            )
+            on_balls = any(slope.any() for slope in slopes["balls"].values())
+            has_one = len(match.places) == 1 if start else bool(places) and itself and not on_balls
+            yield has_one and taken.isdisjoint(held)
             taken.update(held)
 
     def _arrays(self, rows: Array) -> SceneArrays | None:

@@ -7,7 +7,7 @@ relations). `judge` substitutes the facts and examines the difference. Which equ
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache, lru_cache
 from typing import Any
 
@@ -36,6 +36,11 @@ class Branch:
     facts: Mapping[Expr, Expr] = field(default_factory=dict)
 
 
+def one(facts: Mapping[Expr, Expr]) -> tuple[Branch, ...]:
+    """Return a single case without a name."""
+    return (Branch("", facts),)
+
+
 @dataclass(frozen=True)
 class Entry:
     """One equation or sentence of the paper.
@@ -51,7 +56,7 @@ class Entry:
     derived : tuple
         The derived relations, in the same symbols.
     branches : tuple of Branch
-        Cases that the paper's wording admits; the printed relations should hold in each.
+        Cases that the paper's wording admits; the printed relations should hold in each. Default: what is derived.
     cases : tuple of Branch
         Narrower cases, tried where a branch fails; the name states the condition.
     attitude : mapping
@@ -60,20 +65,22 @@ class Entry:
         The derivation.
     note : str
         Explanation; numbers in it are computed where the entry is made.
-    because : str
-        Sentence for the condition, where the branches' names do not suffice.
     """
 
     id: str
     title: str
     printed: tuple[Any, ...]
     derived: tuple[Any, ...]
-    branches: tuple[Branch, ...]
+    branches: tuple[Branch, ...] = ()
     cases: tuple[Branch, ...] = ()
     attitude: Mapping[Expr, Expr] = field(default_factory=dict)
     steps: tuple[Step, ...] = ()
     note: str = ""
-    because: str = ""
+
+    def __post_init__(self) -> None:
+        """Without branches: the one case is what has been derived."""
+        if not self.branches:
+            object.__setattr__(self, "branches", one({relation.lhs: relation.rhs for relation in self.derived}))
 
 
 @dataclass(frozen=True)
@@ -123,11 +130,9 @@ def _true_of(relation: Any, facts: tuple[tuple[Expr, Expr], ...]) -> bool:
         return not is_zero(left - right)
     margin = left - right if relation.rel_op in (">", ">=") else right - left
     short = margin if margin.is_number else tidy(margin)
-    sign = short.is_positive if relation.rel_op in ("<", ">") else short.is_nonnegative
-    if sign is None:  # a sum of squares may hide its sign until it is expanded
-        spread = sp.expand(short)
-        sign = spread.is_positive if relation.rel_op in ("<", ">") else spread.is_nonnegative
-    return bool(sign)
+    # (a sum of squares may hide its sign until it is expanded)
+    tried = (short, sp.expand(short))
+    return any(x.is_positive if relation.rel_op in ("<", ">") else x.is_nonnegative for x in tried)
 
 
 def difference(relation: Any, facts: Mapping[Expr, Expr]) -> str:
@@ -223,6 +228,7 @@ WX, WY, WZ = dynamicsymbols("omega_x omega_y omega_z")
 TIME = dynamicsymbols._t
 RATES = {THETA.diff(TIME): dtheta, PHI.diff(TIME): dphi, PSI.diff(TIME): dpsi}
 PLACES = {THETA: theta, PHI: phi, PSI: psi}
+LIFTED = {v: q for q, v in (RATES | PLACES).items()} | {dx: X.diff(TIME), dy: Y.diff(TIME), dz: Z.diff(TIME)}
 
 
 def eq(left: Expr, right: Expr) -> Any:
@@ -277,10 +283,8 @@ def angle_energy() -> Expr:
 
 
 def _angles(**more: Any) -> ImpulsiveMotion:
-    up = {v: k for k, v in RATES.items()} | {v: k for k, v in PLACES.items()}
-    up |= {dx: X.diff(TIME), dy: Y.diff(TIME), dz: Z.diff(TIME)}
-    given: dict[str, Any] = {k: {n: sp.sympify(w).xreplace(up) for n, w in v.items()} for k, v in more.items()}
-    return ImpulsiveMotion(angle_energy().xreplace(up), [X, Y, Z, THETA, PHI, PSI], **given)
+    given: dict[str, Any] = {k: {n: sp.sympify(w).xreplace(LIFTED) for n, w in v.items()} for k, v in more.items()}
+    return ImpulsiveMotion(angle_energy().xreplace(LIFTED), [X, Y, Z, THETA, PHI, PSI], **given)
 
 
 @cache
@@ -319,15 +323,7 @@ def _spins(**more: Any) -> ImpulsiveMotion:
         if isinstance(value, (list, tuple)):
             return type(value)(lift(v) for v in value)
         if isinstance(value, Contact):
-            return Contact(
-                value.name,
-                lift(value.normal),
-                lift(value.tangents),
-                value.restitution,
-                value.friction,
-                value.tangential_restitution,
-                value.hypothesis,
-            )
+            return replace(value, normal=lift(value.normal), tangents=lift(value.tangents))
         return value.xreplace(up) if isinstance(value, sp.Basic) else value
 
     energy = m * (dx**2 + dy**2 + dz**2) / 2 + I * (wx**2 + wy**2 + wz**2) / 2
@@ -437,12 +433,8 @@ def conventional_roots() -> tuple[tuple[str, dict[Expr, Expr], Jump], ...]:
     for jump in motion.close([eq(x1, -x0), energy]):
         facts = after(jump, FIRST) | motion.pre_relations
         mirror = tidy(facts[y1] - y0) == 0
-        name = (
-            "on the root that leaves the tangential velocity as it was (mirror)"
-            if mirror
-            else ("on the root that reverses the slip at B")
-        )
-        found.append((name, facts, jump))
+        does = "leaves the tangential velocity as it was (mirror)" if mirror else "reverses the slip at B"
+        found.append((f"on the root that {does}", facts, jump))
     return tuple(found)
 
 

@@ -10,9 +10,6 @@ from typing import Any
 import sympy as sp
 
 from carom.derive.paper import section2, section3
-from carom.derive.paper import section2 as section2_impact
-from carom.derive.paper import section3 as section3_floor
-from carom.derive.paper import section3 as section4
 from carom.derive.paper.ledger import Entry, EquationVerdict, judge, shown
 from carom.errors import CaromError
 
@@ -20,17 +17,17 @@ from carom.errors import CaromError
 STAGES: tuple[tuple[str, Callable[[], list[Entry]], range, int], ...] = (
     ("kinematics (1)-(4)", section2.kinematics, range(1, 5), 2),
     ("integrals (5)-(11)", section2.integration, range(5, 12), 2),
-    ("virtual displacements (12)-(17)", section2_impact.momentum, range(12, 18), 2),
-    ("hypotheses (18)-(22)", section2_impact.closing, range(18, 23), 2),
-    ("slip at B (23)-(26)", section2_impact.slip, range(23, 27), 2),
+    ("virtual displacements (12)-(17)", section2.momentum, range(12, 18), 2),
+    ("hypotheses (18)-(22)", section2.closing, range(18, 23), 2),
+    ("slip at B (23)-(26)", section2.slip, range(23, 27), 2),
     ("first impact (27)-(31)", section3.wall, range(27, 32), 3),
     ("energy (32)-(33)", section3.energies, range(32, 34), 3),
     ("flight", section3.flight, range(0), 3),
-    ("second impact (34)-(39)", section3_floor.floor, range(34, 40), 3),
-    ("example (40)-(41)", section4.example, range(40, 42), 4),
-    ("angles", section4.angles, range(0), 4),
-    ("conclusions", section4.conclusions, range(0), 5),
-    ("introduction", section4.introduction, range(0), 1),
+    ("second impact (34)-(39)", section3.floor, range(34, 40), 3),
+    ("example (40)-(41)", section3.example, range(40, 42), 4),
+    ("angles", section3.angles, range(0), 4),
+    ("conclusions", section3.conclusions, range(0), 5),
+    ("introduction", section3.introduction, range(0), 1),
 )
 
 
@@ -116,43 +113,29 @@ _HEAD = r"""\documentclass[a4paper]{article}
 \maketitle
 """
 
-_TEXT = {
-    "\\": r"\textbackslash{}",
-    "&": r"\&",
-    "%": r"\%",
-    "$": r"\$",
-    "#": r"\#",
-    "_": r"\_",
-    "{": r"\{",
-    "}": r"\}",
-    "~": r"\textasciitilde{}",
-    "^": r"\textasciicircum{}",
-    "<": r"\textless{}",
-    ">": r"\textgreater{}",
-}
+_TEXT = str.maketrans(
+    {letter: f"\\{letter}" for letter in "&%$#_{}"}
+    | {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
+    | {"<": r"\textless{}", ">": r"\textgreater{}"}
+)
 
 
 def text(words: str) -> str:
     """Words as LaTeX text."""
-    return "".join(_TEXT.get(letter, letter) for letter in words)
+    return words.translate(_TEXT)
 
 
 def maths(thing: Any) -> str:
     """An expression, relation or matrix as displayed LaTeX, small enough for a page."""
     body = sp.latex(thing)
-    size = r"\footnotesize" if len(body) > 260 else r"\small" if len(body) > 160 else r"\normalsize"
-    wide = len(body) > 160
-    inner = (
-        rf"\resizebox{{\ifdim\width>\linewidth\linewidth\else\width\fi}}{{!}}{{$\displaystyle {body}$}}"
-        if wide
-        else body
-    )
-    if wide:
-        return "\\begin{center}" + size + " " + inner + "\\end{center}\n"
-    return "\\[" + inner + "\\]\n"
+    if len(body) <= 160:
+        return f"\\[{body}\\]\n"
+    size = r"\footnotesize" if len(body) > 260 else r"\small"
+    inner = rf"\resizebox{{\ifdim\width>\linewidth\linewidth\else\width\fi}}{{!}}{{$\displaystyle {body}$}}"
+    return f"\\begin{{center}}{size} {inner}\\end{{center}}\n"
 
 
-def as_tex(rows: Sequence[tuple[Entry, EquationVerdict]], steps: bool = True) -> str:
+def as_tex(rows: Sequence[tuple[Entry, EquationVerdict]]) -> str:
     """A LaTeX document with the printed form, the derived form, the steps and the verdict of each entry."""
     lines = [_HEAD]
     for entry, verdict in sorted(rows, key=lambda row: order(row[0].id)):
@@ -163,7 +146,7 @@ def as_tex(rows: Sequence[tuple[Entry, EquationVerdict]], steps: bool = True) ->
         )
         lines.append("Printed:\n" + "".join(maths(r) for r in entry.printed))
         lines.append("Derived:\n" + "".join(maths(r) for r in entry.derived))
-        if steps and not re.fullmatch(r"\d+[a-z]", entry.id):
+        if not re.fullmatch(r"\d+[a-z]", entry.id):
             lines += [
                 text(step.text) + "\n" + (maths(step.result) if step.result is not None else "\n")
                 for step in entry.steps

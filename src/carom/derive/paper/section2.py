@@ -34,11 +34,6 @@ from carom.derive.paper.ledger import (
 SIN, COS = sp.sin, sp.cos
 
 
-def one(facts: dict[Expr, Expr]) -> tuple[Branch, ...]:
-    """A single case without a name."""
-    return (Branch("", facts),)
-
-
 def kinematics() -> list[Entry]:
     """(1) to (4), the attitude at the collision, and which of (2) are nonholonomic."""
     spin, energy = k.spin(), k.angle_energy()
@@ -55,7 +50,6 @@ def kinematics() -> list[Entry]:
             "angular velocity in Euler angles",
             tuple(euler),
             tuple(eq(n, w) for n, w in zip(names, spin, strict=True)),
-            one(dict(zip(names, spin, strict=True))),
             steps=(
                 Step(
                     "The attitude is R = R_z(psi) R_x(theta) R_z(varphi).",
@@ -71,7 +65,6 @@ def kinematics() -> list[Entry]:
             "spin at the moment of collision, varphi = psi = 0, theta = pi/2",
             (eq(k.wx, dtheta), eq(k.wy, -dphi), eq(k.wz, dpsi)),
             tuple(eq(n, w.subs(ATTITUDE)) for n, w in zip(names, spin, strict=True)),
-            one({n: w.subs(ATTITUDE) for n, w in zip(names, spin, strict=True)}),
             steps=(Step("Put theta = pi/2, psi = 0 into (1).", sp.Matrix(spin).subs(ATTITUDE)),),
         ),
         Entry(
@@ -83,7 +76,6 @@ def kinematics() -> list[Entry]:
                 eq(dz, sp.S.Zero),
             ),
             tuple(eq(q, roll[q]) for q in (dx, dy, dz)),
-            one(roll),
             steps=(
                 Step(
                     "Velocity of the ball's lowest point A: d/dt (C + R s), s fixed in the body.",
@@ -93,7 +85,9 @@ def kinematics() -> list[Entry]:
             ),
         ),
     ]
-    floor = frobenius([w.xreplace(_up()) for w in list(k.floor_rows().values())[:2]], [k.X, k.Y, k.THETA, k.PHI, k.PSI])
+    floor = frobenius(
+        [w.xreplace(k.LIFTED) for w in list(k.floor_rows().values())[:2]], [k.X, k.Y, k.THETA, k.PHI, k.PSI]
+    )
     rank, closed = sp.symbols("r_D r_closure")
     entries.append(
         Entry(
@@ -101,7 +95,6 @@ def kinematics() -> list[Entry]:
             "the first two of (2) are nonholonomic",
             (sp.Lt(rank, closed),),
             (eq(rank, floor.growth[0]), eq(closed, floor.growth[-1])),
-            one({rank: sp.Integer(floor.growth[0]), closed: sp.Integer(floor.growth[-1])}),
             steps=(
                 Step("Velocities that rolling allows, as vector fields on (x, y, theta, varphi, psi).", floor.fields),
                 Step(f"Frobenius: {floor.sentence()}."),
@@ -124,7 +117,6 @@ def kinematics() -> list[Entry]:
                 ),
             ),
             (eq(k.T, lagrange),),
-            one({k.T: lagrange}),
             steps=(Step("T = m v^2 / 2 + I omega^2 / 2 with (1).", energy), Step("Put (2) in.", lagrange)),
         )
     )
@@ -138,7 +130,7 @@ def kinematics() -> list[Entry]:
             "velocity of the wall's contact point B",
             tuple(eq(v, w) for v, w in zip(vb, turned, strict=True)),
             tuple(eq(v, w) for v, w in zip(vb, b_velocity, strict=True)),
-            one(dict(zip(vb, b_velocity, strict=True)) | dict(zip(names, spin, strict=True))),
+            k.one(dict(zip(vb, b_velocity, strict=True)) | dict(zip(names, spin, strict=True))),
             steps=(
                 Step("V_C + omega x CB with CB = (-a, 0, 0).", turned),
                 Step("The same from d/dt (C + R s).", b_velocity),
@@ -154,11 +146,6 @@ def kinematics() -> list[Entry]:
 
 def _said(redundant: dict[str, dict[str, Expr]]) -> str:
     return "; ".join(f"[{n}] = " + " + ".join(f"({c})[{o}]" for o, c in how.items()) for n, how in redundant.items())
-
-
-def _up() -> dict[Expr, Expr]:
-    back = {v: q for q, v in k.RATES.items()} | {v: q for q, v in k.PLACES.items()}
-    return back | {dx: k.X.diff(k.TIME), dy: k.Y.diff(k.TIME), dz: k.Z.diff(k.TIME)}
 
 
 def integration() -> list[Entry]:
@@ -190,7 +177,6 @@ def integration() -> list[Entry]:
                 eq(dtheta * COS(psi) + dphi * (SIN(theta) * SIN(psi) + COS(theta)) + dpsi, sp.S.Zero),
             ),
             (eq(dtheta, rates[dtheta]), eq(dpsi, rates[dpsi])),
-            one(rates),
             steps=(null,),
             note="They say omega_y = 0 and omega_x + omega_z = 0: the ball can only turn about the line through "
             "A and B.",
@@ -200,7 +186,6 @@ def integration() -> list[Entry]:
             "varphi' as independent velocity",
             (eq(dpsi, first), eq(dtheta, second)),
             (eq(dpsi, rates[dpsi]), eq(dtheta, rates[dtheta])),
-            one(rates),
             attitude=pole,
             steps=(null, Step(chart)),
             note=chart,
@@ -213,7 +198,6 @@ def integration() -> list[Entry]:
                 eq(slope_of, -(1 + sp.cot(theta) * SIN(psi)) / COS(psi)),
             ),
             (eq(slope_of, slope),),
-            one({slope_of: slope}),
             attitude=pole,
             steps=(null, Step("Divide.", eq(slope_of, slope))),
             note="The first form is 0/0 at psi = 0 but has the limit of the second.",
@@ -239,7 +223,6 @@ def integration() -> list[Entry]:
             "the integral of (7)",
             (eq(SIN(psi), (COS(theta) + c) / SIN(theta)),),
             (eq(SIN(psi), solved),),
-            one({psi: sp.asin(solved)}),
             steps=ode,
             note="sin(theta) sin(psi) - cos(theta) is the body axis' component along AB, which a turn about AB keeps.",
         ),
@@ -248,7 +231,6 @@ def integration() -> list[Entry]:
             "the constant of (8)",
             (eq(c, sp.S.Zero),),
             (eq(c, start),),
-            one({c: start}),
             steps=(Step("psi = 0 at theta = pi/2.", eq(c, start)),),
         ),
         Entry(
@@ -256,7 +238,6 @@ def integration() -> list[Entry]:
             "psi at the collision",
             (eq(SIN(psi), COS(theta) / SIN(theta)), eq(SIN(psi), sp.cot(theta))),
             (eq(SIN(psi), path),),
-            one({psi: sp.asin(path)}),
             steps=(*ode, Step("With c = 0.", eq(SIN(psi), path))),
         ),
         Entry(
@@ -264,7 +245,6 @@ def integration() -> list[Entry]:
             "varphi as a function of theta",
             (eq(turn_of, 1 / (SIN(theta) * sp.cot(psi))),),
             (eq(turn_of, turn),),
-            one({turn_of: turn}),
             attitude=pole,
             steps=(null, Step("Invert.", eq(turn_of, turn))),
         ),
@@ -281,7 +261,6 @@ def integration() -> list[Entry]:
                 eq(turn_of, sp.Derivative(SIN(theta), theta) / (SIN(theta) * root)),
             ),
             (eq(turn_of, along),),
-            one({turn_of: along}),
             steps=(Step("Put (9) into (10), cos psi > 0.", eq(turn_of, along)),),
             note="The positive root is the branch cos(psi) > 0, where psi = 0 lies.",
         )
@@ -304,7 +283,6 @@ def integration() -> list[Entry]:
             "the integral of (10)",
             (eq(sp.tan(phi - d) + 1 / root, sp.S.Zero),),
             (eq(phi, angle + d - sp.pi / 2),),
-            one({phi: angle + d - sp.pi / 2}),
             steps=steps,
             note="varphi has its extreme value at theta = pi/2, where varphi' = 0: (11) is even in theta - pi/2.",
         ),
@@ -313,7 +291,6 @@ def integration() -> list[Entry]:
             "the constant of (11)",
             (eq(d, sp.pi / 4),),
             (eq(d, slack),),
-            one({d: slack}),
             steps=(Step("varphi = 0 at theta = pi/2: tan(-d) + 1 = 0.", eq(d, slack)),),
             note="Modulo pi.",
         ),
@@ -324,12 +301,11 @@ def integration() -> list[Entry]:
 
 def _integrable() -> Entry:
     """The claim that the constraints are integrable, in the paper's case and where fewer velocities are tied."""
-    up = _up()
     both = frobenius(
-        [w.xreplace(up) for w in (*k.floor_rows().values(), *k.wall_rows().values())],
+        [w.xreplace(k.LIFTED) for w in (*k.floor_rows().values(), *k.wall_rows().values())],
         [k.X, k.Y, k.Z, k.THETA, k.PHI, k.PSI],
     )
-    wall = frobenius([w.xreplace(up) for w in k.wall_rows().values()], [k.X, k.Y, k.Z, k.THETA, k.PHI, k.PSI])
+    wall = frobenius([w.xreplace(k.LIFTED) for w in k.wall_rows().values()], [k.X, k.Y, k.Z, k.THETA, k.PHI, k.PSI])
     rank, closed = sp.symbols("r_D r_closure")
 
     def facts(test: Any) -> dict[Expr, Expr]:
@@ -373,9 +349,8 @@ def momentum() -> list[Entry]:
     p0, p1 = sp.symbols("p_0 p_1")
     start = derivative.subs({dtheta: k.dtheta0, dphi: k.dphi0, dpsi: k.dpsi0})
     t_by = sp.Symbol("dT/dvarphidot")
-    mixed = sp.Matrix([sp.diff(rolling, w) for w in rates])
     printed14 = [
-        eq(t_by, mixed[1] - mixed[2] * (SIN(theta) / SIN(psi) + COS(theta)) + mixed[0] * SIN(theta) * sp.cot(psi)),
+        eq(t_by, slope[1] - slope[2] * (SIN(theta) / SIN(psi) + COS(theta)) + slope[0] * SIN(theta) * sp.cot(psi)),
         eq(
             t_by,
             (m * a**2 + I) * SIN(theta) * sp.cot(psi) * dtheta
@@ -393,13 +368,13 @@ def momentum() -> list[Entry]:
     angles = dict(zip((k.wx0, k.wz0, k.wx1, k.wz1), (k.dtheta0, k.dpsi0, k.dtheta1, k.dpsi1), strict=True))
     work_step = Step("The work of the six impulses along it: S^T A^T Lambda =", work)
     unknown, given = sp.symbols("N_unknowns N_equations")
+    left, rolling_left = sp.Integer(motion.virtual_displacements().cols), sp.Integer(6 - len(motion.pre_relations))
     return [
         Entry(
             "12",
             "virtual displacements",
             (eq(ds, -dp * (SIN(theta) / SIN(psi) + COS(theta))), eq(dt, dp * SIN(theta) * sp.cot(psi))),
             (eq(ds, moved[ds]), eq(dt, moved[dt])),
-            one(moved),
             attitude=pole,
             steps=(Step("The null space of all six rows, per unit delta varphi.", direction),),
         ),
@@ -408,7 +383,7 @@ def momentum() -> list[Entry]:
             "the momentum along the virtual displacement does not jump",
             (eq(p1, p0),),
             (eq(p1, start),),
-            one({p0: start, p1: start + work}),
+            k.one({p0: start, p1: start + work}),
             attitude=pole,
             steps=(
                 Step("Displacement per unit delta varphi.", direction),
@@ -422,7 +397,6 @@ def momentum() -> list[Entry]:
             "dT/dvarphi' with the other rates put in",
             tuple(printed14),
             (eq(t_by, derivative),),
-            one({t_by: derivative}),
             attitude=pole,
             steps=(Step("Gradient of (3).", slope), Step("Along the displacement.", eq(t_by, derivative))),
         ),
@@ -438,7 +412,6 @@ def momentum() -> list[Entry]:
                 ),
             ),
             (eq(jumps[2], end),),
-            one({jumps[2]: end}),
             attitude=pole,
             steps=(Step("(14) times sin psi / sin theta, on the jumps.", eq(cleared, sp.S.Zero)),),
             note="The factor clears the pole of (6): the direction of the motion has a limit at psi = 0 though "
@@ -449,7 +422,6 @@ def momentum() -> list[Entry]:
             "the jump at the collision",
             (eq((m * a**2 + I) * (k.dtheta1 - k.dtheta0) - I * (k.dpsi1 - k.dpsi0), sp.S.Zero),),
             (eq(k.dpsi1, tidy(spins.subs(angles))),),
-            one({k.dpsi1: spins.subs(angles)}),
             steps=(
                 Step(
                     "Momentum along the turn about AB, from the six-row problem at this attitude.", eq(law, sp.S.Zero)
@@ -462,7 +434,6 @@ def momentum() -> list[Entry]:
             "the jump in spins",
             (eq((m * a**2 + I) * (k.wx1 - k.wx0) - I * (k.wz1 - k.wz0), sp.S.Zero),),
             (eq(k.wz1, tidy(spins)),),
-            one({k.wz1: spins}),
             steps=(
                 Step("Angular momentum about the line AB.", eq(law, sp.S.Zero)),
                 Step("with y' = -a omega_x.", eq(k.wz1, tidy(spins))),
@@ -472,16 +443,10 @@ def momentum() -> list[Entry]:
             "s2-7",
             "(17) alone does not determine the state afterwards",
             (sp.Lt(given, unknown),),
-            (eq(given, 1), eq(unknown, 3)),
-            one(
-                {
-                    given: sp.Integer(motion.virtual_displacements().cols),
-                    unknown: sp.Integer(6 - len(motion.pre_relations)),
-                }
-            ),
+            (eq(given, left), eq(unknown, rolling_left)),
             steps=(
-                Step("Freedoms of the two contacts together.", sp.Integer(motion.virtual_displacements().cols)),
-                Step("Freedoms of the rolling ball.", sp.Integer(6 - len(motion.pre_relations))),
+                Step("Freedoms of the two contacts together.", left),
+                Step("Freedoms of the rolling ball.", rolling_left),
             ),
             note="Two more equations are needed, which is what the hypotheses give; two roots are left even so.",
         ),
@@ -515,10 +480,9 @@ def _hypotheses() -> list[Entry]:
     )
     names = ("while the floor holds the ball through the impact", "when the wall alone acts, as in section 3")
     _, poisson = k.first_impact("poisson")
-    ball, w, t_i = sp.symbols("v w T_i")
-    del ball, w
-    energy = k.angle_energy().subs(dict(zip((dx, dy, dz), (dx, dy, sp.S.Zero), strict=True)))
-    spin_form = tidy(energy)
+    returned = poisson.after[k.X.diff(k.TIME)]
+    t_i = sp.Symbol("T_i")
+    spin_form = tidy(k.angle_energy().subs(dz, 0))
     return [
         Entry(
             "18",
@@ -534,7 +498,7 @@ def _hypotheses() -> list[Entry]:
             "rolling before (i = 0)",
             before,
             before,
-            one(rolls),
+            k.one(rolls),
             steps=(Step("The constraints (2) in spins.", None),),
         ),
         Entry(
@@ -550,14 +514,10 @@ def _hypotheses() -> list[Entry]:
             "19",
             "Hypothesis 2: Newton's restitution",
             (eq(k.x1, -k.e * k.x0),),
-            (eq(k.x1, poisson.after[k.X.diff(k.TIME)]),),
-            one({k.x1: poisson.after[k.X.diff(k.TIME)]}),
+            (eq(k.x1, returned),),
             steps=(
                 Step("Poisson's rule: (1 + e) times the normal impulse of compression.", poisson.impulses["B.n"]),
-                Step(
-                    "gives the same, since a ball's normal impulse makes no spin.",
-                    eq(k.x1, poisson.after[k.X.diff(k.TIME)]),
-                ),
+                Step("gives the same, since a ball's normal impulse makes no spin.", eq(k.x1, returned)),
             ),
             note="For a ball the rules of Newton, Poisson and Stronge agree, so that the hypothesis is one on "
             "the material alone.",
@@ -567,7 +527,7 @@ def _hypotheses() -> list[Entry]:
             "kinetic energy",
             (eq(t_i, m * (dx**2 + dy**2) / 2 + I * (k.wx**2 + k.wy**2 + k.wz**2) / 2),),
             (eq(t_i, spin_form),),
-            one({t_i: spin_form} | dict(zip((k.wx, k.wy, k.wz), k.spin(), strict=True))),
+            k.one({t_i: spin_form} | dict(zip((k.wx, k.wy, k.wz), k.spin(), strict=True))),
             steps=(Step("From (1), with z' = 0.", spin_form),),
         ),
     ]
@@ -587,20 +547,10 @@ def _energy_and_answer() -> list[Entry]:
     still = gain.subs(delta, 0)
     forced = sp.solve(sp.Eq(still.subs(k.x0, -k.u0), 0), k.e)[0]
     half = sp.Rational(1, 2)
-    numbers = {
-        k.y0: sp.S.One,
-        k.wz0: sp.S.Zero,
-        k.x0: -sp.S.One,
-        a: sp.S.One,
-        m: sp.S.One,
-        I: sp.Rational(2, 5),
-        k.e: half,
-    }
-    shown = [r.subs(numbers) for r in roots]
-    real = [r for r in shown if r.is_real]
+    numbers = {k.y0: 1, k.wz0: 0, k.x0: -1, a: 1, m: 1, I: sp.Rational(2, 5), k.e: half}
+    real = [r for root in roots if (r := root.subs(numbers)).is_real]
     broken = [tidy(r) for r in sp.solve(square.subs({k.x0: -k.u0, k.e: half}), delta)]
     roots_text = ", ".join(str(sp.N(r, 6)) for r in real)
-    in_general = {k.e: half} if real else {k.e: forced}
     names = k.conventional_roots()
     energies = [motion.energy(sp.Matrix([f[q] for q in k.FIRST])) for _, f, _ in names]
     t0 = motion.energy(motion.u0)
@@ -613,12 +563,8 @@ def _energy_and_answer() -> list[Entry]:
         eq(k.wz1, (I + m * a**2) / (big * a) * k.y0 - m * a**2 / (2 * big) * k.wz0),
     )
     branches = tuple(Branch(n, f) for n, f, _ in names)
-    limits = tuple(
-        sp.limit(
-            reversed_[q].subs(I, sp.Symbol("kappa", positive=True) * m * a**2), sp.Symbol("kappa", positive=True), 0
-        )
-        for q in (k.y1, k.wz1)
-    )
+    kappa = sp.Symbol("kappa", positive=True)
+    limits = [sp.limit(reversed_[q].subs(I, kappa * m * a**2), kappa, 0) for q in (k.y1, k.wz1)]
     derived22 = tuple(eq(q, reversed_[q]) for q in (k.y1, k.wz1))
     two = f"The hypotheses leave the roots Delta y' = {' and '.join(str(tidy(r.subs(k.e, 1))) for r in roots)} "
     "(in the order solved)"
@@ -633,7 +579,7 @@ def _energy_and_answer() -> list[Entry]:
             "'for the energy is conserved, e must be 1'",
             (eq(k.e, sp.S.One),),
             (eq(k.e, forced),),
-            (Branch("in general", in_general),),
+            (Branch("in general", {k.e: half if real else forced}),),
             (
                 Branch(
                     "if the tangential state does not change (the mirror root, or a square hit that stays square)",
@@ -705,7 +651,7 @@ def slip() -> list[Entry]:
             "rolling without side spin",
             (eq(k.x0 - a * k.wy0, sp.S.Zero), eq(k.y0 + a * k.wx0, sp.S.Zero), eq(k.wz0, sp.S.Zero)),
             (eq(k.wy0, before[k.wy0]), eq(k.wx0, before[k.wx0])),
-            one(before),
+            k.one(before),
             steps=(Step("(2) in spins.", None),),
         ),
         Entry(
@@ -713,7 +659,6 @@ def slip() -> list[Entry]:
             "velocity of B before",
             (eq(vb0[0], k.x0), eq(vb0[1], k.y0), eq(vb0[2], k.x0)),
             tuple(eq(q, v) for q, v in plain.items()),
-            one(plain),
             steps=(step,),
         ),
         Entry(

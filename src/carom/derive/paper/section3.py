@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from dataclasses import replace
+from string import ascii_lowercase
 from typing import Any
 
 import sympy as sp
@@ -32,32 +33,21 @@ from carom.derive.paper.ledger import (
     v0,
 )
 
-LETTERS = "abcdefghijklmnopqrstuvwxyz"
 COMING = {k.x0: -k.u0}  # the ball comes to the wall: x' < 0
 SMOOTH = "at a wall without friction"
 
 
-def one(facts: dict[Expr, Expr]) -> tuple[Branch, ...]:
-    """A single case without a name."""
-    return (Branch("", facts),)
-
-
 def parts(
-    number: str, title: str, printed: Sequence[Any], derived: Sequence[Any], facts: dict[Expr, Expr], **more: Any
+    number: str, title: str, printed: Any, derived: Any, *more: Any, noted: int = -1, **named: Any
 ) -> list[Entry]:
-    """An equation of several lines as a whole and line by line: "31", "31a", "31b"..."""
-    branches = more.pop("branches", one(facts))
-    notes = more.pop("line_notes", {})
-    whole = Entry(number, title, tuple(printed), tuple(derived), branches, **more)
-    more.pop("note", None)
-    lines = []
+    """An equation of several lines as a whole and line by line: "31", "31a", "31b"...; line ``noted`` has the note, too."""
+    whole = Entry(number, title, tuple(printed), tuple(derived), *more, **named)
+    found = [whole]
     for i, (p, q) in enumerate(zip(printed, derived, strict=True)):
-        lines.append(
-            Entry(
-                f"{number}{LETTERS[i]}", f"{title}: line {i + 1}", (p,), (q,), branches, note=notes.get(i, ""), **more
-            )
-        )
-    return [whole, *lines]
+        note = whole.note if i == noted else ""
+        name, about = number + ascii_lowercase[i], f"{title}: line {i + 1}"
+        found.append(replace(whole, id=name, title=about, printed=(p,), derived=(q,), note=note))
+    return found
 
 
 def wall() -> list[Entry]:
@@ -116,7 +106,6 @@ def wall() -> list[Entry]:
             "rolling before the impact",
             (eq(k.x0 - a * k.wy0, sp.S.Zero), eq(k.y0 + a * k.wx0, sp.S.Zero)),
             (eq(k.wy0, before[k.wy0]), eq(k.wx0, before[k.wx0])),
-            one(before),
             steps=(Step("(2) in spins.", None),),
             note="The scan reads omega_v0 for omega_y0; taken as the scan's slip.",
         ),
@@ -125,7 +114,7 @@ def wall() -> list[Entry]:
             "impulse and momentum at the wall",
             moments,
             [eq(q, free[q]) for q in k.FIRST],
-            free,
+            k.one(free),
             steps=(
                 Step("The wall's impulse acts at B; M (u1 - u0) = C^T R:", None),
                 *(Step("", eq(q, free[q])) for q in k.FIRST),
@@ -159,8 +148,7 @@ def wall() -> list[Entry]:
             "state and impulses after the first impact",
             answer,
             [eq(q.lhs, facts[q.lhs]) for q in answer],
-            facts,
-            branches=cases,
+            cases,
             steps=solve,
             note=f"Of its lines only x1', omega_x1 and R_x hold on the cone too. As I -> 0: y1' = {smooth[k.y1]}, "
             f"z1' = {smooth[k.z1]}, "
@@ -249,17 +237,16 @@ def energies() -> list[Entry]:
         tidy(motion.energy(sp.Matrix([state[q] for q in k.FIRST])).subs(case)) for state in (facts, k.sliding_facts())
     )
     loss = tidy(t0 - t1)
-    coming = {k.x0: -k.u0}
     spare = sp.Symbol("spare", positive=True)
     need = sp.sqrt(k.u0**2 + k.y0**2) * I / (2 * k.u0 * (I + m * a**2))  # (29) for e = 1 without side spin
     energies_of = {
-        k.INSIDE: t1.subs(coming),
-        k.OUTSIDE: tidy(t1_slide.subs(coming).subs(mu, need / (1 + spare))),
-        SMOOTH: tidy(t1_slide.subs(coming).subs(mu, 0)),
+        k.INSIDE: t1.subs(COMING),
+        k.OUTSIDE: tidy(t1_slide.subs(COMING).subs(mu, need / (1 + spare))),
+        SMOOTH: tidy(t1_slide.subs(COMING).subs(mu, 0)),
     }
     spring = k.first_impact(tangential=k.beta)[1].energy_change
-    no_slip = tidy(spring.subs({**case, k.beta: 1}).subs(coming))
-    dead = tidy(spring.subs({**case, k.beta: 0}).subs(coming))
+    no_slip = tidy(spring.subs({**case, k.beta: 1}).subs(COMING))
+    dead = tidy(spring.subs({**case, k.beta: 0}).subs(COMING))
     lower = I + m * a**2
     with_t1 = (
         m * k.x0**2 / 2
@@ -275,7 +262,6 @@ def energies() -> list[Entry]:
             "energy before (e = 1, no side spin)",
             (eq(k.T0, with_t0),),
             (eq(k.T0, t0),),
-            one({k.T0: t0}),
             steps=(Step("m v^2 / 2 + I omega^2 / 2 with (27).", t0),),
         ),
         Entry(
@@ -292,7 +278,7 @@ def energies() -> list[Entry]:
             "'it is clear that T1 < T0'",
             (sp.Lt(k.T1, k.T0),),
             (eq(k.T0 - k.T1, loss),),
-            tuple(Branch(name, {k.T0: t0.subs(coming), k.T1: value}) for name, value in energies_of.items()),
+            tuple(Branch(name, {k.T0: t0.subs(COMING), k.T1: value}) for name, value in energies_of.items()),
             steps=(step,),
             note="A ball that rolls into the wall slips at B, so any friction there takes energy.",
         ),
@@ -326,7 +312,6 @@ def flight() -> list[Entry]:
             "the ball comes back with (x1', y1', -z1') and the same spin",
             (eq(z_land, -rise),),
             (eq(z_land, down),),
-            one({z_land: down}),
             steps=(Step("z - a = z1' t - g t^2 / 2 vanishes at t =", landing), Step("when z' is", down)),
             note="Without air, and onto a floor of the same height, before the ball meets another wall.",
         )
@@ -391,10 +376,9 @@ def floor() -> list[Entry]:
     motion, jump = k.second_impact()
     other = motion.solve(method="virtual")
     agree = all(is_zero(other.after[u] - jump.after[u]) for u in jump.after)
-    depends = any(v.has(k.z1) for v in facts.values())
     lines = tuple(Step("", q) for q in derived37)
     third = "The third line has omega_z2 on both sides, whether by the press or by the scan; (39) shows what is meant"
-    landing = "enters" if depends else "does not enter"
+    landing = "enters" if any(v.has(k.z1) for v in facts.values()) else "does not enter"
     return [
         Entry(
             "34",
@@ -407,7 +391,6 @@ def floor() -> list[Entry]:
                 ),
             ),
             (eq(k.T, energy),),
-            one({k.T: energy}),
             steps=(Step("m v^2 / 2 + I omega^2 / 2 with (1).", energy),),
         ),
         *parts(
@@ -415,7 +398,7 @@ def floor() -> list[Entry]:
             "momenta along rolling displacements",
             printed35,
             [eq(q, v) for q, v in zip(p, chain, strict=True)],
-            dict(zip(p, chain, strict=True)),
+            k.one(dict(zip(p, chain, strict=True))),
             steps=(Step("Chain rule with (2).", sp.Matrix(chain)),),
         ),
         Entry(
@@ -423,7 +406,7 @@ def floor() -> list[Entry]:
             "they do not jump",
             tuple(eq(q, r) for q, r in zip(p1, p2, strict=True)),
             tuple(eq(q, r) for q, r in zip(p1, p2, strict=True)),
-            one(dict(zip(p2, [q + w for q, w in zip(p1, work, strict=True)], strict=True))),
+            k.one(dict(zip(p2, [q + w for q, w in zip(p1, work, strict=True)], strict=True))),
             steps=(Step("The work of the floor's impulse along rolling displacements.", work),),
         ),
         *parts(
@@ -431,17 +414,17 @@ def floor() -> list[Entry]:
             "the same in spins",
             momenta,
             derived37,
-            facts,
+            k.one(facts),
             steps=(Step("(35) at varphi = psi = 0, theta = pi/2, (36):", None), *lines),
             note=third,
-            line_notes={2: third},
+            noted=2,
         ),
         *parts(
             "38",
             "rolling after the second impact",
             rolling2,
             rolling2,
-            facts,
+            k.one(facts),
             steps=(Step("(2) in spins.", None),),
             note="The scan reads y^2 for the subscripts y2; taken as the scan's slip.",
         ),
@@ -450,7 +433,7 @@ def floor() -> list[Entry]:
             "state after the second impact",
             answer,
             [eq(q.lhs, facts[q.lhs]) for q in answer],
-            facts,
+            k.one(facts),
             steps=(
                 Step("M (u2 - u1) = A^T Lambda with (38).", None),
                 *(Step("", eq(q.lhs, facts[q.lhs])) for q in answer),
@@ -498,16 +481,14 @@ def example() -> list[Entry]:
     rolling = tidy((k.x2 - a * k.wy2).subs({k.x2: printed41[0].rhs, k.wy2: printed41[4].rhs}))
     slip = f"With the printed omega_y2 the ball would not roll: x2' - a omega_y2 would be {rolling}, against (38)"
     flat40 = tuple(q for line in printed40 for q in line)
-    spin = facts[k.wz1]
-    tables = {k.wz0: sp.S.Zero}
     return [
         Entry(
             "s4-1",
             "'no vertical spin, which means omega_z1 = 0'",
             (eq(k.wz1, sp.S.Zero),),
-            (eq(k.wz0, tables[k.wz0]),),
-            one({k.wz1: spin}),
-            steps=(Step("After the first impact omega_z1 is", spin),),
+            (eq(k.wz0, sp.S.Zero),),
+            k.one({k.wz1: facts[k.wz1]}),
+            steps=(Step("After the first impact omega_z1 is", facts[k.wz1]),),
             note="The spin before the impact is omega_z0; (40) itself prints omega_z1 = 5 v_0 / (7 a).",
         ),
         Entry(
@@ -534,11 +515,10 @@ def example() -> list[Entry]:
             "state after the second impact",
             printed41,
             derived41,
-            facts,
-            branches=cases,
+            cases,
             steps=step41,
             note=slip,
-            line_notes={4: slip},
+            noted=4,
         ),
     ]
 
@@ -590,7 +570,6 @@ def angles() -> list[Entry]:
             "the conventional answer",
             (eq(k.x1, u0), eq(k.y1, R(5, 9) * v0), eq(k.wz1, R(14, 9) * v0 / a)),
             tuple(eq(q, conventional[q]) for q in (k.x1, k.y1, k.wz1)),
-            one(conventional),
             steps=(Step("(22) with x0' = -u_0, y0' = v_0, omega_z0 = 0, I = 2 m a^2 / 5.", None),),
         ),
         rounded("s4-5", old, R(291, 10)),

@@ -25,6 +25,7 @@ EVENTS = (
     "none", "ball_ball", "ball_linear_cushion", "ball_circular_cushion", "ball_pocket", "stick_ball", *TRANSITIONS,
 )  # fmt: skip
 EVENTS_OF_MAIN = ("ball_table",)
+REMEDY = "the file is of another version or damaged: save the shot again with pooltool 0.6.0"
 
 
 def check_fields(system: Field) -> bool:
@@ -49,7 +50,7 @@ def check_fields(system: Field) -> bool:
         _same(event, EVENT, main)
         kinds = (*EVENTS, *EVENTS_OF_MAIN) if main else EVENTS
         if event["event_type"].text() not in kinds:
-            raise event["event_type"].fault(f"an event of {VERSIONS[main]}", remedy=_remedy())
+            raise event["event_type"].fault(f"an event of {VERSIONS[main]}", remedy=REMEDY)
         for agent in event["agents"].each():
             _same(agent, AGENT, main)
     return main
@@ -57,19 +58,9 @@ def check_fields(system: Field) -> bool:
 
 def _same(part: Field, known: tuple[str, ...], main: bool) -> None:
     names = (*known, *OF_MAIN.get(known, ())) if main else known
-    for name in part.fields():
-        if name not in names:
-            place = f"{part.place}.{name}" if part.place else str(name)
-            raise Field(part.value, part.file, place).fault(
-                f"no field of this name, as in files of {VERSIONS[main]}", "one", _remedy()
-            )
-    for name in names:
-        if name not in part:
+    for name in (*part.fields(), *names):
+        if (name in part) != (name in names):
+            asked, got = ("no", "one") if name in part else ("a", "none")
             place = f"{part.place}.{name}" if part.place else name
-            raise Field(None, part.file, place).fault(
-                f"a field of this name, as in files of {VERSIONS[main]}", "none", _remedy()
-            )
-
-
-def _remedy() -> str:
-    return "the file is of another version or damaged: save the shot again with pooltool 0.6.0"
+            expected = f"{asked} field of this name, as in files of {VERSIONS[main]}"
+            raise Field(None, part.file, place).fault(expected, got, REMEDY)

@@ -158,7 +158,6 @@ def _arcs(lines: dict[str, Array], circles: dict[str, Array], surface: dict[str,
 
 
 FLYING = 5  # pooltool's number of that motion
-CLOTH = ("u_s", "u_r", "u_sp_proportionality", "e_c", "f_c", "g")
 
 
 @dataclass(frozen=True, eq=False)
@@ -229,13 +228,13 @@ def _shot(system: Field) -> PooltoolShot:
     white = cue["cue_ball_id"].text()
     if white not in balls:
         raise cue["cue_ball_id"].fault(f"one of the balls {', '.join(balls)}")
-    params = {name: _params(ball["params"], main) for name, ball in balls.items()}
+    params = {name: {key: one.number() for key, one in ball["params"].parts().items()} for name, ball in balls.items()}
     own = params[white]
     notes = [
-        f"ball {name}: its {key}, {numbers[key]:g}, as the scene has the cue ball's, {own[key]:g}, for all"
+        f"ball {name}: its {key}, {number:g}, as the scene has the cue ball's, {own[key]:g}, for all"
         for name, numbers in params.items()
-        for key in (*CLOTH, "e_b", "u_b", *(["e_t"] if main else []))
-        if numbers[key] != own[key]
+        for key, number in numbers.items()
+        if key not in ("m", "R") and number != own[key]
     ]
     if not main:
         notes.append("the floor has no restitution, as pooltool 0.6.0 has no such number; balls do not bounce on it")
@@ -248,14 +247,12 @@ def _shot(system: Field) -> PooltoolShot:
         scene_balls.append(_ball(name, rvw, params[name], state == FLYING and rvw[0, 2] > params[name]["R"]))
     if not struck:
         strike = _strike(cue)
-        if strike is None:
-            notes.append("the cue: its speed is 0")
-        else:
-            notes.append("the shot was not simulated: carom.strike plays its cue, with friction at the tip")
-            for ball in scene_balls:
-                if ball["name"] == white:
-                    ball.pop("velocity"), ball.pop("spin")
-                    ball["strike"] = strike
+        plays = "the shot was not simulated: carom.strike plays its cue, with friction at the tip"
+        notes.append("the cue: its speed is 0" if strike is None else plays)
+        for ball in scene_balls:
+            if strike is not None and ball["name"] == white:
+                ball.pop("velocity"), ball.pop("spin")
+                ball["strike"] = strike
     if len(balls) > 1:
         notes.append(
             f"balls meet with the friction u_b = {own['u_b']:g}; pooltool's own model has one that falls with the slip, as"
@@ -282,10 +279,6 @@ def _shot(system: Field) -> PooltoolShot:
         place = f"{system.file}: {system.place}" if system.place else system.file
         raise CaromError(*(f"{place}: as a {fault[0].lower()}{fault[1:]}" for fault in error.faults)) from None
     return PooltoolShot(scene, (*notes, *left_out), _paths(balls))
-
-
-def _params(params: Field, main: bool) -> dict[str, float]:
-    return {key: params[key].number() for key in ("m", "R", *CLOTH, "e_b", "u_b", *(["e_t"] if main else []))}
 
 
 def _state(ball: Field) -> tuple[Array, int]:

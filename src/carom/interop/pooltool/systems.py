@@ -166,17 +166,19 @@ def _states(run: Trajectory, times: Array, turn: Array, corner: Array) -> list[t
     """
     state, phases = run.at(times), run.phase(times)
     motions = {**MOTIONS, "flight": FLYING, "bouncing": FLYING} if has_flights() else MOTIONS
-    assert state.position is not None
     found = []
     for i in range(len(run.scene.balls)):
         rvw = np.stack(
-            [state.position[:, i] @ turn.T - corner, state.velocity[:, i] @ turn.T, state.spin[:, i] @ turn.T], axis=1
+            [
+                np.asarray(state.position)[:, i] @ turn.T - corner,
+                state.velocity[:, i] @ turn.T,
+                state.spin[:, i] @ turn.T,
+            ],
+            axis=1,
         )
         gone = np.isnan(rvw[:, 0, 0])
         if gone.any():
             rvw[gone] = 0.0
-            final = run.final.position
-            assert final is not None
-            rvw[gone, 0] = turn @ final[i] - corner
+            rvw[gone, 0] = turn @ np.asarray(run.final.position)[i] - corner
         found.append((rvw, np.array([motions[name] for name in phases[:, i]]), times))
     return found
