@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from carom.cli.console import err
+from carom.cli.console import out as stdout
 from carom.cli.options import require_outputs, shared, wrote
 from carom.cli.streams import say_json
 from carom.errors import CaromError, FaultList
@@ -41,7 +42,6 @@ def laws(
 
 
 def _table(cards: list[Card]) -> None:
-    from carom.cli.console import out
     from carom.formatting import Listing
     from carom.laws.registry import laws_of_pairs
 
@@ -50,12 +50,11 @@ def _table(cards: list[Card]) -> None:
         name = f"{card.name}\nalso of pairs" if card.name in laws_of_pairs() else card.name
         valid = card.valid.split(". ", maxsplit=1)[0].removesuffix(".")
         rows += [(name, card.summary, f"{valid}."), ("", "", "")]
-    out().table(Listing(("law", "model", "valid for"), rows[:-1]), fold=True)
-    out().print("Assumptions, range of validity and source of one law: carom laws NAME")
+    stdout().table(Listing(("law", "model", "valid for"), rows[:-1]), fold=True)
+    stdout().print("Assumptions, range of validity and source of one law: carom laws NAME")
 
 
 def _card(card: Card) -> None:
-    from carom.cli.console import out
     from carom.laws.registry import laws_of_pairs
 
     pairs = f"by it in scenes, ball_contact.law = {card.name!r}, and carom.collide(law={card.name!r})"
@@ -65,7 +64,7 @@ def _card(card: Card) -> None:
         "two balls": pairs if card.name in laws_of_pairs() else "", "equations": card.equations, "source": card.citation,
         "doi": card.doi and f"https://doi.org/{card.doi}",
     }  # fmt: skip
-    out().facts((name, text) for name, text in rows.items() if text)
+    stdout().facts((name, text) for name, text in rows.items() if text)
 
 
 def datasets(
@@ -85,14 +84,12 @@ def datasets(
     faults.raise_if_any()
     chosen = [load(one) for one in (names() if name is None else [name])]
     if json_:
-        cards = [
-            {key: str(getattr(one, key)) for key in ("name", "title", "citation", "doi", "notes", "path")}
-            for one in chosen
-        ]
+        keys = ("name", "title", "citation", "doi", "notes", "path")
+        cards = [{key: str(getattr(one, key)) for key in keys} for one in chosen]
         say_json(cards if name is None else cards[0], ensure_ascii=False)
+    elif name is None:
+        stdout().facts((one.name, f"{one.title}\n{one.citation}") for one in chosen)
     if name is None:
-        if not json_:
-            _list(chosen)
         return
     one = chosen[0]
     if out is not None:
@@ -105,9 +102,3 @@ def datasets(
     console.print(one.notes, style="dim", soft_wrap=True)
     if out is not None:
         wrote(out)
-
-
-def _list(chosen: list[Any]) -> None:
-    from carom.cli.console import out
-
-    out().facts((one.name, f"{one.title}\n{one.citation}") for one in chosen)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import importlib.metadata
 import math
 import platform
+import subprocess
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -12,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+import carom
 from carom.cli.options import shared
 from carom.cli.streams import say_json
 from carom.core.jit.threads import run_in_workers
@@ -66,7 +69,6 @@ def doctor(
 
 def report() -> dict[str, Any]:
     """Return the versions and features of the installation."""
-    import carom
     from carom.core.jit.cache import cache_base, cache_folder, version_folders
     from carom.core.jit.native import describe_loops
     from carom.core.jit.threads import core_count, thread_count
@@ -110,20 +112,13 @@ def _version(name: str) -> str | None:
 
 def commit() -> str | None:
     """Return the commit that carom is run from, of a clone; None for an installed package."""
-    import carom
-
-    git = Path(carom.__file__).parents[2] / ".git"
-    try:
-        head = (git / "HEAD").read_text(encoding="utf-8").strip()
-        if not head.startswith("ref: "):
-            return head[:9]
-        name = head.removeprefix("ref: ")
-        if (git / name).exists():
-            return (git / name).read_text(encoding="utf-8").strip()[:9]
-        packed = (git / "packed-refs").read_text(encoding="utf-8").splitlines()
-        return next((line.split()[0][:9] for line in packed if line.endswith(f" {name}")), None)
-    except OSError:
+    root = Path(carom.__file__).parents[2]
+    if not (root / ".git").exists():
         return None
+    asked = ["git", "-C", str(root), "rev-parse", "--short=9", "HEAD"]
+    with contextlib.suppress(OSError):
+        return subprocess.run(asked, capture_output=True, text=True, check=False).stdout.strip() or None
+    return None
 
 
 # ----------------------------------------------------------------------------------------------------
@@ -189,8 +184,6 @@ def answer_many_rows() -> None:
     """Compile every wall law and the collision of balls, for arrays of states."""
     import numpy as np
 
-    import carom
-
     ball, surface, state = carom.Ball(1.0, 1.0), carom.Surface(0.8, 0.2), _states()
     for law in carom.LAWS.values():
         if law.name != "two-step":
@@ -207,8 +200,6 @@ def settle_many_rows() -> None:
     """Compile the two-step law, for arrays of states."""
     import numpy as np
 
-    import carom
-
     ball, surface, state = carom.Ball(1.0, 1.0), carom.Surface(0.8, 0.2), _states()
     carom.two_step(ball, state, wall=surface, floor=surface)
     out = carom.State(np.zeros((MANY, 3)), np.zeros((MANY, 3)))
@@ -217,8 +208,6 @@ def settle_many_rows() -> None:
 
 def _states() -> State:
     import numpy as np
-
-    import carom
 
     return carom.rolling(carom.Ball(1.0, 1.0), velocity=np.tile([-1.0, 0.5, 0.0], (MANY, 1)))
 
@@ -251,7 +240,6 @@ def draw_shots() -> None:
     """Compile the states of a run between its events, and many runs at once."""
     import numpy as np
 
-    import carom
     from carom.simulation.motion import FEW_BEFORE_COMPILING
 
     ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1.0, 0.0), velocity=(-1.0, 0.0, 0.0))
@@ -293,7 +281,6 @@ def follow_many_runs() -> None:
 
 def measure_gas() -> None:
     """Compile the event loop of gases, random starts, and sums over all balls."""
-    import carom
     from carom.gas import Gas, Measures, Species, scattered
 
     side = (10.0, 10.0, 10.0)
@@ -307,7 +294,6 @@ def measure_gas() -> None:
 
 def measure_sheared_gas() -> None:
     """Compile the event loop of sheared gases."""
-    import carom
     from carom.gas import Gas, Species
 
     gas = Gas([Species(carom.Ball(0.5, 1.0), 50)], (10.0,) * 3, contacts=carom.Surface(1, 0, -1), shear_rate=0.1)
@@ -316,7 +302,6 @@ def measure_sheared_gas() -> None:
 
 def measure_heat_current() -> None:
     """Compile the event loop of gases whose heat current is measured."""
-    import carom
     from carom.gas import Gas, Species
 
     gas = Gas([Species(carom.Ball(0.5, 1.0), 50)], (10.0,) * 3, contacts=carom.Surface(1, 0, -1))
@@ -337,7 +322,6 @@ def measure_gas_in_curve() -> None:
 def _run_in(shape: str, **sizes: Any) -> None:
     import numpy as np
 
-    import carom
     from carom.gas import Gas, Species, container
 
     discs = Species(carom.Disc(0.5, 1.0), 2)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import math
 import shlex
 import sys
@@ -18,32 +19,22 @@ from carom.cli.options import (
     assigned,
     of_option,
     option,
+    parse_with_unit,
     require_outputs,
     shared,
     write_files,
     wrote,
 )
 from carom.cli.streams import json_text, note, say_interrupted, say_json, say_notes, stop_requests
-from carom.errors import CaromError, FaultList, collected
+from carom.errors import CaromError, Fault, FaultList, collected
 from carom.formatting import counted, format_bytes
 
 if TYPE_CHECKING:
     from carom.cli.gas_output import Progress
-    from carom.gas.files import SessionEnd
     from carom.gas.results import Every
     from carom.gas.scene import GasScene
     from carom.gas.session import Session
     from carom.sweeps.ensembles import Ensemble
-
-
-def require_no_files(found: FaultList, members: int, files: dict[str, Any]) -> None:
-    """Add the faults of a number of members, and of files that only a single gas has, to ``found``."""
-    if members < 2:
-        found.add("--ensemble", "a number of gases >= 2", str(members))
-    for file_option, value in files.items():
-        if value is not None:
-            advice = "run one of its gases by its --seed, which --json prints"
-            found.add(file_option, "none with --ensemble", str(value), advice)
 
 
 def run_ensemble(
@@ -67,7 +58,7 @@ def run_ensemble(
     found = FaultList()
     try:
         with progress:
-            told = _Bar(progress, members).show
+            told = functools.partial(_show_members, progress, members)
             ensemble = gas_ensemble(scene, members, store=store, on=on.removeprefix("dask:"), progress=told)
     except EndedEarlyError as error:
         if error.result is None:
@@ -80,7 +71,7 @@ def run_ensemble(
         )
         say_interrupted(f"carom: interrupted; {kept}")
         raise
-    written = write_files(found, ensemble, [(plot, _plot_ensemble), (measures, _write)])
+    written = write_files(found, ensemble, [(plot, _plot), (measures, _write)])
     # the report is printed even if a file cannot be written
     if as_json:
         say_json(_numbers(ensemble), 1)
@@ -95,20 +86,13 @@ def run_ensemble(
     found.raise_if_any()
 
 
-class _Bar:
-    """Shows how many gases are done."""
-
-    def __init__(self, progress: Progress, members: int) -> None:
-        self.progress, self.members = progress, members
-
-    def show(self, done: float, total: float, _text: str) -> None:
-        """Show it, on a terminal as a bar."""
-        one = self.progress
-        if one.bar is not None:
-            one.bar.describe(f"{self.members} gases")
-            one.bar.show(done / total, 1.0, f"{done:.0f} done")
-        elif done == 0:
-            one.say(f"simulating {self.members} gases")
+def _show_members(progress: Progress, members: int, done: float, total: float, _text: str) -> None:
+    """Show how many gases are done, on a terminal as a bar."""
+    if progress.bar is not None:
+        progress.bar.describe(f"{members} gases")
+        progress.bar.show(done / total, 1.0, f"{done:.0f} done")
+    elif done == 0:
+        progress.say(f"simulating {members} gases")
 
 
 # --- output --------------------------------------------------------------------------------------------------------
@@ -132,12 +116,6 @@ def _write(ensemble: Ensemble, path: Path) -> None:
     }
     found = _numbers(ensemble) | {"curves": curves, "members": ensemble.members}
     write_text(path, json_text(found, None))
-
-
-def _plot_ensemble(ensemble: Ensemble, path: Path) -> None:
-    from carom.plot.gas import plot_ensemble
-
-    plot_ensemble(ensemble, path)
 
 
 # ----------------------------------------------------------------------------------------------------
@@ -266,8 +244,9 @@ def gas(
     ] = None,
 ) -> None:
     """Simulate a gas of balls or discs, event by event, and report what was measured as tables, JSON or a plot."""
-    from carom.cli.gas_output import Progress
+    from carom.cli.gas_output import Progress, show
     from carom.gas.files import RunFiles, run_with_files
+    from carom.gas.report import report
 
     found = FaultList()
     kept = {
@@ -276,14 +255,15 @@ def gas(
     }
     _check_files(found, {"--plot": plot, "--animate": animate, "--measures": measures, "--snapshots": snapshots}, kept)
     if ensemble is not None:
+        if ensemble < 2:
+            found.add("--ensemble", "a number of gases >= 2", str(ensemble))
         files = {
-            "--animate": animate,
-            "--snapshots": snapshots,
-            "--every": every,
-            "--max-size": max_size,
-            "--yes": yes or None,
-        }
-        require_no_files(found, ensemble, files | {"--checkpoint": checkpoint, "--resume": resume})
+            "--animate": animate, "--snapshots": snapshots, "--every": every, "--max-size": max_size, "--yes": yes or None,
+            "--checkpoint": checkpoint, "--resume": resume,
+        }  # fmt: skip
+        advice = "run one of its gases by its --seed, which --json prints"
+        given_too = {name: str(value) for name, value in files.items() if value is not None}
+        found += [Fault("", name, "none with --ensemble", value, advice) for name, value in given_too.items()]
     elif store is not None or on != "cores":
         found.add("--ensemble", "a number of gases with --store and --on", "none")
     if snapshots is not None and resume is None and not force and snapshots.is_file():
@@ -292,8 +272,7 @@ def gas(
     if interval is not None and checkpoint_every != CHECKPOINT_INTERVAL and checkpoint is None and resume is None:
         found.add("--checkpoint-every", "--checkpoint FILE as well", "none")
     changes = {"max_events": max_events, "duration": duration, "from_time": from_time, "seed": seed}
-    values = assigned(found, set_)
-    given = found.attempt(_scene, scene, resume, changes, values)
+    given = found.attempt(_scene, scene, resume, changes, assigned(found, set_))
     snapshot_every, most = _snapshot_options(found, snapshots, every, max_size, yes, given)
     found.raise_if_any()
     progress = Progress(quiet)
@@ -335,9 +314,14 @@ def gas(
         actions = [(plot, _plot), (animate, lambda one, path: _animate(one, path, quiet)), (measures, _write_measures)]
         written = write_files(found, session, actions)
         with collected(found):
-            _print_report(session, as_json, quiet)
+            if as_json:
+                say_json(report(session), 1)
+            elif not quiet:
+                show(session)
         if not quiet:
-            _list_files(written, end)
+            if end.checkpoint is not None:
+                note(f"checkpoint written: {end.checkpoint}")
+            wrote(*written, *([] if end.snapshots is None else [end.snapshots]))
     found.raise_if_any()
 
 
@@ -354,10 +338,9 @@ def _check_files(found: FaultList, named: dict[str, Path | None], kept: dict[str
     }
     kinds |= {"--animate": GAS_FILMS, "--measures": (".json",), "--snapshots": (".gsd", ".npz", ".xyz")}
     require_outputs(found, named | kept, kinds)
-    checkpoint = kept["--checkpoint"]
-    if checkpoint is not None and not any(str(fault).startswith("--checkpoint ") for fault in found):
+    if kept["--checkpoint"] is not None and not any(str(fault).startswith("--checkpoint ") for fault in found):
         faults = FaultList()
-        faults.attempt(require_checkpoint, checkpoint)
+        faults.attempt(require_checkpoint, kept["--checkpoint"])
         found += [of_option("--checkpoint", fault) for fault in faults]
 
 
@@ -402,17 +385,10 @@ def _interval(option: str, text: str) -> int | float:
 
 def _time(option: str, text: str, such_as: str = "0.5, or '10 min'") -> float:
     """Return a time (in s if it has a unit)."""
-    from carom.scene.schema import Number
-
-    try:
-        value: Any = float(text)
-    except ValueError:
-        value = text
-    try:
-        found: float = Number("a time > 0", "s", least=0, above=True)(value)
-        return found
-    except Exception:  # pydantic's own error, which only a model makes a line of
-        raise CaromError(f"{option}: expected a time > 0, such as {such_as}, got {text!r}") from None
+    with contextlib.suppress(CaromError):
+        if 0 < (found := parse_with_unit(option, "s", text)) < math.inf:
+            return found
+    raise CaromError(f"{option}: expected a time > 0, such as {such_as}, got {text!r}")
 
 
 def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any], values: dict[str, Any]) -> GasScene | None:
@@ -455,10 +431,10 @@ def _keep_outputs(
     """
     before = session.outputs
     if missing := {option: name for option, name in before.items() if outputs.get(option, "") is None}:
-        spaced = (
-            f" --every {shlex.quote(before['--every'])}" if "--snapshots" in missing and "--every" in before else ""
+        again = missing | (
+            {"--every": before["--every"]} if {"--snapshots"} & {*missing} and "--every" in before else {}
         )
-        options = " ".join(f"{option} {shlex.quote(name)}" for option, name in missing.items()) + spaced
+        options = " ".join(f"{option} {shlex.quote(name)}" for option, name in again.items())
         progress.say(f"this run wrote {', '.join(missing.values())}; repeat {options} to continue it")
     session.outputs = before | {option: str(path) for option, path in outputs.items() if path is not None}
     if outputs["--snapshots"] is None:
@@ -466,9 +442,10 @@ def _keep_outputs(
     run = session.scene.run
     if every is None and "--every" in before:
         every = _spacing(before["--every"], None)
+    elif every is None and run.duration and run.max_events is None:
+        every = run.duration / SNAPSHOTS
     elif every is None:
-        every = run.duration / SNAPSHOTS if run.duration and run.max_events is None else 0.0
-        every = every or max((run.max_events or 0) // SNAPSHOTS, 1)
+        every = max((run.max_events or 0) // SNAPSHOTS, 1)
     session.outputs["--every"] = _spaced(every)
     return every
 
@@ -521,18 +498,8 @@ def _stopped(
 # --- output --------------------------------------------------------------------------------------------------------
 
 
-def _list_files(written: list[Path], end: SessionEnd) -> None:
-    """Print the names of the files that were written, on standard error; a checkpoint is named as such."""
-    if end.checkpoint is not None:
-        note(f"checkpoint written: {end.checkpoint}")
-    wrote(*written, *([] if end.snapshots is None else [end.snapshots]))
-
-
-def _plot(session: Session, plot: Path) -> None:
-    """Write the plot."""
-    from carom.plot.gas import plot_gas
-
-    plot_gas(session, plot)
+def _plot(found: Session | Ensemble, path: Path) -> None:
+    found.plot(path)
 
 
 def _animate(session: Session, path: Path, quiet: bool) -> None:
@@ -550,13 +517,3 @@ def _write_measures(session: Session, measures: Path) -> None:
     from carom.gas.report import report, series
 
     write_text(measures, json_text(report(session) | series(session), None))
-
-
-def _print_report(session: Session, as_json: bool, quiet: bool) -> None:
-    """Print the report as JSON or as tables."""
-    from carom.cli import gas_output as tables
-
-    if as_json:
-        sys.stdout.write(tables.as_json(session))
-    elif not quiet:
-        tables.show(session)

@@ -9,7 +9,6 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from carom.cli.console import LINE_INTERVAL, Bar, err, out
-from carom.cli.streams import json_text
 from carom.formatting import Listing, counted, format_number, format_uncertain
 from carom.gas.report import UNITS_NOTE, pressure_unit, report
 
@@ -178,11 +177,6 @@ def _contacts(found: Report, error: Report | None) -> Listing:
 
 TEMPERATURES_NOTE = "Temperatures are energies."
 MEANS_NOTE = "Temperatures, pressures and rates are exact means over the time measured; a₂ over {:.0f} samples, at about equal {}."
-
-
-def as_json(session: Session) -> str:
-    """Return the report of a session as JSON, in full precision; infinite and undefined numbers are null."""
-    return json_text(report(session), 1)
 
 
 def show(session: Session) -> None:

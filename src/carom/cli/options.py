@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import math
+import sys
 import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
@@ -13,7 +15,7 @@ import typer
 
 from carom.cli.streams import note, say_json
 from carom.errors import CaromError, Fault, FaultList, collected
-from carom.files import require_library, require_writable
+from carom.files import require_library, require_writable, write_text
 from carom.public.own_laws import with_own_laws
 
 if TYPE_CHECKING:
@@ -159,10 +161,8 @@ def comma_separated(text: str) -> list[str]:
     return [part.strip() for part in text.split(",") if part.strip()]
 
 
-def parse_length(name: str, text: str | None) -> float | None:
+def parse_length(name: str, text: str) -> float:
     """Return a length in m from a text with or without a unit."""
-    if text is None:
-        return None
     value = parse_with_unit(f"--{name}", "m", text)
     if not math.isfinite(value):
         raise CaromError(_no_quantity(f"--{name}", "m", text))
@@ -243,14 +243,11 @@ def parse_pair(option: str, text: str, between: str = ",") -> tuple[float, float
 
 def parse_bounds(name: str, text: str) -> tuple[float, float]:
     """Return the two numbers of NAME=LOW:HIGH."""
-    low, _, high = text.partition(":")
-    try:
-        found = float(low), float(high)
-    except ValueError:
-        found = (1.0, 0.0)
-    if not found[0] < found[1]:
-        raise CaromError(f"--bound: {name}: expected LOW:HIGH, LOW below HIGH, got {text!r}")
-    return found
+    with contextlib.suppress(CaromError):
+        low, high = parse_pair("--bound", text, ":")
+        if low < high:
+            return low, high
+    raise CaromError(f"--bound: {name}: expected LOW:HIGH, LOW below HIGH, got {text!r}")
 
 
 # ----------------------------------------------------------------------------------------------------
@@ -301,6 +298,17 @@ def write_report_page(write: Callable[[], Path], say: Callable[[str, float], Non
     return write()
 
 
+def write_new(file: Path | None, text: str, force: bool) -> None:
+    """Write a text to a new file, or to standard output where none is named."""
+    if file is None:
+        sys.stdout.write(text)
+        return
+    if file.is_file() and not force:
+        raise CaromError(f"{file}: expected a new file, got one that exists; --force overwrites it")
+    write_text(file, text)
+    wrote(file)
+
+
 PICTURES = (".svg", ".pdf", ".png")
 GAS_FILMS = (".svg", ".gif", ".mp4")
 LIBRARIES = {
@@ -326,9 +334,8 @@ def require_outputs(
     for option, path in named.items():
         if path is None:
             continue
-        endings = (kinds or {}).get(option, PICTURES)
         faults = FaultList()
-        faults.attempt(lambda path=path, endings=endings: require_writable(path, endings, source=source))
+        faults.attempt(require_writable, path, (kinds or {}).get(option, PICTURES), source=source)
         found += [of_option(option, fault) for fault in faults]
         for library in LIBRARIES.get(path.suffix.lower(), ()) if not faults else ():
             found.attempt(require_library, library, option)

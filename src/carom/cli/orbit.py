@@ -13,7 +13,7 @@ from carom.cli.console import working
 from carom.cli.options import OUTPUT, option, require_outputs, shared, wrote
 from carom.cli.parameters import Given, of_library
 from carom.cli.streams import note, say_json
-from carom.errors import CaromError
+from carom.errors import CaromError, Fault
 from carom.formatting import Listing, counted, json_value
 
 if TYPE_CHECKING:
@@ -166,12 +166,7 @@ def print_orbit(facts: dict[str, Any], found: OrbitResult) -> None:
     if facts.get("drift"):
         d = facts["drift"]
         kind = "bounded" if d["growth"] is not None and d["growth"] < 1.3 else "not bounded so far"
-        rows.append(
-            (
-                "along " + d["axis"],
-                f"{kind}: extent {d['extent']:.6g} m{_drift_rates(d)}",
-            )
-        )
+        rows.append((f"along {d['axis']}", f"{kind}: extent {d['extent']:.6g} m{_drift_rates(d)}"))
     if facts.get("reversal_error") is not None:
         rows.append(("backwards", f"returns to within {facts['reversal_error']:.1e} m"))
     console.facts(rows)
@@ -210,7 +205,7 @@ def _periodic_orbits(found: PeriodicOrbits) -> Listing:
             "–" if turns is None else f"{turns:.6f}", walls, "–" if one.winding is None else str(one.winding),
             str(one.family) if one.family else "–", str(one.found),
         ))  # fmt: skip
-    heads = (
+    heads = [
         "bounces",
         "duration (s)",
         "stability",
@@ -220,7 +215,7 @@ def _periodic_orbits(found: PeriodicOrbits) -> Listing:
         "turns",
         "family",
         "found",
-    )
+    ]
     return Listing(heads, rows, found.completeness)
 
 
@@ -315,7 +310,10 @@ def orbit(
     require_outputs(
         faults, {"--plot": plot, "--portrait": portrait, "--boundary": boundary, "--lyapunov-plot": lyapunov_plot}
     )
-    what = faults.attempt(_table, table, table_file)
+    what = None if table and table_file else table or table_file
+    if what is None:
+        got = "both" if table else "neither"
+        faults.append(Fault(advice=f"TABLE: expected a table such as circle, or --table FILE, got {got}"))
     if faults:
         searched = ("lyapunov", "periodic", "itinerary", "starts")
         faults.attempt(lambda: check_orbit(table=what, **{k: x for k, x in given.items() if k not in searched}))
@@ -335,31 +333,13 @@ def orbit(
                 "note: random starts seldom lead to unstable orbits between obstacles or through openings;"
                 " --itinerary AB,ABC seeks those that meet given walls"
             )
-    _draw(found, plot, portrait, boundary)
-    if lyapunov_plot is not None and found.spectrum is not None:
-        from carom.plot import plot_lyapunov, save
-
-        save(plot_lyapunov(found.spectrum), lyapunov_plot)
-        wrote(lyapunov_plot)
-
-
-def _table(table: str | None, file: Path | None) -> Any:
-    """Return the table of a text or of a file."""
-    if (table is None) == (file is None):
-        raise CaromError(
-            f"TABLE: expected a table such as circle, or --table FILE, got {'both' if file else 'neither'}"
-        )
-    return table if file is None else file
-
-
-def _draw(found: OrbitResult, plot: Path | None, portrait: Path | None, boundary: Path | None) -> None:
-    if plot is None and portrait is None and boundary is None:
-        return
-    from carom.plot import plot_boundary, plot_orbit, plot_periodic, plot_portrait, save
-
-    closed = found.periodic
-    first = plot_orbit if closed is None else lambda _found: plot_periodic(closed)
-    for path, make in ((plot, first), (portrait, plot_portrait), (boundary, plot_boundary)):
+    figures = (
+        (plot, found.plot),
+        (portrait, found.portrait),
+        (boundary, found.boundary),
+        (lyapunov_plot, found.lyapunov),
+    )
+    for path, draw in figures:
         if path is not None:
-            save(make(found), path)
+            draw(path)
             wrote(path)

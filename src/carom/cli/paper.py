@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.console import err, out, working
+from carom.cli.console import out, working
 from carom.cli.options import shared, wrote
 from carom.cli.streams import json_text, say
 from carom.errors import CaromError
@@ -18,8 +16,6 @@ from carom.files import require_library, require_writable, write_text
 from carom.formatting import Listing
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from carom.derive.paper import Entry, EquationVerdict
 
 _STYLE = {"holds": "green", "conditional": "yellow", "misprint": "bold red"}
@@ -51,10 +47,8 @@ def derive(
         require_writable(destination, (".json",) if as_json else (".tex",))  # before the derivation, which takes long
     from carom.derive import paper
 
-    with _progress() as report:
-        rows = (
-            list(paper.derive_paper(report)) if equation is None else paper.find_entries(equation.strip("()"), report)
-        )
+    with working("deriving") as show:
+        rows = list(paper.derive_paper(show)) if equation is None else paper.find_entries(equation.strip("()"), show)
     if as_json:
         records = [paper.as_record(entry, verdict) for entry, verdict in rows]
         _put(json_text({"equations": records}, ensure_ascii=False), destination)
@@ -72,15 +66,6 @@ def _put(text: str, destination: Path | None) -> None:
         return
     write_text(destination, text)
     wrote(destination)
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[str, int, int], None]]:
-    """Show a progress bar on standard error, or a line for each equation where that is no terminal."""
-    console = err()
-    with working("deriving", console) as show:
-        assert show is not None
-        yield lambda name, done, total: show(done, total, name)
 
 
 def _table(rows: list[tuple[Entry, EquationVerdict]]) -> None:
@@ -115,7 +100,7 @@ def _steps(rows: list[tuple[Entry, EquationVerdict]]) -> None:
     def line(words: str, style: str = "") -> None:
         console.print(words, style=style, soft_wrap=True)
 
-    def formulas(things: tuple[Any, ...]) -> None:
+    def formulas(*things: Any) -> None:
         for thing in things:
             line(f"    {shown(thing)}")
 
@@ -126,18 +111,17 @@ def _steps(rows: list[tuple[Entry, EquationVerdict]]) -> None:
             continue
         line(f"({entry.id})  {entry.title}" if entry.id[0].isdigit() else f"{entry.id}  {entry.title}", "bold")
         line("  printed")
-        formulas(entry.printed)
+        formulas(*entry.printed)
         line("  steps")
         for step in entry.steps:
             if step.text:
                 line(f"    {step.text}")
             if step.result is not None:
-                formulas((step.result,))
+                formulas(step.result)
         line("  derived")
-        formulas(entry.derived)
+        formulas(*entry.derived)
         line(f"  verdict: {verdict.status}", _STYLE[verdict.status])
-        note = paper.as_record(entry, verdict)["note"]
-        if note:
+        if note := paper.as_record(entry, verdict)["note"]:
             line(f"  {note}")
 
 

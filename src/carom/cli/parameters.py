@@ -216,20 +216,15 @@ def _pair(flag: str, text: str, wanted: str) -> tuple[float, float]:
     """Return two numbers, LOW:HIGH or X,Y."""
     if ":" not in wanted:
         return parse_pair(flag, text)
-    low, colon, high = text.partition(":")
-    try:
-        return float(low), float(high if colon else low)
-    except ValueError:
-        such = "5:75, or unknown" if "unknown" in wanted else "5:75"
-        raise CaromError(f"{flag}: expected LOW:HIGH, such as {such}, got {text!r}") from None
+    with contextlib.suppress(CaromError):
+        return parse_pair(flag, text if ":" in text else f"{text}:{text}", ":")
+    such = "5:75, or unknown" if "unknown" in wanted else "5:75"
+    raise CaromError(f"{flag}: expected LOW:HIGH, such as {such}, got {text!r}")
 
 
 def _numbers(flag: str, text: str) -> float | list[float]:
     """Return the numbers between commas; a number where there is but one."""
-    try:
-        found = [float(part) for part in text.replace(",", " ").split()]
-    except ValueError:
-        found = []
-    if not found:
-        raise CaromError(f"{flag}: expected numbers, such as 0.1,0.2, got {text!r}")
-    return found[0] if len(found) == 1 and "," not in text else found
+    with contextlib.suppress(ValueError):
+        if found := [float(part) for part in text.replace(",", " ").split()]:
+            return found[0] if len(found) == 1 and "," not in text else found
+    raise CaromError(f"{flag}: expected numbers, such as 0.1,0.2, got {text!r}")

@@ -8,8 +8,9 @@ from typing import Annotated, Any
 
 import typer
 
-from carom.cli.options import quantity, shared
-from carom.cli.streams import say_json
+from carom.cli.options import quantity, shared, write_new
+from carom.cli.streams import say, say_json, say_notes
+from carom.errors import CaromError
 
 
 def new(
@@ -40,9 +41,6 @@ def new(
     force: Annotated[bool, shared("force")] = False,
 ) -> None:
     """Write a commented scene that runs as it stands: one ball on a carom table; a real table by name; or a gas."""
-    from carom.cli.options import wrote
-    from carom.errors import CaromError
-    from carom.files import write_text
     from carom.gas.scene import gas_text
     from carom.scene.toml import scene_text
 
@@ -62,13 +60,7 @@ def new(
         sys.stdout.write("".join(f"{name:<18}{preset.title}\n" for name, preset in presets().items()))
         return
     text = gas_text() if gas else scene_text(table, rack=rack, break_speed=break_speed)
-    if file is None:
-        sys.stdout.write(text)
-        return
-    if file.is_file() and not force:
-        raise CaromError(f"{file}: expected a new file, got one that exists; --force overwrites it")
-    write_text(file, text)
-    wrote(file)
+    write_new(file, text, force)
 
 
 def check(
@@ -77,33 +69,22 @@ def check(
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
     """Validate a scene and summarise it; or print it in full, in SI units, with every default filled in."""
-    from carom.cli.streams import say, say_notes
     from carom.gas.scene import is_gas, load_gas
     from carom.scene.openings import scene_notes
+    from carom.scene.scene import plain_model, scene_dict
     from carom.scene.toml import load_scene
 
     if is_gas(file):
         from carom.gas.session import build
 
-        gas = load_gas(file)
-        build(gas)
-        if as_json:
-            from carom.scene.scene import plain_model
-
-            _print(plain_model(gas))
-            return
-        say(f"{file}: {gas.describe()}: ok")
-        say_notes(gas.notes())
-        return
-    scene = load_scene(file, allow_own_laws=allow_own_laws)
+        scene: Any = load_gas(file)
+        build(scene)
+        plain, notes = plain_model, scene.notes
+    else:
+        scene = load_scene(file, allow_own_laws=allow_own_laws)
+        plain, notes = scene_dict, lambda: scene_notes(scene)
     if as_json:
-        from carom.scene.scene import scene_dict
-
-        _print(scene_dict(scene))
+        say_json(plain(scene))
         return
     say(f"{file}: {scene.describe()}: ok")
-    say_notes(scene_notes(scene))
-
-
-def _print(found: dict[str, Any]) -> None:
-    say_json(found)
+    say_notes(notes())

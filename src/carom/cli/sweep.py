@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from carom.cli.console import working
-from carom.cli.options import OUTPUT, RUN, option, require_outputs, shared, wrote
+from carom.cli.options import OUTPUT, RUN, option, parse_assignments, require_outputs, shared, write_new, wrote
 from carom.cli.streams import say_json
 from carom.errors import CaromError, FaultList
 from carom.formatting import counted
@@ -35,16 +34,9 @@ def new(
     force: Annotated[bool, shared("force")] = False,
 ) -> None:
     """Write a commented sweep that runs as it stands: where the balls of a carom table end, over speed and angle."""
-    from carom.files import write_text
     from carom.sweeps.sweep import new_sweep
 
-    if file is None:
-        sys.stdout.write(new_sweep())
-        return
-    if file.is_file() and not force:
-        raise CaromError(f"{file}: expected a new file, got one that exists; --force overwrites it")
-    write_text(file, new_sweep())
-    wrote(file)
+    write_new(file, new_sweep(), force)
 
 
 def explain(file: FILE, allow_own_laws: OWN_LAWS = False, as_json: JSON = False) -> None:
@@ -92,7 +84,7 @@ def run(
 
     part = None if block is None else _part(block)
     place = on.removeprefix("dask:")
-    if on not in ("cores", "cuda") and not on.startswith("dask:"):
+    if on != "cores" and not on.startswith("dask:"):
         raise CaromError(f"--on: expected cores or dask:ADDRESS such as dask:tcp://host:8786, got {on!r:.60}")
     made = _sweep(str(file), store or str(file.with_suffix(".zarr")), allow_own_laws)
     assert made.store is not None
@@ -162,12 +154,7 @@ def plot(
 
     found = FaultList()
     require_outputs(found, {"--out": out})
-    chosen: dict[str, str] = {}
-    for text in at or ():
-        name, equals, value = text.partition("=")
-        if not equals:
-            found.add("--at", "DIM=VALUE", repr(text))
-        chosen[name.strip()] = value.strip()
+    chosen = {name.strip(): value.strip() for name, value in parse_assignments(found, "--at", at)}
     made = found.attempt(_stored, store, allow_own_laws)
     found.raise_if_any()
     made.missing()

@@ -13,7 +13,7 @@ from carom.data.plan import TablePlan
 from carom.data.rebound_files import Numbers, rebounds_of_columns
 from carom.data.rebounds import Kind, Rebounds
 from carom.data.table_cells import decimal_commas, parse_numbers
-from carom.data.table_files import CsvTable, TableChunk, row_label
+from carom.data.table_files import PARQUET, CsvTable, ParquetTable, TableChunk, add_note, row_label
 from carom.errors import CaromError, FaultList
 from carom.files import MOST_TABLE, open_regular
 
@@ -93,9 +93,7 @@ def read_columns(path: Path) -> tuple[Columns, list[str]]:
     """
     with open_regular(path, most=MOST_TABLE) as file:
         start = file.read(4)
-    if start == b"PAR1" or path.suffix.lower() in (".parquet", ".pq"):
-        from carom.data.table_files import ParquetTable
-
+    if start == b"PAR1" or path.suffix.lower() in PARQUET:
         with ParquetTable(path) as table:
             arrow = table.whole()
         columns = {name: arrow.column(i).to_numpy() for i, name in enumerate(table.headers)}
@@ -126,13 +124,6 @@ class ColumnTable:
         self.parts: list[tuple[list[Array], dict[int, str], int]] = []
         self.names: list[str] = []
 
-    def __enter__(self) -> ColumnTable:
-        """Return itself."""
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        """Do nothing: there is no file to close."""
-
     def chunks(self, plan: TablePlan) -> Iterator[TableChunk]:
         """Iterate over the rows in chunks."""
         numbers: dict[str, Array] = {}
@@ -152,8 +143,7 @@ class ColumnTable:
             for name, source in plan.sources.items():
                 empty = np.isnan(numbers[name][start:stop]) if name not in plan.may_be_empty else np.zeros(0, bool)
                 for i in np.flatnonzero(empty).tolist():
-                    fault = f"{source.header}: expected a number, got an empty cell"
-                    notes[i] = f"{notes[i]}; {fault}" if i in notes else fault
+                    add_note(notes, i, f"{source.header}: expected a number, got an empty cell")
             chunk = {name: column[start:stop].copy() for name, column in numbers.items()}
             self.done = stop
             yield TableChunk(chunk, notes, row_label(start), None)

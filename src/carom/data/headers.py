@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -142,40 +142,37 @@ class ColumnNames:
 
     def parse(self, header: str) -> Heading | None:
         """Return the meaning of a header; None for any other column, which is passed on unread."""
-        found = BRACKETS.match(header.strip())
-        if found:
-            alias = _normalized(found[1])
-            name = self.known.get(alias)
-            if name is None:
-                return None
-            dimension = self.names[name][0]
-            return Heading(name, alias, unit_named(found[2], dimension), "bracket", dimension)
+        if found := BRACKETS.match(header.strip()):
+            return self._heading(_normalized(found[1]), "bracket", lambda dimension: unit_named(found[2], dimension))
         text = _normalized(header).removesuffix("_derived")
         if text in self.known:
-            name = self.known[text]
-            dimension = self.names[name][0]
-            # degrees or radians: an angle without a unit is not guessed
-            unit = None if dimension == "angle" else next(iter(UNITS[dimension].values()))
-            return Heading(name, text, unit, "plain", dimension)
+            return self._heading(text, "plain", _unit_in_si)
         for alias in self.by_length:
-            if not text.startswith(alias + "_"):
-                continue
-            name = self.known[alias]
-            dimension = self.names[name][0]
-            unit = UNITS[dimension].get(text.removeprefix(alias + "_"))
+            dimension = self.names[self.known[alias]][0]
+            unit = UNITS[dimension].get(text.removeprefix(alias + "_")) if text.startswith(alias + "_") else None
             if unit is not None:
-                return Heading(name, alias, unit, "suffix", dimension)
+                return Heading(self.known[alias], alias, unit, "suffix", dimension)
         return self._with_unit_after_sign(header)
+
+    def _heading(self, alias: str, style: Style, unit: Callable[[str], Unit | None]) -> Heading | None:
+        """Return the meaning of a name; None for one that is not known."""
+        if alias not in self.known:
+            return None
+        name = self.known[alias]
+        dimension = self.names[name][0]
+        return Heading(name, alias, unit(dimension), style, dimension)
 
     def _with_unit_after_sign(self, header: str) -> Heading | None:
         """Return the meaning of ``x/cm``, ``x, cm`` or ``x in cm``; None unless both the name and the unit are known."""
-        found = _NAME_AND_UNIT.match(header.strip())
-        name = self.known.get(_normalized(found[1])) if found else None
-        if found is None or name is None:
+        if (found := _NAME_AND_UNIT.match(header.strip())) is None:
             return None
-        dimension = self.names[name][0]
-        unit = unit_named(found[2], dimension)
-        return None if unit is None else Heading(name, _normalized(found[1]), unit, "bracket", dimension)
+        meant = self._heading(_normalized(found[1]), "bracket", lambda dimension: unit_named(found[2], dimension))
+        return None if meant is None or meant.unit is None else meant
+
+
+def _unit_in_si(dimension: str) -> Unit | None:
+    """Return the unit of a quantity without one: SI, but none for an angle, as degrees or radians are not guessed."""
+    return None if dimension == "angle" else next(iter(UNITS[dimension].values()))
 
 
 def with_units_below(kinds: Sequence[ColumnNames], headers: Sequence[str], row: Sequence[str]) -> list[str] | None:
@@ -251,13 +248,7 @@ def _of_series(header: str) -> Heading | None:
         said = bool(rest & names) or (dimension != "angle" and rest and dimension in of_unit)
         if not said or not (len(number) == 1 or first) or rest - names - _FILLERS - (_FIRST if first else set()):
             continue
-        unit = (
-            unit_named(name, dimension)
-            if name
-            else None
-            if dimension == "angle"
-            else next(iter(UNITS[dimension].values()))
-        )
+        unit = unit_named(name, dimension) if name else _unit_in_si(dimension)
         return Heading(f"{prefix}{quantity} {int(*number)}", text, unit, style, dimension)
     return None
 

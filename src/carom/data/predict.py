@@ -23,13 +23,12 @@ from carom.bodies import Ball, Disc, State, Surface, inertia_number
 from carom.data.columns import Columns, ColumnTable, as_columns, is_columns, read_columns
 from carom.data.headers import STATE_NAMES
 from carom.data.limits import CHECKS, FINITE, bad_numbers
-from carom.data.plan import BOUNCE, PARAMETERS, PredictSettings, SpinRule, TablePlan, make_plan, unread
-from carom.data.table_files import CsvTable
+from carom.data.plan import BOUNCE, PARAMETERS, PredictSettings, TablePlan, make_plan, unread
+from carom.data.table_files import PARQUET, CsvTable, ParquetTable, add_note
 from carom.errors import CaromError, FaultList, suggestion
 from carom.files import as_path, atomic_file, open_regular
 from carom.formatting import counted
 from carom.laws.arrays import unit_normal
-from carom.laws.landing import FloorContact
 from carom.laws.law import Answer, Law, Meeting
 from carom.laws.registry import find_law, laws
 from carom.public.defaults import CONTACT_HEIGHT, FLOOR_CONTACT, GRAVITY
@@ -53,7 +52,7 @@ def predict_rows(plan: TablePlan, columns: dict[str, Array], notes: Notes) -> li
     for name, column in values.items():
         holds, expected = CHECKS.get(name, FINITE)
         for i in np.flatnonzero(good & ~holds(column)).tolist():
-            _note(notes, i, f"{plan.sources[name].header}: expected {expected}, got {float(columns[name][i])!r}")
+            add_note(notes, i, f"{plan.sources[name].header}: expected {expected}, got {float(columns[name][i])!r}")
     good[list(notes)] = False
     if "normal_x" in values:
         size = sum(np.abs(values.get(k, np.zeros(1))) for k in ("normal_x", "normal_y", "normal_z"))
@@ -71,7 +70,7 @@ def predict_rows(plan: TablePlan, columns: dict[str, Array], notes: Notes) -> li
     for mask, expected, *_field in plan.settings.law.conditions(meeting):
         full = np.broadcast_to(mask, allowed.shape)
         for i in rows[allowed & ~full].tolist():
-            _note(notes, i, f"expected {expected}")
+            add_note(notes, i, f"expected {expected}")
         # one line per row is enough: only the first condition that fails is reported
         allowed &= full
     if not allowed.all():
@@ -91,34 +90,19 @@ def _fill_spins(plan: TablePlan, values: dict[str, Array], notes: Notes, good: N
     empty = np.ones(len(good), bool) if name is None else np.isnan(values[name])
     if bounce is not None:
         for i in np.flatnonzero(good & empty & (bounce > 1)).tolist():
-            _note(
-                notes,
-                i,
-                f"spin before bounce {bounce[i]:g}: expected a number, as the ball has bounced before, got none",
-            )
+            fault = f"spin before bounce {bounce[i]:g}: expected a number, as the ball has bounced before, got none"
+            add_note(notes, i, fault)
     if name is not None:
         values[name] = np.where(empty, 0.0, values[name])
-
-
-def _note(notes: Notes, i: int, text: str) -> None:
-    notes[i] = f"{notes[i]}; {text}" if i in notes else text
 
 
 def _require_on_floor(values: dict[str, Array], plan: TablePlan, notes: Notes, good: NDArray[np.bool_]) -> None:
     """Add notes to rows off the floor, if balls without spin in the table are taken to roll."""
     for name in ("velocity_z", "height"):
-        if name in values:
-            bad = good & (values[name] != 0)
-        elif plan.constants.get(name, 0.0) != 0:
-            bad = good.copy()
-        else:
-            continue
+        bad = good & (values.get(name, np.zeros(1) + plan.constants.get(name, 0.0)) != 0)
         for i in np.flatnonzero(bad).tolist():
-            _note(
-                notes,
-                i,
-                f"{name}: expected 0 for a ball that is taken to roll; give its spin, or predict with spin none",
-            )
+            fault = f"{name}: expected 0 for a ball that is taken to roll; give its spin, or predict with spin none"
+            add_note(notes, i, fault)
         good &= ~bad
 
 
@@ -191,7 +175,7 @@ def _normal(plan: TablePlan, values: dict[str, Array], rows: Any) -> Array:
 def _columns(plan: TablePlan, answer: Answer, rows: NDArray[np.intp], notes: Notes) -> list[Array]:
     """Return the added columns in the units of the table; notes for rows that are not finite."""
     for i in np.flatnonzero(answer.why != "").tolist():
-        _note(notes, int(rows[i]), str(answer.why[i]))
+        add_note(notes, int(rows[i]), str(answer.why[i]))
     lost = ~np.isfinite(answer.after_wall.velocity).all(axis=-1) | ~np.isfinite(answer.after_wall.spin).all(axis=-1)
     for i in np.flatnonzero(lost).tolist():
         if int(rows[i]) not in notes:
@@ -200,14 +184,8 @@ def _columns(plan: TablePlan, answer: Answer, rows: NDArray[np.intp], notes: Not
     for state in (answer.after_wall, answer.final)[: 1 + plan.rolls]:
         v, w = state.velocity, state.spin
         x, y = v[:, 0], v[:, 1]
-        if plan.form == "vector":
-            found += [*v.T, *w.T]
-        elif plan.air:
-            found += [x, y, w[:, 2]]
-        elif state is answer.after_wall:
-            found += [*v.T, *w.T]
-        else:
-            found += [x, y, w[:, 2]]
+        in_space = plan.form == "vector" or (state is answer.after_wall and not plan.air)
+        found += [*v.T, *w.T] if in_space else [x, y, w[:, 2]]
         if plan.form == "angle":
             found += [np.sqrt((v * v).sum(axis=-1)), np.arctan2(y, x)]
     return [added.unit.from_si(column) for added, column in zip(plan.added, found, strict=True)]
@@ -221,7 +199,7 @@ def _columns(plan: TablePlan, answer: Answer, rows: NDArray[np.intp], notes: Not
 
 
 # So many rows without an answer are listed; the note column has them all.
-TEXT, PARQUET = (".csv", ".tsv", ".txt"), (".parquet", ".pq")  # endings of names of tables
+TEXT = (".csv", ".tsv", ".txt")  # endings of names of tables
 MAX_LISTED_ROWS = 20
 STANDARD_OUTPUT = "-"
 
@@ -408,23 +386,15 @@ def _open(source: Path, target: Path | None) -> Any:
         raise CaromError(f"`out` {target}: expected {wanted}, got the ending {ending}")
     if is_text:
         return CsvTable(source, (STATE_NAMES,))
-    from carom.data.table_files import ParquetTable
-
     return ParquetTable(source)
 
 
-def _spin_rule(text: str | None) -> SpinRule | None:
-    if text is None or text in ("rolling", "none"):
-        return text  # type: ignore[return-value]
-    raise CaromError(f"`spin`: expected 'rolling' or 'none', got {text!r}; {suggestion(text, ['rolling', 'none'])}")
-
-
-def _floor_contact(text: str) -> FloorContact:
-    if text in ("with", "after"):
-        return text  # type: ignore[return-value]
-    raise CaromError(
-        f"`floor_contact`: expected 'with' (at once) or 'after' (first the wall, then the floor), got {text!r}"
-    )
+def _one_of(name: str, text: str | None, known: dict[str | None, str]) -> Any:
+    """Return a text that is one of some; CaromError, with what they mean, for another."""
+    if text in known:
+        return text
+    expected = " or ".join(f"{one!r}{meant}" for one, meant in known.items() if one)
+    raise CaromError(f"`{name}`: expected {expected}, got {text!r}; {suggestion(text, list(filter(None, known)))}")
 
 
 def predict(
@@ -550,10 +520,8 @@ def predict(
         made = Path(folder) / f"predicted{path.suffix}"
         summary = predict_table(path, made, settings, strict=strict, progress=progress, say=say)
         summary.out, summary.columns = None, read_columns(made)[0]
-    note = summary.added[-1]
-    summary.columns[note] = np.array(
-        [said if isinstance(said, str) else "" for said in summary.columns[note].tolist()], str
-    )
+    said = summary.columns[summary.added[-1]].tolist()
+    summary.columns[summary.added[-1]] = np.array([one if isinstance(one, str) else "" for one in said], str)
     return summary
 
 
@@ -575,7 +543,9 @@ def predict_settings(
     if inertia is not None and (kappa := faults.attempt(inertia_number, inertia)) is not None:
         given["kappa"] = kappa
     chosen = law if isinstance(law, Law) else faults.attempt(find_law, law)
-    rule, contact = faults.attempt(_spin_rule, spin), faults.attempt(_floor_contact, floor_contact)
+    rule = faults.attempt(_one_of, "spin", spin, {"rolling": "", "none": "", None: ""})
+    ways = {"with": " (at once)", "after": " (first the wall, then the floor)"}
+    contact = faults.attempt(_one_of, "floor_contact", floor_contact, ways)
     idle = [] if chosen is None else [name for name in given if name in unread(chosen)]
     for name in idle:
         reads = ", ".join(chosen.reads or ())

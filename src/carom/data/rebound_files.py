@@ -33,7 +33,6 @@ from carom.data.rebounds import (
     Rebounds,
     make_rebounds,
     rows_of_stage,
-    stages_of_column,
     which_rows,
 )
 from carom.data.table_cells import (
@@ -45,7 +44,7 @@ from carom.data.table_cells import (
     relative_header,
     split_errors,
 )
-from carom.data.table_files import LEADING_LINES, CsvTable
+from carom.data.table_files import LEADING_LINES, PARQUET, CsvTable, ParquetTable
 from carom.data.written_forms import SERIES, TARGETS, WRITTEN, components
 from carom.errors import CaromError, FaultList, shortened_list, suggestion
 from carom.files import MOST_TABLE, as_path, open_regular
@@ -94,7 +93,7 @@ def read_rebounds(
     path = as_path("read_rebounds", path)
     open_regular(path, "a table of rebounds", MOST_TABLE).close()
     faults = FaultList(str(path))
-    read = _read_parquet if path.suffix.lower() in (".parquet", ".pq") else _read_csv
+    read = _read_parquet if path.suffix.lower() in PARQUET else _read_csv
     headers, cells, rows, number = read(path, faults)
     if not rows:
         raise CaromError(f"{path}: expected rebounds, got none")
@@ -138,10 +137,9 @@ def rebounds_of_columns(
     notes = _with_unit_of_other_angle(headers, meanings)
     relative: dict[str, Array] = {}
     for i, header in enumerate(headers):
-        name = header.strip().lower()
         meaning = meanings.get(i)
-        if name == "stage":
-            stages = stages_of_column([str(cell) for cell in cells(i)], stage)
+        if header.strip().lower() == "stage":
+            stages = np.array([str(cell).strip() or stage or "" for cell in cells(i)], dtype=str)
         elif meaning is None:
             if header.strip():
                 extra[header.strip()] = np.array(["" if cell is None else str(cell) for cell in cells(i)])
@@ -170,16 +168,12 @@ def rebounds_of_columns(
             measured[name] = np.where(np.isnan(of), np.nan, _share_of(of, share))
     measured = (found := components(measured, ball, extra, faults)).columns
     if found.rows is not None:
-        extra, rows = (
-            {name: column[found.rows] for name, column in extra.items()},
-            [rows[i] for i in found.rows.tolist()],
-        )
-    planar = (
-        found.planar
-        and not any(name.removeprefix("sigma_").startswith("spin_z") for name in measured)
-        and stages is None
+        extra = {name: column[found.rows] for name, column in extra.items()}
+        rows = [rows[i] for i in found.rows.tolist()]
+    on_table = stages is not None or any(name.removeprefix("sigma_").startswith("spin_z") for name in measured)
+    kind = kind or (
+        "planar" if found.planar and not on_table else _kind_of_columns(measured, stages is not None, headers, faults)
     )
-    kind = kind or ("planar" if planar else _kind_of_columns(measured, stages is not None, headers, faults))
     extra = found.extra | extra | _directions(found.directions, kind, faults)
     if faults:
         # check the columns as well, to report all problems at once
@@ -193,8 +187,7 @@ def rebounds_of_columns(
             and not (one.got.startswith(EMPTY_CELL) and _unread_cells(headers, meanings, faults))
         ]
         faults.raise_if_any()
-    if kind == "planar" and stage is None:
-        stages = None
+    stages = None if kind == "planar" and stage is None else stages
     made = make_rebounds(kind, measured, stage=stages, extra=extra, rows=rows, source=source)
     return rows_of_stage(replace(made, notes=(*notes, *found.notes, *_unread(extra), *made.notes)), stage)
 
@@ -206,20 +199,14 @@ def _unread_cells(headers: Sequence[str], meanings: Mapping[int, Heading], fault
 
 def _unread(extra: Mapping[str, NDArray[Any]]) -> list[str]:
     """Return a note on columns of numbers that are not used."""
-    found = [
-        header
-        for header, cells in extra.items()
-        if not PASSED_ON.fullmatch(header.lower()) and _has_numbers([str(cell) for cell in cells])
-    ]
-    if not found:
-        return []
+    found = []
+    for header, cells in extra.items():
+        numbers = parse_numbers([str(cell) for cell in cells], decimal_comma=True)
+        if not PASSED_ON.fullmatch(header.lower()) and not numbers.bad and np.isfinite(numbers.values).any():
+            found.append(header)
     names = "incidence_deg, reflection_deg, speed_in, e_n, e_t, and sigma_ before one of these for an error bar"
-    return [f"not read: {shortened_list([repr(one) for one in found])}; names that are read are for example {names}"]
-
-
-def _has_numbers(cells: Sequence[str]) -> bool:
-    parsed = parse_numbers(cells, decimal_comma=True)
-    return not parsed.bad and bool(np.isfinite(parsed.values).any())
+    said = f"not read: {shortened_list([repr(one) for one in found])}; names that are read are for example {names}"
+    return [said] if found else []
 
 
 def _directions(alone: NDArray[np.bool_] | None, kind: Kind, faults: FaultList) -> dict[str, NDArray[Any]]:
@@ -320,17 +307,14 @@ def _read_csv(path: Path, faults: FaultList) -> Reader:
         semicolons = table.delimiter != ","
     lines = [f"line {number}" for number, _text, _fields in records]
     width = len(headers)
-    wrong = np.array([len(fields) > width or len(fields) < width for _n, _t, fields in records], bool)
+    wrong = np.array([len(fields) != width for _n, _t, fields in records], bool)
     rows = [fields[:width] + [""] * (width - len(fields)) for _n, _t, fields in records]
     spare = [fields[width:] for _n, _t, fields in records]
     if wrong.any() and any(any(cell.strip() for cell in cells) for cells in spare):
         got = len(records[np.flatnonzero(wrong)[0]][2])
-        comma = (
-            ""
-            if semicolons or got < width
-            else "a comma within a number: write a decimal point there, and no comma before thousands"
-        )
-        faults.add("rows", f"{width} fields, as the header has", f"{got} {which_rows(wrong, lines)}", comma)
+        comma = "a comma within a number: write a decimal point there, and no comma before thousands"
+        advice = "" if semicolons or got < width else comma
+        faults.add("rows", f"{width} fields, as the header has", f"{got} {which_rows(wrong, lines)}", advice)
 
     commas = semicolons or decimal_commas([cell for row in rows for cell in row])
 
@@ -348,8 +332,6 @@ def _read_csv(path: Path, faults: FaultList) -> Reader:
 
 
 def _read_parquet(path: Path, faults: FaultList) -> Reader:
-    from carom.data.table_files import ParquetTable
-
     with ParquetTable(path) as table:
         arrow = table.whole()
     lines = [f"row {i + 1}" for i in range(arrow.num_rows)]

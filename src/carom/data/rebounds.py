@@ -386,11 +386,6 @@ def _stages(kind: Kind, stage: Any, count: int, rows: Sequence[str], faults: Fau
     return found
 
 
-def stages_of_column(cells: Sequence[str], stage: str | None) -> NDArray[np.str_]:
-    """Return the stages of a column, with the one of ``stage`` in empty cells."""
-    return np.array([cell if cell.strip() or stage is None else stage for cell in cells], dtype=str)
-
-
 def rows_of_stage(found: Rebounds, stage: str | None) -> Rebounds:
     """Return the rows of one stage, with a note where others are left out. Raises CaromError where there is none."""
     if stage is None or found.stage is None or (keep := found.stage == stage).all():

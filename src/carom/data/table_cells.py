@@ -183,13 +183,13 @@ def number_advice(cell: str) -> str:
     """Return the remedy, for a message, where a cell is no number."""
     if COMMA.fullmatch(plain_number(cell)):
         return "its comma may be a decimal sign or separate thousands: write numbers with a decimal point"
+    plain = cell.strip()
+    digits = plain.translate(DIGITS_MISTYPED)
     try:
-        float(plain_number(digits := cell.strip().translate(DIGITS_MISTYPED)))
+        float(plain_number(digits))
     except ValueError:
-        return "write units in the header"
-    return (
-        f"it has a letter in place of a digit: {digits!r}?" if digits != cell.strip() else "write units in the header"
-    )
+        digits = plain
+    return "write units in the header" if digits == plain else f"it has a letter in place of a digit: {digits!r}?"
 
 
 def _pointed(cell: str) -> bool:

@@ -25,6 +25,7 @@ Array = NDArray[np.float64]
 CHUNK_ROWS = 1 << 14
 START_BYTES = 512  # in which a file that is not text shows its zeros
 DELIMITERS = ",;\t|"
+PARQUET = (".parquet", ".pq")  # endings of names
 LEADING_LINES = 12  # among which the header is sought, below a title or comments
 
 
@@ -40,6 +41,11 @@ class TableChunk:
     """Index of a row to its label, such as "line 7"."""
     rows: Any
     """The rows as they were read, to be written again."""
+
+
+def add_note(notes: dict[int, str], i: int, text: str) -> None:
+    """Add a problem of a row to those that it has."""
+    notes[i] = f"{notes[i]}; {text}" if i in notes else text
 
 
 class NumberedLines:
@@ -206,13 +212,10 @@ class CsvTable:
         taken = lines.take(CHUNK_ROWS)
         if '"' not in "".join(taken):
             # without quotes a line is a row
-            rows = [line.rstrip("\r\n").split(self.delimiter) for line in taken]
-            texts = [line.rstrip("\r\n") for line in taken]
-            numbers = list(range(first, first + len(taken)))
-            if "" in texts:
-                full = [i for i, text in enumerate(texts) if text]
-                return [numbers[i] for i in full], [texts[i] for i in full], [rows[i] for i in full]
-            return numbers, texts, rows
+            plain = [line.rstrip("\r\n") for line in taken]
+            numbers = [first + i for i, text in enumerate(plain) if text]
+            texts = [text for text in plain if text]
+            return numbers, texts, [text.split(self.delimiter) for text in texts]
         lines.push_back(taken)
         batch = list(itertools.islice(records, CHUNK_ROWS))
         return [row[0] for row in batch], [row[1] for row in batch], [row[2] for row in batch]
@@ -276,8 +279,7 @@ class CsvTable:
         values, bad = parse_numbers(cells, decimal_comma=self.decimal == ",", missing=EMPTY if may_be_empty else ())
         for i in bad if header != BOUNCE else ():  # (words number no bounce)
             got = repr(cells[i]) if cells[i].strip() else "an empty cell"
-            fault = f"{header}: expected a number, got {got}"
-            notes[i] = f"{notes[i]}; {fault}" if i in notes else fault
+            add_note(notes, i, f"{header}: expected a number, got {got}")
         return values
 
     def quoted(self, cell: str) -> str:
@@ -405,8 +407,7 @@ class ParquetTable:
         values: Array = column.cast(self.pa.float64(), safe=False).to_numpy(zero_copy_only=False)
         if column.null_count and not may_be_empty:
             for i in np.flatnonzero(np.asarray(column.is_null())).tolist():
-                fault = f"{header}: expected a number, got an empty cell"
-                notes[i] = f"{notes[i]}; {fault}" if i in notes else fault
+                add_note(notes, i, f"{header}: expected a number, got an empty cell")
         return values
 
     def write_head(self, file: BinaryIO, plan: TablePlan) -> None:

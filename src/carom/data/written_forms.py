@@ -19,10 +19,10 @@ from numpy.typing import NDArray
 
 from carom.data.headers import WRITTEN_COLUMNS, ColumnNames
 from carom.errors import FaultList, shortened_list
+from carom.public.defaults import GRAVITY
 
 Array = NDArray[np.float64]
 Measured = Mapping[str, Array]
-GRAVITY = 9.80665  # m/s^2
 ANGLE_WORDS = re.compile(r"theta|angle|[\[(](?:deg(?:rees)?|rad|°)[\])]", re.IGNORECASE)
 SPEED_WORDS = re.compile(r"speed|veloc|[\[(](?:[cm]?m ?/ ?s|ft/s|in/s|m s\^?-1|km/?h|kph|mph)[\])]", re.IGNORECASE)
 WRITTEN = ColumnNames(
@@ -93,17 +93,14 @@ def components(
                 " spins identify that product, without them nothing",
             )  # fmt: skip
         return WrittenComponents(dict(measured))
-    for step in (
-        found.series,
-        found.surface_angles,
-        found.plane,
-        found.heights,
-        lambda: found.times(extra),
-        lambda: found.polar(extra),
-        found.ratios,
-        found.spins,
-    ):
-        step()
+    found.series()
+    found.surface_angles()
+    found.plane()
+    found.heights()
+    found.times(extra)
+    found.polar(extra)
+    found.ratios()
+    found.spins()
     columns = {
         name: column for name, column in found.have.items() if name.removeprefix("sigma_") not in WRITTEN_COLUMNS
     }
@@ -189,26 +186,20 @@ class _Conversion:
 
     def plane(self) -> None:
         """Take x and y: the wall is normal to the component that changes its sign in all rows (y = 0 where neither or both do)."""
-        parts = {name: self.take(name) for name in _FORMS[4]}
-        if all(part is None for part in parts.values()):
+        parts = {name: part for name in _FORMS[4] if (part := self.take(name)) is not None}
+        if not parts:
             return
-        if any(part is None for part in parts.values()):
-            missing = ", ".join(name for name, part in parts.items() if part is None)
-            self.faults.add(f"columns {missing}", "vx_in, vy_in, vx_out and vy_out", "only some of them")
+        if missing := [name for name in _FORMS[4] if name not in parts]:
+            self.faults.add(f"columns {', '.join(missing)}", "vx_in, vy_in, vx_out and vy_out", "only some of them")
             return
-        turns = {k: bool((parts[f"v{k}_in"][0] * parts[f"v{k}_out"][0] < 0).all()) for k in "xy"}  # type: ignore[index]
-        normal = "x" if turns["x"] and not turns["y"] else "y"
-        along = "y" if normal == "x" else "x"
+        turns = {k: bool((parts[f"v{k}_in"][0] * parts[f"v{k}_out"][0] < 0).all()) for k in "xy"}
+        normal, along = ("x", "y") if turns["x"] and not turns["y"] else ("y", "x")
         into, away = parts[f"v{normal}_in"], parts[f"v{normal}_out"]
-        assert into is not None
-        assert away is not None
         toward = np.where(into[0] < 0, -1.0, 1.0)
         self.put("v_n_in", toward * into[0], into[1])
         self.put("v_n_out", -toward * away[0], away[1])
         for side in ("in", "out"):
-            part = parts[f"v{along}_{side}"]
-            assert part is not None
-            self.put(f"v_t_{side}", *part)
+            self.put(f"v_t_{side}", *parts[f"v{along}_{side}"])
         self.result.notes.append(
             f"the wall is taken as {normal} = 0: v{normal} is normal to it, v{along} is along it; slip is v_t - a spin"
         )
@@ -227,9 +218,8 @@ class _Conversion:
         """Take times of flight before and after a bounce, or times between bounces in a row: v = g t / 2, without air."""
         each = self.take("flight_time")
         if each is not None and any(name in self.have for name in ("v_n_in", "speed_in", "time_before")):
-            self.have["time_after"], self.have["sigma_time_after"] = (
-                each  # (of a ball whose speed before is known otherwise)
-            )
+            # (of a ball whose speed before is known otherwise)
+            self.have["time_after"], self.have["sigma_time_after"] = each
         elif each is not None:
             labels = [tuple(extra[name][i] for name in SEQUENCE if name in extra) for i in range(len(each[0]))]
             pairs = np.array([i for i in range(len(labels) - 1) if labels[i] == labels[i + 1]], dtype=int)

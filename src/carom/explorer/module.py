@@ -10,8 +10,6 @@ import functools
 import json
 import math
 import sys
-import time
-import zlib
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -206,7 +204,6 @@ def build() -> tuple[bytes, str, str]:
 
 def main() -> int:
     """Build the module and write it beside its description; return the exit code."""
-    begin = time.perf_counter()
     try:
         module, text, licence = build()
     except CaromError as error:
@@ -216,8 +213,7 @@ def main() -> int:
     (ASSETS / "engine.wasm").write_bytes(module)
     write_text(ASSETS / "engine.json", text)
     write_text(ASSETS / "LICENSE-musl.txt", licence)
-    size = len(zlib.compress(module, 9))
-    sys.stdout.write(f"engine.wasm: {len(module):,} bytes ({size:,} compressed), {time.perf_counter() - begin:.0f} s\n")
+    sys.stdout.write(f"engine.wasm: {len(module):,} bytes\n")
     return 0
 
 

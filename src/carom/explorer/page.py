@@ -233,13 +233,12 @@ def explore(
 
 def _scene(scene: Scene | str | os.PathLike[str], faults: FaultList) -> Scene | None:
     """Return a scene that the page can show; else add to the faults why it cannot."""
-    is_file = isinstance(scene, str | os.PathLike)
     with collected(faults):
-        found = load_scene(Path(scene)) if is_file else scene
+        found: Any = load_scene(Path(scene)) if isinstance(scene, str | os.PathLike) else scene
         require_type("explore", "scene", found, Scene)
         found = with_outlines(found)
-        faults += not_shown(found, str(scene) if is_file else "explore")
-        return found
+        faults += not_shown(found, "explore" if isinstance(scene, Scene) else str(scene))
+        return found  # type: ignore[no-any-return]
     return None
 
 
@@ -371,14 +370,8 @@ def _is_nose(wall: WallShape) -> bool:
 def _strikes(scene: Scene) -> dict[str, Any]:
     """Return how cues have struck the balls of a scene: the page has the velocities and spins that they give."""
     names = ("speed", "azimuth", "elevation", "offset")
-    if all(ball.strike is None for ball in scene.balls):
-        return {}
-    return {
-        "strikes": [
-            None if ball.strike is None else {name: getattr(ball.strike, name) for name in names}
-            for ball in scene.balls
-        ]
-    }
+    strikes = [one.strike and {name: getattr(one.strike, name) for name in names} for one in scene.balls]
+    return {"strikes": strikes} if any(strikes) else {}
 
 
 def _page_of(

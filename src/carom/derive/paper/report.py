@@ -13,6 +13,8 @@ from carom.derive.paper import section2, section3
 from carom.derive.paper.ledger import Entry, EquationVerdict, judge, shown
 from carom.errors import CaromError
 
+Progress = Callable[[float, float, str], None]
+
 # Stages of the derivation: name, function, equation numbers, section of the unnumbered statements
 STAGES: tuple[tuple[str, Callable[[], list[Entry]], range, int], ...] = (
     ("kinematics (1)-(4)", section2.kinematics, range(1, 5), 2),
@@ -50,20 +52,18 @@ def entries_of(stage: int) -> tuple[Entry, ...]:
     return tuple(STAGES[stage][1]())
 
 
-def derive_paper(progress: Callable[[str, int, int], None] | None = None) -> Iterator[tuple[Entry, EquationVerdict]]:
-    """Yield every entry of the paper with its verdict; ``progress`` is called with (name, done, all) at each stage."""
+def derive_paper(progress: Progress | None = None) -> Iterator[tuple[Entry, EquationVerdict]]:
+    """Yield every entry of the paper with its verdict; ``progress`` is called with (done, all, name) at each stage."""
     for i, (name, _, _, _) in enumerate(STAGES):
         if progress:
-            progress(name, i, len(STAGES))
+            progress(i, len(STAGES), name)
         for entry in entries_of(i):
             yield entry, judge(entry)
     if progress:
-        progress("done", len(STAGES), len(STAGES))
+        progress(len(STAGES), len(STAGES), "done")
 
 
-def find_entries(
-    wanted: str, progress: Callable[[str, int, int], None] | None = None
-) -> list[tuple[Entry, EquationVerdict]]:
+def find_entries(wanted: str, progress: Progress | None = None) -> list[tuple[Entry, EquationVerdict]]:
     """Return one equation (with its parts) or one statement; only its stage is derived.
 
     Raises CaromError for a name that the paper does not have.
@@ -73,7 +73,7 @@ def find_entries(
         if (second not in numbers) if first == 0 else (section != first):
             continue
         if progress:
-            progress(name, i, len(STAGES))
+            progress(i, len(STAGES), name)
         found = [
             x for x in entries_of(i) if x.id == wanted or (wanted.isdigit() and re.fullmatch(rf"{wanted}[a-z]", x.id))
         ]
