@@ -147,33 +147,27 @@ class TrackContact:
 
     def why_not(self, stage: str) -> str:
         """Return why there is no rebound of a stage, ``"after_wall"`` or ``"rolling"``; empty if there is one."""
-        if self.fit is None:
+        fit = self.fit
+        if fit is None:
             return self.why
-        return _why_not(self, stage)
+        if -fit["vn_in"] < 3 * fit.error("vn_in"):
+            return "its speed toward the wall does not exceed its error"
+        if self.planar:
+            leaves = fit["vn_out"] > 3 * fit.error("vn_out")
+            return "" if leaves else "its speed away from the wall does not exceed its error"
+        if not motion_before_resolved(self, fit):
+            span = fit["t"] - float(fit.time[0])
+            return f"{self.before} frames in {1e3 * span:.3g} ms before the wall do not show whether it rolls or slides"
+        if fit["slides"] < self.interval:
+            # (the contact may as well have been some ms earlier or later, and the slide as much longer)
+            frames = fit["slides"] / self.interval
+            return f"it slides for only {frames:.1f} frames: when it began to roll and how it left cannot be determined"
+        return _not_rolling(self, fit) if stage == "rolling" else _not_leaving(self, fit)
 
 
 def motion_before_resolved(one: TrackContact, fit: ContactFit) -> bool:
     """Return whether the frames before the contact show if the ball slides or rolls there."""
     return fit.slid_before or slide_would_show(one.before, fit["t"] - float(fit.time[0]), fit.noise, fit["mu_g"])
-
-
-def _why_not(one: TrackContact, stage: str) -> str:
-    fit = one.fit
-    assert fit is not None
-    if -fit["vn_in"] < 3 * fit.error("vn_in"):
-        return "its speed toward the wall does not exceed its error"
-    if one.planar:
-        return (
-            "" if fit["vn_out"] > 3 * fit.error("vn_out") else "its speed away from the wall does not exceed its error"
-        )
-    if not motion_before_resolved(one, fit):
-        span = fit["t"] - float(fit.time[0])
-        return f"{one.before} frames in {1e3 * span:.3g} ms before the wall do not show whether it rolls or slides"
-    if fit["slides"] < one.interval:
-        # (the contact may as well have been some ms earlier or later, and the slide as much longer)
-        frames = fit["slides"] / one.interval
-        return f"it slides for only {frames:.1f} frames: when it began to roll and how it left cannot be determined"
-    return _not_rolling(one, fit) if stage == "rolling" else _not_leaving(one, fit)
 
 
 def _not_rolling(one: TrackContact, fit: ContactFit) -> str:

@@ -18,17 +18,14 @@ from carom.files import parse_json
 from carom.tracks.formats import tables
 from carom.tracks.formats.tables import (
     IN_PIXELS,
-    ROW_NUMBERS,
     Calibration,
     TextTable,
     first_rows,
     numbers,
-    numbers_rows,
     require_calibration,
     require_sizes,
     split_rows,
     time_codes,
-    time_column,
 )
 from carom.tracks.track import Track
 
@@ -52,15 +49,6 @@ def _titles(text: str, row: int = 0) -> list[str]:
 
 # ----------------------------------------------------------------------------------------------------
 # A table per ball, side by side: columns x and y of each ball, and one clock.
-
-
-def _columns_of_balls(header: Sequence[str], pattern: re.Pattern[str]) -> dict[str, dict[str, int]]:
-    """Return the columns of each ball by their axis, from headers in which a pattern finds ``ball`` and ``axis``."""
-    found: dict[str, dict[str, int]] = {}
-    for i, cell in enumerate(header):
-        if match := pattern.match(cell):
-            found.setdefault(match["ball"], {})[match["axis"].upper()] = i
-    return found
 
 
 def _side_by_side(
@@ -133,7 +121,6 @@ def deeplabcut(name: str, text: str, calibration: Calibration) -> list[Track]:
 
 
 # idTracker and idtracker.ai: X1, Y1, X2, Y2 ... side by side, a row per frame; pixels, the second axis down.
-OF_ANIMALS = re.compile(r"^(?P<axis>X|Y)(?P<ball>\d+)$", re.IGNORECASE)
 
 
 def is_idtracker(text: str) -> bool:
@@ -144,22 +131,17 @@ def is_idtracker(text: str) -> bool:
 
 def idtracker(name: str, text: str, calibration: Calibration) -> list[Track]:
     """Read one track per animal, without the probabilities. Rows are numbered from 0."""
-    table = split_rows(name, text)
-    header = [cell.strip() for cell in table.rows[0]]
-    at = next((i for i, cell in enumerate(header) if cell.lower() in CLOCK), None)
+    timed = any(cell.lower() in CLOCK for cell in _titles(text))
     require_calibration(
-        name, "idTracker", calibration, scale=IN_PIXELS["scale"], rate="since it has no times" if at is None else None
+        name, "idTracker", calibration, scale=IN_PIXELS["scale"], rate=None if timed else "since it has no times"
     )
-    frame = np.arange(len(table.rows) - 1, dtype=float)
-    time = frame / (calibration.rate or 1.0) if at is None else table.column(at, 1, header[at])
-    balls = _columns_of_balls(header, OF_ANIMALS)
-    return _with_unused(
-        _side_by_side(table, "idTracker", header, balls, 1, (time, frame), calibration, True), table, header, 1
-    )
+    found = tables.read(name, text, replace(calibration, down=calibration.down is not False))
+    notes = tuple(note for note in found[0].notes if not note.startswith("no unit"))  # (seconds, as the program has it)
+    return [replace(one, frame=np.arange(len(one.time), dtype=float), notes=notes) for one in found]
 
 
 # Kinovea: a CSV file of several points, or the older text export of trajectories; neither states the unit of length.
-OF_POINTS = re.compile(r"^(?P<ball>.*?)(?:/0)?/(?P<axis>[XY])$", re.IGNORECASE)
+OF_POINTS = re.compile(r"^.*/[XY]$", re.IGNORECASE)
 
 
 def is_kinovea(text: str) -> bool:
@@ -173,15 +155,7 @@ def kinovea(name: str, text: str, calibration: Calibration) -> list[Track]:
     require_calibration(name, "Kinovea", calibration, scale=why)
     if text.lstrip().startswith("#Kinovea"):
         return _trajectories(name, text, calibration)
-    table = split_rows(name, text)
-    header = [cell.strip() for cell in table.rows[0]]
-    clock = next((i for i, cell in enumerate(header) if cell.lower().startswith("time")), None)
-    if clock is None:
-        raise CaromError(f"{name}: Kinovea: expected a column Time, got {', '.join(header)}")
-    notes: list[str] = []
-    time, balls = time_column(table, clock, 1, "Time", notes), _columns_of_balls(header, OF_POINTS)
-    tracks = _side_by_side(table, "Kinovea", header, balls, 1, (time, None), calibration, False, notes)
-    return _with_unused(tracks, table, header, 1)
+    return [replace(one, name=one.name.removesuffix("/0")) for one in tables.read(name, text, calibration)]
 
 
 def _trajectories(name: str, text: str, calibration: Calibration) -> list[Track]:
@@ -366,19 +340,6 @@ def _of_tracker(
 # A row per ball and frame.
 
 
-def _by_ball(
-    kind: str, ball: Array, time: Array, place: Array, frame: Array | None, notes: tuple[str, ...]
-) -> list[Track]:
-    """Return one track per number of a ball (n,), in order of time."""
-    order = np.lexsort((time, ball))
-    edges = np.flatnonzero(np.diff(ball[order], prepend=np.nan, append=np.nan) != 0)
-    parts = [order[low:high] for low, high in pairwise(edges.tolist())]
-    return [
-        Track(f"{kind} {ball[rows[0]]:.0f}", time[rows], place[rows], frame=None if frame is None else frame[rows], notes=notes)
-        for rows in parts
-    ]  # fmt: skip
-
-
 # SLEAP: the analysis as CSV, with node.x, node.y; pixels, the second axis down, frame numbers.
 
 
@@ -405,20 +366,9 @@ def is_trackpy(text: str) -> bool:
 def trackpy(name: str, text: str, calibration: Calibration) -> list[Track]:
     """Read one track per particle."""
     require_calibration(name, "trackpy", calibration, **IN_PIXELS)
-    table = split_rows(name, text)
-    header = [cell.strip() for cell in table.rows[0]]
-    missing = [one for one in ("x", "y", "frame") if one not in header]
-    if missing:
-        raise CaromError(f"{name}: trackpy: expected columns {', '.join(missing)}, got none")
-    x, y, frame = (table.column(header.index(one), 1, one) for one in ("x", "y", "frame"))
-    particle = table.column(header.index("particle"), 1, "particle") if "particle" in header else np.zeros(len(x))
-    table.raise_faults()
-    notes: tuple[str, ...] = ()
-    if numbers_rows([f"{one:g}" for one in particle.tolist()]):
-        particle, notes = np.zeros(len(x)), (ROW_NUMBERS.format("particle"),)
-    notes += tuple(table.unused(header, 1))
-    time = frame / (calibration.rate or 1.0)
-    return _by_ball("particle", particle, time, _placed(x, y, calibration, True), frame, notes)
+    found = tables.read(name, text, replace(calibration, down=calibration.down is not False))
+    names = [track.name.removesuffix(".0") for track in found]
+    return [replace(one, name=f"particle {n if n.isdecimal() else 0}") for one, n in zip(found, names, strict=True)]
 
 
 # TrackMate (Fiji): a table of spots as CSV, with up to three more header rows and units in the last; the second axis down.
@@ -470,8 +420,13 @@ def trackmate(name: str, text: str, calibration: Calibration) -> list[Track]:
     lost = int((~spots).sum())
     notes: tuple[str, ...] = (f"{lost:,} spots that belong to no track were left out",) if lost else ()
     notes += tuple(table.unused(table.rows[0], first))
-    ids = np.array([float(cell) for cell, good in zip(track_id, spots, strict=True) if good])
-    return _by_ball("track", ids, time[spots], place[spots], None if frame is None else frame[spots], notes)
+    number = np.where(spots, track_id, "-1").astype(int)
+    order = np.argsort(time, kind="stable")
+    parts = [order[number[order] == one] for one in np.unique(number[spots])]
+    return [
+        Track(f"track {number[rows[0]]}", time[rows], place[rows], frame=None if frame is None else frame[rows], notes=notes)
+        for rows in parts
+    ]  # fmt: skip
 
 
 def _first_row(table: TextTable, x: int) -> int:
