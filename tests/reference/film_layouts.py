@@ -222,7 +222,10 @@ LAYOUTS: dict[str, Layout] = {
         lambda one: kinovea(lambda i: f"{i / RATE:.4f}", 2, labels=True)(one).replace(".", ","), scale=PIXEL, down=True, tracks=2
     ),
     "kinovea, times in ms": Layout(
-        lambda one: table('"Time (ms)","Ball/0/X","Ball/0/Y"', [cells(x) for x in (1e3 * one.time, *one.place.T / 0.01)]), scale=0.01
+        lambda one: table(
+            '"Time (ms)","Ball/0/X","Ball/0/Y"', [cells(x) for x in (1e3 * one.time, *one.place.T / 0.01)]
+        ),
+        scale=0.01,
     ),
     "kinovea 2023": Layout(plain('"Time","Ball/0/X","Ball/0/Y"', unit=0.01, quote=True), scale=0.01),
     # Vernier: Graphical Analysis and Video Analysis, Logger Pro
