@@ -244,26 +244,26 @@ def test_no_build_product_is_tracked() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10540,
+    "fitting": 10542,
     "gas": 6947,
     "billiards": 5566,
-    "tracks": 9175,
+    "tracks": 9132,
     "simulation": 6460,
     "core": 5787,
     "laws": 4926,
     "scene": 4651,
-    "cli": 4312,
+    "cli": 4213,
     "plot": 3671,
-    "derive": 3163,
+    "derive": 2999,
     "sweeps": 3264,
-    "data": 2681,
-    "interop": 1185,
-    "explorer": 963,
+    "data": 2600,
+    "interop": 1162,
+    "explorer": 899,
     "env": 596,
-    "public": 334,
+    "public": 329,
     "top": 801,
 }
-MOST_MODULES = 336
+MOST_MODULES = 335
 NO_CODE = {
     tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER,
 }  # fmt: skip
