@@ -3,8 +3,7 @@
 - A table of many columns is set small. A column of numbers is set to the right; a unit that all of them have stands in its head
   instead.
 - An equation has a number with an anchor: its own (``\\tag{28}``: ``#eq-28``), otherwise E1, E2, ... on its page (``#eq-E1``).
-- A picture has a numbered caption: its text for those who do not see it; or, of a picture that a cell draws, the sentence that
-  leads to it.
+- A picture that has a text for those who do not see it has that as its numbered caption.
 - A paragraph that begins with **Theorem** stands in a box.
 """
 
@@ -110,7 +109,7 @@ def _in_cell(node: nodes.Node) -> bool:
 
 # --- pictures -------------------------------------------------------------------------------------------------------
 def number_pictures(document: nodes.document, folder: str) -> None:
-    """Put each picture into a figure with a numbered caption; a copy for other pages or windows shares it."""
+    """Put each picture into a figure, with a numbered caption if it has a text; a copy for other pages or windows shares it."""
     count, last, figure = 0, "", nodes.figure()
     for image in list(document.findall(nodes.image)):
         if isinstance(image.parent, (nodes.figure, nodes.reference, nodes.TextElement)):
@@ -122,15 +121,15 @@ def number_pictures(document: nodes.document, folder: str) -> None:
             image.parent.remove(image)
             figure.insert(1, image)
             continue
-        count, last = count + 1, text
-        figure = nodes.figure(ids=[f"figure-{count}"], classes=["picture"])
+        count, last = count + bool(text), text
+        figure = nodes.figure(ids=[f"figure-{count}"] if text else [], classes=["picture"])
         if not {"wide", "narrow"} & set(image["classes"]) and is_broad(Path(folder, image["uri"].lstrip("/"))):
             image["classes"].append("broad")
         image.parent.replace(image, figure)
-        caption = nodes.caption("", "", nodes.inline("", f"Figure {count}", classes=["caption-number"]))
-        if words := [nodes.Text(text)] if text else _leading(figure):
-            caption += [nodes.Text(". "), *words]
-        figure += [image, caption]
+        figure += [image]
+        if text:
+            number = nodes.inline("", f"Figure {count}", classes=["caption-number"])
+            figure += [nodes.caption("", "", number, nodes.Text(f". {text}"))]
 
 
 def is_broad(file: Path) -> bool:
@@ -145,29 +144,6 @@ def is_broad(file: Path) -> bool:
     else:
         return False
     return width > BROAD[0] and width > BROAD[1] * height
-
-
-def _leading(figure: nodes.figure) -> list[nodes.Node]:
-    """Return the sentence that ends with a colon before the cell that draws a picture, with its formulas."""
-    cell: nodes.Node = figure
-    while cell.parent is not None and "cell" not in getattr(cell, "attributes", {}).get("classes", ()):
-        cell = cell.parent
-    if cell.parent is None:
-        return []
-    before = cell.parent[: cell.parent.index(cell)]
-    if not before or not isinstance(before[-1], nodes.paragraph) or not before[-1].astext().endswith(":"):
-        return []
-    sentence: list[nodes.Node] = []
-    for child in reversed(before[-1].children):
-        text = child.astext() if isinstance(child, nodes.Text) else ""
-        _, end, last = text.rpartition(". ")
-        sentence.insert(0, nodes.Text(last) if end else child.deepcopy())
-        if end:
-            break
-    for k, change in ((0, lambda text: text[:1].upper() + text[1:]), (-1, lambda text: text.rstrip(":") + ".")):
-        if isinstance(sentence[k], nodes.Text):
-            sentence[k] = nodes.Text(change(sentence[k].astext().strip("\n")))
-    return sentence
 
 
 # --- theorems -------------------------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 
 /** @import { Store } from "../state/store.js" */
 /** @import { Verdict } from "../state/types.js" */
-import { el, lengthText, shown } from "./dom.js";
+import { el, shown } from "./dom.js";
 
 /** A sample of a law's line, as in the plots. @param {string} colour @param {number[] | null} dashes */
 function sample(colour, dashes) {
@@ -91,7 +91,7 @@ function facts({ angle, velocity, spin, energy_kept, hop, required, available })
   const rows = [
     ["angle", "angle", angle === null ? "–" : `${angle.toFixed(1)}°`],
     ["energy", "energy kept", energy_kept === null ? "–" : `${(100 * energy_kept).toFixed(1)} %`],
-    ["hop", "hop", hop === null ? "–" : lengthText(hop)],
+    ["hop", "hop", hop === null ? "–" : `${shown(hop * 1e3)} mm`],
     ["friction", "μ needed", required === null ? "–" : `${shown(required, 2)} of ${shown(available, 2)}`],
     ["velocity", "velocity", velocity ? `${velocity.map((one) => shown(one)).join(", ")} m/s` : "–"],
     ["spin", "spin", spin ? `${spin.map((one) => shown(one)).join(", ")} rad/s` : "–"],

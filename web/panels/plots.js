@@ -77,7 +77,7 @@ export function anglePlot(host) {
       const here = incidence === null ? [] : [svg("path", { class: "cursor", d: `M${sx(incidence)} ${area.y}V${area.y + area.height}` })];
       const dots = incidence === null ? [] : now.map(({ colour, y }) => svg("circle", { class: "now", cx: sx(incidence).toFixed(1), cy: sy(y).toFixed(1), r: 3.4, fill: colour }));
       root.replaceChildren(
-        axes(area, sx, sy, { title: "reflection over incidence, from the normal", xUnit: "°", yFormat: (y) => `${tidy(y)}°` }),
+        axes(area, sx, sy, { title: "reflection over incidence", xUnit: "°", yFormat: (y) => `${tidy(y)}°` }),
         svg("path", { class: "same", d: `M${sx(0)} ${sy(0)}L${sx(90)} ${sy(90)}` }),
         ...marks, ...paths(curves, sx, sy), ...here, ...dots,
         ...(missing ? [svg("text", { class: "missing", x: area.x + area.width / 2, y: area.y + area.height / 2, "text-anchor": "middle" }, missing)] : []),

@@ -48,7 +48,7 @@ def aim(
         float | None,
         option(
             TARGET,
-            "Speed with which it comes to the ball or the pocket, m/s, within a tenth.",
+            "Required speed at the target ball or pocket, m/s (±10 %).",
             "--speed",
             unit="m/s",
             show_default="any",

@@ -24,7 +24,7 @@ def explore(
     no_open: Annotated[bool, option(OUTPUT, "Write the file, and open no browser.", "--no-open")] = False,
     quiet: Annotated[bool, shared("quiet")] = False,
 ) -> None:
-    """Write a page in which a ball is thrown by hand and every law is watched at once, and open it in the browser."""
+    """Write an interactive page that compares all laws as you drag the ball, and open it in the browser."""
     from carom.explorer.page import explore as make_page
 
     found = given.faults

@@ -29,7 +29,7 @@ def judge(
     plot: Annotated[Path | None, shared("plot")] = None,
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
-    """Find which laws of mechanics a trajectory violates, when, and by how many error bars: of an engine, a film, a video model."""
+    """Check a trajectory (of a physics engine, a film or a video model) for violations of mechanics: which, when, how large."""
     from carom.cli.streams import say_json, say_notes
     from carom.tracks.judgement import judge as find
 

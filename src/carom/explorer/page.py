@@ -186,7 +186,7 @@ def explore(
         A track file of one shot, in the coordinates of the scene: dots beside the balls' paths, a ring where the film saw each
         ball. Balls go by their names, or by their order. The scene begins when its run is nearest to the film.
     shot : str, optional
-        Its name in a film of several shots.
+        Name of the shot, if the film has several.
 
     Returns
     -------
