@@ -30,8 +30,14 @@ def at_walls(n: int, seed: int) -> dict[str, Any]:
     """How far the mean restitution and the friction of walls that differ are off, in error bars."""
     columns, e, mu = of_walls(seed, n)
     found = carom.fit(columns, radius=A, laws=["sliding"], bootstrap=0, profiles=False).best.estimates
-    return {name: (found[name].value - true) / found[name].stderr if found[name].stderr else None
-            for name, true in (("restitution", e), ("friction", mu))}  # fmt: skip
+    return {name: _off(found[name], true) for name, true in (("restitution", e), ("friction", mu))}
+
+
+def _off(one: Any, true: float) -> Any:
+    """Return how far a number is off in error bars, or whether its intervals hold the truth where it has them."""
+    if one.interval_95 is not None and one.interval_68 is not None:
+        return [low <= true <= high for low, high in (one.interval_68, one.interval_95)]
+    return (one.value - true) / one.stderr if one.stderr else None
 
 
 def claimed(n: int, seed: int) -> dict[str, Any]:

@@ -173,7 +173,7 @@ def with_group_scatter(fit: Fit) -> tuple[Fit, list[str], str]:
     """
     from scipy.special import stdtrit
 
-    notes, contradiction, wide = [], "", dict[str, tuple[float, float]]()
+    notes, contradiction, wide = [], "", dict[str, tuple[float, float, int]]()
     heavy = fit.law.search_code is not None
     for column, labels, groups in _groupings(fit):
         if not fit.names or fit.problem.work(heavy) * len(groups) > MOST_WORK:
@@ -187,11 +187,11 @@ def with_group_scatter(fit: Fit) -> tuple[Fit, list[str], str]:
             if not good.any():
                 continue
             chance, tau2, mean, stderr = _scatter(values[good, i], variances[good, i])
-            means[name] = mean, stderr
+            means[name] = mean, stderr, 0
             if good.sum() < 2 or chance > UNLIKELY / len(told):
                 continue
-            # (of few groups the scatter is hardly known: its error bar is that of Student's t)
-            means[name] = mean, stderr * float(stdtrit(good.sum() - 1, ONE_SIDE))
+            # (of few groups the scatter is hardly known: its error bars are those of Student's t)
+            means[name] = mean, stderr * float(stdtrit(good.sum() - 1, ONE_SIDE)), int(good.sum() - 1)
             each = [
                 f"{labels[j]} {values[j, i]:.4g} ± {variances[j, i] ** 0.5:.1g}"
                 for j in np.flatnonzero(good)[:4].tolist()
@@ -205,9 +205,13 @@ def with_group_scatter(fit: Fit) -> tuple[Fit, list[str], str]:
                 f" {'; '.join(differ)}; the numbers are means of the kinds"
             )
             wide |= {name: one for name, one in means.items() if one[1] > wide.get(name, (0.0, 0.0))[1]}
-    for name, (mean, stderr) in wide.items():
+    model = model_of(fit.law, fit.problem)
+    for name, (mean, stderr, dof) in wide.items():
         fit = scaled(fit, name, stderr / (fit.estimates[name].stderr or stderr))
-        fit = with_estimate(fit, name, Estimate(mean, stderr))
+        one, two = stderr, stderr * float(stdtrit(dof, 0.975) / stdtrit(dof, ONE_SIDE)) if dof else math.nan
+        low, high = float(model.low[model.places[name]]), float(model.high[model.places[name]])
+        ends = [(max(mean - far, low), min(mean + far, high)) if dof else None for far in (one, two)]
+        fit = with_estimate(fit, name, Estimate(mean, stderr, interval_68=ends[0], interval_95=ends[1]))
     return fit, notes, contradiction
 
 
