@@ -127,7 +127,8 @@ def pytest_sessionstart(session: pytest.Session) -> None:
     config = session.config
     if hasattr(config, "workerinput") or not _all_tests(config):
         return
-    from carom.cli.doctor import compile_all
+    from carom.cli.doctor import COMPILE_JOBS
+    from carom.core.jit.threads import run_in_workers
 
     begin = time.monotonic()
 
@@ -136,4 +137,4 @@ def pytest_sessionstart(session: pytest.Session) -> None:
         terminal.write_line(f"NOT compiled: {job}: {error}" if error else done)
 
     terminal = config.pluginmanager.get_plugin("terminalreporter")
-    compile_all(report=report)
+    run_in_workers(COMPILE_JOBS, report=report)

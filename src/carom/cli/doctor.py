@@ -8,7 +8,6 @@ import math
 import platform
 import subprocess
 import time
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -152,14 +151,6 @@ COMPILE_JOBS = (
 MANY = 500  # rows, enough for the compiled loop to be used
 
 
-def compile_all(workers: int | None = None, report: Callable[[str, str], None] | None = None) -> None:
-    """Compile all loops that are not in the cache yet, in ``workers`` processes (default: one per core).
-
-    ``report(job, error)`` is called after each of :data:`COMPILE_JOBS`; ``error`` is empty if it succeeded.
-    """
-    run_in_workers(COMPILE_JOBS, workers, report)
-
-
 def warm_up() -> None:
     """Bring all loops to this processor's machine code, with a line for each job; CaromError where some fail."""
     from carom.cli.console import err
@@ -172,7 +163,7 @@ def warm_up() -> None:
         else:
             console.print(f"{time.monotonic() - begin:6.1f} s  {job}", markup=False)
 
-    compile_all(report=report)
+    run_in_workers(COMPILE_JOBS, report=report)
     if failed:
         raise CaromError(*failed)
 

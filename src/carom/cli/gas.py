@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from carom.cli.console import working
 from carom.cli.options import (
     GAS_FILMS,
     OUTPUT,
@@ -470,7 +471,8 @@ def _session(scene: GasScene | None, resume: Path | None, progress: Progress) ->
         return session
     assert scene is not None
     progress.note_compiling()
-    return Session(scene, progress.growing)
+    with working("growing a dense start", quiet=progress.quiet) as show:
+        return Session(scene, show)
 
 
 def _stopped(
@@ -504,7 +506,6 @@ def _plot(found: Session | Ensemble, path: Path) -> None:
 
 def _animate(session: Session, path: Path, quiet: bool) -> None:
     """Write the film."""
-    from carom.cli.console import working
     from carom.plot.gas_film import animate_gas
 
     with working("rendering", quiet=quiet) as progress:

@@ -249,15 +249,6 @@ class Progress:
         if not loop_is_cached():
             self.say("compiling the event loop (once)")
 
-    def growing(self, fraction: float, _total: float, _text: str) -> None:
-        """Show the progress of growing a dense start."""
-        now = time.monotonic()
-        if self.quiet or (now - self.last_line < (0.3 if self.console.is_terminal else LINE_INTERVAL) and fraction < 1):
-            return
-        self.last_line = now
-        end = "\r" if self.console.is_terminal and fraction < 1 else "\n"
-        self.console.print(f"growing a dense start: {fraction:.1%} of the final radii ", end=end, markup=False)
-
     def __enter__(self) -> Progress:
         """Start the display."""
         if self.console.is_terminal and not self.quiet:

@@ -110,19 +110,16 @@ def every_bounce(found: Orbit) -> list[Any]:
     """Return every bounce: of one orbit a list, of many a list of lists."""
     import numpy as np
 
-    d = found.setup.table.dimension
-    n = found.t.shape[-1]
+    n, one = found.t.shape[-1], found.t.ndim
     flat = found.setup.shape.sphere is None
-    columns = {
+    columns: dict[str, Any] = {
         "t": found.t, "piece": found.piece, "s": found.arc if flat else None, "position": found.position,
         "velocity": found.velocity, "spin": found.spin, "along": found.along, "across": found.across,
     }  # fmt: skip
     rows = []
     counts = np.atleast_1d(found.count)
     reshaped = {
-        key: np.asarray(value).reshape(
-            len(counts), n, *([-1] if key in ("position", "velocity") or (key == "spin" and d == 3) else [])
-        )
+        key: np.reshape(value, (len(counts), n, *np.shape(value)[one:]))
         for key, value in columns.items()
         if value is not None
     }
@@ -310,7 +307,7 @@ def orbit(
     require_outputs(
         faults, {"--plot": plot, "--portrait": portrait, "--boundary": boundary, "--lyapunov-plot": lyapunov_plot}
     )
-    what = None if table and table_file else table or table_file
+    what: Any = None if table and table_file else table or table_file
     if what is None:
         got = "both" if table else "neither"
         faults.append(Fault(advice=f"TABLE: expected a table such as circle, or --table FILE, got {got}"))

@@ -74,17 +74,14 @@ def check(
     from carom.scene.scene import plain_model, scene_dict
     from carom.scene.toml import load_scene
 
-    if is_gas(file):
+    gas = is_gas(file)
+    scene: Any = load_gas(file) if gas else load_scene(file, allow_own_laws=allow_own_laws)
+    if gas:
         from carom.gas.session import build
 
-        scene: Any = load_gas(file)
         build(scene)
-        plain, notes = plain_model, scene.notes
-    else:
-        scene = load_scene(file, allow_own_laws=allow_own_laws)
-        plain, notes = scene_dict, lambda: scene_notes(scene)
     if as_json:
-        say_json(plain(scene))
+        say_json(plain_model(scene) if gas else scene_dict(scene))
         return
     say(f"{file}: {scene.describe()}: ok")
-    say_notes(notes())
+    say_notes(scene.notes() if gas else scene_notes(scene))

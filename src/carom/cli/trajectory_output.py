@@ -15,7 +15,7 @@ from carom.formatting import Listing, counted, format_number, json_value
 from carom.simulation.contact_kinds import cushion_side
 from carom.simulation.files import event_columns
 from carom.simulation.narrate import describe_run
-from carom.simulation.records import BALL, CLUSTERS, FLOOR, WALL, kind_names
+from carom.simulation.records import BALL, FLOOR, WALL, event_numbers, kind_names
 from carom.simulation.trajectory import budget
 
 if TYPE_CHECKING:
@@ -57,8 +57,7 @@ def show_sensitivity(found: Any) -> None:
     console = out()
     console.print("What matters: how far the final places move", soft_wrap=True)
     console.table(Listing(heads, rows))
-    misses = [one for one in found.near_misses[:1] if one.radius < np.inf]
-    for one in misses:
+    for one in [one for one in found.near_misses[:1] if one.radius < np.inf]:
         away = f"{1e3 * one.distance:.3g} mm"
         if not one.at_rest:
             said = f"Nearest miss: at {one.time:.4g} s {one.ball} passes {one.other}, {away} away."
@@ -107,14 +106,16 @@ def _events(run: Trajectory, most: int | None, wide: bool) -> tuple[Listing, int
     parts = [rows]
     if most is not None and len(rows) > most:
         parts = [rows[: (most + 1) // 2], rows[len(rows) - most // 2 :]]
-    features = run.scene.features().view(np.recarray)
-    cells = [[_event_row(run, features, row, several, axes, wide) for row in part] for part in parts]
+    features, numbers = run.scene.features().view(np.recarray), event_numbers(run.events.rows)
+    cells = [[_event_row(run, features, numbers, row, several, axes, wide) for row in part] for part in parts]
     hidden = len(run.events) - sum(len(row) for part in parts for row in part)
     between = [["–", *[""] * (len(heads) - 1)]] * (len(parts) - 1)
     return Listing(heads, [*cells[0], *between, *(cells[1] if between else [])]), hidden
 
 
-def _event_row(run: Trajectory, features: Any, folded: list[int], several: bool, axes: int, wide: bool) -> list[str]:
+def _event_row(
+    run: Trajectory, features: Any, numbers: Any, folded: list[int], several: bool, axes: int, wide: bool
+) -> list[str]:
     """Return the cells of one event; of hops the time of the last and the state after it, and the energy lost in all."""
     events = [run.events[k] for k in folded]
     first, event = events[0], events[-1]
@@ -131,34 +132,14 @@ def _event_row(run: Trajectory, features: Any, folded: list[int], several: bool,
     lost, kind = math.nan, run.events.rows["kind"][folded[0]]
     if kind == FLOOR:
         lost = sum(one.energy_lost for one in events)
-    elif kind == WALL or (kind == BALL and _is_first(run.events.rows, folded[0])):
-        lost = sum(one.energy_lost for one in _contacts(run.events, folded[0]))
+    elif kind in (WALL, BALL) and numbers[folded[0]] not in numbers[max(folded[0] - 1, 0) : folded[0]]:
+        # (all that balls lose in a meeting, and in contacts that overlap, stands in its first row)
+        lost = sum(run.events[k].energy_lost for k in np.flatnonzero(numbers == numbers[folded[0]]).tolist())
     return [
         *row,
         format_number(0.0 if abs(lost) < ROUNDING else lost),
         "" if event.phase == event.kind else event.phase,
     ]
-
-
-def _is_first(rows: Any, k: int) -> bool:
-    """Return whether a row is the first of a meeting of balls, which has the energy that all of them lost together."""
-
-    def paired(i: int) -> bool:
-        one, two = rows[i], rows[i + 1]
-        meet = one["kind"] == two["kind"] == BALL and (one["ball"], one["other"]) == (two["other"], two["ball"])
-        return bool(meet and one["t"] == two["t"])
-
-    start = k  # (the same balls may meet several times in an instant)
-    while start > 0 and paired(start - 1):
-        start -= 1
-    return (k - start) % 2 == 0 and k + 1 < len(rows) and paired(k)
-
-
-def _contacts(events: Any, first: int) -> list[Any]:
-    """Return the events of an impact, from its first row on: of a wall or two balls, and all whose contacts overlapped with it."""
-    own = 2 if events.rows["kind"][first] == BALL else 1
-    kinds = events.rows["kind"][first + own :]
-    return [events[k] for k in range(first, first + own + int(np.argmin([*np.isin(kinds, CLUSTERS), False])))]
 
 
 def _states(run: Trajectory, times: list[float], wide: bool) -> Listing:

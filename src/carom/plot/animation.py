@@ -20,7 +20,7 @@ from carom.explorer.page import player_page
 from carom.files import atomic_path, import_optional, install_command, require_library, require_writable, write_text
 from carom.formatting import format_length
 from carom.plot.style import GREY, INK, PALE, literal, style
-from carom.plot.trajectory import colour, last_time, steps, view, walls_in, way
+from carom.plot.trajectory import colour, draw_walls, last_time, steps, view, way
 from carom.simulation.records import MEETINGS, WALLS
 from carom.simulation.trajectory import Trajectory
 
@@ -102,15 +102,17 @@ class Film(Frames):
         from matplotlib.figure import Figure
 
         self.run, self.times, self.span = run, times, span
-        position = run.at(times).position
-        assert position is not None
-        self.places, self.turned, self.phases = position, run.orientation(times), run.phase(times)
+        self.places, self.turned, self.phases = (
+            np.asarray(run.at(times).position),
+            run.orientation(times),
+            run.phase(times),
+        )
         self.radii = np.array([ball.radius for ball in run.scene.balls])
         ways = [way(run, i, span[1]) for i in range(len(self.radii))]
         self.trails = [
             (
-                np.concatenate([t for _, t, _ in pieces] or [np.zeros(0)]),
-                np.concatenate([x for *_, x in pieces] or [np.zeros((0, 3))]),
+                np.concatenate([[], *(t for _, t, _ in pieces)]),
+                np.concatenate([np.zeros((0, 3)), *(x for *_, x in pieces)]),
             )
             for pieces in ways
         ]
@@ -123,12 +125,9 @@ class Film(Frames):
         self.lane = 0.075 * wide
         high = int(inside + self.lane + 0.065 * wide)
         self.size = (wide, high + high % 2)
-        self.origin = np.array(
-            [
-                0.015 * wide + (room - self.k * shown.size[0]) / 2 - self.k * shown.x[0],
-                self.lane + 0.045 * wide + (inside - self.k * shown.size[1]) / 2 - self.k * shown.y[0],
-            ]
-        )
+        left, low = 0.015 * wide, self.lane + 0.045 * wide
+        x, y = left + (room - self.k * shown.size[0]) / 2, low + (inside - self.k * shown.size[1]) / 2
+        self.origin = np.array([x - self.k * shown.x[0], y - self.k * shown.y[0]])
         figure = Figure(figsize=(self.size[0] / 100, self.size[1] / 100), dpi=100)
         self.axes = figure.add_axes((0, 0, 1, 1))
         self.axes.set(xlim=(0, self.size[0]), ylim=(0, self.size[1]))
@@ -153,12 +152,7 @@ class Film(Frames):
 
     def _still(self, shown: Any) -> None:
         wide = self.size[0]
-        for line, what in walls_in(self.run, shown):
-            x, y = self._place(line).T
-            if what == "line":
-                self.axes.plot(x, y, color="#55504a", lw=wide / 500, solid_joinstyle="miter")
-            else:
-                self.axes.fill(x, y, color={"felt": "#f1eee6", "solid": "#d9d5ca", "pocket": "#2b2926"}[what], lw=0)
+        draw_walls(self.axes, self.run, shown, wide / 500, self._place)
         t = steps(self.run, self.span[1])
         t = t[t >= self.span[0]]
         energy = np.nansum(self.run.energy(t, each=True), axis=1)
@@ -168,12 +162,8 @@ class Film(Frames):
         y = 0.012 * wide + self.lane * energy / (float(energy.max()) or 1.0)
         self.axes.fill_between(x, 0.012 * wide, y, color=PALE, lw=0)
         self.axes.plot(x, y, color=GREY, lw=wide / 1000)
-        log = self.run.log
-        met = np.unique(
-            log["t"][
-                np.isin(log["kind"], (*WALLS, *MEETINGS)) & (log["t"] >= self.span[0]) & (log["t"] <= self.span[1])
-            ]
-        )
+        met = np.unique(self.run.log["t"][np.isin(self.run.log["kind"], (*WALLS, *MEETINGS))])
+        met = met[(met >= self.span[0]) & (met <= self.span[1])]
         if len(met) <= 200:
             at = x0 + across * (met - self.span[0]) / (self.span[1] - self.span[0])
             self.axes.vlines(at, 0.012 * wide, 0.012 * wide + self.lane, color=GREY, lw=0.5, alpha=0.6)
@@ -250,11 +240,9 @@ class Film(Frames):
         if self.run.scene.floor is not None:
             for i in there:
                 r, lift = self.k * self.radii[i], self.k * max(self.places[n, i, 2] - self.radii[i], 0.0)
-                for soft in (1.12, 1.0, 0.88):
-                    shapes.append(
-                        places[i] + np.array([0.16 * r + 0.7 * lift, -0.2 * r - 0.7 * lift]) + soft * r * DISC
-                    )
-                    faces.append((0, 0, 0, 0.11))
+                below = places[i] + np.array([0.16 * r + 0.7 * lift, -0.2 * r - 0.7 * lift])
+                shapes += [below + soft * r * DISC for soft in (1.12, 1.0, 0.88)]
+                faces += [(0, 0, 0, 0.11)] * 3
         for one in sorted(there.tolist(), key=lambda i: float(self.places[n, i, 2])):
             ball(one, places[one], max(self.k * self.radii[one], 2.0), False)
         for i, x, y, r in self._cards():

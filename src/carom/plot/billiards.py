@@ -18,6 +18,7 @@ from carom.billiards.rolling import RollingRun
 from carom.billiards.setup import OrbitSetup
 from carom.errors import CaromError
 from carom.formatting import format_number
+from carom.plot.style import COLOURS as ORBITS
 from carom.plot.style import GREY, INK, literal, new_figure, style
 
 if TYPE_CHECKING:
@@ -81,12 +82,7 @@ def plot_orbit(found: Orbit, which: Any = None) -> Figure:
         long = width / height > 1.9
         size = (6.4, max(1.9, min(5.8, 5.2 * height / width + 0.9)))
         figure = new_figure(8.4 if tall else size[0], 4.2 if tall else size[1])
-        grid = (
-            figure.add_gridspec(1, 2, width_ratios=(1, 1), wspace=0.32, left=0.03, right=0.97, bottom=0.14)
-            if tall
-            else None
-        )
-        axes = figure.add_subplot(grid[0]) if grid else figure.add_subplot()
+        axes, *heights = figure.subplots(1, 1 + tall, squeeze=False)[0]
         draw_table(axes, setup, low, high)
         most = float(np.abs(spins).max()) or 1.0
         thin = max(0.25, min(1.1, 12 / math.sqrt(count)))
@@ -98,15 +94,15 @@ def plot_orbit(found: Orbit, which: Any = None) -> Figure:
         flights.set_array(spins[np.minimum(owner, count)])
         axes.add_collection(flights)
         begin = setup.shape.folded(path[:1, :2])[0]
-        _name_orbit(axes, found, begin, count)
+        axes.plot(*begin, "o", ms=3.4, color=INK, zorder=5)
+        axes.annotate("start", begin, (4, 4), textcoords="offset points", fontsize=7, color=INK, zorder=6)
+        axes.set_title(_title(found).replace(f"{found.t.shape[-1]:,} bounces", f"{count:,} bounces"), fontsize=8)
         if setup.table.bounds == "surface":
             from matplotlib.patches import Circle
 
             end = setup.shape.folded(path[-1:, :2])[0]
             axes.add_patch(Circle(end, float(setup.ball.radius), fc="#00000018", ec=INK, lw=0.7, zorder=4))
-        axes.set_xlim(low[0], high[0])
-        axes.set_ylim(low[1], high[1])
-        axes.set_aspect("equal", adjustable="box")
+        axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
         axes.axis("off")
         label = r"$a\,\omega$ (m/s)" if setup.planar else r"$a\,\omega_z$ (m/s)"
         where = (
@@ -114,21 +110,15 @@ def plot_orbit(found: Orbit, which: Any = None) -> Figure:
             if long and not tall
             else {"shrink": 0.75, "pad": 0.03, "aspect": 25}
         )
-        if not tall:
+        if tall:
+            figure.subplots_adjust(wspace=0.32, left=0.03, right=0.97, bottom=0.14)
+            _heights(heights[0], found, which, count)
+        else:
             figure.subplots_adjust(left=0.02, right=0.98 if long else 0.93, bottom=0.12 if long else 0.02, top=0.88)
         if spins.any():  # (of a mirror's orbit without spin nothing is told by a colour)
             bar = figure.colorbar(flights, ax=axes, label=label, **where)
             bar.outline.set_linewidth(0.4)
-        if grid:
-            _heights(figure.add_subplot(grid[1]), found, which, count)
     return figure
-
-
-def _name_orbit(axes: Any, found: Orbit, begin: Array, count: int) -> None:
-    """Write what is drawn above it, and mark where it begins."""
-    axes.plot(*begin, "o", ms=3.4, color=INK, zorder=5)
-    axes.annotate("start", begin, (4, 4), textcoords="offset points", fontsize=7, color=INK, zorder=6)
-    axes.set_title(_title(found).replace(f"{found.t.shape[-1]:,} bounces", f"{count:,} bounces"), fontsize=8)
 
 
 def _heights(axes: Any, found: Orbit, which: Any, count: int) -> None:
@@ -136,8 +126,7 @@ def _heights(axes: Any, found: Orbit, which: Any, count: int) -> None:
     axes.plot(t, z, color="#0072B2", lw=0.8)
     if count <= 200:
         axes.plot(t, z, ".", color="#0072B2", ms=3)
-    axes.set_xlabel(r"$t$ (s)")
-    axes.set_ylabel(r"height $z$ of the bounces (m)")
+    axes.set(xlabel=r"$t$ (s)", ylabel=r"height $z$ of the bounces (m)")
     axes.margins(x=0.01)
 
 
@@ -192,21 +181,17 @@ def _curve(shape: Boundary) -> Array:
 def draw_table(axes: Any, setup: OrbitSetup, low: Array, high: Array) -> None:
     """Draw the wall and, where it bounds the surface, the curve of the centre (dashed)."""
     table, shape = setup.table, setup.shape
-    both = [(table.wall(), {"color": INK, "lw": 1.2})]
+    dashed: dict[str, Any] = {"lw": 0.6, "ls": (0, (4, 3))}
+    both: list[Any] = [(table.wall(), {"color": INK, "lw": 1.2}, {"fc": "#e9e5da", "ec": INK, "lw": 0.9})]
     if table.bounds == "surface":
-        both.append((shape, {"color": GREY, "lw": 0.6, "ls": (0, (4, 3))}))
-    for one, look in both:
+        both.append((shape, {"color": GREY, **dashed}, {"fc": "none", "ec": GREY, **dashed}))
+    for one, look, fill in both:
         for line in _outline(one, low, high):
             axes.plot(*line.T, zorder=2, **look)
         for x, y, r, *_ in [*one.outside, *one.images]:
             from matplotlib.patches import Circle
 
             if one.cell is not None:
-                fill = (
-                    {"fc": "#e9e5da", "ec": INK, "lw": 0.9}
-                    if look["color"] == INK
-                    else {"fc": "none", "ec": GREY, "lw": 0.6, "ls": (0, (4, 3))}
-                )
                 axes.add_patch(Circle((x, y), r, zorder=1.5, **fill))
     if shape.cell is not None:
         w, h = (side / 2 for side in shape.cell)
@@ -267,9 +252,7 @@ def plot_lyapunov(found: Lyapunov) -> Figure:
                 spread = np.nanstd(history[..., k], axis=1)
                 axes.fill_between(bounces, mean - spread, mean + spread, color=line.get_color(), alpha=0.15, lw=0)
         axes.axhline(0, color=GREY, lw=0.5, zorder=1)
-        axes.set_xlabel("bounces")
-        axes.set_ylabel(r"exponents $\lambda_i$ (per bounce)")
-        axes.set_xlim(0, found.bounces)
+        axes.set(xlabel="bounces", ylabel=r"exponents $\lambda_i$ (per bounce)", xlim=(0, found.bounces))
         count = history.shape[1]
         axes.set_title("Lyapunov spectrum" + (f", mean and spread of {count:,} orbits" if count > 1 else ""))
         axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False, fontsize=8)
@@ -445,7 +428,6 @@ def plot_manifolds(curves: Sequence[Manifold]) -> Figure:
 
 
 SEA = "#5f6368"
-ISLANDS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 LEAST_BOUNCES = 50  # of an orbit of which can be said whether it lies on curves
 
 
@@ -491,7 +473,7 @@ def _legend(axes: Any, curves: NDArray[np.bool_], below: float) -> None:
     from matplotlib.lines import Line2D
 
     inks = [(SEA, "others: not found to be on curves", int((~curves).sum()))]
-    inks.append((ISLANDS[0], "islands: on smooth curves (any colour but grey)", int(curves.sum())))
+    inks.append((ORBITS[0], "islands: on smooth curves (any colour but grey)", int(curves.sum())))
     dots = [
         Line2D([], [], ls="", marker="o", ms=4, mew=0, color=ink, label=f"{words}  ({count:,})")
         for ink, words, count in inks
@@ -541,11 +523,8 @@ def plot_portrait(found: Orbit) -> Figure:
         _scatter(axes, phase[..., 0], phase[..., 1], curves)
         axes.set_title(_title(found))
         _legend(axes, curves, -0.13)
-        axes.set_aspect("equal")
-        axes.set_xlim(-1.04, 1.04)
-        axes.set_ylim(-1.04, 1.04)
-        axes.set_xticks([-1, -0.5, 0, 0.5, 1])
-        axes.set_yticks([-1, -0.5, 0, 0.5, 1])
+        ticks = [-1, -0.5, 0, 0.5, 1]
+        axes.set(xlim=(-1.04, 1.04), ylim=(-1.04, 1.04), xticks=ticks, yticks=ticks, aspect="equal")
         axes.set_xlabel(r"spin  $\sqrt{\kappa}\,a\,\omega\,/\,\sqrt{2E/m}$")
         roll = r"\sqrt{1+\kappa}\," if found.setup.rolls else ""
         axes.set_ylabel(rf"velocity along the wall  ${roll}v_t\,/\,\sqrt{{2E/m}}$")
@@ -596,9 +575,7 @@ def plot_boundary(found: Orbit) -> Figure:
             if 1 < len(lengths) <= 12:
                 for start in shape.starts[shape.starts > 0]:
                     axes.axvline(start, color=GREY, lw=0.5, ls=(0, (1, 2)), zorder=1)
-        axes.set_ylim(-1, 1)
-        axes.set_xlabel(r"arc length  $s$ (m)")
-        axes.set_ylabel(r"$\sin\theta = v_t/|v|$")
+        axes.set(ylim=(-1, 1), xlabel=r"arc length  $s$ (m)", ylabel=r"$\sin\theta = v_t/|v|$")
         figure.tight_layout()
     return figure
 
@@ -611,7 +588,7 @@ def _scatter(axes: Any, x: Array, y: Array, curves: NDArray[np.bool_]) -> None:
     if sea.any():
         axes.scatter(x[sea].ravel(), y[sea].ravel(), c=SEA, alpha=0.6, zorder=3, label="_sea", **look)
     for k in np.flatnonzero(curves).tolist():
-        ink = ISLANDS[int(np.count_nonzero(curves[:k])) % len(ISLANDS)]
+        ink = ORBITS[int(np.count_nonzero(curves[:k])) % len(ORBITS)]
         axes.scatter(x[k], y[k], c=ink, zorder=4, label="_island", **look)
 
 

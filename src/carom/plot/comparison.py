@@ -62,19 +62,13 @@ def compare(comparison: laws_compared.Comparison | Meeting | None = None, **sett
     """
     if not isinstance(comparison, laws_compared.Comparison):
         comparison = laws_compared.compare(comparison if comparison is not None else laws_compared.incoming(**settings))
-    m = comparison.meeting
     shown = [v for v in comparison.verdicts if v.answer is not None and v.after_wall is not None]
-    paths = {v.law: path_after_wall(m, v.answer) for v in shown if v.answer is not None}
-    a = float(m.ball.radius)
-    reach = _reach(a, list(paths.values()))
+    paths = {v.law: path_after_wall(comparison.meeting, v.answer) for v in shown if v.answer is not None}
+    # the figure reaches beyond where the balls roll, 6.5 to 30 radii from the wall
+    a = float(comparison.meeting.ball.radius)
+    far = max((float(np.abs(path.points[:, :2]).max()) for path in paths.values()), default=0.0)
     with style():
-        return _draw(comparison, shown, paths, reach)
-
-
-def _reach(a: float, paths: list[PathAfterWall]) -> float:
-    """Return how far from the wall the figure reaches, m: beyond where the balls roll, 6.5 to 30 radii."""
-    far = max((float(np.abs(path.points[:, :2]).max()) for path in paths), default=0.0)
-    return min(max(6.5 * a, 1.35 * far), 30 * a)
+        return _draw(comparison, shown, paths, min(max(6.5 * a, 1.35 * far), 30 * a))
 
 
 def _draw(
@@ -125,7 +119,8 @@ def _above(
     lines: list[tuple[Array, Array | None]], styles: dict[str, tuple[str, Any]], a: float, r: float, flag: float, low: float,
 ) -> None:  # fmt: skip
     m = comparison.meeting
-    _frame(axes, (-0.12 * r, r), (-low * r, HALF_HEIGHT_OVER_WIDTH * r))
+    axes.set(xlim=(-0.12 * r, r), ylim=(-low * r, HALF_HEIGHT_OVER_WIDTH * r))
+    axes.spines[["bottom", "left"]].set_visible(False)
     axes.fill_betweenx(
         [-HALF_HEIGHT_OVER_WIDTH * r, HALF_HEIGHT_OVER_WIDTH * r], -0.12 * r, 0, color=PALE, lw=0, zorder=0
     )
@@ -165,18 +160,9 @@ def _above(
         )
         bottom += 0.06 * r * (len(missing) + 1)
     _labels(axes, ends, words, [styles[v.law][0] for v in shown], r, bottom, flag)
-    axes.set_xlabel("from the wall, mm")
-    axes.set_ylabel("along the wall, mm")
-    axes.text(
-        0.02 * r,
-        -0.98 * low * r,
-        "from above: no law turns the ball; final speeds" if straight and lines else "from above",
-        ha="left",
-        va="bottom",
-        style="italic",
-        color=GREY,
-        size=9,
-    )
+    axes.set(xlabel="from the wall, mm", ylabel="along the wall, mm")
+    said = "from above: no law turns the ball; final speeds" if straight and lines else "from above"
+    axes.text(0.02 * r, -0.98 * low * r, said, ha="left", va="bottom", style="italic", color=GREY, size=9)
     axes.text(
         -0.06 * r, 0.5 * HALF_HEIGHT_OVER_WIDTH * r, "wall", rotation=90, ha="center", va="center", color=GREY, size=8
     )
@@ -298,13 +284,6 @@ def _hops(
     axes.set(xlim=(0, 1.03 * far), ylim=(0, max(highest) * (1.1 + 0.11 * len(hops))))
     axes.set(xlabel="from the wall, mm", ylabel="above the floor, mm")
     axes.set_title("hops, from the side; heights exaggerated", size=8, color=GREY, loc="left", style="italic")
-
-
-def _frame(axes: Any, x: tuple[float, float], y: tuple[float, float]) -> None:
-    axes.set_xlim(*x)
-    axes.set_ylim(*y)
-    axes.spines["bottom"].set_visible(False)
-    axes.spines["left"].set_visible(False)
 
 
 def _circle(axes: Any, centre: Array, a: float, colour: str, width: float, face: str = "none") -> None:

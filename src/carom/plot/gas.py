@@ -17,15 +17,13 @@ from carom.gas.report import UNITS_NOTE, pressure_unit
 from carom.gas.results import layers
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
-from carom.plot.style import GREY, INK, PALE, drawn, literal, new_figure
+from carom.plot.style import COLOURS, GREY, INK, PALE, drawn, literal, new_figure
 from carom.sweeps.ensembles import Curve, Ensemble
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
-# Okabe & Ito's colours, for species and pairs of species.
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 MAX_DRAWN = 4000  # balls; of more only a part of the box is drawn
 LEAST_SHOWN = 0.003  # of the longer side: radius of discs that are smaller
 MAX_PAIRS = 6  # of species
@@ -121,13 +119,11 @@ def _balls(axes: Any, session: Session) -> None:
     x, radius = balls.position, kinds["radius"][balls.species]
     names = "xy" if flat else "xz"
     pair = [0, 1] if flat else [0, 2]
-    if not flat:  # their cross-sections by a plane
-        depth = np.abs(x[:, 1] - size[1] / 2)
-        cut = depth < radius
-        x, radius, species = x[cut], np.sqrt(radius[cut] ** 2 - depth[cut] ** 2), gas.groups[balls.species[cut]]
-        velocity = balls.velocity[cut]
-    else:
-        species, velocity = gas.groups[balls.species], balls.velocity
+    # (of spheres their cross-sections by a plane)
+    depth = np.zeros(len(x)) if flat else np.abs(x[:, 1] - size[1] / 2)
+    cut = depth < radius
+    x, radius, species = x[cut], np.sqrt(radius[cut] ** 2 - depth[cut] ** 2), gas.groups[balls.species[cut]]
+    velocity = balls.velocity[cut]
     window = size[pair] * min(1.0, math.sqrt(MAX_DRAWN / max(len(x), 1)))
     radius = np.maximum(radius, LEAST_SHOWN * float(window.max())) if flat else radius
     low = (size[pair] - window) / 2 if window[0] < size[pair][0] else np.zeros(2)
@@ -146,9 +142,11 @@ def _balls(axes: Any, session: Session) -> None:
     draw_outline(axes, session.scene.container.geometry, pair, low, window)
     circles.set_clip_path(Rectangle(tuple(low), *window, transform=axes.transData))
     margin = 0.004 * window.max()  # half a line's width
-    axes.set_xlim(low[0] - margin, low[0] + window[0] + margin)
-    axes.set_ylim(low[1] - margin, low[1] + window[1] + margin)
-    axes.set_aspect("equal")
+    axes.set(
+        xlim=(low[0] - margin, low[0] + window[0] + margin),
+        ylim=(low[1] - margin, low[1] + window[1] + margin),
+        aspect="equal",
+    )
     axes.set_axis_off()
     what = "discs" if flat else f"middle cross-section, {names[0]} and {names[1]}"
     part = ", part of the box" if window[0] < size[pair][0] else ""
@@ -238,9 +236,7 @@ def _distributions(axes: Any, measures: Measures, what: str, changes: bool = Tru
         said.append((f"{literal(name)}: " if many else "") + f"$a_2$ = {one.a2:+.4f}".replace("-", "−"))
         shown += 1
     axes.set_yscale("log")
-    axes.set_xlim(-5, 5)
-    axes.set_ylim(2e-6, 1)
-    axes.set_xlabel(f"{what} / standard deviation")
+    axes.set(xlim=(-5, 5), ylim=(2e-6, 1), xlabel=f"{what} / standard deviation")
     panel_title(axes, what)
     if shown == 0:
         text = "no spin" if changes else "smooth: no spin changes"
@@ -319,8 +315,7 @@ def _pair_correlation(axes: Any, measures: Measures) -> None:
         axes.plot(r, g, linewidth=1.0, color=COLOURS[k % len(COLOURS)], label=literal(f"{a} – {b}") if many else None)
         top, drawn = max(top, float(g.max())), drawn + 1
     axes.axhline(1, color=GREY, linewidth=0.6, dashes=(4, 2), zorder=1)
-    axes.set_xlim(left=0)
-    axes.set_ylim(0, 1.1 * top)
+    axes.set(xlim=(0, None), ylim=(0, 1.1 * top))
     if drawn == 0:
         why = "not counted where images slide" if measures.sheared else "the box is too small"
         axes.text(0.5, 0.5, why, transform=axes.transAxes, ha="center", color=GREY, fontsize=7.5)
@@ -339,9 +334,7 @@ def _displacement(axes: Any, session: Session, measures: Measures) -> None:
     if not measures.is_stationary:
         collisions, square = measures.displacement_by_collisions()
         axes.plot(2 * collisions / session.scene.count, square, ".", markersize=3.5, color=COLOURS[0])
-        axes.set_xlim(left=0)
-        axes.set_ylim(bottom=0)
-        axes.set_xlabel("collisions per ball")
+        axes.set(xlim=(0, None), ylim=(0, None), xlabel="collisions per ball")
         return
     moved = measures.displacement()
     axes.set_xlabel("lag time, s")
@@ -354,8 +347,7 @@ def _displacement(axes: Any, session: Session, measures: Measures) -> None:
         axes.plot(t, 2 * measures.dimensions * d * t + shift, color=GREY, linewidth=0.9, dashes=(4, 2), zorder=1)
         text = f"$D$ = {d:.4g} m²/s"
         axes.text(0.05, 0.93, text, transform=axes.transAxes, va="top", fontsize=7.5, color=INK)
-    axes.set_xlim(left=0)
-    axes.set_ylim(bottom=0)
+    axes.set(xlim=(0, None), ylim=(0, None))
 
 
 def _flow(axes: Any, session: Session, _measures: Measures) -> None:
@@ -368,9 +360,7 @@ def _flow(axes: Any, session: Session, _measures: Measures) -> None:
         axes.plot(
             layers.velocity[k, :, 0], middle, ".", color=COLOURS[k % len(COLOURS)], markersize=4, label=literal(name)
         )
-    axes.set_ylim(0, layers.edges[-1])
-    axes.set_xlabel("mean velocity along x, m/s")
-    axes.set_ylabel("y, m")
+    axes.set(ylim=(0, layers.edges[-1]), xlabel="mean velocity along x, m/s", ylabel="y, m")
     panel_title(axes, "mean velocity across the flow")
 
 
@@ -381,9 +371,7 @@ def _profile(axes: Any, session: Session, measures: Measures) -> None:
         axes.stairs(
             one.density, one.edges, baseline=None, color=COLOURS[k % len(COLOURS)], linewidth=1.0, label=literal(name)
         )
-    axes.set_xlim(0, one.edges[-1])
-    axes.set_ylim(bottom=0)
-    axes.set_xlabel(f"{one.axis}, m")
+    axes.set(xlim=(0, one.edges[-1]), ylim=(0, None), xlabel=f"{one.axis}, m")
     panel_title(axes, density_title(session.scene))
     if len(session.names) > 1:
         axes.legend(frameon=False, fontsize=7.5, handlelength=1.2, borderaxespad=0.2)
@@ -458,8 +446,7 @@ def _draw_ensemble(ensemble: Ensemble, title: str | None) -> Any:
     for one in axes[:2]:
         draw_maxwell(one)
         one.set_yscale("log")
-        one.set_xlim(-5, 5)
-        one.set_ylim(2e-6, 1)
+        one.set(xlim=(-5, 5), ylim=(2e-6, 1))
     warm = {name: curves[f"temperature_{name}"] for name in ("translational", "rotational")[: 1 + scene.spins_change]}
     _panel(axes[2], "temperature, J", {name: one for name, one in warm.items() if one.mean.any()}, "time, s")
     scale_temperatures(axes[2], warm["translational"].x, np.array([one.mean for one in warm.values()]))

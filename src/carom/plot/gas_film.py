@@ -20,8 +20,8 @@ from carom.gas.gas import Gas
 from carom.gas.results import EndedEarlyError
 from carom.gas.session import Session
 from carom.plot.animation import DISC, FASTEST_GIF, MOST_FRAMES, WIDE, Frames, ffmpeg, write_film
-from carom.plot.gas import COLOURS, LEAST_SHOWN, draw_outline
-from carom.plot.style import INK, new_figure, style
+from carom.plot.gas import LEAST_SHOWN, draw_outline
+from carom.plot.style import COLOURS, INK, new_figure, style
 
 Array = NDArray[np.float64]
 KINDS = (".svg", ".gif", ".mp4")
@@ -148,6 +148,13 @@ class _Reel:
         return [self.container.periodic[k] for k in self.pair]
 
     @property
+    def clip(self) -> tuple[Array, Array]:
+        """The lower corner and the sides of where balls are seen: not beyond periodic borders."""
+        low, high = self.window
+        corner = np.where(self.around, 0.0, low)
+        return corner, np.where(self.around, np.array(self.container.size)[self.pair], high) - corner
+
+    @property
     def shifts(self) -> list[tuple[float, float]]:
         """Of the images that reach into the picture; the first is none."""
         size = np.array(self.container.size)[self.pair]
@@ -208,13 +215,6 @@ def _interval(session: Session, velocity: Array, radius: float) -> float:
     return min([step, *(SHARE_OF_PERIOD / one.frequency for one in session.scene.drives if one.frequency)])
 
 
-def _inks(species: NDArray[np.int64]) -> Array:
-    from matplotlib.colors import to_rgb
-
-    inks: Array = np.array([to_rgb(COLOURS[k % len(COLOURS)]) for k in species.tolist()])
-    return inks
-
-
 def _still(reel: _Reel, inches: tuple[float, float]) -> tuple[Any, Any]:
     """Return a figure with the walls, and its axes, which fill it."""
     low, high = reel.window
@@ -251,7 +251,7 @@ def _svg(reel: _Reel, fps: float) -> str:
             f'<animateTransform attributeName="transform" type="translate" values="{path}"{keys} {seconds}/></g>'
         )
     images = "".join(f'<use href="#balls" x="{dx * scale:.1f}" y="{dy * scale:.1f}"/>' for dx, dy in reel.shifts[1:])
-    corner, across = _clip(reel)
+    corner, across = reel.clip
     box = " ".join(
         f'{name}="{value * scale:.1f}"'
         for name, value in zip(("x", "y", "width", "height"), (*corner, *across), strict=True)
@@ -275,14 +275,6 @@ def _spoke(r: float, angle: Array, ink: str, seconds: str) -> str:
     )
 
 
-def _clip(reel: _Reel) -> tuple[Array, Array]:
-    """Return the lower corner and the sides of where balls are seen: not beyond periodic borders."""
-    low, high = reel.window
-    size = np.array(reel.container.size)[reel.pair]
-    corner = np.where(reel.around, 0.0, low)
-    return corner, np.where(reel.around, size, high) - corner
-
-
 def _path_of(x: Array, size: Array, around: list[bool]) -> tuple[str, str]:
     """Return the places of a ball as values of an animation, within a periodic box, and its times if it jumps."""
     turns = np.where(around, np.floor(x / size), 0.0)
@@ -297,10 +289,8 @@ def _path_of(x: Array, size: Array, around: list[bool]) -> tuple[str, str]:
         here = x[k] - turns[k] * size
         keys.append(t)
         values.append(f"{here[0]:.0f},{here[1]:.0f}")
-    jumps = len(keys) > len(x)
-    return ";".join(
-        values
-    ), f' keyTimes="{";".join(f"{t:.4f}".rstrip("0").rstrip(".") for t in keys)}"' if jumps else ""
+    times = ";".join(f"{t:.4f}".rstrip("0").rstrip(".") for t in keys)
+    return ";".join(values), f' keyTimes="{times}"' if len(keys) > len(x) else ""
 
 
 def _moving_line(reel: _Reel, wall: tuple[int, float, Array], scale: float, seconds: str) -> str:
@@ -324,6 +314,7 @@ class _GasFilm(Frames):
 
     def __init__(self, reel: _Reel, wide: int) -> None:
         from matplotlib.collections import LineCollection, PolyCollection
+        from matplotlib.colors import to_rgba_array
         from matplotlib.patches import Rectangle
 
         self.reel = reel
@@ -333,10 +324,11 @@ class _GasFilm(Frames):
         figure, _axes = _still(reel, (wide / 100, high_ / 100))
         figure.set_dpi(100)
         super().__init__(figure, reel.times, (wide, high_))
-        corner, across = _clip(reel)
+        corner, across = reel.clip
         border = Rectangle(tuple(corner), *across, transform=self.axes.transData)
         count = len(reel.shifts)
-        self.radii, self.inks = np.tile(reel.radius, count), np.tile(_inks(reel.species), (count, 1))
+        inks = to_rgba_array([COLOURS[k % len(COLOURS)] for k in reel.species.tolist()])[:, :3]
+        self.radii, self.inks = np.tile(reel.radius, count), np.tile(inks, (count, 1))
         self.balls = PolyCollection([], edgecolors="white", linewidths=0.3)
         self.spokes = LineCollection([], colors="white", lw=1.2)
         self.walls = LineCollection([], colors=INK, lw=2.5)

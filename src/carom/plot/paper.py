@@ -327,6 +327,5 @@ def incidence_and_reflection() -> Figure:
             axes.text(end[0] + 0.03, end[1] * 1.02, f"{name}\n{abs(degrees):.1f}°", color=ink, ha="left",
                       va="bottom" if degrees > 0 else "top", linespacing=1.25)  # fmt: skip
         axes.plot(0, 0, "o", ms=3.6, color=INK, zorder=6)
-        axes.set_xlim(-0.18, 1.75)
-        axes.set_ylim(-1.14, 1.2)
+        axes.set(xlim=(-0.18, 1.75), ylim=(-1.14, 1.2))
         return figure

@@ -142,6 +142,8 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> None:
 
 
 INK, GREY, PALE = "#222222", "#8a8a8a", "#eceae4"
+# Okabe & Ito's colours, distinct for colour-blind people.
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 
 
 def new_figure(width: float, height: float) -> Figure:
@@ -162,16 +164,9 @@ def _png(figure: Any) -> bytes:
 
 def arrow(axes: Any, tail: tuple[float, float], head: tuple[float, float], colour: str = INK, **options: Any) -> None:
     """Draw an arrow with a small filled head, from tail to head in data coordinates."""
-    look = {
-        "arrowstyle": "-|>,head_length=0.75,head_width=0.24",
-        "color": colour,
-        "lw": 1.0,
-        "shrinkA": 0,
-        "shrinkB": 0,
-    }
-    axes.annotate(
-        "", xy=head, xytext=tail, arrowprops=look | options, annotation_clip=False, zorder=options.get("zorder", 6)
-    )
+    shape = "-|>,head_length=0.75,head_width=0.24"
+    look = {"arrowstyle": shape, "color": colour, "lw": 1.0, "shrinkA": 0, "shrinkB": 0, "zorder": 6} | options
+    axes.annotate("", xy=head, xytext=tail, arrowprops=look, annotation_clip=False, zorder=look["zorder"])
 
 
 def spread_apart(wanted: Sequence[float], gap: float, low: float, high: float) -> list[float]:

@@ -153,10 +153,9 @@ def _chosen(array: Any, dim: str, value: Any) -> tuple[Any, str]:
 
 
 def _text(value: Any, coordinate: Any) -> str:
-    units = coordinate.attrs.get("units", "")
-    return (
-        str(value) if coordinate.dtype.kind in "UO" else f"{format_number(float(value))}{' ' + units if units else ''}"
-    )
+    if coordinate.dtype.kind in "UO":
+        return str(value)
+    return f"{format_number(float(value))} {coordinate.attrs.get('units', '')}".strip()
 
 
 def _in_words(path: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, ROLLING, SLIDING
 from carom.errors import CaromError
 from carom.formatting import format_number, format_time
-from carom.plot.style import GREY, INK, PALE, drawn, literal, new_figure, spread_apart
+from carom.plot.style import COLOURS, GREY, INK, PALE, drawn, literal, new_figure, spread_apart
 from carom.scene.feature_builders import circle
 from carom.scene.toml import ball_index
 from carom.scene.wall import WallShape
@@ -43,8 +43,6 @@ if TYPE_CHECKING:
     from carom.sweeps.aiming import Aim, Aims
 
 Array = NDArray[np.float64]
-# Okabe & Ito's colours, distinct for colour-blind people.
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 # A white ball is drawn grey, to be visible on paper.
 CALLED = {
     "white": "#8f887c", "yellow": "#dba800", "red": "#c23616", "blue": "#0072B2", "green": "#009E73", "black": "#222222",
@@ -306,14 +304,22 @@ def _draw(run: Trajectory, balls: list[int], title: str | None) -> Any:
     return figure
 
 
+def draw_walls(
+    axes: Any, run: Trajectory, shown: View, width: float, place: Callable[[Array], Array] = np.array
+) -> None:
+    """Draw the walls, lines of this width; ``place`` brings positions (N, 2) to the coordinates of the axes."""
+    for line, what in walls_in(run, shown):
+        x, y = place(line).T
+        if what == "line":
+            axes.plot(x, y, color=CUSHION, lw=width, zorder=2, solid_joinstyle="miter", solid_capstyle="butt")
+        else:
+            axes.fill(x, y, color=FILLS[what], lw=0, zorder=0 if what == "felt" else 1)
+
+
 def _above(axes: Any, run: Trajectory, shown: View, ways: dict[int, list[Any]], balls: list[int]) -> None:
     from matplotlib.patches import Circle
 
-    for line, what in walls_in(run, shown):
-        if what == "line":
-            axes.plot(*line.T, color=CUSHION, lw=1.8, zorder=2, solid_joinstyle="miter", solid_capstyle="butt")
-        else:
-            axes.fill(*line.T, color=FILLS[what], lw=0, zorder=0 if what == "felt" else 1)
+    draw_walls(axes, run, shown, 1.8)
     one = len({MOTION.get(phase) for i in balls for phase, _t, _x in ways[i]} - {None}) < 2
     thin = 1.4 if len(run.log) < 50 else 0.8 if len(run.log) < 1500 else 0.3
     last = run.final.position
@@ -328,22 +334,15 @@ def _above(axes: Any, run: Trajectory, shown: View, ways: dict[int, list[Any]], 
             if phase in MOTION:
                 dashes = "solid" if one else STYLES[MOTION[phase]]
                 axes.plot(x[:, 0], x[:, 1], color=ink, ls=dashes, lw=thin, zorder=4, solid_joinstyle="round")
-        end = ways[i][-1][2][-1] if ways[i] else last[i]
-        end = fallen.get(i, end)
+        end = fallen.get(i, ways[i][-1][2][-1] if ways[i] else last[i])
         axes.add_patch(Circle((start[i, 0], start[i, 1]), a, fc="white", ec=ink, lw=0.9, zorder=5))
         axes.add_patch(Circle((end[0], end[1]), a, fc=ink, ec="white", lw=0.6, zorder=7, alpha=0.9))
         name = run.scene.ball_names[i]
         if len(balls) > MOST_LEGEND and len(name) <= 2:  # (as on the balls of a pool table)
             points = 72 * axes.get_position().width * axes.figure.get_size_inches()[0] / shown.size[0]
+            size = min(7.0, 1.1 * a * points)
             axes.text(
-                end[0],
-                end[1],
-                literal(name),
-                fontsize=min(7.0, 1.1 * a * points),
-                color="white",
-                ha="center",
-                va="center_baseline",
-                zorder=7.5,
+                *end[:2], literal(name), fontsize=size, color="white", ha="center", va="center_baseline", zorder=7.5
             )
     _marks(axes, run, balls)
     axes.set(xlim=shown.x, ylim=shown.y, aspect="equal")
@@ -376,18 +375,9 @@ def _marks(axes: Any, run: Trajectory, balls: list[int]) -> None:
         for i in balls:
             kinds = {BALL: MEETINGS, WALL: WALLS}.get(kind, (kind,))
             x = rows["x"][np.isin(rows["kind"], kinds) & (rows["ball"] == i)]
-            face = "white" if kind == FLOOR else colour(run, i)
-            axes.plot(
-                x[:, 0],
-                x[:, 1],
-                mark,
-                ms=size * min(1.0, max(0.6, 30 / max(len(rows), 1))),
-                mfc=face,
-                mec=colour(run, i),
-                mew=0.7,
-                zorder=6,
-                ls="none",
-            )
+            ink, large = colour(run, i), size * min(1.0, max(0.6, 30 / max(len(rows), 1)))
+            face = "white" if kind == FLOOR else ink
+            axes.plot(x[:, 0], x[:, 1], mark, ms=large, mfc=face, mec=ink, mew=0.7, zorder=6, ls="none")
     for hit, number in _numbers(run, balls):
         size = math.hypot(hit["impulse"][0], hit["impulse"][1]) or 1.0
         away = (8 * hit["impulse"][0] / size, 8 * hit["impulse"][1] / size)
@@ -593,11 +583,7 @@ def _aim_marks(with_spread: bool) -> list[Any]:
 def _panel(axes: Any, aims: Aims, one: Aim, run: Any, ways: list[Any], seen: View) -> None:
     from matplotlib.patches import Circle
 
-    for line, what in walls_in(run, seen):
-        if what == "line":
-            axes.plot(*line.T, color=CUSHION, lw=1.6, zorder=2)
-        else:
-            axes.fill(*line.T, color=FILLS[what], lw=0, zorder=0 if what == "felt" else 1)
+    draw_walls(axes, run, seen, 1.6)
     at = run.at(one.time)
     for i, ball in enumerate(run.scene.balls):
         ink = colour(run, i)
