@@ -6,7 +6,6 @@ import contextlib
 import functools
 import math
 import shlex
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -28,7 +27,7 @@ from carom.cli.options import (
 )
 from carom.cli.streams import json_text, note, say_interrupted, say_json, say_notes, stop_requests
 from carom.errors import CaromError, Fault, FaultList, collected
-from carom.formatting import counted, format_bytes
+from carom.formatting import counted
 
 if TYPE_CHECKING:
     from carom.cli.gas_output import Progress
@@ -140,7 +139,7 @@ def size_limit(text: str | None) -> float | None:
 
 
 def allowed_size(path: Path, scene: GasScene, every: Every | None, most: float | None, progress: Progress) -> float:
-    """Return how many bytes of snapshots may be written. CaromError where more are expected, and nobody can be asked or agrees."""
+    """Return how many bytes of snapshots may be written. CaromError where more are expected."""
     from carom.gas.snapshots import MAX_BYTES, expected_snapshots, require_size
 
     assert every is not None
@@ -151,11 +150,7 @@ def allowed_size(path: Path, scene: GasScene, every: Every | None, most: float |
     try:
         require_size(path, size, scene.count, limit)
     except CaromError as error:
-        asked = most is None and size.total > limit and progress.console.is_terminal and sys.stdin.isatty()
-        if not asked or not typer.confirm(f"Write {format_bytes(size.total)} of snapshots to {path}?", err=True):
-            raise CaromError(*(of_option("--snapshots", fault) for fault in error.records)) from None
-        require_size(path, size, scene.count, size.total)  # (the disk still needs room)
-        return float("inf")
+        raise CaromError(*(of_option("--snapshots", fault) for fault in error.records)) from None
     return limit
 
 

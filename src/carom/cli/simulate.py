@@ -72,6 +72,7 @@ def simulate(
     frames: Annotated[float | None, option(OUTPUT, "Frames per second for --out. Default: 60.", metavar="RATE")] = None,
 ) -> None:
     """Simulate a scene event by event; print a description, the events, the final states and the energy budget."""
+    from carom.cli import trajectory_output as tables
     from carom.cli.streams import say_notes
     from carom.scene.openings import scene_notes
     from carom.simulation.contacts_in_time import overlap_note
@@ -100,7 +101,12 @@ def simulate(
             _frames(run, rate)
         matters = None if sensitivity is None else run.sensitivity(sensitivity.replace(",", " ").split())
         written = _write(run, quiet, outputs, rate)
-        _tell(run, times, most, as_json, quiet, notes, matters)
+        if as_json:
+            sys.stdout.write(tables.as_json(run, times, notes, matters))
+        elif not quiet:
+            tables.show(run, times, most)
+            if matters is not None:
+                tables.show_sensitivity(matters)
         wrote(*(() if quiet else written))
     except KeyboardInterrupt:
         say_interrupted("carom: interrupted; nothing was written")
@@ -245,22 +251,3 @@ def _animate(run: Trajectory, path: Path, quiet: bool) -> None:
 
     with working("rendering", quiet=quiet) as progress:
         run.animate(path, progress=progress)
-
-
-def _tell(
-    run: Trajectory,
-    times: list[float],
-    most: int | None,
-    as_json: bool,
-    quiet: bool,
-    notes: list[str],
-    matters: Any = None,
-) -> None:
-    from carom.cli import trajectory_output as tables
-
-    if as_json:
-        sys.stdout.write(tables.as_json(run, times, notes, matters))
-    elif not quiet:
-        tables.show(run, times, most)
-        if matters is not None:
-            tables.show_sensitivity(matters)

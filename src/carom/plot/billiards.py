@@ -321,15 +321,12 @@ def plot_periodic(found: Sequence[PeriodicOrbit]) -> Figure:
             axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
             axes.set_aspect("equal", adjustable="box")
             axes.axis("off")
-            said = f"{one.period} bounces, {one.stability}\n{_number_of(one)}"
+            number = f"multiplier {one.multipliers[0].real:.4g}"
+            if one.rotation_number is not None:
+                number = f"rotation number {one.rotation_number:.4f}"
+            said = f"{one.period} bounces, {one.stability}\n{number}"
             axes.set_title(said, fontsize=8, color=COLOURS[one.stability])
     return figure
-
-
-def _number_of(one: PeriodicOrbit) -> str:
-    if one.rotation_number is not None:
-        return f"rotation number {one.rotation_number:.4f}"
-    return f"multiplier {one.multipliers[0].real:.4g}"
 
 
 def plot_branch(branch: OrbitBranch, name: str = "parameter") -> Figure:
@@ -483,11 +480,6 @@ def _legend(axes: Any, curves: NDArray[np.bool_], below: float) -> None:
                 handletextpad=0.2)  # fmt: skip
 
 
-def _dots(count: int) -> float:
-    """Return the size of a dot, smaller the more there are."""
-    return float(np.clip(4e4 / max(count, 1), 0.02, 6.0))
-
-
 def plot_portrait(found: Orbit) -> Figure:
     """Draw the velocity phase portrait (after Cox & Feres): every bounce is a point of the unit disc.
 
@@ -584,7 +576,8 @@ def _scatter(axes: Any, x: Array, y: Array, curves: NDArray[np.bool_]) -> None:
     """Draw points of many orbits (N, B), islands above the sea; rasterised where there are many, to keep vector files small."""
     many = x.size > 20_000
     sea = ~curves
-    look = {"s": _dots(x.size), "lw": 0, "rasterized": many}
+    # (a dot is the smaller the more there are)
+    look = {"s": float(np.clip(4e4 / max(x.size, 1), 0.02, 6.0)), "lw": 0, "rasterized": many}
     if sea.any():
         axes.scatter(x[sea].ravel(), y[sea].ravel(), c=SEA, alpha=0.6, zorder=3, label="_sea", **look)
     for k in np.flatnonzero(curves).tolist():

@@ -12,15 +12,17 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.contact import slip_velocity, wall_contact
 from carom.core.jit.kernel import Vec
-from carom.core.motion.phases import UP
+from carom.core.motion.phases import BOUNCING, FLIGHT, SLIDING
 from carom.formatting import format_length, format_number
 from carom.laws import comparison as laws_compared
-from carom.laws.landing import fall_time
 from carom.laws.law import Answer, Meeting
 from carom.laws.registry import law_styles
 from carom.plot.style import GREY, INK, PALE, arrow, literal, new_figure, spread_apart, style
+from carom.scene.ball import SceneBall
+from carom.scene.floor import Floor
+from carom.scene.scene import Run, Scene
+from carom.simulation.simulate import simulate
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -298,7 +300,8 @@ def _heads(axes: Any, tail: Array, head: Array, colour: str) -> None:
     arrow(axes, (float(a[0]), float(a[1])), (float(b[0]), float(b[1])), colour)
 
 
-MAX_BOUNCES = 2000
+MOST_EVENTS = 2000
+PIECES = {FLIGHT: "flight", BOUNCING: "flight", SLIDING: "slide"}
 POINTS_PER_CURVE = 41
 
 
@@ -347,7 +350,7 @@ def path_after_wall(meeting: Meeting, answer: Answer) -> PathAfterWall:
     Returns
     -------
     PathAfterWall
-        Parabolas, and sliding with Coulomb's constant deceleration; at most 2000 bounces.
+        Parabolas, and sliding with Coulomb's constant deceleration; at most 2000 events.
 
     Examples
     --------
@@ -358,50 +361,20 @@ def path_after_wall(meeting: Meeting, answer: Answer) -> PathAfterWall:
     >>> [name for name, points in path.pieces], round(float(path.end[0]), 4)
     (['flight'], 0.0291)
     """
-    m = meeting
-    v, w = _vec(answer.after_wall.velocity), _vec(answer.after_wall.spin)
-    place = (0.0, 0.0, float(m.height))
-    if answer.steps is None:
+    m, a = meeting, float(meeting.ball.radius)
+    v, w = (tuple(map(float, x)) for x in (answer.after_wall.velocity, answer.after_wall.spin))
+    if answer.steps is None or not m.gravity > 0:
         return PathAfterWall((), v, w)
-    pieces: list[tuple[str, Array]] = []
-    a, kappa, g = float(m.ball.radius), float(m.ball.kappa), float(m.gravity)
-    floor = (float(m.floor.restitution), float(m.floor.friction), float(m.floor.tangential_restitution))
-    speed = math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
-    for _ in range(MAX_BOUNCES):
-        if place[2] > 0 or v[2] > 1e-9 * speed:
-            if not g > 0:
-                return PathAfterWall(tuple(pieces), v, w)
-            t = fall_time(place[2], v[2], g)
-            flat = v[2] * v[2] < 2e-3 * g * a  # a hop of less than a thousandth of the radius: its end points suffice
-            points = _curve(place, v, (0.0, 0.0, -g), t, 2 if flat and pieces else POINTS_PER_CURVE)
-            points[-1, 2] = 0.0
-            pieces.append(("flight", points))
-            place, v = _vec(points[-1]), (v[0], v[1], v[2] - g * t)
-        if v[2] < 0:
-            v, w, _j, _required, _regime = wall_contact(v, w, UP, a, kappa, *floor)
-        if not v[2] > 1e-9 * speed:
-            break
-    else:
-        return PathAfterWall(tuple(pieces), v, w)
-    v = (v[0], v[1], 0.0)
-    _un, s = slip_velocity(v, w, UP, a)
-    slip = math.hypot(s[0], s[1])
-    if slip > 1e-12 * (speed + a * math.sqrt(w[0] * w[0] + w[1] * w[1])) and floor[1] > 0 and g > 0:
-        # Coulomb: constant deceleration against the slip, which decreases at the rate mu g (1 + 1/kappa)
-        t = 0.0 if math.isinf(floor[1]) else slip / (floor[1] * g * (1 + 1 / kappa))
-        change = slip / (1 + 1 / kappa)
-        cx, cy = s[0] / slip, s[1] / slip
-        if t > 0:
-            pieces.append(("slide", _curve(place, v, (-change / t * cx, -change / t * cy, 0.0), t)))
-        v = (v[0] - change * cx, v[1] - change * cy, 0.0)
-        w = (-v[1] / a, v[0] / a, w[2])
-    return PathAfterWall(tuple(pieces), v, w)
-
-
-def _vec(x: Array) -> Vec:
-    return float(x[0]), float(x[1]), float(x[2])
-
-
-def _curve(place: Vec, v: Vec, acceleration: Vec, duration: float, count: int = POINTS_PER_CURVE) -> Array:
-    t = np.linspace(0.0, duration, count)[:, None]
-    return np.asarray(np.array(place) + np.array(v) * t + np.array(acceleration) * t * t / 2)
+    ball = SceneBall(
+        radius=a, mass=m.ball.mass, inertia=m.ball.kappa, position=(0.0, 0.0, a + float(m.height)), velocity=v, spin=w
+    )
+    e, mu, beta = (float(x) for x in (m.floor.restitution, m.floor.friction, m.floor.tangential_restitution))
+    floor = Floor(restitution=e, friction=mu, tangential_restitution=beta)
+    run = simulate(Scene(gravity=float(m.gravity), floor=floor, balls=[ball], run=Run(max_events=MOST_EVENTS)))
+    pieces = []
+    for (t, phase), end in zip(run.log[["t", "phase"]].tolist(), [*run.log["t"][1:].tolist(), run.end], strict=True):
+        if end > t and phase in PIECES:
+            # (the instant of an event is that after it)
+            points = np.asarray(run.at(np.linspace(t, np.nextafter(end, t), POINTS_PER_CURVE)).position)[:, 0]
+            pieces.append((PIECES[phase], points - [0.0, 0.0, a]))
+    return PathAfterWall(tuple(pieces), *(tuple(x[0].tolist()) for x in (run.final.velocity, run.final.spin)))

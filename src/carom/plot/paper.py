@@ -90,10 +90,6 @@ class ParallelProjection:
         """Draw a line through points."""
         self.axes.plot(*self(np.array(points)).T, **({"color": INK, "lw": 0.8} | options))
 
-    def curve(self, points: Array, **options: Any) -> None:
-        """Draw a line through the rows of an array."""
-        self.line(*points, **options)
-
     def face(self, *points: Any, **options: Any) -> None:
         """Draw a filled polygon."""
         self.axes.fill(*self(np.array(points)).T, **({"fc": PALE, "ec": "none", "zorder": 0} | options))
@@ -129,8 +125,8 @@ class ParallelProjection:
         front = (ring - np.asarray(centre)) @ self.towards > 0
         order = np.argmax(front & ~np.roll(front, 1))
         ring, front = np.roll(ring[:-1], -order, axis=0), np.roll(front[:-1], -order)
-        self.curve(ring[front], color=GREY, lw=0.6, zorder=3)
-        self.curve(ring[~front], color=GREY, lw=0.5, ls=(0, (3, 3)), zorder=3)
+        self.line(*ring[front], color=GREY, lw=0.6, zorder=3)
+        self.line(*ring[~front], color=GREY, lw=0.5, ls=(0, (3, 3)), zorder=3)
 
 
 def _blank(width: float, height: float) -> tuple[Figure, Any]:
@@ -218,7 +214,7 @@ def _euler(view: ParallelProjection, c: Array) -> None:
         (node, second, phi, 0.6, GREEN, "$\\varphi$", (9, -3)),
     ):
         arc = view.circle(c, size * np.asarray(first), size * np.asarray(other), 0, math.degrees(end))
-        view.curve(arc, color=colour, lw=1.0, zorder=7)
+        view.line(*arc, color=colour, lw=1.0, zorder=7)
         view.arrow(arc[-6], arc[-1], colour, lw=1.0, zorder=7)
         view.label(arc[60], word, shift, color=colour)
 
@@ -255,7 +251,7 @@ def collision() -> Figure:
         cone = view.circle(b + reach * X, mu * reach * Y, mu * reach * Z)[:-1]
         axes.fill(*_hull(view(cone), view(b)).T, fc=BLUE, alpha=0.10, ec="none", zorder=4)
         axes.plot(*_hull(view(cone), view(b)).T, color=BLUE, lw=0.7, zorder=5)
-        view.curve(np.concatenate([cone, cone[:1]]), color=BLUE, lw=0.7, zorder=5)
+        view.line(*cone, cone[0], color=BLUE, lw=0.7, zorder=5)
         view.line(b, b + 3.0 * X, color=GREY, lw=0.6, ls=(0, (5, 3)), zorder=4)
         view.label(b + reach * X + 0.75 * mu * reach * Z, "friction cone,\nhalf-angle arctan $\\mu$", (-34, 16),
                   color=BLUE, size=9, ha="right")  # fmt: skip
