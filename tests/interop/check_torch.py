@@ -149,3 +149,25 @@ def test_refused() -> None:
     place = carom.interop.torch.function(table_scene(duration=0.5), ["walls.*.friction"])
     with pytest.raises(carom.CaromError, match="friction: expected"):
         place(torch.tensor([-1.0], dtype=torch.float64))
+
+
+def test_one_impact_is_that_of_the_kernel_and_has_derivatives() -> None:
+    ball = carom.Ball(radius=0.03, mass=0.2)
+    impact = carom.interop.torch.impact
+    rng = np.random.default_rng(5)
+    for _ in range(20):
+        n = rng.normal(size=3)
+        n /= np.linalg.norm(n)
+        v, w = rng.normal(size=3), rng.normal(size=3) / 0.03
+        v -= 2 * max(n @ v, 0.0) * n
+        e, mu, beta = rng.uniform(0.2, 0.95), rng.uniform(0.05, 0.5), rng.uniform(-0.5, 0.9)
+        after = carom.impact(ball, carom.State(v, w), n, carom.Surface(e, mu, beta)).after
+        found = impact(v, w, ball=ball, normal=n, restitution=e, friction=mu, tangential_restitution=beta)
+        assert found[0].detach().numpy() == pytest.approx(after.velocity, abs=1e-13)
+        assert found[1].detach().numpy() == pytest.approx(after.spin, abs=1e-11)
+
+    def speeds(x: Any) -> Any:
+        return impact((-1.0, 1.0, 0.2), (3.0, 5.0, 7.0), ball=ball, restitution=x[0], friction=x[1])[0]
+
+    x = torch.tensor([0.8, 0.1], dtype=torch.float64, requires_grad=True)
+    assert torch.autograd.gradcheck(speeds, (x,), eps=1e-6, atol=1e-7)

@@ -113,11 +113,11 @@ def impact(
 ) -> tuple[Any, Any]:
     """Return velocity and spin just after one contact, in PyTorch's own operations: see :func:`carom.interop.jax.impact`.
 
-    Numbers are made tensors of the type and on the device of the first tensor that is given.
+    Numbers are made tensors of the type and on the device of the first tensor that is given; of float64 without one.
     """
     torch = import_optional("torch", "interop.torch")
     given = (velocity, spin, normal, restitution, friction, tangential_restitution)
-    first = next((x for x in given if torch.is_tensor(x)), torch.zeros(0))
+    first = next((x for x in given if torch.is_tensor(x)), torch.zeros(0, dtype=torch.float64))
 
     def array(x: Any) -> Any:
         return torch.as_tensor(x, dtype=first.dtype, device=first.device)
