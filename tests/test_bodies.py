@@ -121,3 +121,10 @@ def test_numbers_that_are_hardly_in_si_units_are_noted() -> None:
         carom.Ball("28 mm", 163)
     for ball in (carom.Ball(1.0, 1.0), carom.Ball(0.01, 1.0), carom.Ball(0.11, 7.26), carom.Ball(100.0, 1e10)):
         assert ball.planar is False  # no warning: a ball in other units, one of bowling, a rock
+
+
+def test_states_at_different_places_differ() -> None:
+    one, other = (carom.State((1, 0, 0), position=(x, 0, 0)) for x in (0.0, 5.0))
+    assert one != other
+    assert one == carom.State((1, 0, 0), position=(0, 0, 0)) == carom.State((1, 0, 0))
+    assert one != "a state"

@@ -315,12 +315,13 @@ class State:
         return State.of(self.velocity[index], self.spin[index], x)
 
     def __eq__(self, other: object) -> bool:
-        """Return whether velocities and spins are equal (NaN equals NaN)."""
-        return (
-            isinstance(other, State)
-            and np.array_equal(self.velocity, other.velocity, equal_nan=True)
-            and np.array_equal(self.spin, other.spin, equal_nan=True)
-        )
+        """Return whether velocities and spins are equal, and positions where both have one (NaN equals NaN)."""
+        if not isinstance(other, State):
+            return NotImplemented
+        pairs = [(self.velocity, other.velocity), (self.spin, other.spin)]
+        if self.position is not None and other.position is not None:
+            pairs.append((self.position, other.position))
+        return all(np.array_equal(one, two, equal_nan=True) for one, two in pairs)
 
     __hash__ = None  # type: ignore[assignment]
 
