@@ -2,8 +2,10 @@
 
     python campaigns/runs_judged.py [N] [--only NAME] [--rows FILE]
 
-N runs (100) a kind, by tests/reference/judged_runs.py, at 60 to 480 frames a second: no violation is right. Then N films of balls
-that bounce, of each kind, by the laws without units; and how many of N are blamed whose ball hangs in the air, or trembles.
+N runs (100) a kind, by tests/reference/judged_runs.py, at 60 to 480 frames a second: no violation is right. Then N balls that
+bounce, with a fault or without, and with noise (``--only power``), and N films of balls that bounce, of each kind, by the laws
+without units; and how many of N films are blamed whose ball hangs in the air, trembles, is struck there, or is no ball (``--only
+film``).
 """
 
 from __future__ import annotations
@@ -12,11 +14,14 @@ from collections import Counter
 from collections.abc import Sequence
 
 from campaign import Row, campaign
-from reference.judged_runs import FILM_KINDS, KINDS, film_of, judged
+from reference.judged_runs import FAULTS, FILM_KINDS, KINDS, NOISES, faulty, film_of, judged
 
 from carom.tracks.verdicts import by_film_laws
 
-WRONG = (("hang", 0.1), ("hang", 0.2), ("hang", 0.4), ("jitter", 0.1), ("jitter", 0.2))  # radii
+WRONG = (
+    ("hang", 0.1), ("hang", 0.2), ("hang", 0.4), ("jitter", 0.1), ("jitter", 0.2), ("kink", 0.1), ("long", 0.1), ("long", 0.2)
+)  # fmt: skip
+SHOWS = {"hang": "flight", "kink": "flight", "jitter": "steady", "long": "shape"}
 
 
 def look(kind: str, seed: int) -> Row:
@@ -37,19 +42,26 @@ def main(words: Sequence[str] | None = None) -> int:
             blamed += len(bad)
             count = sum(sum(row["checked"].values()) for row in rows)
             run.say(f"{kind:7} {len(rows)} runs, {count:,} checks, {len(bad)} runs blamed {bad[:9] or ''}")
+        for fault, size in FAULTS if run.given.only == "power" or not (run.small or run.given.only) else ():
+            found = [
+                [bool(faulty(fault, size, seed, noise).violations) for seed in range(run.count)] for noise in NOISES
+            ]
+            blamed += sum(map(sum, found)) if fault == "none" else 0
+            said = ", ".join(f"{sum(one)} at {1e3 * noise:g} mm" for one, noise in zip(found, NOISES, strict=True))
+            run.say(f"fault {fault} {size}: of {run.count} blamed {said}")
         for kind in FILM_KINDS if run.wants("film", ("film",)) or not (run.small or run.given.only) else ():
             films = [by_film_laws(film_of(kind, seed), "") for seed in range(run.count)]
             bad = [seed for seed, one in enumerate(films) if one.violations]
             blamed += len(bad)
             flights = sum(one.checked["flight"] > 0 for one in films)
-            run.say(
-                f"film {kind:7} {len(films)} films, {flights} with a flight that is checked, {len(bad)} blamed {bad[:9] or ''}"
-            )
+            shapes = sum(one.checked["shape"] > 0 for one in films)
+            said = f"{len(films)} films, {flights} with a flight and {shapes} with a shape that is checked"
+            run.say(f"film {kind:7} {said}, {len(bad)} blamed {bad[:9] or ''}")
         for wrong, size in WRONG if run.given.only == "film" or not (run.small or run.given.only) else ():
             found = [by_film_laws(film_of("clean", seed, wrong, size), "") for seed in range(run.count)]
-            flights = [one for one in found if one.checked["flight"]]
-            said = f"{sum(bool(one.violations) for one in flights)} of {len(flights)} films with a flight blamed"
-            run.say(f"film {wrong} {size} radii: {said}")
+            shown = [one for one in found if one.checked[SHOWS[wrong]]]
+            said = f"{sum(bool(one.violations) for one in shown)} of {len(shown)} films in which it may show blamed"
+            run.say(f"film {wrong} {size}: {said}")
     return int(blamed > 0)
 
 

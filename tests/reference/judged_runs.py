@@ -77,27 +77,72 @@ def judged(kind, seed):
     return judge(frames(run, RATES[seed % len(RATES)]), slope=tuple(run.scene.floor.slope))
 
 
+FAULTS = (
+    ("none", 0.0), ("gravity", 0.02), ("gravity", 0.05), ("gravity", 0.1), ("restitution", 1.05), ("energy", 0.05),
+    ("energy", 0.1), ("kink", 0.05), ("kink", 0.2),
+)  # fmt: skip
+NOISES = (0.0, 1e-4, 1e-3)  # m
+
+
+def faulty(fault, size, seed, noise):
+    """Return the judgement of a ball that falls and bounces, with a fault; noise in m; up to 0.1 mm its spin is known.
+
+    "gravity" wrong by a share, "restitution", "energy" that a bounce adds, as a share, and a "kink": a turn of the velocity
+    in the second flight, in rad.
+    """
+    rng = np.random.default_rng([90, seed])
+    g = 9.80665 * (1 + size * rng.choice([-1, 1]) * (fault == "gravity"))
+    e = size if fault == "restitution" else rng.uniform(0.6, 0.9)
+    x, v, rate = (
+        np.array([0.0, 0.0, rng.uniform(0.3, 1.0)]),
+        np.array([*rng.normal(0, 0.7, 2), 0.0]),
+        int(rng.choice(RATES)),
+    )
+    begins, flights = [0.0], [(x, v)]
+    for part in range(5 if fault == "kink" else 4):
+        gone, kinks = (v[2] + math.sqrt(v[2] ** 2 + 2 * g * (x[2] - R))) / g, fault == "kink" and part == 1
+        gone *= 0.4 if kinks else 1.0
+        x, v = x + gone * v - np.array([0, 0, g / 2 * gone**2]), v - np.array([0, 0, g * gone])
+        if kinks:
+            v = v @ np.array([[1, 0, 0], [0, math.cos(size), math.sin(size)], [0, -math.sin(size), math.cos(size)]])
+        else:
+            left = v * [1, 1, -e]
+            v = left * (math.sqrt((1 + size) * (v @ v) / (left @ left)) if fault == "energy" else 1.0)
+        begins.append(begins[-1] + gone)
+        flights.append((x, v))
+    t = np.arange(0, begins[-2], 1 / rate)
+    which = np.searchsorted(begins, t, side="right") - 1
+    tau = (t - np.array(begins)[which])[:, None]
+    places = (
+        np.array([x for x, _v in flights])[which]
+        + tau * np.array([v for _x, v in flights])[which]
+        - [0, 0, g / 2] * tau**2
+    )
+    places += rng.normal(scale=noise, size=places.shape) if noise else 0.0
+    columns = {"t": t, **dict(zip("xyz", places.T, strict=True))}
+    spins = {} if noise > 1e-4 else dict.fromkeys(("wx", "wy", "wz"), np.zeros(len(t)))
+    return judge(columns | spins, radius=R)
+
+
 # --- films ----------------------------------------------------------------------------------------------------------------
 
-FILM_KINDS = ("clean", "noisy", "gaps", "rounded", "fast")
+FILM_KINDS = ("clean", "noisy", "gaps", "rounded", "fast", "few")
 
 
 def film_of(kind, seed, wrong=None, size=0.0):
     """Return a ball that bounces before a camera, px: with drag, perspective, a rolled and tilted camera, shadows near the floor.
 
-    ``wrong``: "hang": a wave of ``size`` radii on the height in the air; "jitter": places off by ``size`` radii.
+    ``wrong``: "hang": a wave of ``size`` radii on the height in the air; "jitter": places off by ``size`` radii; "long": an outline
+    longer than wide by a share; "kink": a blow at the top, by a share of the speed at the floor.
     """
     rng = np.random.default_rng([40 + FILM_KINDS.index(kind), seed])
-    rate = rng.uniform(60, 240) * (0.5 if kind == "fast" else 1)
+    rate = rng.uniform(60, 240) * {"fast": 0.5, "few": 0.25}.get(kind, 1)
     focal, depth, radius = rng.uniform(800, 2000), rng.uniform(1.0, 4.0), rng.uniform(0.02, 0.06)
     if focal * radius / depth < 12:
         depth = focal * radius / 12
     tilt, roll, drag, e = rng.normal(0, 0.15), rng.normal(0, 0.03), rng.uniform(0, 0.15), rng.uniform(0.5, 0.9)
-    x, v = (
-        np.array([rng.normal(0, 0.3), rng.uniform(0.3, 1.2), 0.0]),
-        np.array([*rng.normal(0, 0.3, 2), rng.normal(0, 0.3)]),
-    )
-    places, step = [], 1 / rate / 20
+    x, v = np.array([rng.normal(0, 0.3), rng.uniform(0.3, 1.2), 0.0]), rng.normal(0, 0.3, 3)
+    places, step, kinks = [], 1 / rate / 20, False
     for k in range(20 * round(min(rng.uniform(0.6, 1.8), 1.8) * rate)):
         if k % 20 == 0:
             places.append(x.copy())
@@ -105,6 +150,9 @@ def film_of(kind, seed, wrong=None, size=0.0):
         x = x + step * v
         if x[1] < radius and v[1] < 0:
             v[1] *= -e
+            kinks = wrong == "kink"
+        if kinks and v[1] < 0:  # (at the top after a bounce)
+            v, kinks = np.append(v[:2] - size * np.array([0, 2 * np.sqrt(9.81 * x[1])]), v[2]), False
     seen = np.array(places)
     c, s = math.cos(tilt), math.sin(tilt)
     up, away = c * seen[:, 1] - s * seen[:, 2], depth + s * seen[:, 1] + c * seen[:, 2]
@@ -121,4 +169,16 @@ def film_of(kind, seed, wrong=None, size=0.0):
         px = np.round(px, 1)
     if kind == "gaps":
         px[rng.random(len(px)) < 0.1] = np.nan
-    return FilmPath(np.arange(len(px)) / 30, px, float(a), 1.0)
+    # of the outline: longer away from the middle of the picture, and along its way, by the exposure
+    n = len(px)
+    way, out = np.gradient(px, axis=0) * rng.uniform(0.1, 1), px / focal
+    moments = a**2 / 4 * (np.eye(2) + out[:, :, None] * out[:, None, :]) + way[:, :, None] * way[:, None, :] / 12
+    moments[:, 1, 1] *= (1 + size * (wrong == "long")) ** 2
+    xx, xy, yy = moments[:, 0, 0], moments[:, 0, 1], moments[:, 1, 1]
+    stretch = np.column_stack([xx - yy, 2 * xy]) / (xx + yy)[:, None]
+    outlines = np.column_stack([focal * radius / away, stretch]) + rng.normal(
+        scale=0.01 + 2 * scatter / a, size=(n, 3)
+    ) * [a, 1, 1]
+    half = np.array([1.0, 0.75]) * min(0.8 * focal, 1100)
+    px[(np.abs(px) > half).any(axis=1)] = np.nan
+    return FilmPath(np.arange(n) / 30, px + half, float(a), 1.0, outlines, tuple(half))

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from reference.judged_runs import FILM_KINDS, film_of
 
-from carom.tracks.verdicts import by_film_laws
+from carom.tracks.verdicts import FilmPath, by_film_laws
 
 
 @pytest.mark.parametrize("kind", FILM_KINDS)
@@ -18,8 +18,10 @@ def test_films_of_bounces_violate_nothing_with_drag_perspective_and_a_rolled_cam
     assert sum(one.checked["flight"] for one in found) >= 2
 
 
-@pytest.mark.parametrize(("wrong", "size", "law"), [("hang", 0.5, "flight"), ("jitter", 0.3, "steady")])
-def test_a_ball_that_hangs_or_trembles_is_found(wrong: str, size: float, law: str) -> None:
+@pytest.mark.parametrize(
+    ("wrong", "size", "law"), [("hang", 0.5, "flight"), ("jitter", 0.3, "steady"), ("long", 0.3, "shape")]
+)
+def test_a_ball_that_hangs_or_trembles_or_is_none_is_found(wrong: str, size: float, law: str) -> None:
     found = [by_film_laws(film_of("clean", seed, wrong, size), "no scale") for seed in range(6)]
     blamed = [one for one in found if any(violation.law == law for violation in one.violations)]
     assert len(blamed) >= 3
@@ -45,4 +47,28 @@ def test_what_cannot_be_judged_is_said() -> None:
         found = by_film_laws(other, "no scale")
         assert found.violations == []
         assert said in found.unchecked["flight"]
-        assert found.verdict.startswith("checked 0 of 2 laws")
+        assert found.checked["flight"] == found.checked["steady"] == 0
+
+
+@pytest.mark.parametrize("falls", [True, False])
+def test_a_ball_that_falls_at_one_speed_soon_after_its_top_is_found(falls: bool) -> None:
+    """Ten frames after a bounce: with the acceleration of gravity all the way, or without any from the third frame on."""
+    t = np.arange(15.0)
+    v = np.where(t < 7, -24.0 + 4 * t, -24.0 + 4 * t if falls else 12.0)
+    y = 395 + np.cumsum(v) + np.random.default_rng(3).normal(scale=0.1, size=15)
+    places = np.column_stack([np.full(24, 500.0), np.append(400 + 20 * np.arange(-8.0, 1), y)])
+    path = FilmPath(np.arange(24) / 30, places, 12.0, 1.0, np.tile([12.0, 0.0, 0.0], (24, 1)), (640.0, 360.0))
+    found = by_film_laws(path, "no scale")
+    assert found.checked["flight"] == 1
+    assert bool(found.of("flight")) is not falls
+    larger = path._replace(outlines=np.column_stack([np.linspace(9, 15, 24), np.zeros((24, 2))]))
+    assert by_film_laws(larger, "no scale").checked["flight"] == 0  # (perspective may do that)
+
+
+def test_of_a_camera_that_moves_the_shape_alone_is_judged() -> None:
+    found = by_film_laws(film_of("clean", 2, "long", 0.3)._replace(moves="a picture that moves"), "no scale")
+    assert [one.law for one in found.violations] == ["shape"]
+    assert "the camera moves" in found.unchecked["flight"]
+    # as long a ball in the corner of a wide picture is one
+    seen = film_of("clean", 2)
+    assert by_film_laws(seen._replace(corner=(1.0, 1.0)), "").violations == []

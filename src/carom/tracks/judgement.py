@@ -322,6 +322,10 @@ def _pieces(row: BallRows, sigma: float, drag: float) -> Iterator[PathPiece]:
     edges = np.flatnonzero(np.diff(np.concatenate([[False], calm, [False]])))
     for low, high in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
         first, last = low, high + 2  # window i has the frames i to i + 3
+        if (
+            sigma > EXACT and last - first < FEW
+        ):  # (a bounce in the middle of four frames has no third difference, either)
+            continue
         if sigma > EXACT and last - first > FEW + 2:  # (noise may hide an event within the last of them)
             first, last = first + 1, last - 1
         middle = (t[first] + t[last]) / 2
@@ -357,6 +361,7 @@ PRESSED = 0.03  # of the impulse: the floor's friction on a ball that another pr
 COMPRESSED = 1e-3  # of their distance: balls that meet are, those of pool at 0.4 m/s, and at 1 m/s twice as much
 RESISTANCE = 0.05  # of the weight: what resists a ball that rolls is less
 SAME = 1e-3  # of the speed: a ball that slips less rolls
+CAMERA_ROLL = 0.06  # rad: upright is known no better in a film
 SLOWED = "by this scale and the film's times"  # a note of a film whose ball falls with another g
 CELLS = 2**40  # along an axis: cells farther apart may have one number
 MOST_PAIRS = 50_000_000  # of places in cells beside each other
@@ -439,7 +444,7 @@ def judge(
     if not (len(slope) == 2 and math.hypot(*slope) < 1):
         faults.add("slope", "two sines, of a floor that is less steep than upright", f"{slope}")
     faults.raise_if_any()
-    pull = np.array(gravity_on_slope(gravity, slope))
+    pull, roll = np.array(gravity_on_slope(gravity, slope)), 0.0
     said: list[str] = []
     if not is_columns(table) and is_film(path := as_path("judge", table)):
         known = film_options(scale, rate, radius, film).calibration
@@ -450,7 +455,7 @@ def judge(
         except CaromError as error:
             part = {name: known.film.get(name) for name in ("start", "end", "region")}
             return by_film_laws(likeliest_ball(path, error, rate=rate, **part), f"{error}")
-        table = columns_of_film(tracked, gravity, POOL_BALL, said)
+        table, roll = columns_of_film(tracked, gravity, POOL_BALL, said), CAMERA_ROLL
     rows, sigma, notes = read_rows(table, radius, mass, noise)
     balls = [replace(one, kappa=one.kappa or kappa, pieces=tuple(_pieces(one, sigma, drag_per_metre))) for one in rows]
     notes += said
@@ -461,7 +466,7 @@ def judge(
         _in_the_floor(ball, sigma, found)
         for piece in ball.pieces:
             own = drag_per_metre if piece.air is not None else 0.0
-            rubs = max(rubs, _between_contacts(ball, piece, sigma, pull, floor_friction, own, found))
+            rubs = max(rubs, _between_contacts(ball, piece, sigma, pull, floor_friction, own, roll, found))
     _overlaps(balls, sigma, found)
     walls = _Walls(balls, sigma)
     for event in _events(balls, sigma):
@@ -552,8 +557,9 @@ def _hashed(frame: NDArray[np.int64], cell: NDArray[np.int64]) -> NDArray[np.int
 
 
 def _between_contacts(
-    ball: BallRows, piece: PathPiece, sigma: float, pull: Array, floor_friction: float, drag: float, found: Judgement
-) -> float:
+    ball: BallRows, piece: PathPiece, sigma: float, pull: Array, floor_friction: float, drag: float, roll: float,
+    found: Judgement,
+) -> float:  # fmt: skip
     """Check free fall in the air; friction and its direction on the floor, and return how much it accelerates the ball at least."""
     up = ball.x[piece.first : piece.last + 1, 2] - ball.radius
     a, error = piece.acceleration
@@ -564,7 +570,8 @@ def _between_contacts(
     if up.min() > SIGMAS * sigma + LEAST * ball.radius:
         if up.max() < -pull[2] * step**2 / 2:  # (it may hop from frame to frame)
             return 0.0
-        off = float(np.linalg.norm(a - pull))
+        aside = max(float(np.hypot(*(a - pull)[:2])) - roll * float(np.linalg.norm(a)), 0.0)
+        off = math.hypot(aside, abs(float(a[2] - pull[2]))) if roll else float(np.linalg.norm(a - pull))
         speed = float(np.linalg.norm(v := piece.velocity(piece.middle)[0]))
         if drag > 0 and speed > 0:  # (the Magnus force may be as large, and is across the way)
             along = float((a - pull) @ v) / speed

@@ -23,6 +23,7 @@ LAWS = {
 FILM_LAWS = {
     "flight": "a ball in the air keeps one acceleration",
     "steady": "a ball moves smoothly from frame to frame",
+    "shape": "a ball is round in a picture",
 }
 UNITS = {"penetration": "m", "gravity": "m/s^2", "momentum": "N s", "energy": "J", "friction": "", "slip": ""}
 SIGMAS = 5.0  # a violation is larger than so many of its standard errors
@@ -105,15 +106,32 @@ class Judgement:
 Array = NDArray[np.float64]
 LEAST_RADIUS = 10.0  # px: outlines of smaller balls scatter by a share of them
 WHOLE_RIM = 0.97  # of the rim seen: nobody holds the ball
-LEAST_RUN, LONG_RUN = 15, 24  # frames
+LEAST_RUN, LONG_RUN, SHORT_RUN = 15, 24, 8  # frames
 NOISE = 0.004  # radii: of the outline of a ball, at least
 SCATTER = 0.05, 0.8  # radii, and px: more from frame to frame no ball does whose outline is whole
-MISFIT, MISFIT_PARTS = 0.04, 0.1  # radii: from one cubic, and from two
+MISFIT, MISFIT_PARTS, MISFIT_SHORT = (
+    0.04,
+    0.1,
+    0.08,
+)  # radii: from one cubic, from two, and from one that is nearly a parabola
+CHANGE = 0.4  # of the acceleration, at the ends of a short part of a flight: drag and perspective change it by less
+SHALLOW = 3.0  # radii that a short part is high, at least
+SLOW, LEAST_SLOW = 0.3, 8  # radii from frame to frame that hardly blur; frames
+OBLIQUE = 1.155  # length over width of a sphere's outline, 30 degrees off the axis of the camera: 1 / cos 30
+WIDEST = 1.0  # tangent of the angle off the axis in the corner of a picture, at most: 45 degrees
+NEARER = 0.2  # by which the width of a ball (as a logarithm) changes in a short part of a flight, at most
 SLOW_AT_TOP = 0.5  # of the speed at the ends, beside the top of a flight
 DEEP = 4.0  # radii that a ball rises and falls, at least
 MOST_NEARER = 2.0  # times, that a ball comes nearer
 REPEATED = 0.1  # of the frames, that show the picture before them again
 NEAR_ENDS = 0.75  # of its height, of a flight: below, shadows and floors are near
+
+
+UNSEEN = {
+    "flight": "no flight that rises and falls, or a long way, is seen",
+    "shape": "the ball is not seen slow, with a whole outline",
+    "steady": "",
+}
 
 
 class FilmPath(NamedTuple):
@@ -127,6 +145,12 @@ class FilmPath(NamedTuple):
     """px."""
     seen: float
     """Of its rim, usually."""
+    outlines: Array | None = None
+    """(F, 3): half the width, px; and of second moments, (xx - yy, 2 xy) / (xx + yy). NaN where the outline is not seen whole."""
+    corner: tuple[float, float] = (0.0, 0.0)
+    """Half the size of the picture, px."""
+    moves: str = ""
+    """How the camera moves, if it does."""
 
 
 class Finding(NamedTuple):
@@ -149,12 +173,12 @@ def by_film_laws(path: FilmPath, reason: str) -> Judgement:
     seen = path.times[np.isfinite(path.places[:, 0])]
     times = (float(seen.min()), float(seen.max())) if len(seen) else (0.0, 0.0)
     notes = [f"judged by laws without units: {reason}"]
-    noise = next((one.noise for one in found), 0.0)
+    noise = max((one.noise for one in found), default=0.0)
     judged = Judgement(noise, notes, times, dict.fromkeys(FILM_LAWS, 0), laws=dict(FILM_LAWS), unit="px")
     for one in found:
         judged.check(one.law, one.time, ["ball"], one.size, one.error, one.least, one.text)
     judged.violations.sort(key=lambda one: one.time)
-    judged.unchecked = {law: why for law, count in judged.checked.items() if not count}
+    judged.unchecked = {law: why or UNSEEN[law] for law, count in judged.checked.items() if not count}
     return judged
 
 
@@ -164,30 +188,41 @@ def film_findings(path: FilmPath) -> tuple[list[Finding], str]:
     t, x, r = path.times[rows], path.places[rows], path.radius
     if len(rows) < LEAST_RUN:
         return [], f"the ball is seen in {len(rows)} frames only"
+    found = _shape(path, rows)
+    if path.moves:
+        return found, f"the camera moves: {path.moves}"
     if r < LEAST_RADIUS or path.seen < WHOLE_RIM:
         return (
-            [],
+            found,
             f"the ball is too small, or hidden in part (radius {r:.3g} px, {100 * path.seen:.0f} % of its rim seen)",
         )
     step = np.hypot(*np.diff(x, axis=0).T)
     beside = np.minimum(np.roll(step, 1), np.roll(step, -1))[1:-1]
     if np.mean((step[1:-1] < 0.2 * beside) & (beside > 0.1 * r)) > REPEATED:
-        return [], "frames are repeated"
+        return found, "frames are repeated"
     fourth = np.diff(x, 4, axis=0)[rows[4:] - rows[:-4] == 4]
     # the median of |N(0, 1)| is 0.6745; 1 + 16 + 36 + 16 + 1 = 70
     sigma = float(np.median(np.abs(fourth))) / 0.6745 / np.sqrt(70) if len(fourth) else 0.0
     noise = max(sigma, NOISE * r)
     text = f"its place scatters by {sigma:.2g} px from frame to frame, {sigma / r:.2g} of its radius"
     error = sigma / np.sqrt(max(len(fourth), 1))
-    found = [Finding("steady", float(t[0]), sigma - max(SCATTER[0] * r, SCATTER[1]), error, 0.0, text, sigma)]
+    found += [Finding("steady", float(t[0]), sigma - max(SCATTER[0] * r, SCATTER[1]), error, 0.0, text, sigma)]
     for first, last in zip(*_runs(rows, x, r), strict=True):
         part = slice(first, last)
         y = x[part, 1]
-        if len(y) < LEAST_RUN:
+        if len(y) < SHORT_RUN:
             continue
         top = int(np.argmin(y))
         deep = min(y[0], y[-1]) - y[top]
-        if deep > DEEP * r and 3 < top < len(y) - 4:
+        near = np.flatnonzero(y < y[top] + NEAR_ENDS * np.ptp(y)) + first
+        down = np.diff(x[near, 1])
+        bounces = (down < -3 * noise) & np.logical_or.accumulate(down > 3 * noise)  # (one that is too low to be cut at)
+        short = SHORT_RUN <= len(near) < LEAST_RUN and np.ptp(y) > SHALLOW * r
+        if short and not bounces.any() and _keeps_size(path, rows[near]):
+            upper, rest, least, what = near, _nearly_even(t[near], x[near]), MISFIT_SHORT, "one acceleration"
+        elif len(y) < LEAST_RUN:
+            continue
+        elif deep > DEEP * r and 3 < top < len(y) - 4:
             upper = np.flatnonzero(y < y[top] + NEAR_ENDS * deep) + first
             speed = np.abs(np.gradient(x[upper, 1], t[upper]))
             at = int(np.argmin(x[upper, 1]))
@@ -207,8 +242,30 @@ def film_findings(path: FilmPath) -> tuple[list[Finding], str]:
         # (beside the noise, and the error of the mean of 2 n squares)
         size, error = float(np.sqrt(max(size**2 - 2 * noise**2, 0.0))), noise / np.sqrt(len(upper))
         found.append(Finding("flight", float(t[upper[worst]]), size, error, least * r, text, sigma))
-    why = "" if any(one.law == "flight" for one in found) else "no flight that rises and falls, or a long way, is seen"
-    return found, why
+    return found, ""
+
+
+def _shape(path: FilmPath, rows: NDArray[np.intp]) -> list[Finding]:
+    """Return how much longer than wide the outline is where the ball is slow; in perspective a sphere's is, too."""
+    if path.outlines is None:
+        return []
+    step = np.hypot(*np.gradient(path.places[rows], rows, axis=0).T)
+    slow = rows[(step < SLOW * path.radius) & np.isfinite(path.outlines[rows, 0])]
+    if path.radius < LEAST_RADIUS or len(slow) < LEAST_SLOW:
+        return []
+    usual = np.median(path.outlines[slow, 1:], axis=0)
+    off = np.hypot(*(path.outlines[slow, 1:] - usual).T)
+    stretch = min(float(np.hypot(*usual)), 0.99)
+    # half the length less half the width, of as large an ellipse
+    aside = np.hypot(*(path.places[slow] - path.corner).T).max() / np.hypot(*path.corner)
+    ratios = np.sqrt((1 + stretch) / (1 - stretch)), max(OBLIQUE, np.hypot(1.0, WIDEST * aside))
+    long, allowed = (path.radius * (np.sqrt(one) - 1 / np.sqrt(one)) for one in ratios)
+    error = path.radius * float(np.median(off)) / np.sqrt(len(slow))
+    text = f"its outline is {ratios[0]:.3g} times as long as wide, in {len(slow)} frames in which it hardly moves"
+    k = slow[int(np.argmin(off))]
+    return [
+        Finding("shape", float(path.times[k]), float(long - allowed), max(error, 1e-3), NOISE * path.radius, text, 0.0)
+    ]
 
 
 def _runs(rows: NDArray[np.intp], x: Array, r: float) -> tuple[list[int], list[int]]:
@@ -240,6 +297,27 @@ def _rest(t: Array, x: Array) -> Array:
         found, distance = np.append(np.linalg.lstsq(powers, centred, rcond=None)[0].T.ravel(), [0, 0]), np.ones(len(t))
     fitted = np.column_stack([powers @ found[:4], powers @ found[4:8]]) / distance[:, None]
     return np.asarray(centred - fitted)
+
+
+def _keeps_size(path: FilmPath, rows: NDArray[np.intp]) -> bool:
+    """Return whether the ball is known to come hardly nearer, and to go hardly farther away."""
+    widths = np.full(len(rows), np.nan) if path.outlines is None else np.log(path.outlines[rows, 0])
+    first, last = (one[np.isfinite(one)] for one in np.array_split(widths, 2))
+    return bool(len(first) and len(last) and abs(np.median(first) - np.median(last)) < NEARER / 2)
+
+
+def _nearly_even(t: Array, x: Array) -> Array:
+    """Return what a cubic leaves whose acceleration changes by a share of it at most, from the middle to the ends."""
+    tau, centred = 2 * (t - t.mean()) / max(float(np.ptp(t)), 1e-12), x - x.mean(axis=0)
+    powers = np.vander(tau, 4, increasing=True)
+    free = np.linalg.lstsq(powers, centred, rcond=None)[0]
+    if 3 * np.hypot(*free[3]) <= CHANGE * np.hypot(*free[2]):
+        return np.asarray(centred - powers @ free)
+    rests = []
+    for sign in (1, -1):
+        bent = np.column_stack([powers[:, :2], powers[:, 2] + sign * CHANGE / 3 * powers[:, 3]])
+        rests.append(centred - bent @ np.linalg.lstsq(bent, centred, rcond=None)[0])
+    return min(rests, key=_mean)
 
 
 def _pair(t: Array, x: Array, k: int) -> Array:

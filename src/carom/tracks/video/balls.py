@@ -83,6 +83,8 @@ class Blob(NamedTuple):
     """x, y and radius, px, of the part that differs by more than a shadow does, if the rest is as a shadow."""
     shade: float = 0.0
     """Brightness over that of the background, of a blob that differs as a shadow does; 0 of others."""
+    stretch: tuple[float, float] = (np.nan, np.nan)
+    """Variance along x less that along y, and twice the covariance, over the sum of both variances: by how much it is no disc."""
 
     @property
     def radius(self) -> float:
@@ -331,8 +333,19 @@ class Region(NamedTuple):
         if CORE[0] < share < CORE[1]:
             core = float(x[rest].mean()), float(y[rest].mean()), 2 * float(np.sqrt(rest.sum() / np.pi))
         dark = float(colour[0] / max(self.still.mean(), 1.0)) if share <= CORE[0] else 0.0
+        (xx, xy), (_xy, yy) = moments.tolist()
+        stretch = (xx - yy) / max(xx + yy, 0.1), 2 * xy / max(xx + yy, 0.1)
         return Blob(
-            float(x.mean()), float(y.mean()), 4.0 * len(x), large, small, tuple(colour.tolist()), self.cut, core, dark
+            float(x.mean()),
+            float(y.mean()),
+            4.0 * len(x),
+            large,
+            small,
+            tuple(colour.tolist()),
+            self.cut,
+            core,
+            dark,
+            stretch,
         )
 
     def part(self, which: Mask) -> Region:
@@ -528,7 +541,15 @@ def cores_of(path: Path) -> Path | None:
     if len(some) < max(len(path.frames) / 2, 5):
         return None
     blobs = [
-        one._replace(x=core[0], y=core[1], minor=core[2] / 2, major=core[2] / 2, area=np.pi * core[2] ** 2, core=None)
+        one._replace(
+            x=core[0],
+            y=core[1],
+            minor=core[2] / 2,
+            major=core[2] / 2,
+            area=np.pi * core[2] ** 2,
+            core=None,
+            stretch=(np.nan, np.nan),
+        )
         for _k, one, core in some
     ]
     return Path([k for k, _one, _core in some], blobs)

@@ -75,6 +75,8 @@ MOST_CUT, MOST_SHIFT = (
     0.05,
     1.2,
 )  # share of frames that are another picture; px by which most of a camera's frames may be shifted
+MOVING = "a picture of which most moves by"
+ELLIPSE = 0.985  # of the area of an ellipse with its moments: of a disc of which a part is hidden it is less, or it looks round
 LEAST_GOOD = 0.5  # of the frames of a ball, whose outline fits
 FLAGGED = 8.0  # times the usual cost
 FAR = 25.0  # radii: the way of what surely moves
@@ -488,7 +490,10 @@ def track_film(
     size = file.width if file.rotation % 2 else file.height
     ground = find_background(samples)._replace(rows=rows_direction(file.rotation), lag=(readout or 0.0) / size)
     del samples
-    stamps, paths = _linked(file, ground, part, asked, tell)
+    stamps, paths, moves = _linked(file, ground, part, asked, tell)
+    if moves:
+        advice = "put it on a stand, or name a part in which it rests (`start`, `end`)"
+        raise CaromError(Fault(f"{file.path}", "", "a camera at rest, without cuts", moves, advice))
     times = film_times(file, stamps, rate, notes)
     with noting(notes):
         chosen = _chosen(file, ground, paths, times, asked, balls)
@@ -518,7 +523,7 @@ def likeliest_ball(path: FilePath, error: CaromError, **given: Any) -> FilmPath:
     """Follow what is most likely a ball in a film that is refused: to be judged, not to be measured.
 
     ``given``: ``rate``, ``start``, ``end``, ``region`` of :func:`track_film`. Raises ``error`` where nothing moves that may be a
-    ball, and where the camera moves.
+    ball, and for cuts.
     """
     names = ("start", "end", "region", "rate")
     start, end, region, rate = (given.get(name) for name in names)
@@ -529,17 +534,23 @@ def likeliest_ball(path: FilePath, error: CaromError, **given: Any) -> FilmPath:
     if len(samples) < LEAST_FRAMES:
         raise error
     ground = find_background(samples)._replace(rows=rows_direction(file.rotation))
-    try:
-        stamps, paths = _linked(file, ground, part, asked, lambda _done, _text: None)
-    except CaromError:
-        raise error from None
+    stamps, paths, moves = _linked(file, ground, part, asked, lambda _done, _text: None)
+    if moves and not moves.startswith(MOVING):
+        raise error
     times = film_times(file, stamps, rate, [])
     found = _usual_optics(file, ground, likely_paths(paths, LEAST_FRAMES)[:5], times)
     if not found:
         raise error
     ball = max(found, key=lambda one: one.score)
-    places = _followed(file, ground, ball, times, lambda _done: None)[0]
-    return FilmPath(times, places, ball.optics.radius, ball.seen)
+    outlines = np.full((len(times), 3), np.nan)
+    for k, blob in zip(ball.path.frames, ball.path.blobs, strict=True):
+        if blob.fill > ELLIPSE and not blob.cut:
+            outlines[k] = blob.radius, *blob.stretch
+    places = (
+        _dense(ball.path, len(times), times) if moves else _followed(file, ground, ball, times, lambda _done: None)[0]
+    )
+    corner = ((file.width - 1) / 2, (file.height - 1) / 2)
+    return FilmPath(times, places, ball.optics.radius, ball.seen, outlines, corner, moves)
 
 
 def _by_rows(
@@ -595,11 +606,8 @@ def _by_rows(
 
 def _linked(
     file: FilmFile, ground: Background, part: tuple[float, float], asked: Asked, tell: Callable[[float, str], None]
-) -> tuple[list[float], list[Path]]:
-    """Return the stamps of all frames, and the paths of what moves in part of the film.
-
-    Raises CaromError for a camera that moves, and for cuts.
-    """
+) -> tuple[list[float], list[Path], str]:
+    """Return the stamps of all frames, the paths of what moves in part of the film, and what speaks against a camera at rest."""
     inside = None
     if asked.region is not None:
         inside = np.zeros(ground.half.shape, bool)
@@ -615,11 +623,7 @@ def _linked(
             shares.append(share if same > SAME else 1.0)
             shifts.append(shift)
         tell(0.05 + 0.25 * (1 - 100 / (100 + frame.number)), "what moves")
-    still = _unsteady(np.array(shares), np.array(shifts))
-    if still:
-        advice = "put it on a stand, or name a part in which it rests (`start`, `end`)"
-        raise CaromError(Fault(f"{file.path}", "", "a camera at rest, without cuts", still, advice))
-    return stamps, linker.paths
+    return stamps, linker.paths, _unsteady(np.array(shares), np.array(shifts))
 
 
 def _unsteady(shares: Array, shifts: Array) -> str:
@@ -633,7 +637,7 @@ def _unsteady(shares: Array, shifts: Array) -> str:
         way = np.hypot(*(shifts - np.median(shifts, axis=0)).transpose(2, 0, 1))
         usual = float(np.quantile(np.quantile(way, 0.8, axis=0), 0.3))
         if usual > MOST_SHIFT:
-            return f"a picture of which most moves by {usual:.2g} px and more"
+            return f"{MOVING} {usual:.2g} px and more"
     return ""
 
 
