@@ -244,7 +244,7 @@ def test_no_build_product_is_tracked() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10542,
+    "fitting": 10546,
     "gas": 6947,
     "billiards": 5566,
     "tracks": 9233,
@@ -252,8 +252,8 @@ CAPS = {
     "core": 5787,
     "laws": 4926,
     "scene": 4651,
-    "cli": 4171,
-    "plot": 3553,
+    "cli": 4170,
+    "plot": 3558,
     "derive": 2999,
     "sweeps": 3264,
     "data": 2600,

@@ -68,12 +68,11 @@ def orbit_facts(found: OrbitResult) -> dict[str, Any]:
             caustics = billiards.caustics(found)
             facts["caustics"] = np.atleast_2d(caustics.radii)[0].tolist() if len(made) == 1 else None
         along = any(table.acceleration) or table.name in ("strip", "plates", "cylinder")
-        if along and not falls and found.t.shape[-1] >= 4:
+        if along and not falls and found.t.shape[-1] >= 4 and len(made) == 1:
             axis = 2 if table.name in ("plates", "cylinder") else 0
             drift = billiards.drift(found, axis)
             names_ = ("extent", "velocity", "velocity_error", "acceleration", "acceleration_error", "growth")
-            if len(made) == 1:
-                facts["drift"] = {"axis": "xyz"[axis]} | {n: json_value(np.ravel(getattr(drift, n))[0]) for n in names_}
+            facts["drift"] = {"axis": "xyz"[axis]} | {n: json_value(np.ravel(getattr(drift, n))[0]) for n in names_}
     if found.reversal_error is not None:
         facts["reversal_error"] = float(np.max(found.reversal_error))
     if found.spectrum is not None:

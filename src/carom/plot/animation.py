@@ -209,11 +209,9 @@ class Film(Frames):
         self.head.set_data([x, x], [0.012 * wide, 0.012 * wide + self.lane])
         self.said[0].set_text(f"{t:.2f} s")
         for text, (k, *_rest) in zip(self.said[1:], self._cards(), strict=True):
-            text.set_text(f"{literal(self.run.scene.ball_names[k])}: {WORDS[str(self.phases[n][k])]}{self._lift(n, k)}")
-
-    def _lift(self, n: int, i: int) -> str:
-        lift = float(self.places[n, i, 2] - self.radii[i]) if self.run.scene.floor is not None else 0.0
-        return f", {format_length(lift, 2)} up" if lift > 1e-5 else ""
+            lift = float(places[k, 2] - self.radii[k]) if self.run.scene.floor is not None else 0.0
+            up = f", {format_length(lift, 2)} up" if lift > 1e-5 else ""
+            text.set_text(f"{literal(self.run.scene.ball_names[k])}: {WORDS[str(self.phases[n][k])]}{up}")
 
     def _shapes(self, n: int, there: Any) -> tuple[list[Array], list[Any]]:
         """Return polygons and their colours: shadows, then balls from the lowest up, then the close-ups."""
@@ -360,20 +358,21 @@ def _checked(run: Trajectory, kind: str, fps: Any, speed: Any, start: Any, end: 
     """Return start and end; CaromError with all problems."""
     faults, last = FaultList("animate"), last_time(run)
     fastest = FASTEST_GIF if kind == ".gif" else 1000
-    if not (_is_number(fps) and 0 < fps <= fastest):
+    if not (is_number(fps) and 0 < fps <= fastest):
         faults.add("fps", f"a number above 0, at most {fastest}", repr(fps))
-    if not (_is_number(speed) and 0 < speed < math.inf):
+    if not (is_number(speed) and 0 < speed < math.inf):
         faults.add("speed", "a number above 0", repr(speed))
     end = last if end is None else end
-    if not (_is_number(start) and 0 <= start < last):
+    if not (is_number(start) and 0 <= start < last):
         faults.add("start", f"a time from 0 to before {last:.9g} s, the end of the run", repr(start))
-    elif not (_is_number(end) and start < end <= max(last, run.end)):
+    elif not (is_number(end) and start < end <= max(last, run.end)):
         faults.add("end", f"a time after {start:.9g} s, at most {last:.9g} s, the end of the run", repr(end))
     faults.raise_if_any()
     return float(start), float(end)
 
 
-def _is_number(x: Any) -> bool:
+def is_number(x: Any) -> bool:
+    """Return whether an argument is a number."""
     return isinstance(x, (int, float, np.integer, np.floating)) and not isinstance(x, bool)
 
 

@@ -19,9 +19,7 @@ from carom.laws import comparison as laws_compared
 from carom.laws.law import Answer, Meeting
 from carom.laws.registry import law_styles
 from carom.plot.style import GREY, INK, PALE, arrow, literal, new_figure, spread_apart, style
-from carom.scene.ball import SceneBall
-from carom.scene.floor import Floor
-from carom.scene.scene import Run, Scene
+from carom.scene.scene import Scene
 from carom.simulation.simulate import simulate
 
 if TYPE_CHECKING:
@@ -362,19 +360,31 @@ def path_after_wall(meeting: Meeting, answer: Answer) -> PathAfterWall:
     (['flight'], 0.0291)
     """
     m, a = meeting, float(meeting.ball.radius)
-    v, w = (tuple(map(float, x)) for x in (answer.after_wall.velocity, answer.after_wall.spin))
+    v, w = _vec(answer.after_wall.velocity), _vec(answer.after_wall.spin)
     if answer.steps is None or not m.gravity > 0:
         return PathAfterWall((), v, w)
-    ball = SceneBall(
-        radius=a, mass=m.ball.mass, inertia=m.ball.kappa, position=(0.0, 0.0, a + float(m.height)), velocity=v, spin=w
-    )
-    e, mu, beta = (float(x) for x in (m.floor.restitution, m.floor.friction, m.floor.tangential_restitution))
-    floor = Floor(restitution=e, friction=mu, tangential_restitution=beta)
-    run = simulate(Scene(gravity=float(m.gravity), floor=floor, balls=[ball], run=Run(max_events=MOST_EVENTS)))
+    ball = {
+        "radius": a,
+        "mass": float(m.ball.mass),
+        "inertia": float(m.ball.kappa),
+        "position": (0, 0, a + float(m.height)),
+    }
+    names = ("restitution", "friction", "tangential_restitution")
+    parts: dict[str, Any] = {
+        "gravity": float(m.gravity),
+        "floor": {name: float(getattr(m.floor, name)) for name in names},
+        "balls": [ball | {"velocity": v, "spin": w}],
+        "run": {"max_events": MOST_EVENTS},
+    }
+    run = simulate(Scene(**parts))
     pieces = []
     for (t, phase), end in zip(run.log[["t", "phase"]].tolist(), [*run.log["t"][1:].tolist(), run.end], strict=True):
         if end > t and phase in PIECES:
             # (the instant of an event is that after it)
             points = np.asarray(run.at(np.linspace(t, np.nextafter(end, t), POINTS_PER_CURVE)).position)[:, 0]
             pieces.append((PIECES[phase], points - [0.0, 0.0, a]))
-    return PathAfterWall(tuple(pieces), *(tuple(x[0].tolist()) for x in (run.final.velocity, run.final.spin)))
+    return PathAfterWall(tuple(pieces), _vec(run.final.velocity[0]), _vec(run.final.spin[0]))
+
+
+def _vec(x: Array) -> Vec:
+    return float(x[0]), float(x[1]), float(x[2])

@@ -19,7 +19,7 @@ from carom.gas.containers import Container
 from carom.gas.gas import Gas
 from carom.gas.results import EndedEarlyError
 from carom.gas.session import Session
-from carom.plot.animation import DISC, FASTEST_GIF, MOST_FRAMES, WIDE, Frames, ffmpeg, write_film
+from carom.plot.animation import DISC, FASTEST_GIF, MOST_FRAMES, WIDE, Frames, ffmpeg, is_number, write_film
 from carom.plot.gas import LEAST_SHOWN, draw_outline
 from carom.plot.style import COLOURS, INK, new_figure, style
 
@@ -110,9 +110,7 @@ def _check(session: Session, kind: str, frames: Any, interval: Any, fps: Any) ->
     if isinstance(frames, bool) or not isinstance(frames, int | np.integer) or not 2 <= frames <= MOST_FRAMES:
         faults.add("frames", f"a whole number from 2 to {MOST_FRAMES}", f"{frames!r}")
     for name, value, most in (("interval", interval, math.inf), ("fps", fps, FASTEST_GIF if kind == ".gif" else 1000)):
-        if value is not None and (
-            isinstance(value, bool) or not (isinstance(value, int | float) and 0 < value <= most)
-        ):
+        if value is not None and not (is_number(value) and 0 < value <= most):
             faults.add(name, "a number > 0" + (f", at most {most:g}" if most < math.inf else ""), f"{value!r}")
     faults.raise_if_any()
 
