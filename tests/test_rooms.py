@@ -256,7 +256,7 @@ CAPS = {
     "plot": 3558,
     "derive": 2999,
     "sweeps": 3264,
-    "data": 2600,
+    "data": 2593,
     "interop": 1162,
     "explorer": 899,
     "env": 596,

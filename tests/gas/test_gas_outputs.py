@@ -104,14 +104,14 @@ def test_a_checkpoint_does_not_take_the_place_of_another_file(folder, capsys, mo
 
 def test_what_was_measured_is_told_even_if_its_files_fail(folder, capsys, monkeypatch):
     # the disk fills up while the run goes on
+    from carom import plot
     from carom.gas import files as checkpoint
-    from carom.plot import gas as drawing
 
     def full(*_args):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(checkpoint.os, "fsync", full)
-    monkeypatch.setattr(drawing, "plot_gas", _cannot)
+    monkeypatch.setattr(plot, "plot_gas", _cannot)
     out, lines = refusal(
         capsys, monkeypatch, "rough.toml", "--json", "--checkpoint", "c.npz", "--plot", "g.svg", "--measures", "m.json"
     )

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.data.plan import TablePlan
-from carom.data.rebound_files import Numbers, rebounds_of_columns
+from carom.data.rebound_files import reader_of_columns, rebounds_of_columns
 from carom.data.rebounds import Kind, Rebounds
 from carom.data.table_cells import decimal_commas, parse_numbers
 from carom.data.table_files import PARQUET, CsvTable, ParquetTable, TableChunk, add_note, row_label
@@ -192,16 +192,5 @@ def as_rebounds(
         return table
     faults = FaultList("rebounds")
     columns = as_columns(table, "rebounds")
-    headers, every = list(columns), list(columns.values())
-
-    def number(i: int, header: str) -> Numbers:
-        try:
-            return np.asarray(every[i], dtype=float), None
-        except (TypeError, ValueError):
-            faults.add(f"column {header!r}", "numbers", f"{every[i].tolist()[0]!r:.40}")
-        return np.full(len(every[i]), np.nan), None
-
-    rows = [f"row {i + 1}" for i in range(len(every[0]) if every else 0)]
-    return rebounds_of_columns(
-        headers, lambda i: every[i].astype(str).tolist(), number, rows, kind, stage, faults, "rebounds", ball
-    )
+    headers, cells, rows, number = reader_of_columns(list(columns), list(columns.values()), faults)
+    return rebounds_of_columns(headers, cells, number, rows, kind, stage, faults, "rebounds", ball)

@@ -334,13 +334,18 @@ def _read_csv(path: Path, faults: FaultList) -> Reader:
 def _read_parquet(path: Path, faults: FaultList) -> Reader:
     with ParquetTable(path) as table:
         arrow = table.whole()
-    lines = [f"row {i + 1}" for i in range(arrow.num_rows)]
+    return reader_of_columns(table.headers, [column.to_numpy() for column in arrow.columns], faults)
+
+
+def reader_of_columns(headers: list[str], columns: Sequence[NDArray[Any]], faults: FaultList) -> Reader:
+    """Return headers, cells, labels of rows and numbers of columns (N,)."""
 
     def number(i: int, header: str) -> Numbers:
-        values = arrow.column(i).to_pylist()
-        if all(value is None or isinstance(value, int | float) for value in values):
-            return np.array([np.nan if value is None else float(value) for value in values]), None
-        faults.add(f"column {header!r}", "numbers", str(arrow.column(i).type))
-        return np.full(len(values), np.nan), None
+        try:
+            return np.asarray(columns[i], dtype=float), None
+        except (TypeError, ValueError):
+            faults.add(f"column {header!r}", "numbers", f"{columns[i].tolist()[0]!r:.40}")
+        return np.full(len(columns[i]), np.nan), None
 
-    return list(table.headers), lambda i: arrow.column(i).to_pylist(), lines, number
+    rows = [f"row {i + 1}" for i in range(len(columns[0]) if columns else 0)]
+    return headers, lambda i: columns[i].tolist(), rows, number
