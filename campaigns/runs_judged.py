@@ -19,9 +19,10 @@ from reference.judged_runs import FAULTS, FILM_KINDS, KINDS, NOISES, faulty, fil
 from carom.tracks.verdicts import by_film_laws
 
 WRONG = (
-    ("hang", 0.1), ("hang", 0.2), ("hang", 0.4), ("jitter", 0.1), ("jitter", 0.2), ("kink", 0.1), ("long", 0.1), ("long", 0.2)
+    ("hang", 0.1), ("hang", 0.2), ("hang", 0.4), ("jitter", 0.1), ("jitter", 0.2), ("kink", 0.1), ("long", 0.1), ("long", 0.2),
+    ("gain", 1.05), ("gain", 1.15),
 )  # fmt: skip
-SHOWS = {"hang": "flight", "kink": "flight", "jitter": "steady", "long": "shape"}
+SHOWS = {"gain": "bounce", "hang": "flight", "kink": "flight", "jitter": "steady", "long": "shape"}
 
 
 def look(kind: str, seed: int) -> Row:

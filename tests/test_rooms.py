@@ -247,7 +247,7 @@ CAPS = {
     "fitting": 10546,
     "gas": 6947,
     "billiards": 5566,
-    "tracks": 9233,
+    "tracks": 9232,
     "simulation": 6460,
     "core": 5787,
     "laws": 4926,

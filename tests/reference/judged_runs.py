@@ -133,7 +133,7 @@ def film_of(kind, seed, wrong=None, size=0.0):
     """Return a ball that bounces before a camera, px: with drag, perspective, a rolled and tilted camera, shadows near the floor.
 
     ``wrong``: "hang": a wave of ``size`` radii on the height in the air; "jitter": places off by ``size`` radii; "long": an outline
-    longer than wide by a share; "kink": a blow at the top, by a share of the speed at the floor.
+    longer than wide by a share; "gain": a restitution; "kink": a blow at the top, by a share of the speed at the floor.
     """
     rng = np.random.default_rng([40 + FILM_KINDS.index(kind), seed])
     rate = rng.uniform(60, 240) * {"fast": 0.5, "few": 0.25}.get(kind, 1)
@@ -149,7 +149,7 @@ def film_of(kind, seed, wrong=None, size=0.0):
         v = v + step * (np.array([0.0, -9.81, 0.0]) - drag * np.linalg.norm(v) * v)
         x = x + step * v
         if x[1] < radius and v[1] < 0:
-            v[1] *= -e
+            v[1] *= -(size if wrong == "gain" else e)
             kinks = wrong == "kink"
         if kinks and v[1] < 0:  # (at the top after a bounce)
             v, kinks = np.append(v[:2] - size * np.array([0, 2 * np.sqrt(9.81 * x[1])]), v[2]), False

@@ -65,10 +65,19 @@ def test_a_ball_that_falls_at_one_speed_soon_after_its_top_is_found(falls: bool)
     assert by_film_laws(larger, "no scale").checked["flight"] == 0  # (perspective may do that)
 
 
+def test_a_ball_that_bounces_higher_each_time_is_found() -> None:
+    for seed in (16, 19, 34):
+        for e, wrong in ((1.15, True), (0.85, False)):
+            found = by_film_laws(film_of("clean", seed, "gain", e), "no scale")
+            assert bool(found.of("bounce")) is wrong
+            assert found.checked["bounce"] or not wrong
+
+
 def test_of_a_camera_that_moves_the_shape_alone_is_judged() -> None:
     found = by_film_laws(film_of("clean", 2, "long", 0.3)._replace(moves="a picture that moves"), "no scale")
     assert [one.law for one in found.violations] == ["shape"]
     assert "the camera moves" in found.unchecked["flight"]
+    # a ball that bounces higher each time, before a camera that sees all of it
     # as long a ball in the corner of a wide picture is one
     seen = film_of("clean", 2)
     assert by_film_laws(seen._replace(corner=(1.0, 1.0)), "").violations == []

@@ -322,9 +322,8 @@ def _pieces(row: BallRows, sigma: float, drag: float) -> Iterator[PathPiece]:
     edges = np.flatnonzero(np.diff(np.concatenate([[False], calm, [False]])))
     for low, high in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
         first, last = low, high + 2  # window i has the frames i to i + 3
-        if (
-            sigma > EXACT and last - first < FEW
-        ):  # (a bounce in the middle of four frames has no third difference, either)
+        # (a bounce in the middle of four frames has no third difference, either)
+        if sigma > EXACT and last - first < FEW:
             continue
         if sigma > EXACT and last - first > FEW + 2:  # (noise may hide an event within the last of them)
             first, last = first + 1, last - 1

@@ -24,6 +24,7 @@ FILM_LAWS = {
     "flight": "a ball in the air keeps one acceleration",
     "steady": "a ball moves smoothly from frame to frame",
     "shape": "a ball is round in a picture",
+    "bounce": "no bounce adds to height and time in the air",
 }
 UNITS = {"penetration": "m", "gravity": "m/s^2", "momentum": "N s", "energy": "J", "friction": "", "slip": ""}
 SIGMAS = 5.0  # a violation is larger than so many of its standard errors
@@ -113,7 +114,8 @@ MISFIT, MISFIT_PARTS, MISFIT_SHORT = (
     0.04,
     0.1,
     0.08,
-)  # radii: from one cubic, from two, and from one that is nearly a parabola
+)  # radii: from one cubic, from two, from one that is nearly a parabola
+LEAST_FLIGHT, HIGHER = 8, 0.1  # frames from bounce to bounce; of a fall, that a rise after it is larger
 CHANGE = 0.4  # of the acceleration, at the ends of a short part of a flight: drag and perspective change it by less
 SHALLOW = 3.0  # radii that a short part is high, at least
 SLOW, LEAST_SLOW = 0.3, 8  # radii from frame to frame that hardly blur; frames
@@ -130,7 +132,7 @@ NEAR_ENDS = 0.75  # of its height, of a flight: below, shadows and floors are ne
 UNSEEN = {
     "flight": "no flight that rises and falls, or a long way, is seen",
     "shape": "the ball is not seen slow, with a whole outline",
-    "steady": "",
+    "bounce": "fewer than three bounces in a row are seen",
 }
 
 
@@ -178,7 +180,7 @@ def by_film_laws(path: FilmPath, reason: str) -> Judgement:
     for one in found:
         judged.check(one.law, one.time, ["ball"], one.size, one.error, one.least, one.text)
     judged.violations.sort(key=lambda one: one.time)
-    judged.unchecked = {law: why or UNSEEN[law] for law, count in judged.checked.items() if not count}
+    judged.unchecked = {law: why or UNSEEN.get(law, "") for law, count in judged.checked.items() if not count}
     return judged
 
 
@@ -207,9 +209,10 @@ def film_findings(path: FilmPath) -> tuple[list[Finding], str]:
     text = f"its place scatters by {sigma:.2g} px from frame to frame, {sigma / r:.2g} of its radius"
     error = sigma / np.sqrt(max(len(fourth), 1))
     found += [Finding("steady", float(t[0]), sigma - max(SCATTER[0] * r, SCATTER[1]), error, 0.0, text, sigma)]
-    for first, last in zip(*_runs(rows, x, r), strict=True):
-        part = slice(first, last)
-        y = x[part, 1]
+    runs = _runs(rows, x, r)
+    found += _bounces(rows, t, x[:, 1], runs, noise)
+    for first, last in zip(*runs, strict=True):
+        y = x[first:last, 1]
         if len(y) < SHORT_RUN:
             continue
         top = int(np.argmin(y))
@@ -245,6 +248,30 @@ def film_findings(path: FilmPath) -> tuple[list[Finding], str]:
     return found, ""
 
 
+def _bounces(
+    rows: NDArray[np.intp], t: Array, y: Array, runs: tuple[list[int], list[int]], noise: float
+) -> list[Finding]:
+    """Return by how much more a ball rises after a bounce than it fell before it, if it is longer in the air as well.
+
+    It rises more in the picture where it goes away from a camera that looks down, and is longer in the air beyond the edge of a
+    table; both is energy.
+    """
+    found = list[Finding]()
+    between = [
+        sorted((max(last - 1, 0), min(first, len(y) - 1))) for first, last in zip(runs[0][1:], runs[1], strict=False)
+    ]
+    lows = [first + int(np.argmax(y[first : last + 1])) for first, last in between]
+    for one, two, three in zip(lows, lows[1:], lows[2:], strict=False):
+        if min(two - one, three - two) < LEAST_FLIGHT or np.diff(rows[one : three + 1]).max() > 2:
+            continue
+        fall, rise = (float(y[two] - y[a:b].min()) for a, b in ((one, two), (two, three)))
+        longer = t[three] - t[two] - (t[two] - t[one])
+        gained = rise - (1 + HIGHER) * fall if longer > 2 * np.median(np.diff(t)) else -fall
+        text = f"it rises by {rise:.3g} px after it fell by {fall:.3g} px, and is {longer:.2g} s longer in the air"
+        found.append(Finding("bounce", float(t[two]), gained, 3 * noise, 0.0, text, 0.0))
+    return found
+
+
 def _shape(path: FilmPath, rows: NDArray[np.intp]) -> list[Finding]:
     """Return how much longer than wide the outline is where the ball is slow; in perspective a sphere's is, too."""
     if path.outlines is None:
@@ -263,9 +290,8 @@ def _shape(path: FilmPath, rows: NDArray[np.intp]) -> list[Finding]:
     error = path.radius * float(np.median(off)) / np.sqrt(len(slow))
     text = f"its outline is {ratios[0]:.3g} times as long as wide, in {len(slow)} frames in which it hardly moves"
     k = slow[int(np.argmin(off))]
-    return [
-        Finding("shape", float(path.times[k]), float(long - allowed), max(error, 1e-3), NOISE * path.radius, text, 0.0)
-    ]
+    size, least = float(long - allowed), NOISE * path.radius
+    return [Finding("shape", float(path.times[k]), size, max(error, 1e-3), least, text, 0.0)]
 
 
 def _runs(rows: NDArray[np.intp], x: Array, r: float) -> tuple[list[int], list[int]]:

@@ -335,18 +335,8 @@ class Region(NamedTuple):
         dark = float(colour[0] / max(self.still.mean(), 1.0)) if share <= CORE[0] else 0.0
         (xx, xy), (_xy, yy) = moments.tolist()
         stretch = (xx - yy) / max(xx + yy, 0.1), 2 * xy / max(xx + yy, 0.1)
-        return Blob(
-            float(x.mean()),
-            float(y.mean()),
-            4.0 * len(x),
-            large,
-            small,
-            tuple(colour.tolist()),
-            self.cut,
-            core,
-            dark,
-            stretch,
-        )
+        tone = tuple(colour.tolist())
+        return Blob(float(x.mean()), float(y.mean()), 4.0 * len(x), large, small, tone, self.cut, core, dark, stretch)
 
     def part(self, which: Mask) -> Region:
         """Return some of the pixels."""
@@ -541,15 +531,7 @@ def cores_of(path: Path) -> Path | None:
     if len(some) < max(len(path.frames) / 2, 5):
         return None
     blobs = [
-        one._replace(
-            x=core[0],
-            y=core[1],
-            minor=core[2] / 2,
-            major=core[2] / 2,
-            area=np.pi * core[2] ** 2,
-            core=None,
-            stretch=(np.nan, np.nan),
-        )
+        Blob(*core[:2], np.pi * core[2] ** 2, core[2] / 2, core[2] / 2, one.colour, one.cut, shade=one.shade)
         for _k, one, core in some
     ]
     return Path([k for k, _one, _core in some], blobs)
