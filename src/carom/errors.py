@@ -174,11 +174,9 @@ class FaultList(list[Fault]):
 
     def attempt(self, action: Callable[..., Any], *args: Any, **options: Any) -> Any:
         """Return the result of an action; if it raises CaromError, take its faults and return None."""
-        try:
+        with collected(self):
             return action(*args, **options)
-        except CaromError as error:
-            self += error.records
-            return None
+        return None
 
     def add_remedy(self, field: str, advice: str) -> None:
         """Set the remedy of a field's fault."""
