@@ -52,10 +52,10 @@ def one(seed: int, known: bool) -> dict[str, Any]:
 
 def plot(rows: list[dict[str, Any]], path: Path) -> None:
     """Histograms of (fitted - true) / error, beside the normal curve."""
-    from carom.plot.style import GREY, INK, save, sheet, style
+    from carom.plot.style import GREY, INK, new_figure, save, style
 
     with style():
-        figure = sheet(9.6, 2.7)
+        figure = new_figure(9.6, 2.7)
         z = np.linspace(-4, 4, 200)
         for axes, name in zip(figure.subplots(1, len(NUMBERS), sharey=True), NUMBERS, strict=True):
             pulls = np.array([row["pulls"][name] for row in rows if name in row.get("pulls", {})])
