@@ -110,7 +110,7 @@ def test_a_sweep_over_air_is_its_runs() -> None:
     for i, density in enumerate((0.5, 1.2)):
         for j, drag in enumerate((0.3, 0.5)):
             run = api.simulate(api.replaced(scene, {"air.density": density, "balls.0.drag": drag}))
-            assert np.abs(found[i, j] - run.final.position).max() < 1e-14
+            assert np.array_equal(found[i, j], run.final.position)
 
 
 def test_a_sweep_names_the_points_that_air_ends() -> None:

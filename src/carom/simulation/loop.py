@@ -45,6 +45,7 @@ from carom.simulation.contact_kinds import (
 from carom.simulation.motion import (
     begin_next_piece,
     begin_phase,
+    is_in_air,
     is_slow,
     move_by,
     set_on_floor,
@@ -426,8 +427,10 @@ def run(
 def finish(world: Any, balls: Any, t: float) -> None:
     """Advance every ball that is still followed to the time t."""
     for i in range(balls.shape[0]):
-        if balls[i].phase < HELD and t > balls[i].clock:
-            move_by(world, balls[i], t - balls[i].clock, t)
+        ball = balls[i]
+        if ball.phase < HELD and t > ball.clock:
+            # (in air as from the last event on, with the bits of who begins there)
+            move_by(world, ball, (t - ball.since) - ball.begun if is_in_air(ball) else t - ball.clock, t)
 
 
 # ----------------------------------------------------------------------------------------------------

@@ -29,7 +29,7 @@ from carom.core.motion.air import (
     piece_rates,
     place_in_piece,
     spin_in_piece,
-    turn_in_piece,
+    turn_in_flight,
 )
 from carom.core.motion.phases import (
     BOUNCING,
@@ -156,10 +156,10 @@ def is_slow(world: Any, v: Vec, w: Vec, a: float) -> bool:
 @kernel
 def move_by(world: Any, ball: Any, s: float, t: float) -> None:
     """Advance a ball by s, to the time t."""
-    y, v, whole = vector(ball.x), vector(ball.v), s
+    y, v, whole, begun = vector(ball.x), vector(ball.v), s, ball.begun
     while goes_on_in_air(ball) and without_slopes(s) > without_slopes(ball.lasts):
-        s = s - without_slopes(ball.lasts)
         begin_next_piece(world, ball)
+        s = whole - (ball.begun - begun)
     x, v1, w = state_after(world, ball, s)
     write_vector(ball.x, x)
     write_vector(ball.v, v1)
@@ -273,6 +273,7 @@ def begin_phase(world: Any, ball: Any) -> None:
         ball.lean[3] = 0 * ball.radius
     if feels_air(world, ball):
         ball.decays, ball.fade, ball.lean[3] = IN_AIR, 0 * ball.radius, 0 * ball.radius
+        ball.since, ball.begun = ball.clock, 0.0
         begin_piece(world, ball, 0.0, _time_to_floor(world, ball, acc))
     elif ball.phase != BOUNCING:  # whose end was set when its bounces were found to be clear of everything else
         ball.lasts = lasts
@@ -313,9 +314,13 @@ def _time_to_floor(world: Any, ball: Any, acc: Vec) -> float:
 @kernel
 def begin_next_piece(world: Any, ball: Any) -> None:
     """Move a ball in air to the end of its piece, and begin the next one; its clock and its count of events stay."""
-    x, v, w = place_in_piece(ball, without_slopes(ball.lasts))
+    lasts = without_slopes(ball.lasts)
+    ball.begun = ball.begun + lasts
+    x, v, w = place_in_piece(ball, lasts)
     if ball.ends == SPIN_ENDS:
         w = (w[0], w[1], 0 * x[0])
+        for k in range(2, 9):
+            ball.work[7 * k + 5] = 0 * x[0]
     write_vector(ball.x, x)
     write_vector(ball.v, v)
     write_vector(ball.w, w)
@@ -370,7 +375,7 @@ def acceleration_in(ball: Any, v: Vec, w: Vec, s: float) -> Vec:
 def error_ahead(ball: Any, s: float, ahead: float) -> float:
     """Return how far from its present parabola a floor or the air can turn a ball, a time s after its clock, within ``ahead``."""
     if is_in_air(ball):
-        return error_in_piece(ball, s, ahead)
+        return error_in_piece(ball, ahead)
     if not is_turned_downhill(ball):
         return 0 * ahead
     _x, v, w = state_at(ball, s)
@@ -381,7 +386,7 @@ def error_ahead(ball: Any, s: float, ahead: float) -> float:
 def error_from(ball: Any, v: Vec, w: Vec, s: float, ahead: float) -> float:
     """Return the same of a ball on a path that is no parabola, which moves with v and w at that time."""
     if is_in_air(ball):
-        return error_in_piece(ball, s, ahead)
+        return error_in_piece(ball, ahead)
     return course_error(ball.phase, v, w, ball.radius, lean(ball), ahead)
 
 
@@ -405,7 +410,7 @@ def state_rows(worlds: Any, balls: Any, after: Any) -> None:
 def _turned_in_piece(ball: Any, q: Quaternion, s: float) -> Quaternion:
     """Return the orientation a time s after the beginning of a piece in air, where it was q."""
     if ball.phase == FLIGHT:  # the axis of the spin stays
-        return compose(rotation(turn_in_piece(ball, s)), q)
+        return compose(rotation(turn_in_flight(ball, s)), q)
     w = vector(ball.w)
     steps = 1 + int(s * math.sqrt(dot(w, w)) / STEP)
     h = s / steps

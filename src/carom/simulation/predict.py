@@ -26,7 +26,7 @@ from carom.core.geometry.features import (
     time_to_end,
 )
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, vector
-from carom.core.motion.air import PHASE_ENDS, way_of_piece
+from carom.core.motion.air import PHASE_ENDS, fall_in_piece, way_of_piece
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, decay_integrals, time_of_path
 from carom.core.roots.first_root import hit2, hit4
 from carom.simulation.motion import (
@@ -80,17 +80,19 @@ def _landing_time(ball: Any, until: float, slow: float) -> float:
     """Return the time in [0, until] at which a ball in air touches the floor, or infinity: as :func:`_turning_touch_time`."""
     t = 0 * until
     for _ in range(MOST_STEPS):
-        left = until - t
-        x, v, acc = motion_in(ball, t)
-        gap = x[2] - ball.radius
-        first = hit2(gap, v[2], acc[2] / 2, left, slow)
-        if first == 0 or t + first == t:
-            return t
-        ahead = min(left, 2 * first)
-        allowed = max(abs(gap) / 2, ROUNDING * ball.radius)
-        while error_ahead(ball, t, ahead) > allowed:
-            ahead = ahead / 2
-        step = hit2(gap - error_ahead(ball, t, ahead), v[2], acc[2] / 2, ahead, slow)
+        z, v, acc = fall_in_piece(ball, t)
+        gap, ahead, first = z - ball.radius, until - t, math.inf
+        error, allowed = error_ahead(ball, t, ahead), max(abs(gap) / 2, ROUNDING * ball.radius)
+        if error > allowed or gap <= allowed:
+            first = hit2(gap, v, acc / 2, ahead, slow)
+            if first == 0 or t + first == t:
+                return t
+            ahead = min(ahead, 1.25 * first)
+            error = error_ahead(ball, t, ahead)
+            while error > allowed:
+                ahead = ahead / 2
+                error = error_ahead(ball, t, ahead)
+        step = hit2(gap - error, v, acc / 2, ahead, slow)
         if step == 0:
             step = min(first, ahead)
         t = t + min(step, ahead)
@@ -274,13 +276,34 @@ def _lands_first(world: Any, features: Any, ball: Any, slow: float) -> bool:
 
 @kernel
 def _first_on_parabola(features: Any, ball: Any, until: float, slow: float) -> int:
-    """Return what a ball that a slope or air turns would meet first on its parabola, or -1: it bounds the searches on its path."""
+    """Return what a ball that a slope turns would meet first on its parabola, or -1: it bounds the searches on its path."""
     best, first = until, -1
-    turns = is_turned_downhill(ball) or is_in_air(ball)
-    for k in range(features.shape[0] if turns else 0):
+    for k in range(features.shape[0] if is_turned_downhill(ball) else 0):
         s = feature_hit(features[k], ball.radius, vector(ball.x), vector(ball.v), vector(ball.acc), best, slow)
         best, first = (s, k) if s < best else (best, first)
     return first
+
+
+@kernel
+def _misses(f: Any, ball: Any, until: float, slow: float) -> bool:
+    """Return whether a ball in air cannot meet feature f: it is too far, or one larger by the error of its parabola misses it."""
+    a, x = ball.radius, vector(ball.x)
+    if is_out_of_reach(f, a, x, way_of_piece(ball)):
+        return True
+    error, v, acc = error_ahead(ball, 0 * until, until), vector(ball.v), vector(ball.acc)
+    if not error <= abs(feature_gap(f, a, x)) / 2 or (f.yield_time > 0 and gap_to_feature(f, a, x) < 0):
+        return False
+    return bool(feature_hit(f, a, x, v, acc, until, slow, error) == math.inf)
+
+
+@kernel
+def _are_apart(ball: Any, other: Any) -> bool:
+    """Return whether two balls, each in air or at rest, are too far from each other to meet in their pieces."""
+    if not is_in_air(ball) or not (is_in_air(other) or other.phase == REST):
+        return False
+    reach = ball.radius + other.radius + way_of_piece(ball) + (way_of_piece(other) if is_in_air(other) else 0.0)
+    r = (ball.x[0] - other.x[0], ball.x[1] - other.x[1], ball.x[2] - other.x[2])
+    return bool(dot(r, r) > reach * reach)
 
 
 @kernel
@@ -301,13 +324,13 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
         best = ball.lasts
     if phase < REST:
         x, v, acc = vector(ball.x), vector(ball.v), vector(ball.acc)
-        bends = has_no_parabola(ball)
+        bends, flies = has_no_parabola(ball), is_in_air(ball)
         guess = _first_on_parabola(features, ball, best, slow)
         for k in range(-1, 0 if _lands_first(world, features, ball, slow) else features.shape[0]):
             f = k if k >= 0 else guess
             if f < 0 or k == guess:
                 continue
-            if is_in_air(ball) and is_out_of_reach(features[f], a, x, way_of_piece(ball)):
+            if flies and _misses(features[f], ball, best, slow):
                 continue
             if ball.borne_by == f + 1:  # it moves along it, up to its end
                 s = time_to_end(features[f], a, x, v, acc, best)
@@ -321,7 +344,7 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
             if s < best or (s == best and kind == NOTHING and s < math.inf):
                 best, kind, who = s, _kind_of(features[f]), f
         if phase == FLIGHT and world.floor != 0:
-            s = _landing_time(ball, best, slow) if is_in_air(ball) else hit2(x[2] - a, v[2], acc[2] / 2, best, slow)
+            s = _landing_time(ball, best, slow) if flies else hit2(x[2] - a, v[2], acc[2] / 2, best, slow)
             if s < best or (s == best and kind == NOTHING and s < math.inf):
                 best, kind, who = s, FLOOR, -1
     if phase < HELD:
@@ -330,6 +353,8 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
             if k == i or other.phase >= HELD or (phase == REST and other.phase == REST):
                 continue
             if BOUNCING in (phase, other.phase):  # clear of each other, or it would not be bouncing (resting_contact)
+                continue
+            if _are_apart(ball, other):
                 continue
             # the other ball stays on its path up to its next event, after which the pair is predicted anew
             now = max(ball.clock, other.clock)

@@ -132,14 +132,16 @@ BALLS = np.dtype(
         ("wall_push", _NUMBER, (9,)),  # impulses
         # friction at the members before it that are near (carom.simulation.cluster_friction); in air, where there are no clusters,
         # the piece of its path (carom.core.motion.air)
-        ("work", _NUMBER, (96,)),
+        ("work", _NUMBER, (122,)),
         ("wall_rub", _NUMBER, (24,)),
         # in air: rho pi a^2/(2 m), the share of its weight that air bears, the decay of its spin; first and last segment of its
-        # laws of drag and lift, and those of the piece; the piece's span, s, and about how long the next one will be
-        *((name, _NUMBER) for name in ("air", "buoyancy", "spin_decay", "span", "guess")),
+        # laws of drag and lift, and those of the piece; the piece's span, s, and about how long the next one will be; the time of
+        # the last event, and how long after that the piece has begun
+        *((name, _NUMBER) for name in ("air", "buoyancy", "spin_decay", "span", "guess", "since", "begun")),
         *((f"{name}{which}", _WHOLE) for name in ("drag", "lift") for which in ("", "_last", "_now")),
-        # what ends with the piece; on the floor, the sign of the spin about the vertical, and, if its last number is not 0, the
-        # direction that friction keeps
+        # the order of the piece, and what ends with it; on the floor, the sign of the spin about the vertical, and, if its last
+        # number is not 0, the direction that friction keeps
+        ("order", _WHOLE),
         ("ends", _WHOLE),
         ("sense", _WHOLE),
         ("course", *_VECTOR),

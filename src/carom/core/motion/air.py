@@ -6,18 +6,19 @@ With u = v - wind, s = |u|, S = a |w| / s and n = w / |w|
 
 C_D and C_L functions of s (of the Reynolds number) and S, d the decay of the spin. On the floor, with the load N = -v'_z of these,
 a slip q is slowed by the friction mu N, against it; a ball that rolls moves as force and torque of the air turn it about the point
-of contact, less (resistance + rolling_drag |v|) N. There is no closed form. A piece of the path is
-the polynomial whose accelerations are those at the eight nodes of Gauss and Radau, found by iteration (E. Everhart, in Dynamics of
-Comets, eds A. Carusi & G. B. Valsecchi (1985), p. 185; H. Rein & D. S. Spiegel, MNRAS 446, 1424 (2015)): order 15 at its end, and
-within it as long as its coefficients say it is right to FINEST. All is + - * / and sqrt. The end of a piece is no event.
+of contact, less (resistance + rolling_drag |v|) N. There is no closed form. A piece of the path is a polynomial. In flight it is
+the Taylor series of the velocity, of an order up to MOST_ORDERS, found coefficient by coefficient, as long as its last terms are
+small. On the floor, where friction has a corner at a slip of zero, its accelerations are those of the ball at the eight nodes of
+Gauss and Radau, found by iteration (E. Everhart, in Dynamics of Comets, eds A. Carusi & G. B. Valsecchi (1985), p. 185; H. Rein &
+D. S. Spiegel, MNRAS 446, 1424 (2015)). All is + - * / and sqrt. The end of a piece is no event.
 
-The kernels take the record of a ball. Its ``work`` holds, for the piece, the coefficients of the powers 1 to 7 of the accelerations
-of place and spin over the piece's span, six for each power; then work memory, and bounds of their sizes.
+The kernels take the record of a ball. Its ``work`` holds seven numbers for each power of the time (as a share of the span, but for
+the first two): velocity (relative to the air while the series is found); in flight the speed in the air, s C_D, s C_L / |w| and the
+share of the spin that is left, on the floor the spin. Then work memory.
 """
 
 from __future__ import annotations
 
-import functools
 import math
 from typing import Any
 
@@ -45,31 +46,46 @@ NODES = (
 )  # fmt: skip
 
 
-def _powers(k: int) -> tuple[float, ...]:
-    """Return the coefficients of the powers 0 to 7 of t (t - t_1) ... (t - t_(k-1))."""
-    found = [0.0, 1.0]
-    for node in NODES[1:k]:
-        found = [low - node * high for low, high in zip([0.0, *found], [*found, 0.0], strict=True)]
-    return tuple(found + [0.0] * (8 - len(found)))
+def _through(k: int) -> tuple[float, ...]:
+    """Return the coefficients of the powers 0 to 7 of t of the polynomial that is 1 at node k, and 0 at the others."""
+    found = [1.0]
+    for m, node in enumerate(NODES):
+        if m != k:
+            c = 1 / (NODES[k] - node)
+            found = [c * (low - node * high) for low, high in zip([0.0, *found], [*found, 0.0], strict=True)]
+    return tuple(found)
 
 
-# Newton's polynomials in powers, 8 a row
-POWERS: tuple[float, ...] = functools.reduce(lambda all_of, k: all_of + _powers(k), range(1, 8), (0.0,) * 8)
-
-INVERSE: tuple[float, ...] = tuple(1 / (a - b) if a > b else 0.0 for a in NODES for b in NODES)
-CHOOSE: tuple[float, ...] = tuple(float(math.comb(p, k)) for p in range(8) for k in range(8))
-ONCE, TWICE = tuple(1 / (p + 1) for p in range(8)), tuple(1 / ((p + 1) * (p + 2)) for p in range(8))
+# Of values at the nodes 1 to 7, 7 a row: the integrals from 0 to each node; the coefficients of the powers 1 to 7
+POWERS: tuple[float, ...] = tuple(_through(k)[p] for p in range(1, 8) for k in range(1, 8))
+MATRIX: tuple[float, ...] = (
+    *(
+        sum(POWERS[7 * (p - 1) + k] * NODES[n] ** (p + 1) / (p + 1) for p in range(7, 0, -1))
+        for n in range(1, 8)
+        for k in range(7)
+    ),
+    *POWERS,
+)
+MOST_ORDERS = 16
+SHARES = tuple(1 / (k + 1) for k in range(MOST_ORDERS + 1))
+SPEED, DRAG, FADE, LIFT = 3, 4, 5, 6  # columns in flight
+# Of ``work``: accelerations at the nodes 1 to 7; a sixth of how fast the acceleration changes at most, and how far the ball comes
+RATES, ERROR, WAY = 70, 120, 121
 
 FINEST = 3e-14  # m: how far a place may be from the polynomial of one degree more
+LAST_TERM = 5e-13  # m/s: of a series
 OFF = 1.4e-7  # the largest value of the second integral of t (t - t_1) ... (t - t_7)
 SHORTEST = 1e-15  # s
-SETTLED, MOST_ROUNDS = 1e-8, 20  # of the accelerations: a change that is rounding; of finding them
+# A change of a velocity that is rounding, as shares of the piece's and of the ball's own; rounds of finding accelerations
+SETTLED, ROUNDING, MOST_ROUNDS = 2e-12, 4e-16, 20
 # Drag has a corner where a ball turns round in the air: pieces that begin below this speed, m/s, have the laws of where they begin.
-# As shares of the time in which that speed changes by itself: the longest piece while it falls, and the first one.
-SLOW, SLOW_ON_FLOOR, CORNER, FIRST = 5e-4, 5e-6, 0.35, 0.25
+# As shares of the time in which that speed changes by itself: the longest piece while it falls, and while it grows (rounding grows
+# with its powers), and the first one on the floor.
+SLOW, SLOW_ON_FLOOR, CORNER, NOISE, CORNER_OF_SLIP, FIRST = 5e-4, 5e-6, 0.5, 4.0, 0.45, 0.25
 LONGEST = 100.0  # s
 LAWS = 24  # segments of all laws of drag and lift
 CLOSE = 1e-6  # s: within that time a law is left at no knot
+STRAIGHT = 2.0  # of ``course``: the direction is that to the end; 1: in the piece that ends the slip
 # What ends with a piece: nothing, the phase, the spin about the vertical, or what is followed
 GOES_ON, PHASE_ENDS, SPIN_ENDS, LOST = range(4)
 # m/s: friction has a corner where a slip, and rolling resistance where a velocity, is zero; below this all but the slip is constant
@@ -258,102 +274,249 @@ def bounces_in_air(world: Any, ball: Any, until: float) -> tuple[Vec, Vec, Vec, 
 
 
 @kernel
-def _integral(c: Any, i: int, t: float) -> float:
-    """Return the integral of the powers 1 to 7 of component i up to t, over t."""
-    high = ((c[36 + i] * ONCE[7] * t + c[30 + i] * ONCE[6]) * t + c[24 + i] * ONCE[5]) * t + c[18 + i] * ONCE[4]
-    return (((high * t + c[12 + i] * ONCE[3]) * t + c[6 + i] * ONCE[2]) * t + c[i] * ONCE[1]) * t  # type: ignore[no-any-return]
+def _series(ball: Any, i: int, t: float) -> tuple[Vec, Vec]:
+    """Return columns i to i + 2 of the piece's polynomials, from the second power on, at a share t of the span; and their integrals
+    over the time, over its square.
+    """
+    c, h, none = ball.work, ball.span, 0 * t
+    x, y, z, p, q, r = none, none, none, none, none, none
+    for n in range(ball.order - 1):
+        k = ball.order - n
+        share, k = SHARES[k], 7 * k + i
+        x, y, z = (x + c[k]) * t, (y + c[k + 1]) * t, (z + c[k + 2]) * t
+        p, q, r = (p + share * c[k]) * t, (q + share * c[k + 1]) * t, (r + share * c[k + 2]) * t
+    return (x * t, y * t, z * t), (p / h, q / h, r / h)
 
 
 @kernel
-def _double(c: Any, i: int, t: float) -> float:
-    """Return the integral of that integral times t, over t^2."""
-    high = ((c[36 + i] * TWICE[7] * t + c[30 + i] * TWICE[6]) * t + c[24 + i] * TWICE[5]) * t + c[18 + i] * TWICE[4]
-    return (((high * t + c[12 + i] * TWICE[3]) * t + c[6 + i] * TWICE[2]) * t + c[i] * TWICE[1]) * t  # type: ignore[no-any-return]
+def place_in_piece(ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
+    """Return position, velocity and spin a time s after the beginning of the piece."""
+    t, h, x, v, b = s / ball.span, s * s, ball.x, ball.v, ball.acc
+    e, d = _series(ball, 0, t)
+    place = (
+        x[0] + v[0] * s + h * (b[0] / 2 + d[0]), x[1] + v[1] * s + h * (b[1] / 2 + d[1]), x[2] + v[2] * s + h * (b[2] / 2 + d[2]),
+    )  # fmt: skip
+    return place, (v[0] + s * b[0] + e[0], v[1] + s * b[1] + e[1], v[2] + s * b[2] + e[2]), spin_in_piece(ball, s)
 
 
 @kernel
-def _motion(ball: Any, t: float) -> tuple[Vec, Vec]:
-    """Return velocity and spin at a share t of the span, from the coefficients so far."""
-    c, h, v, b, w = ball.work, ball.span * t, ball.v, ball.acc, ball.w
-    velocity = (
-        v[0] + h * (b[0] + _integral(c, 0, t)),
-        v[1] + h * (b[1] + _integral(c, 1, t)),
-        v[2] + h * (b[2] + _integral(c, 2, t)),
-    )
+def spin_in_piece(ball: Any, s: float) -> Vec:
+    """Return the spin a time s after the beginning of the piece."""
+    w, b = ball.w, ball.turn
     if ball.phase == FLIGHT and not acts(ball.spin_decay):
-        return velocity, (w[0] + 0 * h, w[1] + 0 * h, w[2] + 0 * h)
-    b = ball.turn
-    return velocity, (
-        w[0] + h * (b[0] + _integral(c, 3, t)),
-        w[1] + h * (b[1] + _integral(c, 4, t)),
-        w[2] + h * (b[2] + _integral(c, 5, t)),
-    )
+        return (w[0] + 0 * s, w[1] + 0 * s, w[2] + 0 * s)
+    e, _d = _series(ball, SPEED, s / ball.span)
+    if ball.phase == FLIGHT:
+        f = 1 + e[2]
+        return (w[0] * f + s * b[0], w[1] * f + s * b[1], w[2] * f + s * b[2])
+    z = w[2] + s * b[2] + e[2]
+    # (the spin about the vertical ends, and does not turn round)
+    return (w[0] + s * b[0] + e[0], w[1] + s * b[1] + e[1], z if ball.sense * without_slopes(z) > 0 else 0 * z)
 
 
 @kernel
-def _size(ball: Any, p: int) -> float:
-    """Return the size of the coefficients of a power, of places and of a point of the surface."""
-    k, a = 6 * (p - 1), ball.radius
-    c = ball.work
-    turn = c[k + 3] * c[k + 3] + c[k + 4] * c[k + 4] + c[k + 5] * c[k + 5]
-    return _root(c[k] * c[k] + c[k + 1] * c[k + 1] + c[k + 2] * c[k + 2] + a * a * turn)
+def fall_in_piece(ball: Any, s: float) -> Vec:
+    """Return height, and its first two derivatives, a time s after the beginning of the piece."""
+    c, t, h, x, v, b = ball.work, s / ball.span, ball.span, ball.x[2], ball.v[2], ball.acc[2]
+    e, d, a = 0 * t, 0 * t, 0 * t
+    for n in range(ball.order - 1):
+        k = ball.order - n
+        g = c[7 * k + 2]
+        e, d, a = (e + g) * t, (d + SHARES[k] * g) * t, (a + k * g) * t
+    return (x + v * s + s * s * (b / 2 + d / h), v + s * b + e * t, b + a / h)
+
+
+@kernel
+def _size(ball: Any, k: int) -> float:
+    """Return the size of the coefficients of a power, of a point of the surface of a ball on the floor."""
+    c, i, a = ball.work, 7 * k, ball.radius
+    turn = c[i + 3] * c[i + 3] + c[i + 4] * c[i + 4] + c[i + 5] * c[i + 5]
+    return _root(c[i] * c[i] + c[i + 1] * c[i + 1] + c[i + 2] * c[i + 2] + a * a * turn)
+
+
+@kernel
+def _coefficient(laws: Any, k: int, ball: Any, n: int, column: int, square: float, spin: float, size: float) -> float:
+    """Return coefficient n of s C by segment k of a law, over ``size``; ``square``: that of s^2, ``spin`` = a |w| at the beginning.
+
+    The former ones are in a column of ``work``, from which the quotients of (1 + r S) and of p3 / s follow.
+    """
+    c, i, r, q = ball.work, 7 * n, laws[8 * k + 7] * spin, laws[8 * k + 6] * ball.radius
+    s, fades, p0 = c[SPEED], acts(ball.spin_decay), laws[8 * k + 2]
+    if column == DRAG:
+        q = laws[8 * k + 6] * spin
+    if n == 0:
+        found = q + _without_spin(laws, k, s) / size if size > 0 else q
+        return found * _share(laws, k, s, spin)  # type: ignore[no-any-return]
+    found = q * c[i + FADE] if fades else 0 * q
+    if size > 0:
+        found = found + (p0 * c[i + SPEED] + laws[8 * k + 3] * square) / size
+    if r > 0:
+        # X (s + r f) = N s, of N without quotients
+        found = found * s
+        for m in range(n):
+            j, o = 7 * m, 7 * (n - m)
+            before, below = q * c[j + FADE] if fades or m == 0 else 0 * q, c[o + SPEED]
+            if size > 0:
+                before = before + p0 * c[j + SPEED] / size
+            if fades:
+                below = below + r * c[o + FADE]
+            found = found + before * c[o + SPEED] - c[j + column] * below
+        found = found / (s + r)
+    if laws[8 * k + 5] != 0 and size > 0 and s > 0:
+        # X = p0 s + p2 + p3/s
+        rest = 0 * found
+        for m in range(n):
+            j = 7 * m
+            one = c[j + column] - (p0 * c[j + SPEED] + (laws[8 * k + 4] + 0 * s if m == 0 else 0 * s)) / size
+            rest = rest + one * c[7 * (n - m) + SPEED]
+        found = found - rest / s
+    return found  # type: ignore[no-any-return]
+
+
+@kernel
+def _speed_terms(c: Any, n: int) -> tuple[float, float]:
+    """Return coefficient n of the square of the speed in the air, and of the speed."""
+    square, known, i = 0 * c[0], 0 * c[0], 7 * n
+    for m in range(n + 1):
+        j, o = 7 * m, i - 7 * m
+        square = square + (c[j] * c[o] + c[j + 1] * c[o + 1] + c[j + 2] * c[o + 2])
+        if 0 < m < n:
+            known = known + c[j + SPEED] * c[o + SPEED]
+    return square, _root(square) if n == 0 else (square - known) / (2 * c[SPEED])
+
+
+@kernel
+def _times_velocity(c: Any, column: int, n: int, first: int) -> Vec:
+    """Return coefficient n of a column's product with the velocity, without the column's coefficients before the first."""
+    x, y, z = 0 * c[0], 0 * c[0], 0 * c[0]
+    for m in range(first, n + 1):
+        g, o = c[7 * m + column], 7 * (n - m)
+        x, y, z = x + g * c[o], y + g * c[o + 1], z + g * c[o + 2]
+    return x, y, z
+
+
+@kernel
+def _expand(world: Any, ball: Any, fixed: float, horizon: float) -> float:
+    """Find the series of a flight, to an order that is enough up to ``horizon``; return how long it is right."""
+    c, laws, a, w = ball.work, world.laws, ball.radius, vector(ball.w)
+    size, fade, fades = _root(dot(w, w)), -ball.spin_decay / ball.radius, acts(ball.spin_decay)
+    # (a lift along the spin ratio alone is that spin's, which stays)
+    k = 8 * ball.lift_now
+    varies = (
+        fades or acts(laws[k + 2]) or acts(laws[k + 3]) or acts(laws[k + 4]) or acts(laws[k + 5]) or acts(laws[k + 7])
+    )
+    for i in range(3):
+        c[i], c[i + 7] = ball.v[i] - world.wind[i], ball.acc[i]
+    c[FADE], ball.order = 1 + 0 * a, MOST_ORDERS
+    here, last, reach, small = 0.0, 0.0, horizon, LAST_TERM * LAST_TERM
+    for n in range(MOST_ORDERS):
+        i, square = 7 * n, 0 * a
+        if fixed >= 0:
+            c[i + SPEED] = fixed + 0 * a if n == 0 else 0 * a
+        else:
+            square, c[i + SPEED] = _speed_terms(c, n)
+        c[i + DRAG] = _coefficient(laws, ball.drag_now, ball, n, DRAG, square, a * size, 1.0)
+        if varies or n == 0:
+            c[i + LIFT] = _coefficient(laws, ball.lift_now, ball, n, LIFT, square, a * size, size)
+        if fades:
+            f = 0 * a
+            for m in range(n + 1):
+                f = f + c[7 * m + SPEED] * c[i - 7 * m + FADE]
+            c[i + 7 + FADE] = fade * f * SHARES[n]
+        if n == 0:
+            continue
+        back, (x, y, z) = _times_velocity(c, DRAG, n, 0), _times_velocity(c, LIFT, n, 1 if varies else n + 1)
+        side = cross(w, (c[LIFT] * c[i] + x, c[LIFT] * c[i + 1] + y, c[LIFT] * c[i + 2] + z))
+        g, i, before = ball.air * SHARES[n], i + 7, here
+        c[i], c[i + 1], c[i + 2] = g * (side[0] - back[0]), g * (side[1] - back[1]), g * (side[2] - back[2])
+        f = a * size * c[i + FADE] if fades else 0 * a
+        here, reach = without_slopes(c[i] * c[i] + c[i + 1] * c[i + 1] + c[i + 2] * c[i + 2] + f * f), reach * horizon
+        far = here * (reach * reach)
+        if n > 3 and far <= small and last <= small:
+            ball.order = n + 1
+            break
+        last = far
+    h = horizon
+    if ball.order == MOST_ORDERS and max(here, before) > 0:
+        # the 32nd root
+        h = min(h, 0.9 * math.sqrt(math.sqrt(_eighth_root(small / max(here, before)))))
+    reach = h
+    for n in range(2, ball.order + 1):
+        reach, i = reach * h, 7 * n
+        c[i], c[i + 1], c[i + 2] = reach * c[i], reach * c[i + 1], reach * c[i + 2]
+        if fades:
+            c[i + FADE] = reach * c[i + FADE]
+    return float(h)
 
 
 @kernel
 def _guess(ball: Any, shift: float, ratio: float) -> None:
-    """Begin with the polynomial there is, from the share ``shift`` of its span on, over ``ratio`` of its span; 0: with none."""
-    c, none = ball.work, 0 * ball.span
+    """Begin with accelerations of the polynomial there is, from the share ``shift`` of its span on, over ``ratio`` of its span."""
+    c, h = ball.work, ball.span
     for i in range(6):
-        scale = 1.0
-        for k in range(1, 8):
-            scale = scale * ratio
-            found = none
-            for p in range(7, k - 1, -1):
-                found = found * shift + CHOOSE[8 * p + k] * c[6 * (p - 1) + i]
-            c[6 * (k - 1) + i] = found * scale if ratio > 0 else none
-        for n in range(7, 0, -1):
-            g = c[6 * (n - 1) + i]
-            for p in range(n + 1, 8):
-                g = g - c[42 + 6 * (p - 1) + i] * POWERS[8 * p + n]
-            c[42 + 6 * (n - 1) + i] = g
+        first = 0 * h
+        for n in range(8):
+            t, value = shift + ratio * NODES[n], 0 * h
+            for k in range(7 if ratio > 0 else 0):
+                value = (value + (8 - k) * c[56 - 7 * k + i]) * t
+            first = value if n == 0 else first
+            c[RATES + 6 * (n - 1) + i] = (value - first) / h if ratio > 0 else value
+
+
+@kernel
+def _at_nodes(c: Any, row: int) -> tuple[float, float, float, float, float, float]:
+    """Return the product of seven numbers of MATRIX with the six accelerations at the nodes."""
+    x, y, z = 0 * c[RATES], 0 * c[RATES], 0 * c[RATES]
+    p, q, r = x, x, x
+    for k in range(7):
+        g, o = MATRIX[row + k], RATES + 6 * k
+        x, y, z = x + g * c[o], y + g * c[o + 1], z + g * c[o + 2]
+        p, q, r = p + g * c[o + 3], q + g * c[o + 4], r + g * c[o + 5]
+    return x, y, z, p, q, r
 
 
 @kernel
 def _collocate(world: Any, ball: Any, fixed: float) -> float:
-    """Find the coefficients over the ball's span; return the error of a place within it, m (infinity: there are none)."""
+    """Find the polynomial over the ball's span; return the error of a place within it, m (infinity: there is none).
+
+    Rounds from node to node: the velocity there by the integral of the accelerations, and the acceleration by the velocity.
+    """
     c, acc, turn = ball.work, vector(ball.acc), vector(ball.turn)
-    scale = without_slopes(_root(dot(acc, acc)) + ball.radius * _root(dot(turn, turn)))
-    settled, many = False, 6 if ball.phase != FLIGHT or acts(ball.spin_decay) else 3
-    least = 0
-    if carries_slopes(acc[0] + acc[1] + acc[2]):  # (those of a slip that ends follow it slowly)
-        least = 10 if ball.phase == FLIGHT else MOST_ROUNDS
-    for count in range(MOST_ROUNDS):
-        if settled and count >= least:
-            break
-        last = 0 * ball.span
+    v, w, h, a = vector(ball.v), vector(ball.w), ball.span, ball.radius
+    scale = without_slopes(h * (_root(dot(acc, acc)) + a * _root(dot(turn, turn))))
+    rounding = SETTLED * scale + ROUNDING * without_slopes(_root(dot(v, v)) + a * _root(dot(w, w)))
+    # (slopes of a slip that ends follow it slowly)
+    least = MOST_ROUNDS if carries_slopes(acc[0] + acc[1] + acc[2]) else 0
+    settled, ball.order = False, 8
+    for i in range(14, 63):
+        c[i] = 0 * h
+    for count in range(MOST_ROUNDS + 1):
+        last = 0 * h
         for n in range(1, 8):
-            v, w = _motion(ball, NODES[n])
-            new, spun = piece_rates(world, ball, v, w, fixed)
-            rates = (
-                new[0] - acc[0], new[1] - acc[1], new[2] - acc[2], spun[0] - turn[0], spun[1] - turn[1], spun[2] - turn[2],
+            i, (x, y, z, p, q, r) = 7 * n + 7, _at_nodes(c, 7 * n - 7)
+            moved = abs(x - c[i]) + abs(y - c[i + 1]) + abs(z - c[i + 2])
+            last = max(last, moved + a * (abs(p - c[i + 3]) + abs(q - c[i + 4]) + abs(r - c[i + 5])))
+        settled = without_slopes(last * h) <= rounding
+        if settled and count > least:
+            break
+        for n in range(1, 8):
+            t, i, o = NODES[n], 7 * n + 7, RATES + 6 * (n - 1)
+            x, y, z, p, q, r = _at_nodes(c, 7 * n - 7)
+            c[i], c[i + 1], c[i + 2], c[i + 3], c[i + 4], c[i + 5] = x, y, z, p, q, r
+            b, spun = piece_rates(
+                world, ball,
+                (v[0] + h * (t * acc[0] + x), v[1] + h * (t * acc[1] + y), v[2] + h * (t * acc[2] + z)),
+                (w[0] + h * (t * turn[0] + p), w[1] + h * (t * turn[1] + q), w[2] + h * (t * turn[2] + r)),
+                fixed,
             )  # fmt: skip
-            for i in range(many):
-                # Newton's coefficient of the n-th power, and the powers that it changes
-                g = rates[i] * INVERSE[8 * n]
-                for m in range(1, n):
-                    g = (g - c[42 + 6 * (m - 1) + i]) * INVERSE[8 * n + m]
-                change = g - c[42 + 6 * (n - 1) + i]
-                c[42 + 6 * (n - 1) + i] = g
-                for p in range(1, n + 1):
-                    c[6 * (p - 1) + i] = c[6 * (p - 1) + i] + change * POWERS[8 * n + p]
-                last = max(last, abs(change) * (1 if i < 3 else ball.radius))
-        settled = without_slopes(last) <= SETTLED * scale
-    high, higher = without_slopes(_size(ball, 6)), without_slopes(_size(ball, 7))
-    if not settled and not higher <= 10 * SETTLED * scale:
-        return math.inf
-    ratio = min(1.0, higher / high) if high > 0 else 1.0
-    span = without_slopes(ball.span)
-    return float(OFF * span * span * higher * ratio)
+            c[o], c[o + 1], c[o + 2] = b[0] - acc[0], b[1] - acc[1], b[2] - acc[2]
+            c[o + 3], c[o + 4], c[o + 5] = spun[0] - turn[0], spun[1] - turn[1], spun[2] - turn[2]
+    for n in range(1, 8):
+        i, t, (x, y, z, p, q, r) = 7 * n + 7, h * SHARES[n], _at_nodes(c, 7 * n + 42)
+        c[i], c[i + 1], c[i + 2], c[i + 3], c[i + 4], c[i + 5] = t * x, t * y, t * z, t * p, t * q, t * r
+    high, higher = without_slopes(_size(ball, 7)), without_slopes(_size(ball, 8))
+    ratio = min(1.0, 8 * higher / (7 * high)) if high > 0 else 1.0
+    return float(OFF * without_slopes(h) * 8 * higher * ratio) if settled else math.inf
 
 
 @kernel
@@ -404,7 +567,7 @@ def _cut(world: Any, ball: Any, now: int, first: int) -> float:
 @kernel
 def _argument(world: Any, ball: Any, over: float, t: float) -> float:
     """Return the speed relative to the air, or the spin ratio, at a share t of the span."""
-    v, w = _motion(ball, t)
+    _x, v, w = place_in_piece(ball, t * ball.span)
     u = (v[0] - world.wind[0], v[1] - world.wind[1], v[2] - world.wind[2])
     s = _root(dot(u, u))
     return _ratio(ball, s, w) if over != 0 else s
@@ -423,6 +586,17 @@ def enter_segments(world: Any, ball: Any, v: Vec, w: Vec, speeds_up: bool) -> fl
 
 
 @kernel
+def _is_straight(world: Any, ball: Any, x: float, y: float, size: float) -> bool:
+    """Return whether all that moves a ball with a slip (x, y) is along that and up: then friction keeps its course to the end."""
+    v, w, wind = ball.v, ball.w, world.wind
+    if carries_slopes(x) or not size > LEAST_SLIP or w[2] != 0:
+        return False
+    x, y = x / size, y / size
+    across, turns, blows = abs(v[0] * y - v[1] * x), abs(w[0] * x + w[1] * y), abs(wind[0] * y - wind[1] * x)
+    return bool(across + ball.radius * turns + blows <= 1e-15 * (abs(v[0]) + abs(v[1])))
+
+
+@kernel
 def _approach(world: Any, ball: Any, acc: Vec, turn: Vec, load: float) -> float:
     """Return how long the piece may last for the corner of friction at a slip of zero; near that the friction keeps its course.
 
@@ -437,8 +611,13 @@ def _approach(world: Any, ball: Any, acc: Vec, turn: Vec, load: float) -> float:
     p, q = acc[0], acc[1]
     if ball.phase == SLIDING:
         p, q, m = acc[0] - ball.radius * turn[1], acc[1] + ball.radius * turn[0], m * (1 + 1 / ball.kappa)
+    if _is_straight(world, ball, x, y, size):
+        ball.course[0], ball.course[1], ball.course[2] = x / size, y / size, STRAIGHT + 0 * load
+        rate = p * x + q * y
+        return -size * size / rate if rate < 0 else LONGEST + 0 * load
     if without_slopes(size) > LEAST_SLIP:
-        return CORNER * without_slopes(size) / max(without_slopes(_root(p * p + q * q)), without_slopes(m)) + 0 * load  # type: ignore[no-any-return]
+        falls = max(without_slopes(_root(p * p + q * q)), without_slopes(m))
+        return CORNER_OF_SLIP * without_slopes(size) / falls + 0 * load  # type: ignore[no-any-return]
     # (at rest it sets off where it is driven; ``acc`` has no friction then)
     if not size > 0:
         size, drive = 0 * load, _root(p * p + q * q)
@@ -463,8 +642,8 @@ def _approach(world: Any, ball: Any, acc: Vec, turn: Vec, load: float) -> float:
 def _left_on_floor(world: Any, ball: Any) -> float:
     """Return the first time in the piece at which the spin about the vertical has ended, or the air breaks a hold; or its span."""
     span, before = without_slopes(ball.span), 0.0
-    for n in range(1, 9):
-        t = NODES[n] if n < 8 else 1.0
+    for n in range(1, 3):
+        t = n / 2
         if _stays(world, ball, t) != GOES_ON:
             for _ in range(60):
                 middle = (before + t) / 2
@@ -478,142 +657,127 @@ def _left_on_floor(world: Any, ball: Any) -> float:
 @kernel
 def _stays(world: Any, ball: Any, t: float) -> int:
     """Return what has ended at a share t of the span."""
-    v, w = _motion(ball, t)
+    _x, v, w = place_in_piece(ball, t * ball.span)
+    if without_slopes(ball.course[2]) == STRAIGHT:
+        x, y = _slip(ball, v, w)
+        if not x * ball.course[0] + y * ball.course[1] > 0:
+            return PHASE_ENDS
     if ball.sense != 0 and not ball.sense * without_slopes(w[2]) > 0:
         return PHASE_ENDS if ball.phase == PIVOTING else SPIN_ENDS
-    return GOES_ON if _hold(world, ball, v, w) > 0 or ball.course[2] != 0 else LOST
+    return GOES_ON if without_slopes(ball.course[2]) == 1 or _hold(world, ball, v, w) > 0 else LOST
 
 
 @kernel
-def begin_piece(world: Any, ball: Any, guess: float, horizon: float) -> None:  # noqa: PLR0915
-    """Find the piece of a ball's path that begins now: no longer than ``horizon``, and about as long as ``guess`` (0: none)."""
-    v, w = vector(ball.v), vector(ball.w)
+def begin_piece(world: Any, ball: Any, guess: float, horizon: float) -> None:
+    """Find the piece of a ball's path that begins now, no longer than ``horizon``; on the floor as ``guess`` has it (0: none)."""
+    v, w, flies = vector(ball.v), vector(ball.w), ball.phase == FLIGHT
     u = (v[0] - world.wind[0], v[1] - world.wind[1], v[2] - world.wind[2])
     s = enter_segments(world, ball, v, w, True)
-    slow = SLOW if ball.phase == FLIGHT else SLOW_ON_FLOOR
+    slow = SLOW if flies else SLOW_ON_FLOOR
     fixed = s if s < slow else -1.0
     ball.ends, ball.course[2] = GOES_ON, 0 * s
-    if ball.phase != FLIGHT:
-        ball.sense = 1 if w[2] > 0 else -1 if w[2] < 0 else 0
+    ball.sense = 0 if flies else 1 if w[2] > 0 else -1 if w[2] < 0 else 0
     acc, turn = piece_rates(world, ball, v, w, fixed)
     speeds_up = bool(without_slopes(dot(u, acc)) > 0)
     if ball.drag_last > ball.drag or ball.lift_last > ball.lift:
         enter_segments(world, ball, v, w, speeds_up)
         acc, turn = piece_rates(world, ball, v, w, fixed)
-    closes = LONGEST + 0 * ball.radius
-    air = acc
-    if ball.phase != FLIGHT:
+    closes, air = LONGEST + 0 * ball.radius, acc
+    if not flies:
         air, _spun = air_rates(world, ball, v, w, fixed)
         closes = _approach(world, ball, acc, turn, -air[2])
         if ball.course[2] != 0:
             acc, turn = piece_rates(world, ball, v, w, fixed)
     for k in range(3):
         ball.acc[k], ball.turn[k] = acc[k], turn[k]
-    borne, force = 1 - ball.buoyancy, world.force
-    pull = (air[0] - borne * force[0], air[1] - borne * force[1], air[2] - borne * force[2])
-    size, push = without_slopes(_root(dot(acc, acc))), without_slopes(_root(dot(pull, pull)))
-    longest = LONGEST
+    size, longest = without_slopes(_root(dot(acc, acc))), min(without_slopes(closes), LONGEST)
+    straight = without_slopes(ball.course[2]) == STRAIGHT
     if fixed >= 0:
-        longest = slow / size if size > 0 else LONGEST
-    elif not speeds_up and size > 0:
-        longest = CORNER * s / size
-    longest = min(longest, without_slopes(closes))
-    # the times in which the speed, the air's force and the spin change by themselves
-    own = min(LONGEST, s / size if size > 0 and fixed < 0 else longest, s / push if push > 0 else LONGEST)
-    fade = without_slopes(ball.spin_decay) * s / without_slopes(ball.radius)
-    own = min(own, 1 / fade) if fade > 0 else own
-    before, span = without_slopes(ball.span), min(guess if guess > 0 else FIRST * own, 2 * own, longest, horizon)
-    if not span > 0:  # (a slip that is none)
-        span = SHORTEST
-    ball.span = span
-    _guess(ball, without_slopes(ball.lasts) / before if guess > 0 else 0.0, span / before if guess > 0 else 0.0)
-    error = _collocate(world, ball, fixed)
-    for _ in range(100):
-        if error <= FINEST:
-            break
-        shorter = max(0.9 * _eighth_root(FINEST / error), 0.1) if error < math.inf else 0.25
-        ball.span = without_slopes(ball.span) * shorter
-        _guess(ball, 0.0, shorter if error < math.inf else 0.0)
-        error = _collocate(world, ball, fixed)
+        longest = min(longest, slow / size if size > 0 else LONGEST)
+    elif size > 0 and not (straight and ball.phase == ROLLING and without_slopes(dot(world.wind, world.wind)) == 0):
+        longest = min(longest, (NOISE if speeds_up else CORNER) * s / size)
+    longest = min(longest, horizon)
+    if flies:
+        ball.span = _expand(world, ball, fixed, longest)
+    else:
+        _relax(world, ball, fixed, guess, longest, s, air)
     lasts = without_slopes(ball.span)
     if ball.drag_last > ball.drag:
         lasts = min(lasts, _cut(world, ball, ball.drag_now, ball.drag))
     if ball.lift_last > ball.lift:
         lasts = min(lasts, _cut(world, ball, ball.lift_now, ball.lift))
-    if ball.phase != FLIGHT and ball.ends == GOES_ON:
-        left = _left_on_floor(world, ball)
-        ball.ends, lasts = (ball.ends, left) if left <= lasts else (GOES_ON, lasts)
-    elif ball.phase != FLIGHT and lasts < without_slopes(closes):
-        ball.ends = GOES_ON
     ball.lasts = lasts
-    if ball.ends == PHASE_ENDS and ball.phase != PIVOTING:
+    if not flies and ball.ends == GOES_ON:
+        left = _left_on_floor(world, ball)
+        ball.ends, ball.lasts = (ball.ends, left) if without_slopes(left) <= lasts else (GOES_ON, lasts)
+    elif ball.ends == PHASE_ENDS and lasts < without_slopes(closes):
+        ball.ends = GOES_ON
+    elif ball.ends == PHASE_ENDS:
         ball.lasts = closes
-    more = 0.9 * _eighth_root(FINEST / error) if error > 0 else 4.0
-    ball.guess = without_slopes(ball.span) * min(max(more, 0.5), 4.0)
-    sizes = 0 * ball.span
-    for p in range(1, 8):
-        k = 6 * (p - 1)
-        c = ball.work
-        one = _root(c[k] * c[k] + c[k + 1] * c[k + 1] + c[k + 2] * c[k + 2])
-        c[41 + p] = one
-        sizes = sizes + one
-    way = _root(dot(v, v)) + (_root(dot(acc, acc)) + sizes) * ball.span / 2
-    ball.work[49] = way * ball.span
+    bends, way = 0 * ball.span, _root(dot(v, v)) + size * ball.span / 2
+    for k in range(2, ball.order + 1):
+        c, i = ball.work, 7 * k
+        one = _root(c[i] * c[i] + c[i + 1] * c[i + 1] + c[i + 2] * c[i + 2])
+        bends, way = bends + k * (k - 1) * one, way + SHARES[k] * one
+    ball.work[ERROR], ball.work[WAY] = bends / (6 * ball.span * ball.span), way * ball.span
 
 
 @kernel
-def place_in_piece(ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
-    """Return position, velocity and spin a time s after the beginning of the piece."""
-    t = s / ball.span
-    v, w = _motion(ball, t)
-    c, h, x, u, b = ball.work, s * s, ball.x, ball.v, ball.acc
-    place = (
-        x[0] + u[0] * s + h * (b[0] / 2 + _double(c, 0, t)),
-        x[1] + u[1] * s + h * (b[1] / 2 + _double(c, 1, t)),
-        x[2] + u[2] * s + h * (b[2] / 2 + _double(c, 2, t)),
-    )
-    return place, v, w
+def _relax(world: Any, ball: Any, fixed: float, guess: float, longest: float, s: float, air: Vec) -> None:
+    """Find span and path of a piece on the floor, of a ball with a speed s in the air, which accelerates it by ``air``."""
+    borne, force, acc = 1 - ball.buoyancy, world.force, ball.acc
+    pull = (air[0] - borne * force[0], air[1] - borne * force[1], air[2] - borne * force[2])
+    size, push = without_slopes(_root(dot(acc, acc))), without_slopes(_root(dot(pull, pull)))
+    # the times in which the speed, the air's force and the spin change by themselves
+    own = min(LONGEST, s / size if size > 0 and fixed < 0 else longest, s / push if push > 0 else LONGEST)
+    fade = without_slopes(ball.spin_decay) * s / without_slopes(ball.radius)
+    own = min(own, 1 / fade) if fade > 0 else own
+    span = min(guess if guess > 0 else FIRST * own, 2 * own, longest)
+    if not span > 0:  # (a slip that is none)
+        span = SHORTEST
+    shift, ratio = (ball.lasts / ball.span, span / ball.span) if guess > 0 else (0 * ball.span, 0 * ball.span)
+    _guess(ball, without_slopes(shift), without_slopes(ratio))
+    ball.span = span
+    error = _collocate(world, ball, fixed)
+    for _ in range(100):
+        if error <= FINEST:
+            break
+        shorter = max(0.9 * _eighth_root(FINEST / error), 0.1) if error < math.inf else 0.25
+        _guess(ball, 0.0, shorter if error < math.inf else 0.0)
+        ball.span = without_slopes(ball.span) * shorter
+        error = _collocate(world, ball, fixed)
+    more = 0.9 * _eighth_root(FINEST / error) if error > 0 else 4.0
+    ball.guess = without_slopes(ball.span) * min(max(more, 0.5), 4.0)
 
 
 @kernel
 def acceleration_in_piece(ball: Any, s: float) -> Vec:
     """Return the acceleration a time s after the beginning of the piece."""
-    t, c, b = s / ball.span, ball.work, ball.acc
-    none = 0 * (t + c[0])
-    x, y, z = none, none, none
-    for p in range(7):
-        k = 6 * (6 - p)
-        x, y, z = (x + c[k]) * t, (y + c[k + 1]) * t, (z + c[k + 2]) * t
-    return (b[0] + x, b[1] + y, b[2] + z)
+    t, c, b, h = s / ball.span, ball.work, ball.acc, ball.span
+    x, y, z = 0 * t, 0 * t, 0 * t
+    for n in range(ball.order - 1):
+        k = ball.order - n
+        i = 7 * k
+        x, y, z = (x + k * c[i]) * t, (y + k * c[i + 1]) * t, (z + k * c[i + 2]) * t
+    return (b[0] + x / h, b[1] + y / h, b[2] + z / h)
 
 
 @kernel
-def error_in_piece(ball: Any, s: float, ahead: float) -> float:
-    """Return how far a ball is at most from the parabola that its path has at s, within the time ``ahead`` after that."""
-    t, c, jerk = (s + ahead) / ball.span, ball.work, 0 * s
-    for p in range(7):
-        jerk = jerk * t + (7 - p) * c[48 - p]
-    return jerk / ball.span * ahead * ahead * ahead / 6  # type: ignore[no-any-return]
+def error_in_piece(ball: Any, ahead: float) -> float:
+    """Return how far a ball is at most from the parabola that its path has at a time of the piece, ``ahead`` after that."""
+    return ball.work[ERROR] * ahead * ahead * ahead  # type: ignore[no-any-return]
 
 
 @kernel
 def way_of_piece(ball: Any) -> float:
     """Return how far a ball comes at most from where it is, in the piece."""
-    return ball.work[49]  # type: ignore[no-any-return]
+    return ball.work[WAY]  # type: ignore[no-any-return]
 
 
 @kernel
-def turn_in_piece(ball: Any, s: float) -> Vec:
-    """Return the integral of the spin over the time s."""
-    t, c, h, w, b = s / ball.span, ball.work, s * s, ball.w, ball.turn
-    return (
-        w[0] * s + h * (b[0] / 2 + _double(c, 3, t)),
-        w[1] * s + h * (b[1] / 2 + _double(c, 4, t)),
-        w[2] * s + h * (b[2] / 2 + _double(c, 5, t)),
-    )
-
-
-@kernel
-def spin_in_piece(ball: Any, s: float) -> Vec:
-    """Return the spin a time s after the beginning of the piece."""
-    return _motion(ball, s / ball.span)[1]
+def turn_in_flight(ball: Any, s: float) -> Vec:
+    """Return the integral of the spin over the time s of a piece of a flight."""
+    w, b, h, f = ball.w, ball.turn, s * s / 2, s + 0 * ball.span
+    if acts(ball.spin_decay):
+        f = f + s * s * _series(ball, SPEED, s / ball.span)[1][2]
+    return (w[0] * f + h * b[0], w[1] * f + h * b[1], w[2] * f + h * b[2])
