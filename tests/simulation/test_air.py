@@ -201,6 +201,7 @@ def test_a_tennis_serve() -> None:
     run = api.simulate(scene)
     assert run.events.kinds == ["floor"]
     assert 84 < np.linalg.norm(run.events[0].before.velocity) / mph < 92
+    assert abs(run.final.position[0, 0] - 24) < 0.2
     assert 0.45 < np.linalg.norm(run.final.velocity) / start < 0.52
 
 

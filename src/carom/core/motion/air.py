@@ -56,15 +56,18 @@ def _through(k: int) -> tuple[float, ...]:
     return tuple(found)
 
 
+def _integral(k: int, node: float) -> float:
+    """Return the integral from 0 to a node of the polynomial that is 1 at node k."""
+    powers, found = _through(k), 0.0
+    for p in range(7, 0, -1):
+        found += powers[p] * node ** (p + 1) / (p + 1)
+    return found
+
+
 # Of values at the nodes 1 to 7, 7 a row: the integrals from 0 to each node; the coefficients of the powers 1 to 7
-POWERS: tuple[float, ...] = tuple(_through(k)[p] for p in range(1, 8) for k in range(1, 8))
 MATRIX: tuple[float, ...] = (
-    *(
-        sum(POWERS[7 * (p - 1) + k] * NODES[n] ** (p + 1) / (p + 1) for p in range(7, 0, -1))
-        for n in range(1, 8)
-        for k in range(7)
-    ),
-    *POWERS,
+    *(_integral(k, node) for node in NODES[1:] for k in range(1, 8)),
+    *(_through(k)[p] for p in range(1, 8) for k in range(1, 8)),
 )
 MOST_ORDERS = 16
 SHARES = tuple(1 / (k + 1) for k in range(MOST_ORDERS + 1))
