@@ -24,7 +24,7 @@ INSTALL = "python -m pip install -e '.[wasm]'"  # in a clone, where make wasm ru
 TRIPLE = "wasm32-unknown-unknown"
 LAYOUT = "e-m:e-p:32:32-p10:8:8-p20:8:8-i64:64-i128:128-n32:64-S128-ni:1:10:20"
 STACK_BYTES = 1 << 18
-INLINED = 25  # cost of a call, as LLVM counts it, up to which it is inlined
+INLINED = 40  # cost of a call, as LLVM counts it, up to which it is inlined
 # musl's files for a function of libm. sqrt, floor, ceil and fabs are instructions of WebAssembly.
 _ANGLES = ("__sin", "__cos", "__rem_pio2", "__rem_pio2_large")
 LIBM = {
@@ -122,7 +122,7 @@ def _object(exports: Sequence[Export], texts: Sequence[str]) -> tuple[bytes, set
         raise CaromError(f"make wasm: {error}") from None
     machine = llvm.Target.from_triple(TRIPLE).create_target_machine(opt=3, reloc="static", codemodel="default")
     options = llvm.create_pipeline_tuning_options(speed_level=2)
-    options.inlining_threshold, options.loop_unrolling = INLINED, False  # (a page is to be small: 295 kB for 332)
+    options.inlining_threshold, options.loop_unrolling = INLINED, False  # (a page is to be small)
     builder = llvm.create_pass_builder(machine, options)
     builder.getModulePassManager().run(whole, builder)
     undefined = {f.name for f in whole.functions if f.is_declaration and not f.name.startswith("llvm.")} - INSTRUCTIONS
@@ -134,6 +134,7 @@ def _object(exports: Sequence[Export], texts: Sequence[str]) -> tuple[bytes, set
 def _for_webassembly(text: str) -> str:
     changed = re.sub(r'^target datalayout = ".*"$', f'target datalayout = "{LAYOUT}"', text, flags=re.M)
     changed = re.sub(r'^target triple = ".*"$', f'target triple = "{TRIPLE}"', changed, flags=re.M)
+    changed = re.sub(r"^(define .*) \{$", r"\1 optsize {", changed, flags=re.M)
     # (LLVM ends the process where it meets a common symbol here)
     return changed.replace(" = common ", " = internal ")
 
