@@ -70,6 +70,18 @@ def cross_sheared_border(
 
 
 @kernel
+def rows_after_border(shear: Any, grid: Any, before: int, after: int, y0: int, y1: int) -> tuple[int, int]:
+    """Return which rows of cells around a ball are searched that has crossed a border across y, from a cell to another.
+
+    Of a row that slides past a ball has to know all balls. Behind the border of a sheared gas it knows those near it only: the row
+    was its own.
+    """
+    if shear is None or abs(after - before) == 1:
+        return y0, y1
+    return 0, 3
+
+
+@kernel
 def sheared_image(shear: Any, grid: Any, x: float, y: float, rx: float, now: float) -> tuple[float, float]:
     """Return how far a ball is from the nearest image of another along x, and how much faster the image is than that ball.
 

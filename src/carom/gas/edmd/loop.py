@@ -47,6 +47,7 @@ from carom.gas.edmd.collisions import (
     earliest_collision,
     free_flight,
     next_cell_crossing,
+    rows_after_border,
     slide_images,
     within_border,
 )
@@ -616,6 +617,8 @@ def run(  # noqa: PLR0915  (the loop)
                         x0, x1 = 2 * up, 2 * up + 1
                     elif axis == 1:
                         y0, y1 = 2 * up, 2 * up + 1
+                        if features is not None:
+                            y0, y1 = rows_after_border(features.shear, grid, I64(cell), I64(plan.cy), y0, y1)
                     else:
                         z0, z1 = 2 * up, 2 * up + 1
                 elif which != PREDICT_AGAIN:
