@@ -139,5 +139,5 @@ def test_a_sheared_gas_at_rest_has_no_pressure():
 def test_no_collision_is_missed_behind_the_border_that_slides() -> None:
     """A ball that had crossed it knew of the row that it left the balls nearby only, past which others slide: 0.7 of a distance."""
     for seed in range(4):
-        gas = Gas([Species(carom.Disc(0.5, 1.0), 20)], (10.0, 10.0), contacts=Surface(0.9, 0, -1), shear_rate=1.0, seed=seed)
+        gas = Gas([Species(Disc(0.5, 1.0), 20)], (10.0, 10.0), contacts=Surface(0.9, 0, -1), shear_rate=1.0, seed=seed)
         assert gas.run(30_000).max_overlap < 1e-12
