@@ -166,7 +166,7 @@ def _law(law: Any) -> dict[str, Any]:
 # ``python -m carom.explorer.module`` writes ``assets/engine.wasm``, ``assets/engine.json`` and musl's licence.
 
 
-MAX_BYTES = 304_000
+MAX_BYTES = 300_000
 
 
 def build() -> tuple[bytes, str, str]:
