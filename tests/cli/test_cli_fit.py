@@ -63,7 +63,7 @@ def test_json_has_the_ranking_and_nothing_else(here, monkeypatch, capsys):
     # the sticking law has no friction to tell, and the sliding one had: what is degenerate names its law
     assert all(set(one) == {"law", "parameters", "what"} for one in found["degenerate"])
     page = (here / "page.html").read_text()
-    assert page.count("<svg") == 3  # best laws together, law by law, residuals
+    assert page.count("<svg") == 2 + 2 * 3 * 3  # two panels; residuals of two laws, three numbers, against three
     assert not re.search(r"(src|href)=\"http", page.replace("http://www.w3.org", ""))
     assert "contact" in page
     assert "written: page.html" in err

@@ -298,8 +298,8 @@ def test_repeats_are_drawn_as_their_mean_with_its_error() -> None:
     (bars,) = axes.collections
     ends = np.array([part[:, 1] for part in bars.get_segments()])
     assert np.diff(ends, axis=1)[:, 0] == pytest.approx(2 * values.std(axis=1, ddof=1) / 2, rel=1e-9)
-    assert axes.get_ylabel() == "lyapunov.largest"
-    assert axes.figure.get_suptitle() == "lyapunov.largest, mean of 4 repeats ± standard error"
+    assert axes.get_ylabel() == "Lyapunov exponents: largest"
+    assert axes.figure.get_suptitle() == "Lyapunov exponents: largest, mean of 4 repeats ± standard error"
     (axes,) = plot.plot_sweep(found, at={"repeat": 1}).axes
     assert axes.lines[0].get_ydata().tolist() == values[:, 1].tolist()
     assert len(plot.plot_sweep(found, x="radius", y="repeat").axes) == 2

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.console import working
 from carom.cli.options import (
     GAS_FILMS,
     OUTPUT,
@@ -457,6 +456,7 @@ def _spaced(every: Every) -> str:
 
 
 def _session(scene: GasScene | None, resume: Path | None, progress: Progress) -> Session:
+    from carom.cli.console import working
     from carom.gas.files import load_checkpoint
     from carom.gas.session import Session
 
@@ -501,6 +501,7 @@ def _plot(found: Session | Ensemble, path: Path) -> None:
 
 def _animate(session: Session, path: Path, quiet: bool) -> None:
     """Write the film."""
+    from carom.cli.console import working
     from carom.plot.gas_film import animate_gas
 
     with working("rendering", quiet=quiet) as progress:

@@ -170,6 +170,10 @@ def _in_words(path: str) -> str:
             words = f"{part} at {kind} event {number}"
         case ["final", part]:
             words = f"final {part}"
+        case ["lyapunov", part]:
+            words = f"Lyapunov exponents: {part}"
+        case ["bounces", "count"]:
+            words = "number of bounces"
         case [group, which, *_part, last] if which == "*" or which.isdigit():
             words = f"{last} of all {group}" if which == "*" else f"{last} of {group.removesuffix('s')} {which}"
         case [part, last]:

@@ -171,7 +171,8 @@ def _link(work: Path, functions: Sequence[str], names: Sequence[str]) -> bytes:
         include = ["-I", str(folder.parent / "internal"), "-I", str(arch)]
         _zig("cc", *flags, *include, "-c", str(folder / f"{file}.c"), "-o", objects[-1])
     _zig(
-        "wasm-ld", "--no-entry", "--strip-all", "--gc-sections", "--compress-relocations", "--stack-first", "-z", f"stack-size={STACK_BYTES}",
+        "wasm-ld", "--no-entry", "--strip-all", "--gc-sections", "--compress-relocations",
+        "--stack-first", "-z", f"stack-size={STACK_BYTES}",
         *(f"--export={name}" for name in names), "--export=__heap_base", str(work / "engine.o"), *objects,
         "-o", str(work / "engine.wasm"),
     )  # fmt: skip
