@@ -85,6 +85,18 @@ def test_times_in_a_row_are_pairs_within_a_ball(tmp_path: Path) -> None:
     assert found.extra["ball"].tolist() == ["1", "1", "2"]
 
 
+def test_heights_in_a_row_are_pairs(tmp_path: Path) -> None:
+    for text in ("bounce,height (cm)\n0,150\n1,96\n2,61.44\n", "height\n1.5\n0.96\n0.6144\n"):
+        assert heads_rebounds(text)
+        found = table(tmp_path, text)
+        assert found["v_n_out"] / found["v_n_in"] == pytest.approx([0.8, 0.8])
+        assert found["v_n_in"][0] == pytest.approx((2 * 9.80665 * 1.5) ** 0.5)
+    assert not heads_rebounds("t [s],height [m]\n0,1\n0.1,0.9\n")
+    # beside velocities a height is another one
+    both = table(tmp_path, "v_n_in,v_n_out,spin_in,spin_out,height\n1,0.8,0,0,0.3\n")
+    assert both["v_n_in"].tolist() == [1.0]
+
+
 HEIGHTS = {
     "h": np.array([[1.0, 0.64, 0.3136, 0.2], [1.2, 0.769, 0.376, 0.25]]),
     "v": np.array([[4.0, 3.2, 2.24, 1.8], [5.0, 4.0, 2.8, 2.2]]),

@@ -92,7 +92,11 @@ def test_the_readout_is_found_and_its_error_is_in_the_error_bars(tmp_path: Path,
     assert abs(film.readout - true) <= max(2.5 * film.readout_error, 1e-9)
     assert (film.readout_error > 0) == (true > 0)
     assert film.readout_error < 1.5e-3
-    assert "sigma_t [s]" in film.table() or true == 0
+    # its own table keeps its times, which rows of the picture shift
+    again = carom.measure_tracks(film.save(tmp_path / "track.csv"), radius=0.02)
+    (one,), (two,) = again.files[0].tracks, film.tracks
+    np.testing.assert_allclose(one.time - one.time[0], two.time - two.time[0], atol=1e-12)
+    assert not [note for note in again.notes if "camera's" in note]
     value, error = restitutions(film)
     assert (np.abs(value - 0.78) < 2 * error).all()
     if true:

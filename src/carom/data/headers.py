@@ -68,6 +68,10 @@ WRITTEN_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
     "e_x": ("number", ("ex", "e_t_cross", "e_x_cross")),
     "beta": ("number", ("beta_walton", "beta_0", "beta0", "rotational_restitution", "tangential_restitution")),
     "drop_height": ("length", ("h_drop", "h1", "height_in", "initial_height")),
+    "peak_height": (
+        "length",
+        ("height", "heights", "h", "apex_height", "max_height", "maximum_height", "peak", "apex"),
+    ),
     "rebound_height": ("length", ("bounce_height", "h_rebound", "h2", "height_out")),
     "time_before": ("time", ("flight_time_in", "t_before", "time_in")),
     "time_after": ("time", ("flight_time_out", "t_after", "time_out")),

@@ -118,7 +118,8 @@ def _heads_rebounds(line: str) -> bool:
     after = any(
         "out" in name or name.startswith(("e_", "beta", "reflection", "rebound", "time_after")) for name in found
     )
-    return "flight_time" in found or (after and len(found) > 1)
+    peaks = "peak_height" in found and not TIMES.intersection(map(without_unit, plain)) and "x" not in plain
+    return "flight_time" in found or peaks or (after and len(found) > 1)
 
 
 def rebounds_of_columns(
@@ -248,6 +249,9 @@ def _meanings(headers: Sequence[str], source: str, faults: FaultList) -> dict[in
         meaning = in_series.get(i) or WRITTEN.parse(header)
         if i not in found and meaning is not None and not own.intersection(_targets(meaning)):
             found[i] = meaning
+    if len({one.quantity.removeprefix("sigma_") for one in found.values()}) > 1:
+        # (heights in a row are a table of their own; beside anything else a height is another one)
+        found = {i: one for i, one in found.items() if one.quantity.removeprefix("sigma_") != "peak_height"}
     if in_series or {"rebound_height", "time_after"}.intersection(one.quantity for one in found.values()):
         # (a ratio beside the heights of which it was made)
         found = {i: one for i, one in found.items() if one.quantity.removeprefix("sigma_") != "e_n"}

@@ -32,12 +32,12 @@ WRITTEN = ColumnNames(
 )  # fmt: skip
 _FORMS = (
     ("speed_in", "speed_out", "incidence", "reflection", "incidence_from_surface", "reflection_from_surface"),
-    ("e_n", "e_t", "e_x", "beta"), ("drop_height", "rebound_height"), ("time_before", "time_after", "flight_time"),
+    ("e_n", "e_t", "e_x", "beta"), ("drop_height", "rebound_height", "peak_height"), ("time_before", "time_after", "flight_time"),
     ("vx_in", "vy_in", "vx_out", "vy_out"), ("normalised_spin_in", "normalised_spin_out"),
 )  # fmt: skip
 # The components that a quantity gives: where one of these has a column, the quantity is passed on unread
 TARGETS = {
-    **dict.fromkeys(("speed_in", "drop_height", "time_before", "flight_time", "vx_in", "vy_in"), ("v_n_in",)),
+    **dict.fromkeys(("speed_in", "drop_height", "peak_height", "time_before", "flight_time", "vx_in", "vy_in"), ("v_n_in",)),
     **dict.fromkeys(("speed_out", "e_n", "rebound_height", "time_after", "vx_out", "vy_out"), ("v_n_out",)),
     **dict.fromkeys(("incidence", "incidence_from_surface"), ("v_t_in",)),
     **dict.fromkeys(("reflection", "reflection_from_surface", "e_t", "e_x", "beta"), ("v_t_out",)),
@@ -96,7 +96,7 @@ def components(
     found.series()
     found.surface_angles()
     found.plane()
-    found.heights()
+    found.heights(extra)
     found.times(extra)
     found.polar(extra)
     found.ratios()
@@ -204,8 +204,20 @@ class _Conversion:
             f"the wall is taken as {normal} = 0: v{normal} is normal to it, v{along} is along it; slip is v_t - a spin"
         )
 
-    def heights(self) -> None:
-        """Take the heights from which a ball fell and to which it rose: v = (2 g h)^(1/2), without air."""
+    def _in_a_row(self, what: str, each: tuple[Array, Array], sides: tuple[str, str], extra: Mapping[str, Any]) -> None:
+        """Take values of one ball in a row, one for each flight, as those before and after the bounces between them."""
+        labels = [tuple(extra[name][i] for name in SEQUENCE if name in extra) for i in range(len(each[0]))]
+        pairs = np.array([i for i in range(len(labels) - 1) if labels[i] == labels[i + 1]], dtype=int)
+        self.result.rows = pairs
+        self.have = {name: column[pairs] for name, column in self.have.items()}
+        for name, rows in zip(sides, (pairs, pairs + 1), strict=True):
+            self.have[name], self.have[f"sigma_{name}"] = each[0][rows], each[1][rows]
+        self.result.notes.append(f"{what} in a row are {len(pairs)} bounces")
+
+    def heights(self, extra: Mapping[str, Any]) -> None:
+        """Take the heights from which a ball fell and to which it rose, or heights in a row: v = (2 g h)^(1/2), without air."""
+        if (peaks := self.take("peak_height")) is not None:
+            self._in_a_row(f"height: {len(peaks[0])} heights", peaks, ("drop_height", "rebound_height"), extra)
         for name, to in (("drop_height", "v_n_in"), ("rebound_height", "v_n_out")):
             if (height := self.take(name)) is not None:
                 if (height[0] < 0).any():
@@ -221,15 +233,8 @@ class _Conversion:
             # (of a ball whose speed before is known otherwise)
             self.have["time_after"], self.have["sigma_time_after"] = each
         elif each is not None:
-            labels = [tuple(extra[name][i] for name in SEQUENCE if name in extra) for i in range(len(each[0]))]
-            pairs = np.array([i for i in range(len(labels) - 1) if labels[i] == labels[i + 1]], dtype=int)
-            self.result.rows = pairs
-            self.have = {name: column[pairs] for name, column in self.have.items()}
-            for name, rows in (("time_before", pairs), ("time_after", pairs + 1)):
-                self.have[name], self.have[f"sigma_{name}"] = each[0][rows], each[1][rows]
-            self.result.notes.append(
-                f"flight_time: {len(each[0])} times between bounces in a row are {len(pairs)} bounces"
-            )
+            said = f"flight_time: {len(each[0])} times between bounces"
+            self._in_a_row(said, each, ("time_before", "time_after"), extra)
         for name, to in (("time_before", "v_n_in"), ("time_after", "v_n_out")):
             if (time := self.take(name)) is not None:
                 self.put(to, GRAVITY * time[0] / 2, GRAVITY * time[1] / 2)

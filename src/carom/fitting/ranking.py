@@ -689,10 +689,8 @@ def _straight_verdict(best: Fit, found: Adequacy, covers: Coverage) -> str:
             "what lies along the wall depends on spins that were not measured",
             "Give spins, or error bars, to measure friction",
         )
-    said = (
-        f"the rebounds say nothing about friction or which law holds: {why}. Only the restitution is"
-        f" measured{': ' + numbers if numbers else ''}. {more}"
-    )
+    said = f"only the restitution is measured: {numbers}. " if numbers else ""
+    said += f"{'T' if said else 't'}he rebounds say nothing about friction or which law holds: {why}. {more}"
     first = _misfit(best, found)
     return f"{first + said if first else said[0].upper() + said[1:]}. This is for contacts like these: {covers.in_words()}."
 

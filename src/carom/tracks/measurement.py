@@ -597,7 +597,7 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, progress:
     """
     settings = settings or Settings()
     found = _measured(tracks, settings, progress)
-    if all(one.sigma_time is None for one in tracks):
+    if not any(one.sigma_time is not None and np.nan_to_num(one.sigma_time).any() for one in tracks):
         return found
     # (an error that all times have in common: what it changes, once more with it)
     late = [one if one.sigma_time is None else replace(one, time=one.time + one.sigma_time) for one in tracks]

@@ -767,6 +767,7 @@ def _track(
         more.get("sigma_spin"),
         frame=frame,
         sigma_time=more.get("sigma_time"),
+        stamped="sigma_time" in more,  # (times that have an error of their own are no rounded ones)
     )
 
 

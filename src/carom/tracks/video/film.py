@@ -803,7 +803,7 @@ def _record(
             if table
             else value * np.stack([place[rows, 0], file.height - 1 - place[rows, 1]], axis=1)
         )
-        shared = error * phases[name][rows] if error else None
+        shared = error * phases[name][rows]
         tracks.append(Track(name, t, up, frame=rows.astype(float), stamped=True, sigma_time=shared))
     cost = functools.reduce(np.fmax, costs.values())
     y, u, v = ground.planes

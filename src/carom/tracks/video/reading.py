@@ -281,7 +281,10 @@ class TrackedFilm:
     """s, where it was found; shared by all times of rows, and so part of the error bars of what is measured."""
 
     def table(self) -> dict[str, NDArray[Any]]:
-        """Return the columns ``t [s]``, ``x [m]``, ``y [m]``, ``ball`` of the tracks, a row per ball and frame; and their spins."""
+        """Return the columns ``t [s]``, ``x [m]``, ``y [m]``, ``ball`` of the tracks, a row per ball and frame; and their spins.
+
+        ``sigma_t [s]`` is the error that the times have in common; a table with it keeps its times, which are not evenly spaced.
+        """
         rows = {"t [s]": [one.time for one in self.tracks]}
         rows |= {f"{axis} [m]": [one.position[:, k] for one in self.tracks] for k, axis in enumerate("xy")}
         more = {"spin": "spin [rad/s]", "sigma_spin": "sigma_spin [rad/s]", "sigma_time": "sigma_t [s]"}
