@@ -291,3 +291,12 @@ def test_period_needs_all_bounces():
     found = billiards.orbit(square, ((0.1, 0.0), (1.0, 0.5), 0.0), 60, law="mirror")
     assert billiards.period(found) == 6
     assert billiards.period(billiards.orbit(square, ((0.1, 0.0), (1.0, math.sqrt(0.2)), 0.0), 60, law="mirror")) == 0
+
+
+def test_a_spectrum_prints_in_one_line() -> None:
+    table, starts = billiards.sinai(), ([[0.4, 0.4], [0.3, 0.4]], [[0.8, 0.3], [0.5, 0.6]], [0.5, 0.1])
+    both = billiards.lyapunov(table, starts, bounces=200, law="mirror")
+    one = billiards.lyapunov(table, ((0.4, 0.4), (0.8, 0.3), 0.5), bounces=200, law="mirror")
+    assert repr(one) == f"<Lyapunov: largest {one.per_bounce[0]:.4g} ± {one.error[0]:.2g} a bounce; 200 bounces>"
+    low, high = np.sort(both.per_bounce[:, 0])
+    assert repr(both) == f"<Lyapunov: 2 orbits, largest {low:.4g} to {high:.4g} a bounce; 200 bounces>"

@@ -150,3 +150,6 @@ def test_one_impact_is_that_of_the_kernel_and_has_derivatives() -> None:
     # a ball without slip: the root of the slip has no derivative, friction has no effect
     assert np.isfinite(jax.jacfwd(velocity, 1)(0.9, np.inf)).all()
     assert float(jax.grad(lambda mu: impact((-1.0, 0, 0), (0, 0, 0), friction=mu)[0][1])(0.3)) == 0
+    for given in ({"restitution": 1.9}, {"friction": -0.2}):
+        with pytest.raises(carom.CaromError, match=next(iter(given))):
+            impact((-1.0, 0, 0), (0, 0, 0), **given)

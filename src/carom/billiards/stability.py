@@ -231,7 +231,7 @@ class TangentMap:
         return np.linalg.eigvals(self.matrix)  # type: ignore[return-value]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Lyapunov:
     """A Lyapunov spectrum, in descending order.
 
@@ -257,6 +257,17 @@ class Lyapunov:
     """Number of bounces."""
     ended: str | NDArray[np.str_]
     """(...): as :attr:`Orbit.ended`; other than "bounces", the exponents are NaN."""
+
+    def __repr__(self) -> str:
+        """Return one line: the largest exponent, or the range of those of several orbits."""
+        largest, error = np.ravel(self.per_bounce[..., 0]), np.ravel(self.error[..., 0])
+        known = largest[np.isfinite(largest)]
+        said = (
+            f"largest {largest[0]:.4g} ± {error[0]:.2g} a bounce" if len(largest) == 1 else f"{len(largest):,} orbits"
+        )
+        if len(largest) > 1 and len(known):
+            said += f", largest {known.min():.4g} to {known.max():.4g} a bounce"
+        return f"<Lyapunov: {said}; {self.bounces:,} bounces>"
 
 
 def _frame(n: Array) -> tuple[Array, Array]:

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.bodies import Ball
+from carom.bodies import Ball, Surface
 from carom.core.contact import LEAST
 from carom.errors import CaromError, Fault, require_type, suggestion
 from carom.scene.scene import Scene
@@ -201,7 +201,13 @@ class RunFunction:
 
 
 def impact_in(library: Any, array: Callable[[Any], Any], ball: Ball, *given: Any) -> tuple[Any, Any]:
-    """Return velocity and spin after :func:`carom.impact`: of velocity, spin, normal (..., 3), e, mu, beta (...)."""
+    """Return velocity and spin after :func:`carom.impact`: of velocity, spin, normal (..., 3), e, mu, beta (...).
+
+    A ball that moves away stays as it is. Raises CaromError for plain numbers that no surface has.
+    """
+    names = ("restitution", "friction", "tangential_restitution")
+    plain = {name: one for name, one in zip(names, given[3:], strict=True) if isinstance(one, int | float)}
+    Surface(**({"restitution": 1.0, "friction": 0.0} | plain))
     v, w, n = (array(one) for one in given[:3])
     e, mu, beta = (array(one)[..., None] for one in given[3:])
 

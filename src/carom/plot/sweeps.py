@@ -174,7 +174,7 @@ def _in_words(path: str) -> str:
             words = f"Lyapunov exponents: {part}"
         case ["bounces", "count"]:
             words = "number of bounces"
-        case [group, which, *_part, last] if which == "*" or which.isdigit():
+        case [("balls" | "walls") as group, which, *_part, last]:
             words = f"{last} of all {group}" if which == "*" else f"{last} of {group.removesuffix('s')} {which}"
         case [part, last]:
             words = f"{last} of the {part}"
