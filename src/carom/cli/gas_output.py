@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from carom.gas.session import Session
 
 CONSERVED = 1e-6  # a smaller relative change of the energy is rounding, not dissipation
+MOST_OVERLAP = 1e-4  # of a contact distance: a start in single precision may have less
 # Quantities of a species: head and name in the report. The temperatures of the only species are the gas's own.
 SPECIES_TEMPERATURES = {
     "translational\ntemperature, J": "temperature_translational", "rotational\ntemperature, J": "temperature_rotational",
@@ -188,6 +189,10 @@ def show(session: Session) -> None:
     notes = [no_diffusion(measures.is_stationary)] if undefined else []
     if found["ended_early"] is not None:
         notes.append(_until(found["ended_early"]))
+    if found["max_overlap"] > MOST_OVERLAP:
+        notes.append(
+            "Balls overlapped by more than rounding: collisions were missed, which is a fault of carom; please report it."
+        )
     print_tables(session.scene, f"Gas: {session.scene.describe()}", found, None, notes)
 
 
