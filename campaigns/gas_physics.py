@@ -27,7 +27,7 @@ from carom.gas import (
     sheared_viscosity,
     transport_coefficients,
 )
-from carom.gas import coefficients as enskog_theory
+from carom.gas import enskog as enskog_theory
 
 SMOOTH, ROUGH = carom.Surface(1, 0, -1), carom.Surface(1, math.inf, 1)
 BALL, DISC = carom.Ball(0.5, 1.0, 0.4), carom.Disc(0.5, 1.0, 0.5)
