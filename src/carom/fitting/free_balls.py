@@ -1,4 +1,6 @@
-"""Collisions of free balls or discs found in their tracks, as rebounds: two balls meet as one with the reduced mass meets a wall.
+"""Fits to balls in free motion: collisions in their tracks, the contacts of a gas, and drag and lift of flights.
+
+Collisions of free balls or discs found in their tracks, as rebounds: two balls meet as one with the reduced mass meets a wall.
 
 With the velocity u = v1 - v2, the normal n from the second ball to the first, and S = a1 w1 + a2 w2, the slip is u - S x n. An
 impulse J changes u by J/M and S by -n x J/(kappa M), where M is the reduced mass. So a pair with one kappa is a ball of velocity u

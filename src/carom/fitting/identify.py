@@ -1,4 +1,6 @@
-"""Covariance of a law's parameters, and which of them, alone or in combination, the data do not identify.
+"""What data tell of a law's parameters: covariance, combinations, profiles, fitted scatter, bootstrap, systematic errors.
+
+Covariance of a law's parameters, and which of them, alone or in combination, the data do not identify.
 
 The same code serves rebounds and whole tracks: each provides the information at the minimum, and the deviance where one parameter
 is changed and the others are held or fitted again (:class:`Subject`).

@@ -1,10 +1,10 @@
-"""Cross-validated score of a fit: how well a law predicts rows that it was not fitted to.
+"""Rank laws by rebounds: scores of rows left out, groups of rows that differ, the verdict, and fits by surface.
 
-Ten folds of every tenth row; rows of one film, sheet, shot or chain of contacts are left out together. Each fold's parameters are
-fitted anew to the other rows; where a descent in each fold would take too long, they are one Newton step from the fit to all rows
-(Beirami et al., NIPS 2017), which needs two evaluations of the likelihood for all folds together. A tenth of the rows moves a
-parameter by a third of an error bar, so that the step ends close to the fold's own minimum: of 60 rows with unmeasured spins the
-score differs by 0.001 (a test says so).
+The cross-validated score says how well a law predicts rows that it was not fitted to. Ten folds of every tenth row; rows of one
+film, sheet, shot or chain of contacts are left out together. Each fold's parameters are fitted anew to the other rows; where a
+descent in each fold would take too long, they are one Newton step from the fit to all rows (Beirami et al., NIPS 2017), which
+needs two evaluations of the likelihood for all folds together. A tenth of the rows moves a parameter by a third of an error bar,
+so that the step ends close to the fold's own minimum: of 60 rows with unmeasured spins the score differs by 0.001 (a test says so).
 """
 
 from __future__ import annotations
@@ -145,7 +145,7 @@ def score_warnings(best: str, scores: dict[str, float], rival: str, rows: int) -
 
 
 # ----------------------------------------------------------------------------------------------------
-# Fit all laws to rebounds and rank them: which law the data favour, by what odds, and whether any law fits.
+# Groups of rows whose numbers differ: means of the groups, with the scatter between them.
 
 
 NAMED = (
@@ -262,9 +262,8 @@ def _by_group(fit: Fit, groups: Array) -> tuple[Array, Array]:
 def _variances(information: Array, width: Array) -> Array:
     """Return the variances (k,) of numbers that lie in ranges (k,) by the information on them (k, k); NaN where there is none."""
     found = np.full(len(width), np.nan)
-    known = np.flatnonzero(
-        np.diag(information) * np.square(width) > 1
-    )  # (else the whole range is within one error bar)
+    # (else the whole range is within one error bar)
+    known = np.flatnonzero(np.diag(information) * np.square(width) > 1)
     size = np.sqrt(np.diag(information)[known])
     strength, direction = np.linalg.eigh(information[np.ix_(known, known)] / np.outer(size, size))
     if len(known) and strength.min() > LEAST_STRENGTH:

@@ -178,7 +178,8 @@ def _residuals(ranking: Ranking) -> list[str]:
     parts = []
     for one in ranking.ranked[:2]:
         problem, ink = one.fit.problem, _look(ranking)[one.fit.law.name][0]
-        gap, speed = (problem.y - one.fit.predicted()) / np.sqrt(problem.vy), np.hypot(*_velocity_in(problem.rebounds))
+        gap = (problem.y - one.fit.predicted()) / np.sqrt(problem.vy)
+        speed = np.hypot(problem.rebounds["v_n_in"], problem.rebounds["v_t_in"])
         against = {
             "incidence, degrees": np.degrees(problem.rebounds.angle_in), "speed, m/s": speed, "row": np.arange(len(gap)) + 1,
         }  # fmt: skip
@@ -204,10 +205,6 @@ def _residuals(ranking: Ranking) -> list[str]:
                 )
             )
     return parts
-
-
-def _velocity_in(rebounds: Any) -> tuple[Any, Any]:
-    return rebounds["v_n_in"], rebounds["v_t_in"]
 
 
 def svg(figure: Any) -> str:

@@ -1,4 +1,7 @@
-"""Settings of a measurement, and contacts of balls with walls: measured, or the reason why not."""
+"""Contacts of balls with walls: settings, the blind time, estimates from all of them, hops, and contacts that are none.
+
+Settings of a measurement, and contacts of balls with walls: measured, or the reason why not.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tables of rebounds from measured contacts."""
+"""Films to one table of rebounds: of one, of several, and of files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Fit all contacts of some tracks, in rounds: all contacts together determine the floor and the noise for the next round."""
+"""Measure the contacts in tracks: fits of all contacts in rounds, and the steps before and after them.
+
+Fit all contacts of some tracks, in rounds: all contacts together determine the floor and the noise for the next round.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Whether measured contacts are possible: restitutions of at most 1, free motion between them, a floor or a gravity that exists."""
+"""Whether measured contacts are possible; walls that are none or elsewhere; whether the floor has friction.
+
+Whether measured contacts are possible: restitutions of at most 1, free motion between them, a floor or a gravity that exists.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""The camera's clock behind the times of a file: the interval from frame to frame, and number and time of the frame of each row.
+"""Prepare tracks for fits: the camera's clock, rounding and noise, wrong positions, the view, confused balls.
+
+The camera's clock behind the times of a file: the interval from frame to frame, and number and time of the frame of each row.
 
 Times are rounded, to decimals or to significant digits, rows are missing, a program puts rows between the frames, and a slow-motion
 film has the times of its playback. All readers ask here which clock the times show (:func:`camera_clock` gives each row the time of

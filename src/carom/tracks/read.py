@@ -1,4 +1,7 @@
-"""Files that are no tables: projects of tracking programs, pictures, spreadsheets; and the menu that exports positions as text."""
+"""Read track files: which program wrote one, its tracks, and files that are no tables.
+
+Files that are no tables: projects of tracking programs, pictures, spreadsheets; and the menu that exports positions as text.
+"""
 
 from __future__ import annotations
 

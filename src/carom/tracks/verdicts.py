@@ -1,4 +1,7 @@
-"""Laws that a trajectory is judged by, and the result: :class:`Judgement`."""
+"""The result of judging a trajectory, and the laws without units for films.
+
+Laws that a trajectory is judged by, and the result: :class:`Judgement`.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Fit whole shots, from the stroke to rest: an own start for each, and the numbers of the table that all share."""
+"""Fit whole shots, from the stroke to rest; and films of shots with known truth."""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""Shared numbers of the table from many shots: the starts follow, and each shot counts by the logarithm of its distance.
+"""The numbers that many shots share: their fit, their covariance, and fits of several laws to the same shots.
+
+Shared numbers of the table from many shots: the starts follow, and each shot counts by the logarithm of its distance.
 
 For given numbers every shot has its own best start, and the numbers minimise the rest: variable projection, with Kaufman's
 derivative (BIT 15, 49 (1975)). What is minimised is the sum over shots of log(mean square distance), the likelihood if each shot

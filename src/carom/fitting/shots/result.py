@@ -1,4 +1,4 @@
-"""The table of filmed shots: a scene, the numbers of it that all shots share, and its arrays at values of these."""
+"""The table that filmed shots share, and the result of a fit to them."""
 
 from __future__ import annotations
 
@@ -281,7 +281,7 @@ def _table_between(films: Films, a: float, where: str) -> Table:
 
 
 # ----------------------------------------------------------------------------------------------------
-# The result of a fit to whole shots: each shot beside its film, the table's numbers with their errors, and all laws ranked.
+# The stroke of a ball that has left the cue with a velocity and a spin.
 
 
 MOST = 0.7  # radii of an offset along each axis: a tip slips before

@@ -1,4 +1,4 @@
-"""A filmed shot for a fit: all balls at the times of the frames, what was measured, and the events that the film shows."""
+"""A filmed shot, and the search for its start."""
 
 from __future__ import annotations
 
@@ -318,11 +318,7 @@ def _velocity_changes(event: TrackEvent, one: Track, other: Track, noise: float)
 
 
 # ----------------------------------------------------------------------------------------------------
-# Search for the start of one shot: the horizon grows from event to event, with a few starts kept and others drawn at each.
-#
-# A small error of a start is a hundred times as large after three cushions, and a wrong start has local minima everywhere. So the
-# frames up to the first ball come first, then those up to the next event, and so on. At each event the starts that are kept descend
-# (soft-L1 loss, exact derivatives), together with the best of others, drawn about them from the region that the frames leave open.
+# The start of a shot: its numbers, its prior, and the residuals of a film from there.
 
 
 TIME, VELOCITY, SPIN, FIRST_PLACE = 0, slice(1, 3), slice(3, 6), 6

@@ -1,4 +1,6 @@
-"""Fit of one law to whole tracks from its starting values, in growing windows: one search.
+"""Fits of laws to whole tracks: the search for one law, and the ranking of all.
+
+Fit of one law to whole tracks from its starting values, in growing windows: one search.
 
 With given noise of the frames the deviance is chi^2; else the scatter of each segment is estimated from its residuals, so that one
 deviating shot has no more weight than others. The fitted frames are extended from window to window: those before the first contact,
@@ -405,7 +407,7 @@ def _with_friction_profile(best: TrackFit, others: Sequence[tuple[float, float]]
 
 
 # ----------------------------------------------------------------------------------------------------
-# Fit laws to whole tracks and rank them: which law the tracks favour, and with what odds.
+# Where a law leaves the frames: its distance from them through one contact, two, and so on.
 
 
 LEAST_SEGMENTS = 3  # for a median

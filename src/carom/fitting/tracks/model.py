@@ -1,4 +1,4 @@
-"""Laws for whole tracks: the parameters that all tracks share, and the scene in which a ball is simulated."""
+"""The model of whole tracks: segments, their least-squares objective, one law's result and its covariance."""
 
 from __future__ import annotations
 
