@@ -237,6 +237,13 @@ state, into arrays that exist, on one thread where carom has two; C is a loop wr
 gases](theory/gas.md); what was tried and left, in [Architecture](design.md#tried)."""
 
 
+def commit() -> str:
+    """Return the commit that is measured, short; "an unknown commit" outside a clone."""
+    words = ["git", "-C", str(HERE), "describe", "--always", "--dirty", "--exclude", "*"]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    return done.stdout.strip() or "an unknown commit"
+
+
 def page(rows: list[Row], when: str, cpu: bool) -> str:
     """Return the page of the documentation."""
     columns = len(HEAD) - 1  # (what is wanted is printed, and not on the page)
@@ -245,7 +252,7 @@ def page(rows: list[Row], when: str, cpu: bool) -> str:
     parts = [
         "# Benchmarks",
         "<!-- made by: python benchmarks/rows.py SCRIPTS --page docs/benchmarks.md -->",
-        f"{when}, {machine()}; {versions()}.",
+        f"{when}, commit {commit()}, {machine()}; {versions()}.",
         HOW,
         *([OF_PROCESSOR] if cpu else []),
         "\n".join(table),
@@ -272,7 +279,7 @@ def main() -> int:
         parser.error(f"expected scripts out of {', '.join(known)}, got {', '.join(unknown)}")
     rows, failed = gather(given.scripts or known, more)
     when = datetime.datetime.now(datetime.UTC).date().isoformat()
-    figures = {"date": when, "machine": machine(), "versions": versions(), "rows": [asdict(row) for row in rows]}
+    figures = {"date": when, "commit": commit(), "machine": machine(), "versions": versions(), "rows": [asdict(row) for row in rows]}
     given.json.write_text(json.dumps(figures, indent=1) + "\n")
     table = [HEAD, *map(cells, rows)]
     widths = [max(map(len, column)) for column in zip(*table, strict=True)]
