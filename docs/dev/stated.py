@@ -338,7 +338,7 @@ def few_spins() -> list[float]:
 COUNTS = "len(carom.LAWS), len(carom.compare().verdicts)"
 TABLE, FILMS = "docs/benchmarks.md", "docs/validation/which_law.md"
 STATEMENTS = (
-    Statement("docs/howto/tracks.md", r"restitution of ([\d.]+) instead of ([\d.]+)", tennis, "flights with drag"),
+    Statement("docs/howto/tracks.md", r"restitution of ([\d.]+) instead of ([\d.]+)\. It", tennis, "flights with drag"),
     Statement("docs/tutorials/first_steps.md", r"lie between (\d+) and (\d+) degrees", final_angles, "carom.compare"),
     Statement(
         "docs/howto/gas.md",
