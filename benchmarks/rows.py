@@ -279,7 +279,8 @@ def main() -> int:
         parser.error(f"expected scripts out of {', '.join(known)}, got {', '.join(unknown)}")
     rows, failed = gather(given.scripts or known, more)
     when = datetime.datetime.now(datetime.UTC).date().isoformat()
-    figures = {"date": when, "commit": commit(), "machine": machine(), "versions": versions(), "rows": [asdict(row) for row in rows]}
+    figures = {"date": when, "commit": commit(), "machine": machine(), "versions": versions()}
+    figures |= {"rows": [asdict(row) for row in rows]}
     given.json.write_text(json.dumps(figures, indent=1) + "\n")
     table = [HEAD, *map(cells, rows)]
     widths = [max(map(len, column)) for column in zip(*table, strict=True)]

@@ -244,7 +244,7 @@ def test_no_build_product_is_tracked() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10544,
+    "fitting": 10542,
     "gas": 6955,
     "billiards": 5575,
     "tracks": 9233,
@@ -253,7 +253,7 @@ CAPS = {
     "laws": 4926,
     "scene": 4651,
     "cli": 4176,
-    "plot": 3562,
+    "plot": 3561,
     "derive": 2999,
     "sweeps": 3264,
     "data": 2603,

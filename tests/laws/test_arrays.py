@@ -11,7 +11,7 @@ from reference.identities import approaching, surfaces, units, with_zeros
 
 import carom
 from carom.core.jit.calls import answer_at
-from carom.laws.arrays import FEW_AT_FIRST, loop_for, wall_law_rows
+from carom.laws.arrays import CALLS_AT_FIRST, FEW_AT_FIRST, loop_for, wall_law_rows
 from carom.laws.callbacks import user_address
 from carom.laws.contact import contact_final_rows, contact_rows
 from carom.laws.landing import second_rows
@@ -66,6 +66,15 @@ def same_bits(loop, args, make):
         for got, want in zip(by_threads(loop, args, make(), threads), expected, strict=True):
             np.testing.assert_array_equal(got, want)  # NaN equals NaN
             assert (np.signbit(got) == np.signbit(want)).all() or got.dtype != float
+
+
+def test_one_row_takes_the_loop_that_is_machine_code() -> None:
+    """A single ball pressed on the floor takes Python some ten milliseconds, and the loop some ten microseconds."""
+    state = carom.State(np.array([[-1.0, 0.2, 0.0]]), np.zeros((1, 3)))
+    out = carom.State(np.zeros((1, 3)), np.zeros((1, 3)))
+    for _ in range(CALLS_AT_FIRST + 1):
+        carom.impact_into(out, carom.Ball(), state)
+    assert loop_for(contact_final_rows, 1) is loop_for(contact_final_rows, FEW_AT_FIRST)
 
 
 def room(count, *widths):

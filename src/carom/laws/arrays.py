@@ -30,9 +30,9 @@ from carom.errors import (
 )
 
 Array = NDArray[np.float64]
-# Fewer rows than FEW are evaluated in Python; fewer than FEW_AT_FIRST as well where the loop is no machine code yet, but for a loop
-# of the package in at most so many calls: a row takes Python 5 us or, of a pressed ball, 10 ms.
-FEW, FEW_AT_FIRST, CALLS_AT_FIRST = 12, 400, 8
+# Fewer rows than FEW_AT_FIRST are evaluated in Python where the loop is no machine code yet, but for a loop of the package in at
+# most so many calls: a row takes Python 5 us or, of a pressed ball, 10 ms.
+FEW_AT_FIRST, CALLS_AT_FIRST = 400, 8
 WallKernel = Callable[[Vec, Vec, Vec, float, float, float, float, float], tuple[Vec, Vec]]
 
 
@@ -137,7 +137,7 @@ def _all_move_plainly(v: Array, n: Array) -> bool:
     if v.ndim == n.ndim == 1:
         return _moves_plainly(vector(v.tolist()), vector(n.tolist()))
     count = v.size // 3
-    if count < FEW or not v.flags.c_contiguous or (n.ndim != 1 and n.shape != v.shape):
+    if not v.flags.c_contiguous or (n.ndim != 1 and n.shape != v.shape):
         return False
     doubtful, normals = np.empty(count, np.int8), np.ascontiguousarray(n).reshape(-1, 3)
     loop_for(_doubtful_rows, count)(_read_only(v.reshape(count, 3)), _read_only(normals), doubtful)
@@ -307,8 +307,8 @@ def _compiled(loop: Callable[..., None]) -> Callable[..., None]:
 
 
 def loop_for(loop: Callable[..., None], rows: int) -> Callable[..., None]:
-    """Return the loop: in Python for a few rows, compiled and in slices for many, with the same bits."""
-    if rows < FEW or (rows < FEW_AT_FIRST and not is_ready(loop)):
+    """Return the loop: compiled and in slices, or in Python for few rows before it is machine code, with the same bits."""
+    if rows < FEW_AT_FIRST and not is_ready(loop):
         return _without_warnings(loop)
     from carom.core.jit.compile import compiler_is_off
 
