@@ -68,6 +68,10 @@ def carom_shots() -> dict[str, float]:
             rate = len(run.events) / took
             print(f"  {label:38} {len(run.events):4} events {took * 1e6:8.0f} us {rate:12,.0f} events/s")
             found[label] = took
+    rests = carom.Scene(
+        floor=carom.Floor(friction=0.2), balls=[carom.SceneBall(radius=RADIUS, mass=MASS, position=(0, 0))]
+    )
+    report(alone("a shot that does nothing: a ball at rest", lambda: carom.simulate(rests), unit="shot", calls=1000))
     rack = carom.load_scene("pool-9ft")
     report(
         alone("the break of a pool rack, 16 balls", lambda: carom.simulate(rack), unit="break", calls=30, wanted=5e6)

@@ -39,7 +39,7 @@ def test_a_copy_of_a_scene_is_another_scene():
 def test_a_copy_of_a_scene_takes_nothing_computed_along(way: Any) -> None:
     scene = carom.Scene(gravity=0, walls=[wall()], balls=[ball((1, 0, 0), (-1, 0, 0))], run=carom.Run(duration=3.0))
     run = carom.simulate(scene)
-    assert set(scene.kept) <= {"arrays", "compiled arrays", "prepared loop"}
+    assert set(scene.kept) <= {"arrays", "compiled arrays", "loops"}
     copied = way(scene)
     assert copied == scene
     assert copied.kept == {}

@@ -132,7 +132,7 @@ def _guard(function: Callable[..., Any], where: str) -> Callable[..., Any]:
 
     @functools.wraps(function)
     def call(*args: Any, **options: Any) -> Any:
-        if (len(args) > first or not LAWS.isdisjoint(options)) and called_from_outside():
+        if (len(args) > first or (options and not LAWS.isdisjoint(options))) and called_from_outside():
             args = tuple(with_own_laws(one) if i in places else one for i, one in enumerate(args))
             options = {name: with_own_laws(one) if name in LAWS else one for name, one in options.items()}
         try:

@@ -21,7 +21,7 @@ from carom.core.geometry.curve_arcs import arc_entry
 from carom.core.geometry.features import CURVE, FEATURES, RIM
 from carom.core.jit.compile import array_of, is_at_hand, is_cached, njit, signature
 from carom.core.jit.kernel import Vec, as_objects, dot, kernel, vector, write_back
-from carom.core.jit.native import prepared
+from carom.core.jit.native import fixed
 from carom.core.jit.threads import Pace
 from carom.core.motion.air import LOST
 from carom.core.motion.phases import BOUNCING, CONSTANT, FLIGHT, HELD, PIVOTING
@@ -554,69 +554,73 @@ def run_interpreted(
 
 # Rows of the log that the loop fills before it is called again: enough for a shot, then more each time.
 FIRST_ROWS, MOST_ROWS = 128, 65_536
+ENDS = ("nothing more happens", "duration", "max_events")
+# One run: the scene, rows of the balls' starts and of the events (carom.simulation.records.LOG), the time up to which the balls
+# were followed, s, why it ended (one of ENDS), and the scene as the loop read it.
+RunLog = tuple[Scene, NDArray[np.void], float, str, SceneArrays]
 
 
 class SceneLoop:
-    """A scene's balls, which the loop moves from event to event."""
+    """A scene's balls, which the loop moves from event to event, and a log: made once for all runs of a scene, one at a time."""
 
     def __init__(self, scene: Scene) -> None:
-        self.scene = scene
-        self._interpreted = worth_interpreting(scene)
-        self.arrays = set_up(scene, compiled=not self._interpreted)
+        self.until, self.most = run_limits(scene)
+        self.interpreted = worth_interpreting(scene)
+        self.arrays = set_up(scene, compiled=not self.interpreted)
         """The scene as the loop reads it."""
-        if self._interpreted and len(self.arrays.features) > MOST_FEATURES:
-            self._interpreted, self.arrays = False, set_up(scene)
-        self.balls = self.arrays.balls_to_move()
+        if self.interpreted and len(self.arrays.features) > MOST_FEATURES:
+            self.interpreted, self.arrays = False, set_up(scene)
+        # (as bytes: NumPy copies the fields of records one by one)
+        self._starts = self.arrays.balls.tobytes()
+        self._balls = bytearray(self._starts)
+        self._log = bytearray((FIRST_ROWS + len(scene.balls)) * LOG.itemsize)
+        self.balls = np.frombuffer(self._balls, BALLS)
         """(B,) of BALLS, each at its last event."""
-        self.slow = -1.0
-        """Speed below which a ball in contact is not approaching; less than 0 before the first event."""
-        self.last = 0.0
-        """Time of the last event, s."""
+        self._begin = self._call(np.frombuffer(self._log, LOG), -1.0, self.most)
 
-    def _step(self, log: NDArray[np.void], until: float, most: int) -> Any:
-        """Run the loop until the log is full, in Python or compiled."""
+    def _call(self, log: NDArray[np.void], slow: float, most: int) -> Callable[[], Any]:
+        """Return a call that runs at most so many events, until the log is full, in Python or compiled."""
         world, features, _balls, users = self.arrays
-        if self._interpreted:
-            return run_interpreted(world, features, self.balls, log, self.slow, until, most, users, ALL)
-        loop = compiled_engine().run
-        kept, step = self.scene.kept.get("prepared loop", (None, None))
-        if kept is not loop:
-            # (with the address of every array at each call, a shot of one ball took half as long again)
-            arguments = (world, features, self.balls[:0], np.empty(0, LOG), self.slow, until, most, users, ALL)
-            step = prepared(loop, arguments, (2, 3, 4, 5, 6))
-            self.scene.kept["prepared loop"] = loop, step
-        return step(self.balls, log, self.slow, until, most)
+        arguments = (world, features, self.balls, log, slow, self.until, most, users, ALL)
+        if self.interpreted:
+            return functools.partial(run_interpreted, *arguments)
+        return fixed(compiled_engine().run, arguments)
 
-    def follow(
-        self, until: float, most: int, progress: Callable[[int, float], None] | None = None
-    ) -> tuple[int, int, NDArray[np.void]]:
-        """Run events until a time, or so many at most; return how that ended (DONE, QUIET, LIMIT), their number, the log's rows.
-
-        ``progress`` is called with the events so far and the time, s. CaromError for an event for which a law has no answer.
-        """
-        log = _rows(FIRST_ROWS + len(self.balls))
-        parts: list[NDArray[np.void]] = []
-        events, status, pace = 0, FULL, Pace(len(log))
-        while status == FULL:
-            pace.begin()
-            answer = self._step(log, until, most - events)
-            if answer is not None:
-                status, more, written, at_fault, self.slow, self.last = answer
-                parts.append(log[:written])
-                events += more
-            if status == FULL:
-                if self._interpreted and (answer is None or not worth_interpreting(self.scene)):
-                    self._interpreted, self.arrays = False, set_up(self.scene)
-                rows = 4 * len(log)
-                if answer is not None:
-                    pace.done(written)
-                    rows = max(pace.amount, FIRST_ROWS + len(self.balls))
-                log = _rows(len(log) if self._interpreted else min(rows, MOST_ROWS + len(self.balls)))
-                if progress is not None and answer is not None:
-                    progress(events, self.last)
+    def run(self, scene: Scene, progress: Callable[[int, float], None] | None) -> RunLog:
+        """Run the scene from its start (:func:`run_scene`)."""
+        self._balls[:] = self._starts
+        answer = self._begin()
+        if answer is None or answer[0] == FULL:
+            answer, log = self._go_on(answer, scene, progress)
+        else:
+            log = self._log[: answer[2] * LOG.itemsize]
+        status, _events, _rows, at_fault, _slow, last = answer
         if status not in (DONE, QUIET, LIMIT):
-            raise _refusal(status, self.scene, self.balls[at_fault], at_fault)
-        return status, events, _joined(parts)
+            raise _refusal(status, scene, self.balls[at_fault], at_fault)
+        end, ended = last, ENDS[2 if status == LIMIT else 0]
+        if status == DONE and self.until < math.inf:
+            end, ended = self.until, ENDS[1]
+        return scene, np.frombuffer(log, LOG), end, ended, self.arrays
+
+    def _go_on(self, answer: Any, scene: Scene, progress: Callable[[int, float], None] | None) -> tuple[Any, bytearray]:
+        """Run on from an answer of the loop whose log was full, or of Python's that was none; return the last one, and all rows."""
+        log, found, least = np.frombuffer(self._log, LOG), bytearray(), FIRST_ROWS + len(scene.balls)
+        events, slow, pace = 0, -1.0, Pace(4 * least)
+        while True:
+            if answer is not None:
+                found += log[: answer[2]].tobytes()
+                events, slow = events + answer[1], answer[4]
+                if answer[0] != FULL:
+                    return answer, found
+                if progress is not None:
+                    progress(events, answer[5])
+            if self.interpreted and (answer is None or not worth_interpreting(scene)):
+                self.interpreted, self.arrays = False, set_up(scene)
+            rows = least if self.interpreted else min(max(pace.begin(), least), MOST_ROWS + len(scene.balls))
+            log = np.frombuffer(bytearray(rows * LOG.itemsize), LOG)
+            answer = self._call(log, slow, self.most - events)()
+            if answer is not None:
+                pace.done(answer[2])
 
 
 def _refusal(code: int, scene: Scene, ball: Any, i: int) -> CaromError:
@@ -624,18 +628,6 @@ def _refusal(code: int, scene: Scene, ball: Any, i: int) -> CaromError:
         f"simulate: {scene.ball_names[i]}: expected an event that its law has an answer for, got one at"
         f" t = {float(ball['clock']):.6g} s, x = ({', '.join(f'{x:.4g}' for x in ball['x'])}): {ALL_REFUSALS[code]}"
     )
-
-
-def _rows(count: int) -> NDArray[np.void]:
-    """An empty log (records from bytes: NumPy takes three times as long for an array of records by itself)."""
-    return np.frombuffer(np.empty(count * LOG.itemsize, np.uint8), LOG)
-
-
-def _joined(parts: list[NDArray[np.void]]) -> NDArray[np.void]:
-    """Parts of a log as one (records as bytes: NumPy copies the fields of records one by one, which takes a while)."""
-    if len(parts) == 1:
-        return parts[0]
-    return np.concatenate([part.view(np.uint8) for part in parts]).view(LOG)
 
 
 # ----------------------------------------------------------------------------------------------------
@@ -653,36 +645,18 @@ def run_limits(scene: Scene) -> tuple[float, int]:
     return math.inf if run.duration is None else run.duration, most
 
 
-ENDS = ("nothing more happens", "duration", "max_events")
-
-
-class RunLog(NamedTuple):
-    """One run of a scene, as the event loop leaves it."""
-
-    scene: Scene
-    log: NDArray[np.void]
-    """Rows of the balls' starts and of the events (carom.simulation.records.LOG)."""
-    end: float
-    """s: time up to which the balls were followed."""
-    ended: str
-    """Why it ended: one of ENDS."""
-    arrays: SceneArrays
-    """The scene as the loop read it."""
-
-
 def run_scene(scene: Scene, progress: Callable[[int, float], None] | None = None) -> RunLog:
     """Run a scene event by event, as Python or compiled, with the same bits.
 
     ``progress`` is called with the events so far and the simulated time, s. Raises CaromError for an event for which a law has no
     answer.
     """
-    until, most = run_limits(scene)
-    loop = SceneLoop(scene)
-    status, _events, log = loop.follow(until, most, progress)
-    if status == LIMIT:
-        end, ended = loop.last, ENDS[2]
-    elif status == DONE and until < math.inf:
-        end, ended = until, ENDS[1]
-    else:
-        end, ended = loop.last, ENDS[0]
-    return RunLog(scene, log, end, ended, loop.arrays)
+    try:  # (of two threads, each has its own)
+        loop: SceneLoop = scene.kept["loops"].pop()
+    except (KeyError, IndexError):
+        loop = SceneLoop(scene)
+    kept = not loop.interpreted
+    found = loop.run(scene, progress)
+    if kept:
+        scene.kept.setdefault("loops", []).append(loop)
+    return found

@@ -291,9 +291,8 @@ def simulate(
     >>> carom.simulate(scene, law="maw").final.velocity.round(3)
     array([[1.116, 0.764, 0.   ]])
     """
-    if isinstance(scene, str | Path):
-        scene = load_scene(scene)
     if not isinstance(scene, Scene):
+        scene = load_scene(scene) if isinstance(scene, str | Path) else scene
         remedy = "carom.Scene(**scene) makes one" if isinstance(scene, Mapping) else ""
         require_type("simulate", "scene", scene, Scene, remedy)
     if law is not None or duration is not None or max_events is not None:

@@ -401,6 +401,7 @@ class NativeCode:
         self._room: Any = None if self.reader is None else ctypes.c_char * self.reader.size
         self._lock = threading.Lock()
         self._row_seconds = math.inf  # of the last call
+        self._kinds = [ctypes.c_void_p, ctypes.c_void_p, *(kind for one in self.writers for kind in one.kinds)]
         self._call: Callable[..., int] | None = None
         self._addresses: dict[str, int] = {}
 
@@ -445,24 +446,21 @@ class NativeCode:
             self._require_ok(call(out, WHOLE, *given))
         return None if self.reader is None else self.reader.read(out)
 
-    def prepared(self, arguments: tuple[Any, ...], given: list[Any], changing: Sequence[int]) -> Callable[..., Any]:
-        """Return the loop, of one thread and without tuples, as a function of its arguments at these places alone.
+    def fixed(self, arguments: tuple[Any, ...], given: list[Any]) -> Callable[[], Any]:
+        """Return the loop, of one thread, as a function of nothing: with these arguments, whose arrays it reads as they then are.
 
-        The others are written once (which takes longer than a shot of one ball); those that are given have to be numbers, or arrays
-        that nobody else has, of the kinds that stand there now.
+        (C's form of them is made once: making it at each call takes longer than a shot of one ball.)
         """
-        call, room, reader = self._call or self._load(), self._room, self.reader
+        reader, room, require_ok = self.reader, self._room(), self._require_ok
         assert reader is not None
-        before, between, read = given.copy(), [isinstance(arguments[k], np.ndarray) for k in changing], reader.read
-        places = list(zip(changing, between, strict=True))
+        self._load()
+        row = [kind.from_param(one) for kind, one in zip(self._kinds, (room, WHOLE, *given), strict=True)]
+        call, read = self._bare, reader.read
 
-        def run(*values: Any, _kept: object = arguments) -> Any:  # (`before` has their addresses only)
-            row = before.copy()
-            for (place, is_array), value in zip(places, values, strict=True):
-                row[place] = id(value) + HEAD if is_array else value
-            out = room()
-            self._require_ok(call(out, WHOLE, *row))
-            return read(out)
+        def run(_kept: object = arguments) -> Any:  # (`row` has their addresses only)
+            if (status := call(*row)) not in OK:
+                require_ok(status)
+            return read(room)
 
         return run
 
@@ -492,11 +490,11 @@ class NativeCode:
     def _load(self) -> Callable[..., int]:
         with self._lock:
             if self._call is None:
-                kinds = [ctypes.c_void_p, ctypes.c_void_p, *(kind for write in self.writers for kind in write.kinds)]
                 # (with Python's lock held, as Numba's loops hold it that do not say otherwise)
-                leaves = self.described["parallel"] or self.described["nogil"]
-                prototype = (ctypes.CFUNCTYPE if leaves else ctypes.PYFUNCTYPE)(ctypes.c_int32, *kinds)
-                self._call = prototype(self.address(self.entry))
+                leaves, address = self.described["parallel"] or self.described["nogil"], self.address(self.entry)
+                prototype = ctypes.CFUNCTYPE if leaves else ctypes.PYFUNCTYPE
+                self._bare = prototype(ctypes.c_int32)(address)
+                self._call = prototype(ctypes.c_int32, *self._kinds)(address)
         return self._call
 
 
@@ -564,17 +562,12 @@ class NativeLoop:
         return typeof(self.numbas())
 
 
-def prepared(loop: Callable[..., Any], arguments: tuple[Any, ...], changing: Sequence[int]) -> Callable[..., Any]:
-    """Return a loop of one thread as a function of its arguments at these places alone (:meth:`NativeCode.prepared`)."""
+def fixed(loop: Callable[..., Any], arguments: tuple[Any, ...]) -> Callable[[], Any]:
+    """Return a loop of one thread as a function of nothing (:meth:`NativeCode.fixed`)."""
     if isinstance(loop, NativeLoop) and (found := loop.code_for(arguments)) is not None:
         with contextlib.suppress(UnusableError):
-            return found[0].prepared(arguments, found[1], changing)
-
-    def run(*values: Any) -> Any:
-        given = dict(zip(changing, values, strict=True))
-        return loop(*[given.get(k, one) for k, one in enumerate(arguments)])
-
-    return run
+            return found[0].fixed(arguments, found[1])
+    return functools.partial(loop, *arguments)
 
 
 # --- which loops are shipped ------------------------------------------------------------------------------------------

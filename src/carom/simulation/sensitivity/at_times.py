@@ -512,8 +512,8 @@ def _times(times: ArrayLike, runs: int, scene: Scene) -> Array:
 
 def first_phases(scene: Scene) -> list[int]:
     """Return the phases in which the balls of a scene begin."""
-    run = run_scene(replaced(scene, {"run.max_events": 1}))
-    return [int(phase) for phase in run.log["phase"][: len(scene.balls)]]
+    _scene, log, *_end = run_scene(replaced(scene, {"run.max_events": 1}))
+    return [int(phase) for phase in log["phase"][: len(scene.balls)]]
 
 
 def run_all(
