@@ -249,7 +249,7 @@ CAPS = {
     "billiards": 5575,
     "tracks": 9233,
     "simulation": 6471,
-    "core": 5914,
+    "core": 5984,
     "laws": 4926,
     "scene": 4651,
     "cli": 4176,

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import ast
+import copy
 import functools
 import importlib
 import json
 import math
 import os
+import platform
 import re
+import sys
 import threading
 from collections.abc import Callable
 from pathlib import Path
@@ -260,6 +263,25 @@ def test_machine_code_is_kept_and_what_is_not_whole_is_made_again(
     assert len(made) == 2
 
 
+def test_what_carom_cannot_link_llvm_links_with_the_same_bits(
+    built: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    good = built["loop"].codes[0]
+    made, linked = machine_code._object(_bitcode(built, tmp_path)._replace(names=None)), machine_code.linked
+    for strange in (b"", made[:18] + b"\xb7\0" + made[20:]):
+        with pytest.raises(machine_code.UnusableError):
+            linked(strange)
+    code = copy.copy(good)
+    code._addresses, code._call = {}, None
+    monkeypatch.setattr(machine_code, "_linked", {})
+    monkeypatch.setattr(machine_code, "linked", lambda _data: linked(b""))
+    (places, numbers), (same, out) = _places(9), _places(9)
+    loop = NativeLoop(built["loop"].source._replace(compile_here=_refused), [code])
+    assert loop(places, numbers, 0.3, 7, True) == _again(built["loop"])(same, out, 0.3, 7, True)
+    assert places.tobytes() + numbers.tobytes() == same.tobytes() + out.tobytes()
+    assert machine_code._linked == {good.described["name"]: {}}
+
+
 def _vectors(code: Any) -> set[str]:
     """Return how wide the vectors of numbers in a loop's bitcode are."""
     import llvmlite.binding as llvm
@@ -337,6 +359,7 @@ ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0, 0.03), velocity=(-
 scene = carom.Scene(floor=carom.Floor(friction=0.2, restitution=0.5), walls=[wall], balls=[ball], run=carom.Run(duration=2))
 many = carom.simulate_many(scene, velocity=[[[-3, 0.4, 0]], [[-2, 0, 0]]])
 print(json.dumps([many.final.velocity[0, 0].tolist(), carom.simulate(scene).final[0].velocity.tolist(), "numba" in sys.modules]))
+print("llvmlite.binding" in sys.modules)
 """
 
 
@@ -344,7 +367,7 @@ print(json.dumps([many.final.velocity[0, 0].tolist(), carom.simulate(scene).fina
 def test_a_first_run_needs_no_numba_and_gives_the_same_bits(tmp_path: Path) -> None:
     if not native.is_shipped(run_many._many):
         pytest.skip("the package's loops are not of today's kernels")
-    found = []
+    found, llvm = [], []
     with forking() as forked:  # (which imports no Numba)
         for place in (
             tmp_path / "cache",
@@ -353,8 +376,11 @@ def test_a_first_run_needs_no_numba_and_gives_the_same_bits(tmp_path: Path) -> N
         ):  # (new, used, and one that cannot be written)
             code, out, err = forked(tmp_path, "-c", FIRST_RUN, CAROM_CACHE=str(place))
             assert code == 0, err
-            found.append(json.loads(out))
+            found.append(json.loads(out.splitlines()[0]))
+            llvm.append(out.splitlines()[1])
     assert list((tmp_path / "cache").rglob("*.o"))
+    if platform.machine() == "x86_64" and sys.platform == "linux":  # (what is kept needs no LLVM)
+        assert llvm == ["True", "False", "True"]
     many, one, numba = found[0]
     assert many == one
     assert not numba
