@@ -308,7 +308,7 @@ def test_bounces_on_the_floor_are_one_row_and_complete_in_files(scenes: Path) ->
     every, _err = command("design.toml", "--events", "all")
     assert "lands," not in every
     assert sum(" floor " in line for line in every.splitlines()) == len(lands)
-    out, _err = command("design.toml", "--json", "--table", "events.csv")
+    out, _err = command("design.toml", "--json", "--save-events", "events.csv")
     assert len(json.loads(out)["events"]) == len(run.events)
     assert len(Path("events.csv").read_text().splitlines()) == len(run.events) + 1
     # hops of two balls at the same time are not mixed
@@ -369,7 +369,7 @@ def test_json_is_the_librarys_answer_in_full(scenes: Path, name: str) -> None:
 
 
 def test_json_with_states_and_files(scenes: Path) -> None:
-    out, err = command("design.toml", "--json", "--at", "1", "--table", "events.csv")
+    out, err = command("design.toml", "--json", "--at", "1", "--save-events", "events.csv")
     found = json.loads(out)
     run = carom.simulate(carom.load_scene("design.toml"))
     assert [one["t"] for one in found["at"]] == [1.0]
@@ -383,9 +383,9 @@ def test_json_with_states_and_files(scenes: Path) -> None:
 @pytest.mark.slow
 def test_files_are_written_and_named(scenes: Path) -> None:
     pytest.importorskip("pyarrow")
-    out, err = command("design.toml", "--save", "run.parquet", "--table", "events.csv", "--quiet")
+    out, err = command("design.toml", "--save", "run.parquet", "--save-events", "events.csv", "--quiet")
     assert (out, err) == ("", "")
-    out, err = command("design.toml", "--save", "run.parquet", "--table", "events.parquet")
+    out, err = command("design.toml", "--save", "run.parquet", "--save-events", "events.parquet")
     assert err.splitlines() == ["written: run.parquet", "written: events.parquet"]
     run = carom.simulate(carom.load_scene("design.toml"))
     assert carom.load_trajectory("run.parquet").log.tobytes() == run.log.tobytes()
@@ -413,7 +413,7 @@ def test_all_files_or_none(scenes: Path, monkeypatch: pytest.MonkeyPatch, capsys
         raise carom.CaromError(f"animate: {file}: expected ffmpeg, got none")
 
     monkeypatch.setattr(carom.Trajectory, "animate", fail)
-    lines = fails(capsys, "design.toml", "--table", "events.csv", "--animate", "run.gif")
+    lines = fails(capsys, "design.toml", "--save-events", "events.csv", "--animate", "run.gif")
     assert lines == ["carom: animate: run.gif: expected ffmpeg, got none"]
 
 
@@ -424,12 +424,12 @@ WRONG = {
     "plot": (["design.toml", "--plot", "run.bmp"], "'.bmp'"),
     "animate": (["design.toml", "--animate", "run.avi"], "--animate run.avi: expected a name that ends with .mp4, .gif or .html"),
     "save": (["design.toml", "--save", "run.csv"], "--save run.csv: expected a name that ends with .parquet"),
-    "table": (["design.toml", "--table", "run"], "--table run: expected a name that ends with .csv or .parquet, got none"),
+    "all events": (["design.toml", "--save-events", "r"], "--save-events r: expected a name that ends with .csv or .parquet, got none"),
     "folder": (["design.toml", "--save", "no/run.parquet"], "--save no/run.parquet: expected a folder that exists"),
-    "is a folder": (["design.toml", "--table", "folder.csv"], "got a folder"),
-    "twice": (["design.toml", "--save", "run.parquet", "--table", "run.parquet"], "expected another file than --save's"),
+    "is a folder": (["design.toml", "--save-events", "folder.csv"], "got a folder"),
+    "twice": (["design.toml", "--save", "run.parquet", "--save-events", "run.parquet"], "expected another file than --save's"),
     "late": (["design.toml", "--at", "10.5"], "--at: expected times from 0 to 10 s, the end of the run, got 10.5"),
-    "late, with a file": (["design.toml", "--at", "11", "--table", "run.csv"], "--at: expected times from 0 to 10 s"),
+    "late, with a file": (["design.toml", "--at", "11", "--save-events", "run.csv"], "--at: expected times from 0 to 10 s"),
     "early": (["design.toml", "--at", "-1"], "--at: expected times >= 0"),
     "no time": (["design.toml", "--at", "soon"], "--at: expected times >= 0"),
     "events": (["design.toml", "--events", "some"], "--events: expected 'all' or a whole number"),
@@ -460,7 +460,7 @@ def test_what_is_wrong_is_one_line(scenes: Path, case: str, capsys: pytest.Captu
 
 
 def test_several_faults_at_once(scenes: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert len(fails(capsys, "none.toml", "--at", "x", "--save", "run.csv", "--table", "no/a.csv")) == 4
+    assert len(fails(capsys, "none.toml", "--at", "x", "--save", "run.csv", "--save-events", "no/a.csv")) == 4
     lines = fails(capsys, "none.toml", "--law", "no-slp", "--duration", "-1")
     assert [line.split(": ")[1] for line in lines] == ["none.toml", "--law", "--duration"]
 
@@ -468,7 +468,7 @@ def test_several_faults_at_once(scenes: Path, capsys: pytest.CaptureFixture[str]
 @pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="anybody may write anywhere")
 def test_a_folder_without_leave(scenes: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (scenes / "closed").mkdir(mode=0o500)
-    assert "permission to write" in fails(capsys, "design.toml", "--table", "closed/a.csv")[0]
+    assert "permission to write" in fails(capsys, "design.toml", "--save-events", "closed/a.csv")[0]
 
 
 @pytest.mark.slow
@@ -504,7 +504,7 @@ import carom.simulation.simulate
 from carom.cli import main
 
 follow, swallowed, said = carom.simulation.simulate.simulate, HOW == "swallowed", []
-sys.argv = ["carom", "simulate", "box.toml", "--max-events", "3000000", "--table", "events.csv"]
+sys.argv = ["carom", "simulate", "box.toml", "--max-events", "3000000", "--save-events", "events.csv"]
 
 
 def told(scene, progress):

@@ -185,7 +185,7 @@ def test_names_of_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> N
     code, out, _err = command(capsys, "scene", "check", str(file))
     assert code == 0
     assert r"\x1b[31mred" in clean(out)
-    code, _out, err = command(capsys, "simulate", str(file), "--table", str(tmp_path / "\x1b[2J.csv"))
+    code, _out, err = command(capsys, "simulate", str(file), "--save-events", str(tmp_path / "\x1b[2J.csv"))
     assert code == 0
     assert r"written: " in clean(err)
 
@@ -277,7 +277,7 @@ def test_what_prints_nothing_needs_no_standard_output(
     files: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sys, "stdout", None)
-    monkeypatch.setattr(sys, "argv", ["carom", "simulate", "scene.toml", "--quiet", "--table", "out.csv"])
+    monkeypatch.setattr(sys, "argv", ["carom", "simulate", "scene.toml", "--quiet", "--save-events", "out.csv"])
     with pytest.raises(SystemExit) as end:
         carom.cli.main()
     assert end.value.code == 0
@@ -293,9 +293,9 @@ def test_streams_of_a_shell(files: Path) -> None:
     script = f"""
         {carom_} laws >/dev/full; echo $? >&2
         {carom_} laws >&-; echo $? >&2
-        {carom_} simulate scene.toml --json --table all.csv | true; echo ${{PIPESTATUS[0]}} >&2
+        {carom_} simulate scene.toml --json --save-events all.csv | true; echo ${{PIPESTATUS[0]}} >&2
         {carom_} laws --frob 2>/dev/full; echo $? >&2
-        {carom_} simulate scene.toml --table more.csv >/dev/null 2>&-; echo $? >&2
+        {carom_} simulate scene.toml --save-events more.csv >/dev/null 2>&-; echo $? >&2
     """
     done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=True, timeout=120)
     written = "written: all.csv"

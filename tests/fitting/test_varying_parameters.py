@@ -156,3 +156,16 @@ def test_forms_of_rows_without_spins_are_not_tried_and_a_note_says_so() -> None:
     found = carom.fit(columns, RADIUS, forms=True, **options)
     assert not found.forms
     assert any(note.startswith("`forms`: spins before the wall were not measured") for note in found.notes)
+
+
+def test_a_number_is_held_and_a_form_is_fitted() -> None:
+    """One name, one meaning in all verbs: a parameter is a number, or the form in which it depends on the impact."""
+    columns = drawn_table(60, 2, **CONSTANT)
+    held, fixed = (
+        fitted(columns, restitution="0,7", friction=0.3),
+        fitted(columns, fix={"restitution": 0.7, "friction": 0.3}),
+    )
+    assert held.estimates == fixed.estimates
+    assert {"restitution", "friction"}.isdisjoint(held.names)
+    with pytest.raises(carom.CaromError, match="`restitution`: expected a form beside `fix` or `bound`"):
+        fitted(columns, restitution=0.7, fix={"restitution": 0.8})

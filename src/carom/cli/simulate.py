@@ -60,7 +60,7 @@ def simulate(
     save: Annotated[
         Path | None, option(OUTPUT, "Save the run for carom.load_trajectory: .parquet.", metavar="FILE")
     ] = None,
-    table: Annotated[Path | None, option(OUTPUT, "Write all events: .csv or .parquet.", metavar="FILE")] = None,
+    save_events: Annotated[Path | None, option(OUTPUT, "Write all events: .csv or .parquet.", metavar="FILE")] = None,
     out: Annotated[
         Path | None,
         option(
@@ -82,8 +82,8 @@ def simulate(
     try:
         found = FaultList()
         most, times = found.attempt(_most, events), found.attempt(_times, at)
-        kinds = {"--animate": ANIMATIONS, "--save": FORMATS, "--table": TABLES, "--out": FRAME_FORMATS}
-        outputs = {"--plot": plot, "--animate": animate, "--save": save, "--table": table, "--out": out}
+        kinds = {"--animate": ANIMATIONS, "--save": FORMATS, "--save-events": TABLES, "--out": FRAME_FORMATS}
+        outputs = {"--plot": plot, "--animate": animate, "--save": save, "--save-events": save_events, "--out": out}
         require_outputs(found, outputs, kinds)
         rate = found.attempt(_rate, frames, out)
         values = assigned(found, set_)
@@ -232,7 +232,7 @@ def _write(run: Trajectory, quiet: bool, outputs: dict[str, Path | None], rate: 
     makers: dict[str, Callable[[Path], Any]] = {
         "--plot": run.plot,
         "--save": run.save,
-        "--table": lambda part: write_columns(event_columns(run, run.events.rows), part),
+        "--save-events": lambda part: write_columns(event_columns(run, run.events.rows), part),
         "--out": lambda part: run.save_frames(part, rate),
         "--animate": lambda part: _animate(run, part, quiet),
     }

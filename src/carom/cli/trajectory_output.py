@@ -44,7 +44,7 @@ def show(run: Trajectory, times: list[float], most: int | None) -> None:
         table, hidden = _events(run, most, console.width >= WIDE)
         console.table(table)
         if hidden > 0:
-            said = f"{counted(hidden, 'event')} not shown: --events all shows all, --table FILE.csv writes them."
+            said = f"{counted(hidden, 'event')} not shown: --events all shows all, --save-events FILE.csv writes them."
             console.print(said, style="dim", soft_wrap=True)
     console.table(_states(run, times, console.width >= WIDE))
     console.print(_energy(run), soft_wrap=True)

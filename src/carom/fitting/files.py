@@ -65,10 +65,10 @@ def fit(
     *,
     inertia: str | float | None = None,
     laws: str | Sequence[str] | None = None,
-    restitution: str = "constant",
-    friction: str = "constant",
-    tangential_restitution: str = "constant",
-    stiffness_ratio: str = "constant",
+    restitution: float | str = "constant",
+    friction: float | str = "constant",
+    tangential_restitution: float | str = "constant",
+    stiffness_ratio: float | str = "constant",
     forms: bool = False,
     fit: Sequence[str] = (),
     fix: Mapping[str, float] | None = None,
@@ -115,14 +115,15 @@ def fit(
         "solid", "hollow" or I/(m a^2). Default: solid.
     laws : str or sequence of str, optional
         Fit only these laws. Default: all laws for this kind of rebound.
-    restitution : str
-        Restitution as a function of speed: constant, line, polynomial, power, viscoelastic, exponential.
-    friction : str
-        Friction: constant, or linear or exponential in the slip, or in v_n, slip/v_n, speed after a colon.
-    tangential_restitution : str
-        Tangential restitution: constant, linear or exponential, by default in slip/v_n.
-    stiffness_ratio : str
-        Stiffness ratio: constant, linear or exponential, by default in slip/v_n.
+    restitution : float or str
+        Coefficient of restitution, held; or its form that is fitted: constant, line, polynomial, power, viscoelastic, exponential.
+    friction : float or str
+        Friction coefficient, held; or its form: constant, or linear or exponential in the slip, or in v_n, slip/v_n, speed after a
+        colon.
+    tangential_restitution : float or str
+        Tangential restitution, held; or its form: constant, linear or exponential, by default in slip/v_n.
+    stiffness_ratio : float or str
+        Stiffness ratio, held; or its form: constant, linear or exponential, by default in slip/v_n.
     forms : bool
         Choose a form or a spline for each parameter of the best law, and the tails of errors, by rows held out.
     fit : sequence of str
@@ -270,7 +271,13 @@ def _checked(asked: SimpleNamespace) -> _Request:
         films = faults.attempt(are_films, paths)
     kappa = None if asked.inertia is None else faults.attempt(inertia_number, asked.inertia)
     prior = faults.attempt(_prior, asked.spin, asked.whole) or {}
-    fixed, bounds = dict(asked.fix or {}), dict(asked.bound or {})
+    forms = {name: getattr(asked, name) for name in ("restitution", *ALONG)}
+    held = {name: number for name, given in forms.items() if (number := _number(given)) is not None}
+    fixed, bounds = {**held, **(asked.fix or {})}, dict(asked.bound or {})
+    for name in held.keys() & {*(asked.fix or {}), *bounds}:
+        faults.add(
+            f"`{name}`", "a form beside `fix` or `bound` of the same parameter", f"{held[name]:g}", "give one of them"
+        )
     strange = [*_strange_parameters("fix", fixed, asked.whole), *_strange_parameters("bound", bounds, asked.whole)]
     faults += strange
     if strange:  # (said once)
@@ -289,8 +296,7 @@ def _checked(asked: SimpleNamespace) -> _Request:
     ball = {"radius": 1.0} | (ours.setting if ours else {}) | {k: x for k, x in given.items() if x is not None}
     of_whole: dict[str, Any] = {"noise": asked.noise, "cushions": asked.cushions} if asked.whole else {}
     setting = Setting(
-        **ball, restitution=asked.restitution, **{name: getattr(asked, name) for name in ALONG},
-        floor_restitution=asked.floor_restitution, roll=asked.roll,
+        **ball, **forms | dict.fromkeys(held, "constant"), floor_restitution=asked.floor_restitution, roll=asked.roll,
         **prior, fixed=fixed, bounds=bounds, fit=tuple(asked.fit), robust=asked.robust, scatter=asked.scatter or "",
         **of_whole,
     )  # fmt: skip
@@ -324,6 +330,14 @@ def _prior(spin: float | str | None, whole: bool) -> dict[str, Any]:
             f"`spin`: expected normal:WIDTH (in v/a) with `whole`, got {spin!r}; the spin of each track is fitted"
         )
     return spin_of_rows(spin)[1]
+
+
+def _number(given: float | str) -> float | None:
+    """Return a number, or a text that is one; None for the name of a form."""
+    try:
+        return float(given.replace(",", ".") if isinstance(given, str) else given)
+    except ValueError:
+        return None
 
 
 def _strange_parameters(argument: str, given: Mapping[str, Any], whole: bool) -> FaultList:
