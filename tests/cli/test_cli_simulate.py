@@ -424,7 +424,7 @@ WRONG = {
     "plot": (["design.toml", "--plot", "run.bmp"], "'.bmp'"),
     "animate": (["design.toml", "--animate", "run.avi"], "--animate run.avi: expected a name that ends with .mp4, .gif or .html"),
     "save": (["design.toml", "--save", "run.csv"], "--save run.csv: expected a name that ends with .parquet"),
-    "all events": (["design.toml", "--save-events", "r"], "--save-events r: expected a name that ends with .csv or .parquet, got none"),
+    "rows": (["design.toml", "--save-events", "r"], "--save-events r: expected a name that ends with .csv or .parquet, got none"),
     "folder": (["design.toml", "--save", "no/run.parquet"], "--save no/run.parquet: expected a folder that exists"),
     "is a folder": (["design.toml", "--save-events", "folder.csv"], "got a folder"),
     "twice": (["design.toml", "--save", "run.parquet", "--save-events", "run.parquet"], "expected another file than --save's"),
