@@ -374,7 +374,7 @@ def simulate_many(
     tell = loop_callback(progress, lambda now: lambda done, total: now(done, total, "runs"))
     arrays = set_up(scene)
     balls = starts_of("simulate_many", scene, arrays, velocity, spin, position)
-    return _run_many(scene, arrays._replace(balls=balls), int(events), kinds, tell)
+    return run_starts(scene, arrays._replace(balls=balls), int(events), kinds, tell)
 
 
 # Runs that are done in one go: enough to keep all cores busy, few enough that memory stays small.
@@ -394,7 +394,10 @@ def _bits(kinds: tuple[str, ...]) -> int:
     return bits | ((bits >> BALL) & 1) << IN_CLUSTER
 
 
-def _run_many(scene: Scene, arrays: SceneArrays, events: int, kinds: tuple[str, ...], progress: Any) -> ManyRuns:
+def run_starts(
+    scene: Scene, arrays: SceneArrays, events: int, kinds: tuple[str, ...], progress: Any = None
+) -> ManyRuns:
+    """Run the starts ``arrays.balls`` (N, B), which it moves: :func:`simulate_many` of states that are checked."""
     many, bits, (until, most) = compiled_many(), _bits(kinds) if events else 0, run_limits(scene)
     balls, total = arrays.balls, len(arrays.balls)
     advice = "keep fewer, choose kinds, or run the starts in parts"

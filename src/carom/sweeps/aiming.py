@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import itertools
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -23,7 +24,7 @@ from carom.scene.toml import path_match, replaced
 from carom.simulation.contact_kinds import partner_names
 from carom.simulation.records import START
 from carom.simulation.setup import set_up
-from carom.simulation.simulate import simulate, simulate_many
+from carom.simulation.simulate import run_starts, simulate
 from carom.sweeps.shots import start_states
 from carom.sweeps.targets import EVENTS, Outcomes, TargetEvent, find, is_reached, residuals, sizes, slopes, targets_of
 
@@ -36,15 +37,8 @@ SPEED, ANGLE = (0.5, 6.0), (0.0, 360.0)
 RANGES = {"speed": SPEED, "angle": ANGLE, "azimuth": ANGLE, "elevation": (0.0, 30.0), "side": (-0.5, 0.5), "top": (-0.5, 0.5),
           "spin_z": (-100.0, 100.0)}  # fmt: skip
 ERRORS = {"speed": 0.03, "angle": 0.2, "azimuth": 0.2, "elevation": 0.5, "side": 0.02, "top": 0.02, "spin_z": 2.0}
-UNITS = {
-    "speed": "m/s",
-    "angle": "°",
-    "azimuth": "°",
-    "elevation": "°",
-    "side": "radii",
-    "top": "radii",
-    "spin_z": "rad/s",
-}
+UNITS = {"speed": "m/s", "side": "radii", "top": "radii", "spin_z": "rad/s"}
+UNITS |= dict.fromkeys(("angle", "azimuth", "elevation"), "°")
 # What each kind of path has for unknowns.
 PARTS = {
     "velocity": ("speed", "angle"),
@@ -239,7 +233,8 @@ class AimProblem:
         self.scene, self.unknowns, self.targets = scene, unknowns, targets
         self.low = np.array([one.low for one in unknowns])
         self.high = np.array([one.high for one in unknowns])
-        self.paths = list(values_at(unknowns, self.low))
+        self.paths = tuple(values_at(unknowns, self.low))
+        self._linear: dict[Any, Any] = {}
 
     def sigma(self, x: Array) -> Array:
         """Return the player's errors (U,) at a start."""
@@ -264,7 +259,7 @@ class AimProblem:
         arrays = set_up(self.scene).for_runs(len(x))
         columns = {path_match(self.scene, path): column for path, column in columns_at(self.unknowns, x).items()}
         doubtful = start_states(self.scene, columns, arrays)
-        many = simulate_many(self.scene, arrays.balls["v"], arrays.balls["w"], events=events, kinds=KINDS)
+        many = run_starts(self.scene, arrays, events, KINDS)
         return Outcomes(many.events, np.asarray(many.final.position), many.code), ~doubtful & (many.why == "")
 
     def run_many(
@@ -310,6 +305,18 @@ class AimProblem:
         log = Outcomes.of_run(run).log
         found = [int(find(target, log)[0]) for target in self.targets]
         return run, signature(codes_of(log)[0], self.targets, found), found
+
+    def sensitivity(self, run: Any) -> Any:
+        """Return a run's derivatives. What the loop reads is linear in velocities: those are found at the first start alone."""
+        kept = run.scene.kept.setdefault("parameters", {})
+        asked = self.paths, tuple(run.log["phase"][: len(run.scene.balls)].tolist())
+        if asked in self._linear:
+            kept[asked] = copy.copy(self._linear[asked])
+            kept[asked].arrays = run.arrays
+        found = run.sensitivity(self.paths)
+        if all(path.endswith(".velocity") for path in self.paths):
+            self._linear[asked] = kept[asked]
+        return found
 
     def miss(self, run: Any, found: list[int], derivatives: Any, x: Array) -> tuple[Array, Array]:
         """Return a run's misses of the targets, as shares of what is allowed (R,), and its derivatives (R, U)."""
@@ -574,7 +581,7 @@ def _refined(problem: AimProblem, x0: Array, sequence: Signature) -> tuple[Array
             try:
                 run, its, found = problem.follow(x)
                 if its == sequence:
-                    miss, derivatives = problem.miss(run, found, run.sensitivity(problem.paths), x)
+                    miss, derivatives = problem.miss(run, found, problem.sensitivity(run), x)
                     if np.isfinite(miss).all() and np.isfinite(derivatives).all():
                         known[key] = miss, derivatives, (run, found)
             except (
@@ -611,7 +618,9 @@ def _judged(problem: AimProblem, refined: list[tuple[Array, Array, Any]], draws:
     if not refined:
         return []
     tried = [x + draws * problem.sigma(x) for x, _slopes, _run in refined]
-    miss, reached = problem.judge(np.clip(np.concatenate(tried), *_wide(problem)))
+    # (speeds stay positive, and miscues are left to the scene)
+    low = np.array([1e-3 if one.name == "speed" else -np.inf for one in problem.unknowns])
+    miss, reached = problem.judge(np.maximum(np.concatenate(tried), low))
     success = reached.reshape(len(refined), len(draws)).mean(axis=1)
     windows = np.concatenate([target.windows for target in problem.targets])
     each = miss.max(axis=1).reshape(len(refined), len(draws))
@@ -650,12 +659,6 @@ def _turn(problem: AimProblem, x: Array) -> Array:
     """Return differences of starts, of angles that go round the shorter one."""
     circular = np.array([one.circular for one in problem.unknowns])
     return np.where(circular, (x + 180.0) % 360.0 - 180.0, x)
-
-
-def _wide(problem: AimProblem) -> tuple[Array, Array]:
-    """Return limits of starts that a player's errors may reach: speeds stay positive, and miscues are left to the scene."""
-    low = np.array([1e-3 if one.name == "speed" else -np.inf for one in problem.unknowns])
-    return low, np.full(len(low), np.inf)
 
 
 def _names(unknowns: Sequence[Unknown]) -> list[str]:
