@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.files import as_path, atomic_path, import_optional, require_writable
-from carom.plot.style import GREY, INK, PALE, drawn, literal, new_figure
-from carom.plot.tracks import COLOURS
+from carom.plot.style import COLOURS, GREY, INK, PALE, drawn, literal, new_figure
 from carom.tracks.track import position_noise
 from carom.tracks.video.reading import TrackedFilm, crops, open_film
 

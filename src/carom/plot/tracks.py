@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.plot.style import GREY, INK, drawn, literal, new_figure, style
+from carom.plot.style import COLOURS, GREY, INK, drawn, literal, new_figure, style
 from carom.tracks.contact import TrackContact
 from carom.tracks.films import usable_stages
 from carom.tracks.measurement import Measured
@@ -20,8 +20,7 @@ if TYPE_CHECKING:
     from carom.tracks.verdicts import Judgement
 
 Array = NDArray[np.float64]
-BLUE, ORANGE = "#0072B2", "#D55E00"
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+BLUE, ORANGE = COLOURS[:2]
 MAX_FRAMES_SHOWN = 12.0
 MIN_WIDTH_SHARE, MAX_TICKS = 0.4, 6  # of the paths: the narrow side as a share of the long one, ticks of the long one
 LINE_TOP = 0.87  # height of the lines at contacts, below the legend, as a fraction of the panel

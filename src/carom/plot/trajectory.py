@@ -46,8 +46,11 @@ Array = NDArray[np.float64]
 # A white ball is drawn grey, to be visible on paper.
 CALLED = {
     "white": "#8f887c", "yellow": "#dba800", "red": "#c23616", "blue": "#0072B2", "green": "#009E73", "black": "#222222",
-    "orange": "#D55E00", "brown": "#8c5a2b", "pink": "#CC79A7",
+    "orange": "#D55E00", "brown": "#8c5a2b", "pink": "#CC79A7", "purple": "#6a3d9a", "maroon": "#7b2d26",
 }  # fmt: skip
+# Of pool, by number; 9 to 15 are striped in the colours of 1 to 7.
+OF_POOL = ("yellow", "blue", "red", "purple", "orange", "green", "maroon", "black")
+CALLED |= {str(1 + k + 8 * half): CALLED[name] for half in (0, 1) for k, name in enumerate(OF_POOL)}
 # A hop lower than this fraction of the radius is invisible.
 SEEN = 1e-3
 # Above this number of events paths are drawn with fewer points.
