@@ -253,7 +253,7 @@ CAPS = {
     "laws": 4926,
     "scene": 4651,
     "cli": 4176,
-    "plot": 3561,
+    "plot": 3566,
     "derive": 2999,
     "sweeps": 3267,
     "data": 2603,

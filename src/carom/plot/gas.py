@@ -239,14 +239,19 @@ def _distributions(axes: Any, measures: Measures, what: str, changes: bool = Tru
     axes.set(xlim=(-5, 5), ylim=(2e-6, 1), xlabel=f"{what} / standard deviation")
     panel_title(axes, what)
     if shown == 0:
-        text = "no spin" if changes else "smooth: no spin changes"
-        axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
+        note_no_spin(axes, changes)
     for k, line in enumerate(said[:4]):
         colour = COLOURS[k % len(COLOURS)] if len(said) > 1 else INK
         axes.text(0.5, 0.16 - 0.08 * k + 0.08 * (len(said[:4]) - 1), line, transform=axes.transAxes, ha="center", color=colour,
                   fontsize=7.5)  # fmt: skip
     if what == "velocity":
         note_maxwell(axes, 0.98, "right")
+
+
+def note_no_spin(axes: Any, changes: bool) -> None:
+    """Write why there is no distribution of spins."""
+    text = "no spin" if changes else "smooth: no spin changes"
+    axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
 
 
 def draw_maxwell(axes: Any) -> None:
@@ -441,9 +446,12 @@ def _draw_ensemble(ensemble: Ensemble, title: str | None) -> Any:
     figure.subplots_adjust(left=0.075, right=0.985, top=0.875, bottom=0.085, wspace=0.36, hspace=0.42)
     pairs = [(f"{a} – {b}", f"pair_correlation.{a}.{b}") for i, a in enumerate(names) for b in names[i:]]
     _panel(axes[0], "velocity", {name: curves[f"velocity.{name}"] for name in names}, "velocity / standard deviation")
-    _panel(axes[1], "spin", {name: curves[f"spin.{name}"] for name in names}, "spin / standard deviation")
+    spins = {name: one for name in names if scene.spins_change and (one := curves[f"spin.{name}"]).mean.any()}
+    _panel(axes[1], "spin", spins, "spin / standard deviation")
+    if not spins:
+        note_no_spin(axes[1], scene.spins_change)
     note_maxwell(axes[0], 0.02, "left")
-    for one in axes[:2]:
+    for one in axes[: 1 + bool(spins)]:
         draw_maxwell(one)
         one.set_yscale("log")
         one.set(xlim=(-5, 5), ylim=(2e-6, 1))
