@@ -523,14 +523,14 @@ def _fits_of(
         fit = fit_law(law, problem)
         if not math.isfinite(fit.aicc):  # (AICc divides by count - k - 1)
             needed[law.name] = fit.k + 2
-            said.append(f"{law.name}: left out, {fit.k} parameters for {problem.count} measured numbers; film more")
+            said.append(f"{law.name}: left out, {fit.k} parameters for {problem.count} measured numbers; measure more")
             continue
         fits.append(fit)
     if not fits and needed:
         name = min(needed, key=needed.__getitem__)
         raise CaromError(
             f"{problem.rebounds.source}: expected {needed[name]} measured numbers or more, which {name} needs, got {problem.count};"
-            " film more"
+            " measure more"
         )
     if not fits:
         raise CaromError(*(f"{problem.rebounds.source}: {note}" for note in (*notes, *said)))
@@ -700,7 +700,7 @@ def _verdict(best: Fit, evidence: Evidence, few: bool, found: Adequacy, covers: 
     if few:
         said = (
             f"these data cannot decide: too few rows, {best.problem.count} measured numbers for up to"
-            f" {max(best.k, evidence.rival.k)} fitted ones, scatter among them; film more, or give error bars (`sigma_v`,"
+            f" {max(best.k, evidence.rival.k)} fitted ones, scatter among them; measure more, or give error bars (`sigma_v`,"
             " `sigma_spin`)"
         )
     else:

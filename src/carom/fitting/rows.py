@@ -402,7 +402,9 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
         faults += _no_scatter(rebounds, setting, lacks)
         vy[:, estimated] = 1.0
     if len(rebounds) < 3:
-        faults.append(f"{rebounds.source}: rows: expected at least 3 rebounds to fit, got {len(rebounds)}; film more")
+        faults.append(
+            f"{rebounds.source}: rows: expected at least 3 rebounds to fit, got {len(rebounds)}; measure more"
+        )
     if faults:
         raise CaromError(*faults)
     exact = [name for name in names[:3] if name not in rebounds.sigma and np.nan_to_num(rebounds[name]).any()]
@@ -576,7 +578,7 @@ def _warnings(problem: Problem, spin: str) -> list[str]:
     n = len(problem.x)
     if n < FEW_ROWS:
         notes.append(
-            f"rows: only {n} rebounds, but error bars are valid for many; film more before drawing conclusions"
+            f"rows: only {n} rebounds, but error bars are valid for many; measure more before drawing conclusions"
         )
     both = np.nan_to_num(np.concatenate([problem.x, problem.y], axis=1), nan=np.inf)
     different, first = np.unique(both, axis=0, return_index=True)

@@ -446,7 +446,7 @@ def _draw_ensemble(ensemble: Ensemble, title: str | None) -> Any:
     figure.subplots_adjust(left=0.075, right=0.985, top=0.875, bottom=0.085, wspace=0.36, hspace=0.42)
     pairs = [(f"{a} – {b}", f"pair_correlation.{a}.{b}") for i, a in enumerate(names) for b in names[i:]]
     _panel(axes[0], "velocity", {name: curves[f"velocity.{name}"] for name in names}, "velocity / standard deviation")
-    spins = {name: one for name in names if scene.spins_change and (one := curves[f"spin.{name}"]).mean.any()}
+    spins = {name: curves[f"spin.{name}"] for name in names if scene.spins_change and curves[f"spin.{name}"].mean.any()}
     _panel(axes[1], "spin", spins, "spin / standard deviation")
     if not spins:
         note_no_spin(axes[1], scene.spins_change)
