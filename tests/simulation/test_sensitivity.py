@@ -217,6 +217,12 @@ def test_the_table_of_what_matters(tmp_path: Path, capsys: pytest.CaptureFixture
     assert rows[2]["mm_per_cent"][0] == pytest.approx(10 * way, rel=1e-6)
     assert "What matters" in command(capsys, *words, "balls.0.velocity,floor.rolling_resistance")[1]
     assert "did you mean 'balls.0.velocity'" in " ".join(fails(capsys, *words, "balls.0.velocty"))
+    # an angle is changed by a degree: 1 % of 0 degrees is nothing
+    struck = "radius = 0.03\nmass = 0.2\nposition = [0, 0]\nstrike = { speed = 1.0, azimuth = 0.0 }\n"
+    (tmp_path / "shot.toml").write_text(f"[floor]\nfriction = 0.2\nrolling_resistance = 0.02\n[[balls]]\n{struck}")
+    found = json.loads(command(capsys, *words, "balls.0.strike.azimuth", "--json")[1])
+    way = math.hypot(*found["final"][0]["position"][:2])
+    assert found["sensitivity"][0]["mm_per_degree"][0] == pytest.approx(1e3 * math.radians(way), rel=1e-6)
 
 
 def test_the_end_of_a_slide_on_a_slope_to_the_rounding_of_its_time() -> None:

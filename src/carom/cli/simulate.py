@@ -50,7 +50,7 @@ def simulate(
         str | None,
         option(
             OUTPUT,
-            "Print sensitivities: how far each ball's final place moves where these numbers change by 1 %, such as"
+            "Print sensitivities: how far each ball's final place moves where these numbers change by 1 % (angles by 1°), such as"
             " balls.0.velocity,walls.*.friction.",
             metavar="PATHS",
         ),

@@ -16,6 +16,7 @@ from carom.simulation.contact_kinds import cushion_side
 from carom.simulation.files import event_columns
 from carom.simulation.narrate import describe_run
 from carom.simulation.records import BALL, FLOOR, WALL, event_numbers, kind_names
+from carom.simulation.sensitivity.sensitivity import is_angle
 from carom.simulation.trajectory import budget
 
 if TYPE_CHECKING:
@@ -51,9 +52,9 @@ def show(run: Trajectory, times: list[float], most: int | None) -> None:
 
 
 def show_sensitivity(found: Any) -> None:
-    """Print the sensitivity: how far each ball's final place moves when a number changes by 1 %."""
+    """Print the sensitivity: how far each ball's final place moves when a number changes by 1 %, an angle by 1 degree."""
     head, rows, _note = found.table()
-    heads = ["changed by 1 %", "value", *(f"{name}, mm" for name in head[2:])]
+    heads = ["changed by 1 %, angles by 1°", "value", *(f"{name}, mm" for name in head[2:])]
     console = out()
     console.print("What matters: how far the final places move", soft_wrap=True)
     console.table(Listing(heads, rows))
@@ -205,7 +206,10 @@ def as_json(run: Trajectory, times: list[float], notes: Sequence[str] = (), matt
         parts.append(f'"at": {_listed([_line(one) for one in asked])}')
     if matters is not None:
         moved = zip(matters.columns, matters.values.tolist(), (1e3 * matters.what_matters()).T.tolist(), strict=True)
-        rows = [{"parameter": name, "value": value, "mm_per_cent": by_ball} for name, value, by_ball in moved]
+        rows = [
+            {"parameter": name, "value": value, "mm_per_degree" if is_angle(name) else "mm_per_cent": by_ball}
+            for name, value, by_ball in moved
+        ]
         parts.append(f'"sensitivity": {_listed([_line(one) for one in rows])}')
     parts += [f'"end": {_line(run.end)}', f'"ended": {_line(run.ended)}']
     parts += [f'"notes": {_line(list(notes))}'] if notes else []

@@ -82,11 +82,12 @@ class Sensitivity:
         return min(radii, default=np.inf)
 
     def what_matters(self) -> Array:
-        """Return how far each ball's final place moves when a parameter changes by 1 %: (B, p), m."""
-        return np.asarray(np.linalg.norm(self.final.position, axis=1) * np.abs(self.values) / 100)
+        """Return how far each ball's final place moves when a parameter changes by 1 %, an angle by 1 degree: (B, p), m."""
+        changes = np.where([is_angle(name) for name in self.columns], 1.0, np.abs(self.values) / 100)
+        return np.asarray(np.linalg.norm(self.final.position, axis=1) * changes)
 
     def table(self) -> Listing:
-        """Return the displacement of each ball's final place when a parameter changes by 1 %, mm, the largest first."""
+        """Return the displacements of the final places, mm, when a parameter changes by 1 %, an angle by 1 degree; the largest first."""
         moved = 1e3 * self.what_matters()
         order = np.argsort(-moved.max(axis=0), kind="stable")
         rows = [
@@ -97,6 +98,11 @@ class Sensitivity:
     def __repr__(self) -> str:
         """One line."""
         return f"<Sensitivity: {len(self.columns)} parameters, {len(self.events)} events>"
+
+
+def is_angle(parameter: str) -> bool:
+    """Return whether a number of a scene is an angle in degrees, of which a per cent means nothing."""
+    return parameter.endswith((".azimuth", ".elevation"))
 
 
 def sensitivity(run: Any, wrt: str | Iterable[str]) -> Sensitivity:
