@@ -87,7 +87,7 @@ class Sensitivity:
         return np.asarray(np.linalg.norm(self.final.position, axis=1) * changes)
 
     def table(self) -> Listing:
-        """Return the displacements of the final places, mm, when a parameter changes by 1 %, an angle by 1 degree; the largest first."""
+        """Return the displacements of final places, mm, for a change of each parameter by 1 % or 1 degree; the largest first."""
         moved = 1e3 * self.what_matters()
         order = np.argsort(-moved.max(axis=0), kind="stable")
         rows = [
