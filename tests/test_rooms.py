@@ -251,7 +251,7 @@ CAPS = {
     "simulation": 6476,
     "core": 5984,
     "laws": 4926,
-    "scene": 4651,
+    "scene": 4674,
     "cli": 4180,
     "plot": 3566,
     "derive": 2999,

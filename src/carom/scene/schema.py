@@ -6,14 +6,14 @@ A message says where, what was expected, what was found, and how to fix it; all 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from numbers import Real
 from typing import Annotated, Any, ClassVar, TypeVar, get_args
 
 import numpy as np
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Strict, ValidationError
-from pydantic_core import InitErrorDetails, PydanticCustomError
+from pydantic_core import InitErrorDetails, PydanticCustomError, PydanticKnownError, core_schema
 from pydantic_core.core_schema import ValidationInfo
 
 from carom.core.units import parse_quantity
@@ -216,6 +216,40 @@ def _expectation(owner: type[Model], field: str) -> str:
         if what is not None:
             return str(what)
     return "a value"
+
+
+class OneOf:
+    """Metadata of a field that takes one of several models, each by the text of its tag.
+
+    pydantic builds a model when it is first used: building those of all shapes takes a quarter of a second.
+    """
+
+    def __init__(self, models: Mapping[str, type[Model]]) -> None:
+        self.models = models
+
+    def __get_pydantic_core_schema__(self, _source: Any, _handler: Any) -> Any:
+        """Return pydantic's schema of the field."""
+        written = core_schema.plain_serializer_function_ser_schema(_written, info_arg=True)
+        return core_schema.with_info_plain_validator_function(self._made, serialization=written)
+
+    def _made(self, value: Any, info: ValidationInfo) -> Any:
+        kinds = list(self.models.values())
+        if isinstance(value, tuple(kinds)):
+            return value
+        if not isinstance(value, Mapping):
+            raise PydanticKnownError("model_attributes_type")
+        model = self.models.get(str(value.get(kinds[0].tag)))
+        if model is None:
+            raise _error(_choice("", "", value, kinds))
+        try:
+            return model.model_validate(value, context=info.context)
+        except ValidationError as error:
+            raise_faults(faults_of("", error, model))
+            raise
+
+
+def _written(value: Model, info: Any) -> dict[str, Any]:
+    return value.model_dump(mode=info.mode)
 
 
 Vector = tuple[float, float, float]

@@ -12,7 +12,7 @@ from typing import Annotated, Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import PlainSerializer, PlainValidator, model_validator
+from pydantic import ConfigDict, PlainSerializer, PlainValidator, model_validator
 from pydantic_core.core_schema import ValidationInfo
 
 from carom.core.jit.kernel import kernel
@@ -210,6 +210,7 @@ class WallShape(Ruled):
         Its name in tables; default: its shape and its number.
     """
 
+    model_config = ConfigDict(defer_build=True)  # (:class:`carom.scene.schema.OneOf`)
     tag: ClassVar[str] = "shape"
     in_page: ClassVar[bool] = True
     """Whether the explorer's page knows its fields; other walls are outlines there."""

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Any, Union
 
-from pydantic import Field
-
 from carom.scene.presets import modules_of
+from carom.scene.schema import OneOf
 from carom.scene.shapes.curves import CurvedWallShape, CurveWallShape, FigureWall, OutlineWall, figure_walls
 from carom.scene.shapes.planes import Box, Plane, Polygon, Segment, Strip, Wedge
 from carom.scene.shapes.rounds import Arc, Cylinder, Sphere
@@ -40,4 +39,4 @@ PAGE_SHAPES = {name: shape for name, shape in SHAPES.items() if shape.in_page}
 if TYPE_CHECKING:
     AnyWall = WallShape
 else:
-    AnyWall = Annotated[Union[tuple(SHAPES.values())], Field(discriminator="shape")]  # noqa: UP007  (made at run time)
+    AnyWall = Annotated[Union[tuple(SHAPES.values())], OneOf(SHAPES)]  # noqa: UP007  (made at run time)
