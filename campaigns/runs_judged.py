@@ -4,8 +4,8 @@
 
 N runs (100) a kind, by tests/reference/judged_runs.py, at 60 to 480 frames a second: no violation is right. Then N balls that
 bounce, with a fault or without, and with noise (``--only power``), and N films of balls that bounce, of each kind, by the laws
-without units; and how many of N films are blamed whose ball hangs in the air, trembles, is struck there, or is no ball (``--only
-film``).
+without units; and how many of N films are blamed whose ball hangs in the air, trembles, is struck there, or is no ball, and so on
+(``--only film``).
 """
 
 from __future__ import annotations
@@ -20,9 +20,11 @@ from carom.tracks.verdicts import by_film_laws
 
 WRONG = (
     ("hang", 0.1), ("hang", 0.2), ("hang", 0.4), ("jitter", 0.1), ("jitter", 0.2), ("kink", 0.1), ("long", 0.1), ("long", 0.2),
-    ("gain", 1.05), ("gain", 1.15),
+    ("gain", 1.05), ("gain", 1.15), ("softer", 0.1), ("softer", 0.2), ("faster", 0.3), ("faster", 0.5), ("swell", 0.3),
+    ("swell", 0.5),
 )  # fmt: skip
-SHOWS = {"gain": "bounce", "hang": "flight", "kink": "flight", "jitter": "steady", "long": "shape"}
+SHOWS = {"gain": "bounce", "hang": "flight", "kink": "flight", "jitter": "steady", "long": "shape", "softer": "restitution",
+         "faster": "size", "swell": "size"}  # fmt: skip
 
 
 def look(kind: str, seed: int) -> Row:

@@ -247,7 +247,7 @@ CAPS = {
     "fitting": 10554,
     "gas": 6955,
     "billiards": 5575,
-    "tracks": 9233,
+    "tracks": 9335,
     "simulation": 6476,
     "core": 5984,
     "laws": 4926,

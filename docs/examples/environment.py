@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 SPEEDS = (0.8, 4.0)  # m/s
 NARROW = 2.5  # degrees beside the line to the place where the cue ball pots
 LOOKED_AT = 4  # of pots, the easiest ones
+SAFE = 0.9  # of shots that succeed under a player's error: no further pot is looked at
 SHOTS = 2000  # that are tried where no pot is found
 
 
@@ -64,6 +65,8 @@ class AimingPlayer:
                 action = shot(one.values["speed"], one.values["azimuth"])
                 if game.foresee(0, action[None]).reward[0] > 0:
                     found.append((one.chance, action))
+            if found and max(found, key=lambda one: one[0])[0] > SAFE:
+                break
         if found:
             return max(found, key=lambda one: one[0])[1]
         low, high = np.array(list(game.bounds.values())).T

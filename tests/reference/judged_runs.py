@@ -133,7 +133,8 @@ def film_of(kind, seed, wrong=None, size=0.0):
     """Return a ball that bounces before a camera, px: with drag, perspective, a rolled and tilted camera, shadows near the floor.
 
     ``wrong``: "hang": a wave of ``size`` radii on the height in the air; "jitter": places off by ``size`` radii; "long": an outline
-    longer than wide by a share; "gain": a restitution; "kink": a blow at the top, by a share of the speed at the floor.
+    longer than wide by a share; "gain": a restitution; "kink": a blow at the top, by a share of the speed at the floor; "softer":
+    each bounce gives back less, by a share; "faster", "swell": gravity, or the ball, grows by a share at each bounce.
     """
     rng = np.random.default_rng([40 + FILM_KINDS.index(kind), seed])
     rate = rng.uniform(60, 240) * {"fast": 0.5, "few": 0.25}.get(kind, 1)
@@ -142,14 +143,19 @@ def film_of(kind, seed, wrong=None, size=0.0):
         depth = focal * radius / 12
     tilt, roll, drag, e = rng.normal(0, 0.15), rng.normal(0, 0.03), rng.uniform(0, 0.15), rng.uniform(0.5, 0.9)
     x, v = np.array([rng.normal(0, 0.3), rng.uniform(0.3, 1.2), 0.0]), rng.normal(0, 0.3, 3)
-    places, step, kinks = [], 1 / rate / 20, False
-    for k in range(20 * round(min(rng.uniform(0.6, 1.8), 1.8) * rate)):
+    e = 0.95 if wrong == "softer" else e
+    places, step, kinks, met, wide = [], 1 / rate / 20, False, 0, []
+    for k in range(20 * round((rng.uniform(0.6, 1.8) + 1.5 * (wrong == "softer")) * rate)):
         if k % 20 == 0:
             places.append(x.copy())
-        v = v + step * (np.array([0.0, -9.81, 0.0]) - drag * np.linalg.norm(v) * v)
+            wide.append((1 + size * (wrong == "swell")) ** met)
+        v = v + step * (
+            np.array([0.0, -9.81 * (1 + size * (wrong == "faster")) ** met, 0.0]) - drag * np.linalg.norm(v) * v
+        )
         x = x + step * v
         if x[1] < radius and v[1] < 0:
-            v[1] *= -(size if wrong == "gain" else e)
+            v[1] *= -(size if wrong == "gain" else e * (1 - size * (wrong == "softer")) ** met)
+            met = min(met + 1, 5)
             kinks = wrong == "kink"
         if kinks and v[1] < 0:  # (at the top after a bounce)
             v, kinks = np.append(v[:2] - size * np.array([0, 2 * np.sqrt(9.81 * x[1])]), v[2]), False
@@ -176,7 +182,7 @@ def film_of(kind, seed, wrong=None, size=0.0):
     moments[:, 1, 1] *= (1 + size * (wrong == "long")) ** 2
     xx, xy, yy = moments[:, 0, 0], moments[:, 0, 1], moments[:, 1, 1]
     stretch = np.column_stack([xx - yy, 2 * xy]) / (xx + yy)[:, None]
-    outlines = np.column_stack([focal * radius / away, stretch]) + rng.normal(
+    outlines = np.column_stack([focal * radius / away * wide, stretch]) + rng.normal(
         scale=0.01 + 2 * scatter / a, size=(n, 3)
     ) * [a, 1, 1]
     half = np.array([1.0, 0.75]) * min(0.8 * focal, 1100)

@@ -73,6 +73,18 @@ def test_a_ball_that_bounces_higher_each_time_is_found() -> None:
             assert found.checked["bounce"] or not wrong
 
 
+@pytest.mark.parametrize(
+    ("wrong", "size", "law", "seeds"),
+    [("softer", 0.2, "restitution", (3, 4, 12)), ("faster", 0.5, "size", (4,)), ("swell", 0.5, "size", (1, 6))],
+)
+def test_flights_of_a_film_have_one_restitution_and_one_gravity(
+    wrong: str, size: float, law: str, seeds: tuple[int, ...]
+) -> None:
+    for seed in seeds:
+        assert by_film_laws(film_of("clean", seed, wrong, size), "no scale").of(law)
+        assert by_film_laws(film_of("clean", seed, wrong, 0.0), "no scale").violations == []
+
+
 def test_of_a_camera_that_moves_the_shape_alone_is_judged() -> None:
     found = by_film_laws(film_of("clean", 2, "long", 0.3)._replace(moves="a picture that moves"), "no scale")
     assert [one.law for one in found.violations] == ["shape"]

@@ -80,9 +80,28 @@ def test_balls_that_bounce_are_blamed_for_what_is_wrong_alone(noise: float) -> N
     right = [judged_runs.faulty("none", 0.0, seed, noise) for seed in (4, 11, 17, 22, 29, 30)]
     assert [one.violations for one in right] == [[]] * 6
     assert judged_runs.faulty("gravity", 0.1, 1, noise).of("gravity") or noise == 1e-3
-    if noise == 0:
-        for fault, size in (("restitution", 1.05), ("energy", 0.05)):
-            assert judged_runs.faulty(fault, size, 1, noise).of("energy")
+    if noise < 1e-3:
+        for fault, size, law in (("restitution", 1.05, "energy"), ("energy", 0.05, "energy"), ("kink", 0.2, "turn")):
+            assert [one.law for one in judged_runs.faulty(fault, size, 1, noise).violations][:1] == [law]
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.7])
+def test_a_ball_in_the_air_turns_at_a_wall_that_no_ball_was_behind(friction: float) -> None:
+    """A ball between two tilted walls without a floor's bounce; one of another ball, far behind a wall, and the wall is none."""
+    n, rng = np.array([-0.8, 0.36, 0.48]), np.random.default_rng(2)
+    t, at, place = np.arange(80) / 200, 0.2037, np.array([0.5, 0.2, 1.0])
+    v = np.array([2.0, 0.3, 0.4])
+    aside = np.cross(n, rng.normal(size=3))
+    u = v - 1.8 * (v @ n) * (n + friction * aside / np.linalg.norm(aside))
+    pull = np.array([0.0, 0.0, -G])
+    path = np.where((t < at)[:, None], parabola(t - at, place, v, pull), parabola(t - at, place, u, pull))
+    for behind, obstacles, blamed in ((0.0, False, False), (0.9, False, True), (0.9, True, False)):
+        other = place - behind * n + [0, 0, 0] if behind else place + n
+        both = np.concatenate([path, np.tile(other, (80, 1))])
+        rows = {"t": np.tile(t, 2), "ball": np.repeat(["a", "b"], 80), **dict(zip("xyz", both.T, strict=True))}
+        found = judge(rows, radius=R, obstacles=obstacles)
+        assert bool(found.of("turn")) is blamed
+        assert found.checked["turn"] == (0 if obstacles else 1)
 
 
 @pytest.mark.parametrize("sign", [1, -1])
@@ -258,7 +277,7 @@ def test_a_tilted_floor(suffix: str, tmp_path: Path) -> None:
     assert judge(file, slope=(0.02, -0.01)).violations == []
     assert laws_of(judge(file))["gravity"] > 3
     said = CliRunner().invoke(app, ["judge", str(file), "--slope", "0.02,-0.01"])
-    assert said.stdout.splitlines()[-1] == "checked 5 of 6 laws: no violation in them"
+    assert said.stdout.splitlines()[-1] == "checked 5 of 7 laws: no violation in them"
 
 
 @pytest.mark.parametrize(
@@ -310,7 +329,7 @@ def test_the_command_prints_the_table(tmp_path: Path) -> None:
     found = CliRunner().invoke(app, ["judge", str(file), "--json", "--strict"])
     assert found.exit_code == 1
     assert [one["law"] for one in json.loads(found.stdout)["violations"]] == ["energy", "momentum"]
-    assert set(json.loads(found.stdout)["unchecked"]) == {"gravity"}
+    assert set(json.loads(found.stdout)["unchecked"]) == {"gravity", "turn"}
 
 
 def test_the_picture_has_a_strip_for_each_law_that_is_violated(tmp_path):

@@ -3,7 +3,7 @@
 Tracks are cut into pieces of constant acceleration (:mod:`carom.tracks.judgement`). Velocities just before and after an
 event, with their errors, follow from the pieces; the event is where their paths meet. Nothing else is assumed of the program that
 made the trajectory: not its law of impact, nor its steps. An event that moves no place by 27 standard deviations of the noise
-within a frame is not seen.
+within a frame is seen between two flights alone.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import product
+from itertools import combinations, product
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -37,6 +37,7 @@ Array = NDArray[np.float64]
 FEW = 4  # frames: three numbers of a parabola, and one to spare
 UNEVEN = 10.0  # times the noise, squared: more is no noise
 CUBIC = 5.25  # times: (12 sqrt(7))^2 / 192, by which a cubic is worse than noise at the ends
+SHORT, LOOKED_AT = 6, 24  # frames of a part of a run, and ends of one that are looked at, at once
 EXACT = 1e-12  # m: with less noise the numbers are a program's
 POOL_BALL = 0.028575  # m
 LARGEST = 1e30  # in SI units: no squares of squares overflow
@@ -319,7 +320,7 @@ def _pieces(row: BallRows, sigma: float, drag: float) -> Iterator[PathPiece]:
     if len(t) < FEW:
         return
     calm = (np.abs(_third_differences(row)) < 6 * math.sqrt(20) * sigma + 1e-9).all(axis=1)
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], calm, [False]])))
+    edges, runs = np.flatnonzero(np.diff(np.concatenate([[False], calm, [False]]))), list[tuple[int, int]]()
     for low, high in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
         first, last = low, high + 2  # window i has the frames i to i + 3
         # (a bounce in the middle of four frames has no third difference, either)
@@ -327,6 +328,8 @@ def _pieces(row: BallRows, sigma: float, drag: float) -> Iterator[PathPiece]:
             continue
         if sigma > EXACT and last - first > FEW + 2:  # (noise may hide an event within the last of them)
             first, last = first + 1, last - 1
+        runs += _parts(t, row.x, first, last, sigma, 3 * row.radius) if sigma > EXACT else [(first, last)]
+    for first, last in runs:
         middle = (t[first] + t[last]) / 2
         tau = t[first : last + 1] - middle
         design = np.stack([np.ones_like(tau), tau, tau * tau], axis=-1)
@@ -354,12 +357,42 @@ def _pieces(row: BallRows, sigma: float, drag: float) -> Iterator[PathPiece]:
         yield PathPiece(first, last, float(middle), numbers, covariance, spins, error, air)
 
 
+def _parts(t: Array, x: Array, first: int, last: int, sigma: float, high: float) -> list[tuple[int, int]]:
+    """Return the first and last frames of flights in a run, at events that are too weak for third differences.
+
+    Two parabolas are nearer than one, and than a smooth path of as many numbers; both rise to a height.
+    """
+    if last - first < 3 * SHORT:
+        return [(first, last)]
+
+    def left(begin: int, end: int, degree: int = 2) -> float:
+        tau = (t[begin:end] - t[begin]) / (t[end - 1] - t[begin])
+        powers, places = np.vander(tau, degree + 1), x[begin:end] - x[begin]
+        return float(np.square(powers @ np.linalg.lstsq(powers, places, rcond=None)[0] - places).sum())
+
+    one, smooth = (left(first, last + 1, degree) for degree in (2, 5))
+    two, at, low, most = math.inf, first, first + SHORT, last - SHORT
+    while most > low and min(one, smooth) > 3 * (last - first) * sigma**2:
+        step = max((most - low) // LOOKED_AT, 1)
+        found = [(left(first, k) + left(k, last + 1), k) for k in range(low, most + 1, step)]
+        two, at = min(found)
+        if step == 1:
+            break
+        low, most = max(at - step, low), min(at + step, most)
+    weak = min(one, smooth) - two < SIGMAS**2 * max(sigma**2, two / (3 * (last - first)))
+    if weak or min(x[first:at, 2].max(), x[at : last + 1, 2].max()) < high:
+        return [(first, last)]
+    return _parts(t, x, first, at - 2, sigma, high) + _parts(t, x, at + 1, last, sigma, high)
+
+
 LEAST = 1e-6  # relative: what is less is the rounding of a file
 RESOLVED = 2e-3  # relative: more than two events between the same two frames change
 PRESSED = 0.03  # of the impulse: the floor's friction on a ball that another presses down takes more of the momentum
 COMPRESSED = 1e-3  # of their distance: balls that meet are, those of pool at 0.4 m/s, and at 1 m/s twice as much
 RESISTANCE = 0.05  # of the weight: what resists a ball that rolls is less
 SAME = 1e-3  # of the speed: a ball that slips less rolls
+MOST_BEHIND = 64  # places that are looked at, of a wall: in doubt it may be
+TOUCHED = 0.05  # of the radius: as deep a ball may be in a wall
 CAMERA_ROLL = 0.06  # rad: upright is known no better in a film
 SLOWED = "by this scale and the film's times"  # a note of a film whose ball falls with another g
 CELLS = 2**40  # along an axis: cells farther apart may have one number
@@ -377,6 +410,7 @@ def judge(
     gravity: float = GRAVITY,
     drag_per_metre: float = 0.0,
     slope: tuple[float, float] = (0.0, 0.0),
+    obstacles: bool = False,
     noise: float | None = None,
     scale: float | str | None = None,
     rate: float | None = None,
@@ -408,6 +442,8 @@ def judge(
         much.
     slope : (x, y)
         How far the floor falls per metre of its own along x and y (the sine of the angle, as in ``Floor``); z is normal to it.
+    obstacles : bool
+        Whether there may be things in the air behind which balls have been: a turn there is no violation.
     noise : float, optional
         Standard deviation of a coordinate, m. Default: estimated from third differences.
     scale : float or str, optional
@@ -467,13 +503,15 @@ def judge(
             own = drag_per_metre if piece.air is not None else 0.0
             rubs = max(rubs, _between_contacts(ball, piece, sigma, pull, floor_friction, own, roll, found))
     _overlaps(balls, sigma, found)
-    walls = _Walls(balls, sigma)
-    for event in _events(balls, sigma):
+    places = _Places(balls, sigma)
+    for event in _events(balls, sigma, places):
         t, late = _event_time(event)
         if not math.isnan(t):
             _energy(t, late, event, pull, found)
             if len(event.members) == 2:
-                _momentum(t, late, event, friction, gravity, rubs, walls, found)
+                _momentum(t, late, event, friction, gravity, rubs, places, found)
+            elif len(event.members) == 1 and not obstacles and not places.beside(event):
+                _turn(t, event, places, found)
     if found.of("gravity") and not any(piece.air is not None for ball in balls for piece in ball.pieces):
         notes.append("gravity: flights are compared with those in a vacuum; drag_per_metre allows for air")
     found.violations.sort(key=lambda one: one.time)
@@ -489,6 +527,8 @@ def _why_unchecked(law: str, balls: Sequence[BallRows]) -> str:
         return "no ball leaves the floor, or heights are not known"
     if law == "momentum" and len(balls) == 1:
         return "there is one ball only"
+    if law == "turn":
+        return "no ball turns alone and higher than a cushion, or obstacles are there"
     if law == "slip" and all(piece.spins is None for piece in pieces):
         return "spins are not known"
     return {
@@ -641,7 +681,7 @@ class _Event(NamedTuple):
     members: tuple[_Change, ...]
 
 
-def _events(balls: Sequence[BallRows], sigma: float) -> Iterator[_Event]:
+def _events(balls: Sequence[BallRows], sigma: float, places: _Places) -> Iterator[_Event]:
     """Yield events: changes of one ball, joined where two balls are in reach of each other at the same time."""
     most = 1 if sigma < EXACT else 5  # frames between two pieces, with one event there
     changes = [
@@ -656,7 +696,6 @@ def _events(balls: Sequence[BallRows], sigma: float) -> Iterator[_Event]:
     lows = np.array([one.ball.t[one.before.last] for one in changes])
     numbers = np.array([one.before.parabola(low) for one, low in zip(changes, lows, strict=True)]).reshape(-1, 3, 3)
     radius = np.array([ball.radius for ball in balls])
-    beside = _Beside(balls, sigma)
     used = np.zeros(len(changes), dtype=bool)
     for i, first in enumerate(changes):
         if used[i]:
@@ -680,13 +719,13 @@ def _events(balls: Sequence[BallRows], sigma: float) -> Iterator[_Event]:
             k += 1 + int(following[0])
             group.append(k)
             used[k] = True
-        members = tuple(changes[g] for g in group)
-        if not beside.takes_part(members, low, high):
-            yield _Event(low, high, members)
+        event = _Event(low, high, tuple(changes[g] for g in group))
+        if places.resolves(event):
+            yield event
 
 
-class _Beside:
-    """The balls beside an event: finds whether one of them takes part in it, so that the event is not resolved."""
+class _Places:
+    """Where all balls are, in order of time: which are beside an event, and where walls may be, behind which none was ever."""
 
     def __init__(self, balls: Sequence[BallRows], sigma: float) -> None:
         self.balls, self.sigma = balls, sigma
@@ -698,8 +737,9 @@ class _Beside:
             np.array([getattr(ball, name) for ball in balls]) for name in ("radius", "fastest")
         )
 
-    def takes_part(self, members: Sequence[_Change], low: float, high: float) -> bool:
-        """Return whether a ball beside the members is in reach of one, and is not on one path meanwhile."""
+    def beside(self, event: _Event) -> list[BallRows]:
+        """Return the balls beside the members that are in reach of one."""
+        low, high, members = event
         rows = slice(*np.searchsorted(self.t, [low - (high - low), high + (high - low)], side="left"))
         x, of = self.x[rows], self.of[rows]
         near = np.zeros(len(x), dtype=bool)
@@ -707,11 +747,44 @@ class _Beside:
             gap = np.linalg.norm(x - ball.x[before.last], axis=1)
             fastest = np.maximum(self.fastest[of], max(one.ball.fastest for one in members))
             near |= gap - ball.radius - self.radius[of] < SIGMAS * self.sigma + 4 * fastest * (high - low)
-        return any(
-            not any(ball.t[piece.first] <= low and ball.t[piece.last] >= high for piece in ball.pieces)
-            for ball in (self.balls[k] for k in np.unique(of[near]))
-            if all(one.ball is not ball for one in members)
+        found = (self.balls[k] for k in np.unique(of[near]))
+        return [ball for ball in found if all(one.ball is not ball for one in members)]
+
+    def resolves(self, event: _Event) -> bool:
+        """Return whether each ball beside an event is on one path meanwhile, so that none takes part in it."""
+        return all(
+            any(ball.t[piece.first] <= event.low and ball.t[piece.last] >= event.high for piece in ball.pieces)
+            for ball in self.beside(event)
         )
+
+    def pushes(
+        self, ball: BallRows, place: Array, impulse: Array, widest: float = math.pi / 4, slack: float = SAME
+    ) -> bool:
+        """Return whether a wall that touches a ball at its place may give it an impulse, both (2,) or (3,).
+
+        Its normal is within an angle of the impulse (friction up to 1); ``slack``: by which balls are behind it, in radii.
+        """
+        d = impulse / np.linalg.norm(impulse)
+        wider = self.radius[self.of] - ball.radius
+        ahead = self.x[:, : len(d)] - place
+        ahead += ((SIGMAS * self.sigma + slack * ball.radius) - np.where(wider < 0, 1.5, 1.0) * wider)[:, None] * d
+        n, kept = d, list[Array]()
+        for _ in range(MOST_BEHIND):
+            k = int(np.argmin(behind := ahead @ n))
+            if behind[k] > -1e-9 * np.linalg.norm(ahead[k]):
+                return True
+            kept.append(ahead[k])
+            # the nearest direction to the impulse with all of these in front: one or two of them are on the wall
+            found = [d - (d @ one) / (one @ one) * one for one in kept]
+            if len(d) == 3:
+                found += [line * (line @ d) for one, two in combinations(kept, 2) for line in [np.cross(one, two)]]
+            sizes = [max(float(np.linalg.norm(one)), 1e-300) for one in found]
+            ways = [one / size for one, size in zip(found, sizes, strict=True)]
+            fit = [way for way in ways if all(way @ one > -1e-9 * np.linalg.norm(one) for one in kept)]
+            n = max(fit, key=lambda way: float(way @ d), default=-d)
+            if n @ d < math.cos(widest):
+                return False
+        return True
 
 
 def _event_time(event: _Event) -> tuple[float, float]:
@@ -765,27 +838,27 @@ def _energy(t: float, late: float, event: _Event, pull: Array, found: Judgement)
         found.check("energy", t, names, has - had - hidden, math.sqrt(variance), RESOLVED * had, text)
 
 
-class _Walls:
-    """Walls that a run may have: no ball of it was ever behind them."""
-
-    def __init__(self, balls: Sequence[BallRows], sigma: float) -> None:
-        self.x = np.concatenate([ball.x[:, :2] for ball in balls])
-        self.radius = np.repeat([ball.radius for ball in balls], [len(ball.x) for ball in balls])
-        self.sigma = sigma
-
-    def pushes(self, ball: BallRows, place: Array, impulse: Array) -> bool:
-        """Return whether a wall that touches a ball at its place (2,) may give it an impulse (2,), with friction up to 1."""
-        for turn in np.linspace(-1, 1, 17) * math.pi / 4:
-            c, s = math.cos(turn), math.sin(turn)
-            n = np.array([[c, -s], [s, c]]) @ impulse / np.linalg.norm(impulse)
-            behind = (self.x - place) @ n - self.radius + ball.radius
-            if behind.min() > -SIGMAS * self.sigma - SAME * ball.radius:
-                return True
-        return False
+def _turn(t: float, event: _Event, places: _Places, found: Judgement) -> None:
+    """Check that a ball that turns alone in the air, higher than a cushion, is at a wall behind which no ball has been."""
+    ((ball, a, b),) = event.members
+    (x, dx), (v, dv), (u, du) = a.place(t), a.velocity(t), b.velocity(t)
+    error, size = math.hypot(dv, du), float(np.linalg.norm(u - v))
+    low = x[2] < 3 * ball.radius + SIGMAS * dx + float(np.linalg.norm(v)) * (event.high - event.low)
+    if low or size <= SIGMAS * error:
+        return
+    share = math.sqrt(0.5)
+    if a.spins is not None and b.spins is not None:  # (friction turns the ball, most of all a solid one)
+        spun = float(np.linalg.norm(b.spin(t) - a.spin(t))) + SIGMAS * (a.spin_error + b.spin_error)
+        share = min(share, SAME + max(ball.kappa, 2 / 3) * ball.radius * spun / max(size, 1e-300))
+    widest = math.asin(share) + SIGMAS * error / max(size, 1e-300)
+    may = places.pushes(ball, x, u - v, widest, TOUCHED)
+    said = ", ".join(f"{one:.3g}" for one in x)
+    text = f"the ball in the air turns by {size:.3g} m/s at ({said}) m, where no wall can be"
+    found.check("turn", t, [ball.name], 0.0 if may else size, error, LEAST * ball.fastest, text)
 
 
 def _momentum(
-    t: float, late: float, event: _Event, friction: float, g: float, rubs: float, walls: _Walls, found: Judgement
+    t: float, late: float, event: _Event, friction: float, g: float, rubs: float, places: _Places, found: Judgement
 ) -> None:
     """Check the momentum of two balls along the floor, but for what the floor and a wall can give them; and their friction.
 
@@ -811,7 +884,7 @@ def _momentum(
         # (no ball was seen to slide, but one rolls: it did so between two frames, and the floor gave it this at most)
         floor += min((one.mass + other.mass) * g * max(event.high - event.low, 0.0), 2 * most / (1 + most) * size)
     if extra - floor > max(SIGMAS * error, PRESSED * size) and any(
-        walls.pushes(ball, place[:2], (p + q)[:2]) for ball, place in ((one, x), (other, y))
+        places.pushes(ball, place[:2], (p + q)[:2]) for ball, place in ((one, x), (other, y))
     ):
         return  # (a ball that touches a cushion is struck)
     names = [one.name, other.name]

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +19,7 @@ from carom.formatting import counted
 LAWS = {
     "penetration": "balls, and a ball and the floor, do not overlap",
     "gravity": "a ball in the air falls freely",
+    "turn": "a ball in the air turns at a ball or a wall alone",
     "momentum": "two balls that meet keep their momentum",
     "energy": "no contact adds energy",
     "friction": "a contact's friction is at most mu times its normal force",
@@ -28,8 +30,18 @@ FILM_LAWS = {
     "steady": "a ball moves smoothly from frame to frame",
     "shape": "a ball is round in a picture",
     "bounce": "no bounce adds to height and time in the air",
+    "restitution": "a slower bounce gives back no smaller share",
+    "size": "a ball keeps its size: in its radii it falls alike in all flights",
 }
-UNITS = {"penetration": "m", "gravity": "m/s^2", "momentum": "N s", "energy": "J", "friction": "", "slip": ""}
+UNITS = {
+    "penetration": "m",
+    "gravity": "m/s^2",
+    "turn": "m/s",
+    "momentum": "N s",
+    "energy": "J",
+    "friction": "",
+    "slip": "",
+}
 SIGMAS = 5.0  # a violation is larger than so many of its standard errors
 
 
@@ -43,7 +55,7 @@ class Violation:
     """s."""
     balls: tuple[str, ...]
     size: float
-    """m, m/s^2, N s, J; of friction and slip, a coefficient or a share; of laws of films, px."""
+    """m, m/s^2, m/s, N s, J; of friction and slip, a coefficient or a share; of laws of films, px."""
     error: float
     """Standard error of the size."""
     text: str
@@ -125,6 +137,8 @@ SLOW, LEAST_SLOW = 0.3, 8  # radii from frame to frame that hardly blur; frames
 OBLIQUE = 1.155  # length over width of a sphere's outline, 30 degrees off the axis of the camera: 1 / cos 30
 WIDEST = 1.0  # tangent of the angle off the axis in the corner of a picture, at most: 45 degrees
 NEARER = 0.2  # by which the width of a ball (as a logarithm) changes in a short part of a flight, at most
+SLOWER = 0.1  # of a restitution (as a logarithm): by as much it may be less at a slower bounce; spin and drag change it
+ALIKE = 0.25  # by which flights may differ in acceleration over width (as a logarithm): by drag, spin and perspective
 SLOW_AT_TOP = 0.5  # of the speed at the ends, beside the top of a flight
 DEEP = 4.0  # radii that a ball rises and falls, at least
 MOST_NEARER = 2.0  # times, that a ball comes nearer
@@ -136,6 +150,8 @@ UNSEEN = {
     "flight": "no flight that rises and falls, or a long way, is seen",
     "shape": "the ball is not seen slow, with a whole outline",
     "bounce": "fewer than three bounces in a row are seen",
+    "restitution": "fewer than four bounces in a row are seen",
+    "size": "fewer than two flights from bounce to bounce are seen, with whole outlines",
 }
 
 
@@ -213,7 +229,9 @@ def film_findings(path: FilmPath) -> tuple[list[Finding], str]:
     error = sigma / np.sqrt(max(len(fourth), 1))
     found += [Finding("steady", float(t[0]), sigma - max(SCATTER[0] * r, SCATTER[1]), error, 0.0, text, sigma)]
     runs = _runs(rows, x, r)
-    found += _bounces(rows, t, x[:, 1], runs, noise)
+    found += _bounces(
+        rows, t, x[:, 1], runs, noise, np.full(len(rows), np.nan) if path.outlines is None else path.outlines[rows, 0]
+    )
     for first, last in zip(*runs, strict=True):
         y = x[first:last, 1]
         if len(y) < SHORT_RUN:
@@ -252,12 +270,12 @@ def film_findings(path: FilmPath) -> tuple[list[Finding], str]:
 
 
 def _bounces(
-    rows: NDArray[np.intp], t: Array, y: Array, runs: tuple[list[int], list[int]], noise: float
+    rows: NDArray[np.intp], t: Array, y: Array, runs: tuple[list[int], list[int]], noise: float, width: Array
 ) -> list[Finding]:
-    """Return by how much more a ball rises after a bounce than it fell before it, if it is longer in the air as well.
+    """Return what bounces in a row say: by how much more a ball rises after one than it fell before it; restitution; size.
 
     It rises more in the picture where it goes away from a camera that looks down, and is longer in the air beyond the edge of a
-    table; both is energy.
+    table; both is energy. A flight takes 2 v/g, so that restitutions are ratios of times.
     """
     found = list[Finding]()
     between = [
@@ -272,6 +290,33 @@ def _bounces(
         gained = rise - (1 + HIGHER) * fall if longer > 2 * np.median(np.diff(t)) else -fall
         text = f"it rises by {rise:.3g} px after it fell by {fall:.3g} px, and is {longer:.2g} s longer in the air"
         found.append(Finding("bounce", float(t[two]), gained, 3 * noise, 0.0, text, 0.0))
+    frame, flights = float(np.median(np.diff(t))), list[tuple[int, float, float, float, float]]()
+    for one, two in pairwise(lows):
+        inner = slice(one + 2, two - 1)
+        long, tau = float(t[two] - t[one]), t[inner] - t[one]
+        if two - one < LEAST_FLIGHT or np.diff(rows[one : two + 1]).max() > 2:
+            flights.append((one, long, math.nan, math.nan, math.nan))
+            continue
+        fall, _v, _y = np.polyfit(tau, y[inner], 2)
+        known = width[inner][np.isfinite(width[inner])]
+        wide = float(np.median(known)) if len(known) > LEAST_FLIGHT / 2 else math.nan
+        flights.append((one, long, 2 * float(fall), wide, noise * math.sqrt(720 / len(tau)) / float(np.ptp(tau)) ** 2))
+    for first, second, third in zip(flights, flights[1:], flights[2:], strict=False):
+        falls = [one[2] for one in (first, second, third)]
+        a, b, c = (one[1] for one in (first, second, third))
+        if not (min(falls) > 0 and max(falls) < 1.5 * min(falls) and a > b > c):
+            continue
+        less = math.log(b * b / (a * c))
+        # (a bounce is half a frame beside its lowest place, at most)
+        late = frame / 2 * (2 / a + 4 / b + 2 / c)
+        text = f"a bounce gives back {b / a:.2g} of its speed, the slower one after it {c / b:.2g}"
+        found.append(Finding("restitution", float(t[third[0]]), less - SLOWER, late / SIGMAS, 0.0, text, 0.0))
+    sized = [one for one in flights if one[2] > 0 and one[3] > 0]
+    for first, second in pairwise(sized):
+        ratio = math.log(second[2] * first[3] / (first[2] * second[3]))
+        error = math.hypot(first[4] / first[2], second[4] / second[2])
+        text = f"in its radii it falls {math.exp(abs(ratio)):.3g} times as fast in one flight as in the next"
+        found.append(Finding("size", float(t[second[0]]), abs(ratio) - ALIKE, error, 0.0, text, 0.0))
     return found
 
 
