@@ -26,7 +26,7 @@ def look(seed: int) -> Row:
     found: Any = carom.simulate(drawn_table(seed) if table else drawn_room(seed))
     x = found.at(np.linspace(0, found.end, 500)).position
     apart = min(np.nanmin(np.linalg.norm(x[:, i] - x[:, j], axis=1)) for i in range(3) for j in range(i))
-    worst = worst_of_flights(found, table_distances if table else room_distances, 12, 100)
+    worst = worst_of_flights(found, table_distances if table else room_distances, 12)
     return {"events": len(found.events), "pairs": 0.04 - float(apart)} | worst
 
 

@@ -244,15 +244,15 @@ def test_no_build_product_is_tracked() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10554,
+    "fitting": 10560,
     "gas": 6955,
     "billiards": 5575,
     "tracks": 9335,
     "simulation": 6476,
     "core": 5984,
     "laws": 4926,
-    "scene": 4674,
-    "cli": 4180,
+    "scene": 4678,
+    "cli": 4179,
     "plot": 3566,
     "derive": 2999,
     "sweeps": 3267,

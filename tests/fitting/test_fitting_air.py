@@ -57,6 +57,13 @@ def test_a_flight_that_is_another_is_left_out() -> None:
     assert found.values["balls.0.drag"] == pytest.approx(0.54, abs=0.01)
 
 
+def test_a_flight_with_a_bounce_in_it_is_said() -> None:
+    scene, rows = flights(1, 0.0)
+    assert not carom.fit_air(rows, scene).notes
+    rows["z"] = np.abs(np.array(rows["z"]) - 1.2) + 1.2
+    assert any("a bounce in it" in note for note in carom.fit_air(rows, scene).notes)
+
+
 @pytest.mark.parametrize(
     ("change", "field"),
     [

@@ -2,24 +2,36 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
-from reference.air_floor import OnFloor, floor_path, hops
-from reference.air_path import air_force, air_path
+from reference.air_compiled import FLIGHT as FLIES
+from reference.air_compiled import SIZE, dop853, floor_path, hops
 
 import carom
 from carom.core.motion.phases import BOUNCING, FLIGHT, ROLLING, SLIDING
 from carom.simulation.records import PHASE
 
 
-def _law(value: Any) -> Any:
-    """A coefficient written down anew: a number, or a table of a form."""
+def _law(value: Any) -> tuple[float, float, float]:
+    """A coefficient written down anew, (c0 + c1 S)/(1 + c2 S): a number, or a table of a form."""
+    value = value.model_dump() if hasattr(value, "model_dump") else value
     if isinstance(value, dict):
         if value["form"] == "spin":
-            return lambda s, ratio: value["still"] + value["per_spin"] * ratio
-        return lambda s, ratio: value["slope"] * ratio / (1 + value["saturation"] * ratio)
-    return lambda s, ratio: value
+            return value["still"], value["per_spin"], 0.0
+        return 0.0, value["slope"], value["saturation"]
+    return value or 0.0, 0.0, 0.0
+
+
+def numbers(scene: Any, ball: Any) -> Any:
+    """Return the numbers of a ball for :mod:`reference.air_compiled`."""
+    air, floor, a = scene.air, scene.floor, ball.radius
+    area, volume = math.pi * a**2, 4 / 3 * math.pi * a**3
+    weight = 1 - air.rho * volume / ball.mass if air.buoyancy else 1.0
+    found = [0.5 * air.rho * area / ball.mass, a, ball.spin_decay, *air.wind, *(weight * g for g in scene.gravity)]
+    found += [*_law(ball.drag), *_law(ball.lift), ball.ball.kappa]
+    return np.array([*found, floor.friction, floor.rolling_resistance, floor.spin_friction, 0.0][:SIZE], float)
 
 
 def worst_of_flights(run: Any, gaps: Any, samples: int = 100, most: int = 1_000_000) -> dict[str, float]:
@@ -29,64 +41,54 @@ def worst_of_flights(run: Any, gaps: Any, samples: int = 100, most: int = 1_000_
     than ``most`` only some are looked at.
     """
     scene, log = run.scene, run.log
-    air = scene.air
     worst = dict.fromkeys(("place", "velocity", "spin", "at", "depth", "time"), 0.0)
     for i, ball in enumerate(scene.balls):
-        own = log[log["ball"] == i]
-        known = {
-            "radius": ball.radius, "mass": ball.mass, "density": air.rho, "wind": air.wind, "gravity": scene.gravity,
-            "drag": _law(_given(ball.drag)), "lift": _law(_given(ball.lift) or 0.0), "spin_decay": ball.spin_decay,
-            "buoyancy": air.buoyancy,
-        }  # fmt: skip
-        force = air_force(**known)
-        ends = [*own["t"][1:], run.end]
-        every = 1 + len(own) // most
-        for row, end in list(zip(own, ends, strict=True))[::every]:
-            lasts = end - row["t"]
-            if lasts <= 0:
-                continue
-            times = np.linspace(0, lasts, samples)
+        own, force = log[log["ball"] == i], numbers(scene, ball)
+        ends = np.array([*own["t"][1:], run.end])
+        spans = [k for k in range(0, len(own), 1 + len(own) // most) if ends[k] > own["t"][k]]
+        at = run.at(np.concatenate([np.linspace(own["t"][k], ends[k], samples) for k in spans])).position[:, i]
+        for k, places in zip(spans, at.reshape(len(spans), samples, 3), strict=True):
+            row, end = own[k], ends[k]
+            times = np.linspace(0, end - row["t"], samples)
             after = own[own["t"] == end]
             if row["phase"] != FLIGHT:
-                _on_floor(worst, run, i, row, times, after, force, gaps)
+                _on_floor(worst, run, i, row, times, after, force, gaps, places)
                 continue
-            found = air_path(times, row["x"], row["v"], row["w"], tolerance=1e-14, **known).y
-            if len(after) and end > row["t"]:
+            start, found = np.concatenate([row["x"], row["v"], row["w"]]), np.empty((samples - 1, 9))
+            dop853(force, FLIES, 0.0, start, times[1:], found, 3e-14, 1e-16)
+            found = np.vstack([start, found]).T
+            if len(after):
                 worst["place"] = max(worst["place"], float(np.abs(found[:3, -1] - after[0]["x"]).max()))
                 worst["velocity"] = max(worst["velocity"], float(np.abs(found[3:6, -1] - after[0]["v_before"]).max()))
                 worst["spin"] = max(worst["spin"], float(np.abs(found[6:, -1] - after[0]["w_before"]).max()))
-            inner = times[1:-1]
-            places = run.at(row["t"] + inner).position[:, i]
-            worst["at"] = max(worst["at"], float(np.abs(places - found[:3, 1:-1].T).max()))
+            worst["at"] = max(worst["at"], float(np.abs(places[1:-1] - found[:3, 1:-1].T).max()))
             worst["depth"] = max(worst["depth"], float(-gaps(found[:3].T, ball.radius).min()))
     return worst
 
 
-def _on_floor(worst: Any, run: Any, i: int, row: Any, times: Any, after: Any, force: Any, gaps: Any) -> None:
+def _on_floor(
+    worst: Any, run: Any, i: int, row: Any, times: Any, after: Any, force: Any, gaps: Any, places: Any
+) -> None:
     """Compare the motion of ball i on the floor from a row of the log on, and its end, if that is what the rows ``after`` say."""
     ball, floor = run.scene.balls[i], run.scene.floor
-    places = run.at(row["t"] + times).position[:, i]
     worst["depth"] = max(worst["depth"], float(-gaps(places, ball.radius).min()))
-    start, kappa = (row["x"], row["v"], row["w"]), ball.ball.kappa
+    start = np.concatenate([row["x"], row["v"], row["w"]])
     ends = None
     if row["phase"] in (SLIDING, ROLLING):
-        law = OnFloor(force, ball.radius, kappa, floor, row["phase"] == SLIDING, float(np.sign(row["w"][2])))
-        found, ends = floor_path(law, *start, times)
+        force[-1] = np.sign(row["w"][2])
+        found, ends = floor_path(force, row["phase"] == SLIDING, start, times)
         worst["at"] = max(worst["at"], float(np.nan_to_num(np.abs(places[:-1] - found[:3, :-1].T)).max()))
         if len(after) and after[0]["kind"] != PHASE:
             ends = (times[-1], found[:3, -1], found[3:6, -1], found[6:, -1])
     elif row["phase"] == BOUNCING:
-        ends = hops(force, ball.radius, kappa, floor, *start)
+        t, y = hops(force, float(floor.contact[1][0]), start)
+        ends = (t, y[:3], y[3:6], y[6:])
     if ends is not None and len(after):
         worst["time"] = max(worst["time"], abs(ends[0] - float(times[-1])))
         for name, value, field in zip(
             ("place", "velocity", "spin"), ends[1:], ("x", "v_before", "w_before"), strict=True
         ):
             worst[name] = max(worst[name], float(np.abs(value - after[0][field]).max()))
-
-
-def _given(value: Any) -> Any:
-    return value.model_dump() if hasattr(value, "model_dump") else value
 
 
 HALF, SPHERE = 0.5, (0.0, 0.0, 0.3)  # m: half the width of a room, and a sphere of 0.1 m in it

@@ -360,9 +360,8 @@ def fit_air(
     _numbers(found, as_json)
     if not as_json:
         low, high = found.spin_ratios
-        say(
-            f"{found.flights} flights, {1e3 * found.residual:.3g} mm from their paths; spin ratios {low:.2g} to {high:.2g}"
-        )
+        off = f"{1e3 * found.residual:.3g} mm from their paths"
+        say(f"{counted(found.flights, 'flight')}, {off}; spin ratios {low:.2g} to {high:.2g}")
 
 
 def _numbers(found: Any, as_json: bool) -> None:

@@ -620,6 +620,7 @@ STARTS = ["balls.0.position", "balls.0.velocity"]
 AIR_ROUNDS, CLOSE = 20, 1e-9  # of steps; a change of the coefficients that is none
 ASTRAY = 4.0  # times the median: a flight that is so far from its path is left out
 FEWEST = 5  # frames of a flight
+BOUNCES = 10.0  # times the noise: a flight that is so far from its path is not one flight
 
 
 @dataclass(frozen=True, eq=False)
@@ -670,8 +671,11 @@ def fit_air(file: str | Path | Any, scene: str | Path | Scene) -> AirFit:
     ball = given.balls[0]
     paths = [path for name in ("drag", "lift") for path in _numbers(name, getattr(ball, name))]
     if not paths:
-        raise CaromError(Fault(where, "scene", "numbers or forms for drag or lift of its first ball", "names of laws"))
-    rows, _noise, notes = read_rows(file, ball.radius, ball.mass, None)
+        advice = "a number to begin with, such as drag = 0.5"
+        raise CaromError(
+            Fault(where, "scene", "numbers or forms for drag or lift of its first ball", "names of laws", advice)
+        )
+    rows, noise, notes = read_rows(file, ball.radius, ball.mass, None)
     flights = [one for one in rows if len(one.t) >= FEWEST]
     if not flights or any(one.w is None for one in flights):
         got = f"flights of fewer than {FEWEST}" if not flights else "no spins"
@@ -687,6 +691,8 @@ def fit_air(file: str | Path | Any, scene: str | Path | Scene) -> AirFit:
         notes.append(f"{out}: farther from their paths than {ASTRAY:g} times the median")
     flights = [one for one, use in zip(flights, good, strict=True) if use]
     far = far[good]
+    if (worst := float(far.max())) > max(BOUNCES * noise, 1e-6):
+        notes.append(f"frames are {1e3 * worst:.3g} mm off: a flight with a bounce in it, or a law that does not hold")
     starts = [_start(one) for one in flights]
     ratios = [ball.radius * float(np.linalg.norm(w) / np.linalg.norm(v)) for _x, v, w in starts]
     return AirFit(

@@ -35,7 +35,7 @@ ATMOSPHERE = 101325.0  # Pa
 FOLLOWS = {"air.density": "air.temperature and air.pressure", "air.viscosity": "air.temperature"}
 Positive = Annotated[float, BeforeValidator(Number("a density in kg/m^3, > 0", "kg/m^3", least=0, above=True))]
 Viscosity = Annotated[float, BeforeValidator(Number("a viscosity in Pa s, > 0", "Pa*s", least=0, above=True))]
-Temperature = Annotated[float, BeforeValidator(Number("a temperature in K, > 0", "K", least=0, above=True))]
+Temperature = Annotated[float, BeforeValidator(Number('a temperature in K, >= 100, or as "20 degC"', "K", least=100))]
 Pressure = Annotated[float, BeforeValidator(Number("a pressure in Pa, > 0", "Pa", least=0, above=True))]
 
 

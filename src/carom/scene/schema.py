@@ -128,7 +128,11 @@ _Model = TypeVar("_Model", bound=Model)
 
 def checked_part(model: type[_Model], value: Any) -> _Model:
     """Return the model of a part of a scene that stands in the place of a number; it runs no code."""
-    return model.model_validate(value)
+    try:
+        return model.model_validate(value)
+    except ValidationError as error:  # (whose places lie in that model)
+        raise_faults(faults_of("", error, model))
+        raise
 
 
 def from_file(where: str, model: type[_Model], table: Any, *, allow_own_laws: bool = False) -> _Model:
