@@ -617,7 +617,7 @@ class SceneLoop:
             if self.interpreted and (answer is None or not worth_interpreting(scene)):
                 self.interpreted, self.arrays = False, set_up(scene)
             rows = least if self.interpreted else min(max(pace.begin(), least), MOST_ROWS + len(scene.balls))
-            log = np.frombuffer(bytearray(rows * LOG.itemsize), LOG)
+            log = np.frombuffer(np.empty(rows * LOG.itemsize, np.uint8), LOG)  # (a bytearray is filled with zeros)
             answer = self._call(log, slow, self.most - events)()
             if answer is not None:
                 pace.done(answer[2])
