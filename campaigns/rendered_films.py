@@ -35,8 +35,8 @@ from carom import track_film
 from carom.errors import CaromError
 from carom.tracks import usable_stages
 from carom.tracks.films import measure_tracks
+from carom.tracks.video import spin as spins
 from carom.tracks.video.reading import TrackedFilm
-from carom.tracks.video.spin import flight_spins
 
 DRAWN, NAMES, SPIN = "drawn", "three balls", "spin of 60 rad/s, 60/s"
 # What is given of a film, and the scatter to reach, px
@@ -117,7 +117,7 @@ def compared(found: TrackedFilm, truth: RenderedFilm) -> Row:
     place = found.places["ball"]
     if len(place) != len(true):
         return {"frames": len(place) - len(true)}
-    used = np.isfinite(place).all(axis=1) & ~found.flagged & seen
+    used = found.used["ball"] & seen
     gap = place[used] - true[used]
     offset = np.median(gap, axis=0)
     about = gap - offset
@@ -162,23 +162,43 @@ def _named(truth: RenderedFilm) -> Row:
         return {"refused": str(error)}
     names = list(truth.places)
     true = np.stack([truth.places[name] for name in names])
-    exchanged, most = 0, []
-    for place in found.places.values():
-        seen = np.isfinite(place).all(axis=1)
-        away = np.hypot(*np.moveaxis(true[:, seen] - place[seen], -1, 0))
-        exchanged += len(set(np.argmin(away, axis=0).tolist())) - 1
-        most.append(float(np.quantile(away.min(axis=0), 0.95)))
-    return {"exchanged": exchanged, "balls": len(found.places), "most": max(most)}
+    nearest, off, frames = [], [], 0
+    for name, place in found.places.items():
+        used = found.used[name]
+        away = np.hypot(*np.moveaxis(true[:, used] - place[used], -1, 0))
+        nearest.append(np.argmin(away, axis=0))
+        off.append(away.min(axis=0))
+        frames += int(used.sum())
+    own = [int(np.bincount(one).argmax()) for one in nearest]
+    wrong = sum(int((one != mine).sum()) for one, mine in zip(nearest, own, strict=True))
+    # (two that follow one ball, or a frame that shows another ball than the others)
+    return {
+        "exchanged": wrong + len(own) - len(set(own)), "most": float(np.quantile(np.concatenate(off), 0.95)),
+        "worst": float(np.concatenate(off).max()), "used": frames / true.shape[0] / true.shape[1],
+    }  # fmt: skip
+
+
+def pair_spins(found: TrackedFilm, flight: spins.FlightSpin) -> list[tuple[int, np.ndarray]]:
+    """Return frames of a flight, and the spin (3,), rad/s, of each and the next one alone."""
+    frames = range(flight.first, flight.last + 1)
+    pattern = spins._Pattern(found, "ball", np.array(frames))
+    both = [k for k in frames if {k, k + 1} <= pattern.pictures.keys()]
+    return [
+        (k, spins._refined(pattern, flight.spin, [(k, k + 1, found.times[k + 1] - found.times[k])])[0]) for k in both
+    ]
 
 
 def _spins(found: TrackedFilm, truth: RenderedFilm) -> Row:
-    off, known = [], 0
-    flights = flight_spins(found, "ball")
+    off, pulls, pairs = list[float](), list[float](), list[float]()
+    flights = spins.flight_spins(found, "ball")
     for one in flights:
-        if not one.why:
-            known += 1
-            off.append(float(np.abs(one.spin - truth.spin["ball"][(one.first + one.last) // 2]).max()))
-    return {"off": off, "known": known, "flights": len(flights)}
+        if one.why:
+            continue
+        gap = one.spin - truth.spin["ball"][(one.first + one.last) // 2]
+        off.append(float(np.abs(gap).max()))
+        pulls += (gap / one.error).tolist()
+        pairs += [float(np.abs(spin - truth.spin["ball"][k]).max()) for k, spin in pair_spins(found, one)]
+    return {"off": off, "pulls": pulls, "pairs": pairs, "flights": len(flights)}
 
 
 def middle(values: Sequence[float], form: str = ".2g") -> str:
@@ -198,11 +218,14 @@ def report(run: Campaign, kind: str) -> None:
     if kind == NAMES:
         names = sum(row["exchanged"] > 0 for row in good)
         run.say(f"{kind}: names exchanged in {names} of {len(good)} films; 95 % of the places within"
-                f" {middle([row['most'] for row in good])} px{said}")  # fmt: skip
+                f" {middle([row['most'] for row in good])} px, the worst {max((row['worst'] for row in good), default=0):.2g} px;"
+                f" {middle([100 * row['used'] for row in good])} % of the frames used{said}")  # fmt: skip
         return
     if kind == SPIN:
-        run.say(f"{kind}: off by {middle([x for row in good for x in row['off']])} rad/s (median of the worst component, to reach"
-                f" 0.5); {sum(row['known'] for row in good)} of {sum(row['flights'] for row in good)} flights{said}")  # fmt: skip
+        off, pairs = ([x for row in good for x in row[name]] for name in ("off", "pairs"))
+        run.say(f"{kind}: off by {middle(off)} rad/s a flight (median of the worst component, to reach 0.5), {middle(pairs)} a pair"
+                f" of frames (to reach 2); {len(off)} of {sum(row['flights'] for row in good)} flights;"
+                f" {shares([x for row in good for x in row['pulls']])}{said}")  # fmt: skip
         return
     pulls = [off / bar for row in good for off, bar in zip(row["off"], row["bars"], strict=True)]
     if kind == DRAWN:

@@ -247,7 +247,7 @@ CAPS = {
     "fitting": 10560,
     "gas": 6955,
     "billiards": 5575,
-    "tracks": 9335,
+    "tracks": 9338,
     "simulation": 6476,
     "core": 5984,
     "laws": 4926,

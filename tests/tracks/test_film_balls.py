@@ -197,6 +197,13 @@ def test_a_place_of_a_ball_says_which_one(tmp_path: Path) -> None:
     assert film.scale == pytest.approx(0.4 / 200)
 
 
+def test_a_fall_alone_has_a_scale_only_if_gravity_is_said_to_act(tmp_path: Path) -> None:
+    truth = bouncing_film(tmp_path / "film.mp4", height=0.35, frames=16)
+    with pytest.raises(CaromError, match=r"px/s\^2.*gravity \((1.9\d|2(.0\d)?) mm per px\)"):
+        carom.track_film(truth.path)
+    assert carom.track_film(truth.path, scale="gravity").scale == pytest.approx(0.002, rel=0.01)
+
+
 def test_all_wrong_arguments_are_said_at_once(tmp_path: Path) -> None:
     with pytest.raises(CaromError) as error:
         carom.track_film(tmp_path / "film.mp4", 0, length="1,2", ball="5..,3@1", colour="red", region="9,9,1,1")

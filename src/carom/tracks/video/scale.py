@@ -360,19 +360,19 @@ def choose_scale(
     if table is not None:
         known["the table's corners"] = table.scale, 0.002
     fall = 0.0 if falls is None else float(np.hypot(*falls.gravity))
-    side = (
+    # (what only falls may roll down a slope)
+    down = (
         falls is not None and falls.rms < MOST_MISFIT and falls.error < 0.1 * fall
-        and abs(np.arctan2(falls.gravity[0], falls.gravity[1])) < UPRIGHT and falls.rises
+        and abs(np.arctan2(falls.gravity[0], falls.gravity[1])) < UPRIGHT
     )  # fmt: skip
-    if side and falls is not None:
+    if down and falls is not None and (falls.rises or scale == "gravity"):
         known["gravity"] = gravity / fall, falls.error / fall
     if radius:
         known["the ball's radius"] = radius / radius_px, RADIUS
     if scale == "gravity":
         if "gravity" not in known:
-            got = f"no {'motion with one acceleration downward' if falls and falls.rises else 'flight that rises and falls'}"
             wanted = "a ball in free flight, seen from the side, for gravity"
-            raise CaromError(Fault("`scale`", "", wanted, got, "give `length`"))
+            raise CaromError(Fault("`scale`", "", wanted, "no motion with one acceleration downward", "give `length`"))
         order = ["gravity"]
     else:
         order = ["the table's corners", "the scale given", "the length in the picture", "the ball's radius", "gravity"]
@@ -383,7 +383,11 @@ def choose_scale(
     first = next((name for name in order if name in known), None)
     if first is None:
         advice = "give `length` x1,y1,x2,y2=1m (two points in px and their distance), or `radius` of the ball"
-        raise CaromError(Fault("film", "scale", "a length, and no free fall was seen", "none", advice))
+        got = "none, and no flight that rises and falls was seen"
+        if down:
+            got = f"none: in pixels the ball falls with {fall:.4g} px/s^2"
+            advice += f"; if only gravity acts on it, `scale` gravity ({1e3 * gravity / fall:.3g} mm per px)"
+        raise CaromError(Fault("film", "scale", "a length in the picture", got, advice))
     value, error = known.pop(first)
     notes.append(
         f"scale: {1e3 * value:.4g} mm per px{f' ± {100 * error:.1g} %' if error else ''}, from {first}"
