@@ -268,6 +268,7 @@ def test_a_good_return_is_a_point_and_no_bat_is_none() -> None:
     [
         (lambda: carom.env.CaromEnv("NineBall"), "game: expected one of"),
         (lambda: carom.env.ThreeCushion(0), "count: expected a whole number >= 1"),
+        (lambda: carom.env.ThreeCushion(shots=0), "shots: expected a whole number >= 1"),
         (lambda: carom.env.ThreeCushion(law="mirrow"), "mirror"),
         (lambda: carom.env.two_players("TableTennisReturn"), "a game for two"),
         (lambda: carom.env.ThreeCushion(1).play(np.array([0]), np.zeros((1, 3))), "actions of 5 finite numbers"),

@@ -61,11 +61,11 @@ class Game(ABC):
 
     def __init__(self, count: int = 1, *, players: int = 1, law: str = "two-step", shots: int | None = None) -> None:
         faults = FaultList(type(self).__name__)
-        for name, value in (("count", count), ("players", players), ("shots", shots or 1)):
+        for name, value in (("count", count), ("players", players), ("shots", 1 if shots is None else shots)):
             checked_number(faults, name, value, "a whole number >= 1", lambda x: (x >= 1) & (x % 1 == 0))
         checked_number(faults, "players", min(players, 3), "1 or 2 players", lambda x: x < 3)
         faults.raise_if_any()
-        self.count, self.players, self.law, self.most = count, players, law, shots or self.shots
+        self.count, self.players, self.law, self.most = count, players, law, self.shots if shots is None else shots
         self.turn, self.taken = np.zeros((2, count), np.int64)
         """(count,): whose turn it is; shots, or steps, of this game."""
         self._last: tuple[NDArray[Any], ...] = (np.empty(0, np.int64),)  # tables, and x, v, w (n, B, 3) of their balls
