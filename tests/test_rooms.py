@@ -249,7 +249,7 @@ CAPS = {
     "billiards": 5575,
     "tracks": 9338,
     "simulation": 6476,
-    "core": 5984,
+    "core": 5988,
     "laws": 4926,
     "scene": 4678,
     "cli": 4179,

@@ -318,6 +318,25 @@ def test_slides_rolls_and_hops_beside_dop853() -> None:
     assert worst["spin"] < 1e-9
 
 
+@pytest.mark.parametrize("spin", [(2.0, -0.4, 0.25), (0.0, -40.0, 0.0)])
+def test_a_spin_turns_round_in_a_slide(spin: Any) -> None:
+    """Lift has a corner where the spin is zero, or nearly: a piece of the path ended there 4e-10 m/s beside it."""
+    run = api.simulate(
+        on_table(
+            0.5,
+            velocity=(0.0, 0.3, 0),
+            spin=spin,
+            lift=LIFT,
+            air={"wind": (0, 2, 0)},
+            floor={"spin_friction": 0.03},
+        )
+    )
+    assert "rolling" in run.events.kinds
+    worst = worst_of_flights(run, lambda x, a: x[:, 2:] - a, 12)
+    assert max(worst["place"], worst["at"], worst["time"]) < 1e-12
+    assert worst["velocity"] < 2e-12
+
+
 def test_a_spin_about_the_vertical_ends_once() -> None:
     """A ball that rolls on when that spin has ended comes to rest without it (rounding let it begin anew)."""
     log = api.simulate(drawn_table(259)).log

@@ -75,11 +75,12 @@ SPEED, DRAG, FADE, LIFT = 3, 4, 5, 6  # columns in flight
 # Of ``work``: accelerations at the nodes 1 to 7; a sixth of how fast the acceleration changes at most, and how far the ball comes
 RATES, ERROR, WAY = 70, 120, 121
 
-FINEST = 3e-14  # m: how far a place may be from the polynomial of one degree more
+FINEST, FINEST_SPEED = 3e-14, 2e-12  # m, m/s: how far place and velocity may be from the polynomial of one degree more
 LAST_TERM = 5e-13  # m/s: of a series
-OFF = 1.4e-7  # the largest value of the second integral of t (t - t_1) ... (t - t_7)
+OFF, OFF_SPEED = 1.4e-7, 2.25e-6  # the largest values of the second and the first integral of t (t - t_1) ... (t - t_7)
 SHORTEST = 1e-15  # s
-# A change of a velocity that is rounding, as shares of the piece's and of the ball's own; rounds of finding accelerations
+# A change of a velocity that is rounding, as shares of the piece's and of the ball's own; rounds of finding
+# accelerations
 SETTLED, ROUNDING, MOST_ROUNDS = 2e-12, 4e-16, 20
 # Drag has a corner where a ball turns round in the air: pieces that begin below this speed, m/s, have the laws of where they begin.
 # As shares of the time in which that speed changes by itself: the longest piece while it falls, and while it grows (rounding grows
@@ -125,11 +126,13 @@ def air_rates(world: Any, ball: Any, v: Vec, w: Vec, fixed: float) -> tuple[Vec,
     drag = _without_spin(laws, d, s) + laws[8 * d + 6] * a * size
     drag = ball.air * drag * _share(laws, d, s, a * size)
     # s C_L / |w|
-    lift = laws[8 * k + 6] * a
-    if size > 0:
-        lift = lift + _without_spin(laws, k, s) / size
+    lift, rest, fade = laws[8 * k + 6] * a, _without_spin(laws, k, s), 0 * s
+    if size > 0 and acts(abs(rest)):
+        lift = lift + rest / size
     lift = ball.air * lift * _share(laws, k, s, a * size)
-    side, fade = cross(w, u), -ball.spin_decay * s / a
+    side = cross(w, u)
+    if acts(ball.spin_decay):
+        fade = -ball.spin_decay * s / a
     acc = (
         c * force[0] - drag * u[0] + lift * side[0],
         c * force[1] - drag * u[1] + lift * side[1],
@@ -166,8 +169,10 @@ def piece_rates(world: Any, ball: Any, v: Vec, w: Vec, fixed: float) -> tuple[Ve
     if ball.course[2] == 0:
         x, y = _slip(ball, v, w)
         size = _root(x * x + y * y)
-        x, y = (x / size, y / size) if size > 0 else (none, none)
-    loss = world.spin_friction * load / (kappa * a)
+        c = 1 / size if size > 0 else none
+        x, y = c * x, c * y
+    c = 1 / (kappa * a)
+    loss = c * world.spin_friction * load
     if acts(world.spin_damping):
         loss = loss + world.spin_damping * abs(w[2])
     if ball.phase == ROLLING and acts(world.spin_drag):
@@ -176,7 +181,6 @@ def piece_rates(world: Any, ball: Any, v: Vec, w: Vec, fixed: float) -> tuple[Ve
     f = -_friction_of(world, ball) * load
     x, y = f * x, f * y
     if ball.phase == SLIDING:
-        c = 1 / (kappa * a)
         return (air[0] + x, air[1] + y, none), (spun[0] + y * c, spun[1] - x * c, turn)
     if ball.phase != ROLLING:
         return (none, none, none), (none, none, turn)
@@ -456,70 +460,73 @@ def _expand(world: Any, ball: Any, fixed: float, horizon: float) -> float:
 def _guess(ball: Any, shift: float, ratio: float) -> None:
     """Begin with accelerations of the polynomial there is, from the share ``shift`` of its span on, over ``ratio`` of its span."""
     c, h = ball.work, ball.span
-    for i in range(6):
-        first = 0 * h
+    for o in range(5):
+        first, i = 0 * h, o + 1 if o > 1 else o  # (not the vertical velocity)
         for n in range(8):
             t, value = shift + ratio * NODES[n], 0 * h
             for k in range(7 if ratio > 0 else 0):
                 value = (value + (8 - k) * c[56 - 7 * k + i]) * t
             first = value if n == 0 else first
-            c[RATES + 6 * (n - 1) + i] = (value - first) / h if ratio > 0 else value
+            c[RATES + 5 * (n - 1) + o] = (value - first) / h if ratio > 0 else value
 
 
 @kernel
-def _at_nodes(c: Any, row: int) -> tuple[float, float, float, float, float, float]:
-    """Return the product of seven numbers of MATRIX with the six accelerations at the nodes."""
-    x, y, z = 0 * c[RATES], 0 * c[RATES], 0 * c[RATES]
-    p, q, r = x, x, x
+def _at_nodes(c: Any, row: int) -> tuple[float, float, float, float, float]:
+    """Return the product of seven numbers of MATRIX with the accelerations at the nodes: two of the ball, three of its spin."""
+    x, y, p, q, r = 0 * c[RATES], 0 * c[RATES], 0 * c[RATES], 0 * c[RATES], 0 * c[RATES]
     for k in range(7):
-        g, o = MATRIX[row + k], RATES + 6 * k
-        x, y, z = x + g * c[o], y + g * c[o + 1], z + g * c[o + 2]
-        p, q, r = p + g * c[o + 3], q + g * c[o + 4], r + g * c[o + 5]
-    return x, y, z, p, q, r
+        g, o = MATRIX[row + k], RATES + 5 * k
+        x, y, p, q, r = x + g * c[o], y + g * c[o + 1], p + g * c[o + 2], q + g * c[o + 3], r + g * c[o + 4]
+    return x, y, p, q, r
 
 
 @kernel
 def _collocate(world: Any, ball: Any, fixed: float) -> float:
-    """Find the polynomial over the ball's span; return the error of a place within it, m (infinity: there is none).
+    """Find the polynomial over the ball's span; return the error within it, in m, which is to be FINEST (infinity: there is none).
 
-    Rounds from node to node: the velocity there by the integral of the accelerations, and the acceleration by the velocity.
+    Rounds from node to node: the velocity there by the integral of the accelerations, and the acceleration by the velocity, until
+    the next round would change rounding only: as much less than this one as this one changed less than the one before.
     """
     c, acc, turn = ball.work, vector(ball.acc), vector(ball.turn)
     v, w, h, a = vector(ball.v), vector(ball.w), ball.span, ball.radius
     scale = without_slopes(h * (_root(dot(acc, acc)) + a * _root(dot(turn, turn))))
     rounding = SETTLED * scale + ROUNDING * without_slopes(_root(dot(v, v)) + a * _root(dot(w, w)))
     # (slopes of a slip that ends follow it slowly)
-    least = MOST_ROUNDS if carries_slopes(acc[0] + acc[1] + acc[2]) else 0
-    settled, ball.order = False, 8
-    for i in range(14, 63):
-        c[i] = 0 * h
-    for count in range(MOST_ROUNDS + 1):
-        last = 0 * h
-        for n in range(1, 8):
-            i, (x, y, z, p, q, r) = 7 * n + 7, _at_nodes(c, 7 * n - 7)
-            moved = abs(x - c[i]) + abs(y - c[i + 1]) + abs(z - c[i + 2])
-            last = max(last, moved + a * (abs(p - c[i + 3]) + abs(q - c[i + 4]) + abs(r - c[i + 5])))
-        settled = without_slopes(last * h) <= rounding
-        if settled and count > least:
-            break
-        for n in range(1, 8):
-            t, i, o = NODES[n], 7 * n + 7, RATES + 6 * (n - 1)
-            x, y, z, p, q, r = _at_nodes(c, 7 * n - 7)
-            c[i], c[i + 1], c[i + 2], c[i + 3], c[i + 4], c[i + 5] = x, y, z, p, q, r
-            b, spun = piece_rates(
-                world, ball,
-                (v[0] + h * (t * acc[0] + x), v[1] + h * (t * acc[1] + y), v[2] + h * (t * acc[2] + z)),
-                (w[0] + h * (t * turn[0] + p), w[1] + h * (t * turn[1] + q), w[2] + h * (t * turn[2] + r)),
-                fixed,
-            )  # fmt: skip
-            c[o], c[o + 1], c[o + 2] = b[0] - acc[0], b[1] - acc[1], b[2] - acc[2]
-            c[o + 3], c[o + 4], c[o + 5] = spun[0] - turn[0], spun[1] - turn[1], spun[2] - turn[2]
+    least = MOST_ROUNDS - 1 if carries_slopes(acc[0] + acc[1] + acc[2]) else 1
+    before, settled, ball.order = math.inf, False, 8
     for n in range(1, 8):
-        i, t, (x, y, z, p, q, r) = 7 * n + 7, h * SHARES[n], _at_nodes(c, 7 * n + 42)
-        c[i], c[i + 1], c[i + 2], c[i + 3], c[i + 4], c[i + 5] = t * x, t * y, t * z, t * p, t * q, t * r
-    high, higher = without_slopes(_size(ball, 7)), without_slopes(_size(ball, 8))
-    ratio = min(1.0, 8 * higher / (7 * high)) if high > 0 else 1.0
-    return float(OFF * without_slopes(h) * 8 * higher * ratio) if settled else math.inf
+        i, (x, y, p, q, r) = 7 * n + 7, _at_nodes(c, 7 * n - 7)
+        c[i], c[i + 1], c[i + 2], c[i + 3], c[i + 4], c[i + 5] = x, y, 0 * x, p, q, r
+    for count in range(MOST_ROUNDS):
+        last = 0.0
+        for n in range(1, 8):
+            t, i, o = NODES[n], 7 * n + 7, RATES + 5 * (n - 1)
+            x, y, p, q, r = _at_nodes(c, 7 * n - 7)
+            turned = a * (abs(p - c[i + 3]) + abs(q - c[i + 4]) + abs(r - c[i + 5]))
+            last = max(last, without_slopes(h * (abs(x - c[i]) + abs(y - c[i + 1]) + turned)))
+            c[i], c[i + 1], c[i + 3], c[i + 4], c[i + 5] = x, y, p, q, r
+            b, spun = piece_rates(
+                world, ball, (v[0] + h * (t * acc[0] + x), v[1] + h * (t * acc[1] + y), v[2] + h * (t * acc[2])),
+                (w[0] + h * (t * turn[0] + p), w[1] + h * (t * turn[1] + q), w[2] + h * (t * turn[2] + r)), fixed,
+            )  # fmt: skip
+            c[o], c[o + 1] = b[0] - acc[0], b[1] - acc[1]
+            c[o + 2], c[o + 3], c[o + 4] = spun[0] - turn[0], spun[1] - turn[1], spun[2] - turn[2]
+        settled = last <= rounding or (2 * last <= before and last * last <= rounding * before)
+        if settled and count >= least:
+            break
+        before = last
+    for n in range(1, 8):
+        i, t, (x, y, p, q, r) = 7 * n + 7, h * SHARES[n], _at_nodes(c, 7 * n + 42)
+        c[i], c[i + 1], c[i + 3], c[i + 4], c[i + 5] = t * x, t * y, t * p, t * q, t * r
+    # (a spin that turns round has a corner within: there one of them may be small by chance)
+    low, high, higher = (
+        6 * without_slopes(_size(ball, 6)),
+        7 * without_slopes(_size(ball, 7)),
+        8 * without_slopes(_size(ball, 8)),
+    )
+    ratio = min(1.0, max(higher / high, high / low)) if high > 0 and low > 0 else 1.0
+    off = max(OFF * without_slopes(h), OFF_SPEED * FINEST / FINEST_SPEED)
+    return float(off * ratio * max(higher, ratio * high)) if settled else math.inf
 
 
 @kernel
