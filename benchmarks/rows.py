@@ -225,8 +225,7 @@ HEAD = ["work", "carom takes", "peer", "carom's time over the peer's (spread)", 
 
 HOW = """\
 Both sides of a row are timed in turn, five times in one run; the ratio is that of the shortest times, and in brackets
-are the least and the largest ratio of a repeat: a wide spread means that other work shared the machine. Below 1 carom
-is faster; 1/70 is seventy times faster."""
+are the least and the largest of a repeat. Below 1 carom is faster; 1/70 is seventy times faster."""
 OF_PROCESSOR = (
     "Times are of the processor, of all threads and processes of a work together: other work shared the machine."
 )

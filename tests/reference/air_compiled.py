@@ -183,8 +183,8 @@ def dop853(p: Any, mode: int, t: float, y: Any, times: Any, states: Any, rtol: f
     return t, y, 0
 
 
-def floor_path(p: Any, slides: bool, start: Any, times: Any) -> tuple[Any, Any]:
-    """Return the states (rows of position, velocity, spin) at times before the phase ends, and as it ends, with the time."""
+def floor_path(p: Any, slides: bool, start: Any, times: Any, ends: bool) -> tuple[Any, Any]:
+    """Return the states (rows of position, velocity, spin) at times before the phase ends; and when and how, if ``ends``."""
     times = np.append(times[1:], 2 * times[-1])
     states = np.full((len(times), 9), np.nan)
     t, y, left = 0.0, np.asarray(start, float), 2
@@ -197,7 +197,7 @@ def floor_path(p: Any, slides: bool, start: Any, times: Any) -> tuple[Any, Any]:
             if left == 2:
                 y[8] = p[SENSE] = 0.0
     states = np.vstack([start, states[:-1]]).T  # (nor are there any of a ball that is NEAR)
-    if left == 0:
+    if left == 0 or not ends:
         return states, None
     x, z = slip(p, y, 3, slides)
     size, z0 = math.hypot(x, z), float(y[2])

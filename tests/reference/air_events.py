@@ -76,7 +76,8 @@ def _on_floor(
     ends = None
     if row["phase"] in (SLIDING, ROLLING):
         force[-1] = np.sign(row["w"][2])
-        found, ends = floor_path(force, row["phase"] == SLIDING, start, times)
+        by_itself = len(after) > 0 and after[0]["kind"] == PHASE
+        found, ends = floor_path(force, row["phase"] == SLIDING, start, times, by_itself)
         worst["at"] = max(worst["at"], float(np.nan_to_num(np.abs(places[:-1] - found[:3, :-1].T)).max()))
         if len(after) and after[0]["kind"] != PHASE:
             ends = (times[-1], found[:3, -1], found[3:6, -1], found[6:, -1])
