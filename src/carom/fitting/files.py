@@ -336,7 +336,7 @@ def _number(given: float | str) -> float | None:
     """Return a number, or a text that is one; None for the name of a form."""
     try:
         return float(given.replace(",", ".") if isinstance(given, str) else given)
-    except ValueError:
+    except (TypeError, ValueError):  # (what is neither is refused as a form)
         return None
 
 

@@ -1,4 +1,4 @@
-"""What data tell of a law's parameters: covariance, combinations, profiles, fitted scatter, bootstrap, systematic errors.
+"""Errors of a law's parameters: covariance, combinations, profiles, fitted scatter, bootstrap, systematic errors.
 
 Covariance of a law's parameters, and which of them, alone or in combination, the data do not identify.
 
