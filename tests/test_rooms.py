@@ -244,7 +244,7 @@ def test_no_build_product_is_tracked() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10560,
+    "fitting": 10565,
     "gas": 6955,
     "billiards": 5575,
     "tracks": 9338,
@@ -253,7 +253,7 @@ CAPS = {
     "laws": 4926,
     "scene": 4678,
     "cli": 4179,
-    "plot": 3566,
+    "plot": 3567,
     "derive": 2999,
     "sweeps": 3267,
     "data": 2603,

@@ -162,6 +162,7 @@ def test_designs_take_the_rebounds_measured_so_far() -> None:
             lambda: carom.fit(REBOUNDS, 0.02, fix={"frction": 0.2}),
             "`fix`: expected a parameter of a law, got 'frction'",
         ),
+        (lambda: carom.fit(REBOUNDS, 0.02, restitution=1.4), "restitution: expected 0 to 1, got 1.4"),
         (lambda: carom.fit(REBOUNDS, 0.02, bound={"friction": (1, 0)}), "`bound`: friction: expected LOW:HIGH"),
         (lambda: carom.fit(REBOUNDS, 0.02, view="above", laws="mirror"), "`view`: expected a track, got rebounds"),
         (lambda: carom.fit(REBOUNDS, 0.02, whole=True), "expected track files with `whole`, got dict"),

@@ -509,17 +509,21 @@ def test_a_fit_to_rows_of_any_kind_is_drawn(here, monkeypatch, capsys, data):
         data,
         "--laws",
         "mirror",
-        "--radius",
-        "0.02",
         "--bootstrap",
         "0",
         "--no-profiles",
         "--plot",
         "fit.svg",
     )
-    code, out, err = run(monkeypatch, capsys, *words)
+    code, out, err = run(monkeypatch, capsys, *words)  # (no radius: heights do not depend on it)
     assert (code, "mirror" in out) == (0, True), err
     assert (here / "fit.svg").read_text().startswith("<?xml")
+
+
+def test_three_heights_are_too_few_for_a_fit_but_have_restitutions(here, monkeypatch, capsys):
+    (here / "heights.csv").write_text("drop_height,rebound_height\n1,0.64\n1,0.81\n1,0.49\n")
+    code, _out, err = run(monkeypatch, capsys, "fit", "heights.csv")
+    assert (code, "(restitution of each row: 0.800, 0.900, 0.700)" in err) == (2, True), err
 
 
 def test_what_was_computed_is_printed_whatever_becomes_of_its_files(here, monkeypatch, capsys):

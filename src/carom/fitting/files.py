@@ -110,7 +110,7 @@ def fit(
         A table of rebounds, one or more track files or films, or the name of a published set; or a dict of arrays, a DataFrame, a
         structured array with the columns of such a table; or what :func:`carom.measure_tracks` returns.
     radius : float, optional
-        Radius, m. Default: the radius of a set that comes with carom.
+        Radius, m. Default: the radius of a set that comes with carom; rebounds straight up need none.
     inertia : str or float, optional
         "solid", "hollow" or I/(m a^2). Default: solid.
     laws : str or sequence of str, optional
@@ -290,7 +290,7 @@ def _checked(asked: SimpleNamespace) -> _Request:
     faults += _strange_words(asked, names)
     before = FaultList()
     ours = before.attempt(published_at, paths[0]) if paths else None
-    if asked.radius is None and ours is None and not before:
+    if asked.radius is None and ours is None and not before and (films or asked.whole or _has_size(asked, paths)):
         faults.add("`radius`", "the ball's radius in m", "none", "a table-tennis ball has `radius` 0.02")
     given = {"kappa": kappa} | {name: getattr(asked, name) for name in ("radius", "contact_height", "floor_friction")}
     ball = {"radius": 1.0} | (ours.setting if ours else {}) | {k: x for k, x in given.items() if x is not None}
@@ -300,7 +300,7 @@ def _checked(asked: SimpleNamespace) -> _Request:
         **prior, fixed=fixed, bounds=bounds, fit=tuple(asked.fit), robust=asked.robust, scatter=asked.scatter or "",
         **of_whole,
     )  # fmt: skip
-    faults.attempt(require_settings, setting, whole=asked.whole)
+    faults.attempt(require_settings, setting, whole=asked.whole, held=held)
     if asked.whole:
         for path in paths:
             if path.is_file() and faults.attempt(is_track, path) is False:
@@ -321,6 +321,12 @@ def _checked(asked: SimpleNamespace) -> _Request:
             faults.attempt(read_rebounds, paths[0], kind=kind, stage=stage)
         raise CaromError(*faults)
     return _Request(paths, asked.files if memory else None, ours, bool(films), names, setting)
+
+
+def _has_size(asked: SimpleNamespace, paths: Sequence[Path]) -> bool:
+    """Whether rebounds depend on the ball's radius: something moves along the wall, or turns."""
+    found = FaultList().attempt(read_rebounds, *paths[:1], kind=asked.kind, stage=asked.stage) if paths else None
+    return found is None or any(np.nan_to_num(x).any() for name, x in found.columns.items() if "v_n" not in name)
 
 
 def _prior(spin: float | str | None, whole: bool) -> dict[str, Any]:

@@ -527,10 +527,11 @@ def _fits_of(
             continue
         fits.append(fit)
     if not fits and needed:
-        name = min(needed, key=needed.__getitem__)
+        name, rows = min(needed, key=needed.__getitem__), problem.rebounds
+        straight = ", ".join(f"{e:.3f}" for e in rows["v_n_out"] / rows["v_n_in"] if not rows["v_t_in"].any())
         raise CaromError(
-            f"{problem.rebounds.source}: expected {needed[name]} measured numbers or more, which {name} needs, got {problem.count};"
-            " measure more"
+            f"{rows.source}: expected {needed[name]} measured numbers or more, which {name} needs, got {problem.count};"
+            f" measure more{f' (restitution of each row: {straight})' if straight else ''}"
         )
     if not fits:
         raise CaromError(*(f"{problem.rebounds.source}: {note}" for note in (*notes, *said)))

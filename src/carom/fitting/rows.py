@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, cast
 
@@ -116,8 +116,9 @@ class Setting:
         return self if self.contact_height is not None else replace(self, contact_height=1.0)
 
 
-def require_settings(setting: Setting, *, whole: bool = False) -> None:
-    """Raise CaromError for a setting with which rebounds, or ``whole`` tracks, cannot be fitted, one line per problem."""
+def require_settings(setting: Setting, *, whole: bool = False, held: Collection[str] = ()) -> None:
+    """Raise CaromError for a setting with which rebounds, or ``whole`` tracks, cannot be fitted, one line per problem; ``held``:
+    parameters that are fixed by an argument of their own."""
     require_type("fit", "setting", setting, Setting)
     kappa, most, where = "kappa = I/(m a^2) above 0, up to 1", 1.0, ""
     if whole:
@@ -168,7 +169,8 @@ def require_settings(setting: Setting, *, whole: bool = False) -> None:
                 require(ok, f"bounds: {one}", "two numbers, the lower first", value[one])
             elif one in limits:
                 low, high = limits[one].low, limits[one].high
-                require(low <= float_or_nan(value[one]) <= high, f"fix: {one}", f"{low:g} to {high:g}", value[one])
+                place = one if one in held else f"fix: {one}"
+                require(low <= float_or_nan(value[one]) <= high, place, f"{low:g} to {high:g}", value[one])
     faults.raise_if_any()
 
 

@@ -354,14 +354,15 @@ def film_parts(films: Sequence[TrackedFilm]) -> list[str]:
 def write_report(ranking: Ranking, path: str | Path, films: Sequence[TrackedFilm] = ()) -> Path:
     """Write the HTML report atomically: verdict, figures, table, unconstrained parameters, outliers, sheets of the films."""
     setting, best = ranking.best.problem.setting, ranking.best
+    ball = f" Ball of radius {setting.radius * 1e3:.4g} mm, moment of inertia {setting.kappa:.4g} m a²{_table(best)}."
 
     def along(axes: Any) -> None:
         _along(axes, ranking, ranking.ranked[:SHOWN])
         axes.legend(loc="best", fontsize=7, frameon=False, markerscale=2)
 
     parts = [
-        f"<p>{len(best.problem.x)} rebounds ({best.law.kind}), {best.problem.count} measurements after the wall. Ball of"
-        f" radius {setting.radius * 1e3:.4g} mm, moment of inertia {setting.kappa:.4g} m a²{_table(best)}.</p>",
+        f"<p>{len(best.problem.x)} rebounds ({best.law.kind}), {best.problem.count} measurements after the wall."
+        f"{ball if best.problem.rebounds['v_t_in'].any() else ''}</p>",
         beside([panel(lambda axes: _normal(axes, ranking), 4.5, 3.4, **MARGINS), panel(along, 4.5, 3.4, **MARGINS)]),
         "<h2>The laws, best first</h2>", _laws(ranking), "<h2>Residuals of the two best laws</h2>", *_residuals(ranking),
         listed("Outliers under the best law", [f"{o.row}: chi² {o.chi2:.1f}; {o.why}" for o in ranking.outliers]),
