@@ -9,7 +9,7 @@ import pytest
 
 import carom
 from carom import billiards
-from carom.core.geometry.outlines import ellipse_depth
+from carom.scene.figures.polygons import ellipse_depth
 
 
 @pytest.fixture(scope="module")

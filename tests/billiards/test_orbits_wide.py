@@ -7,8 +7,8 @@ import pytest
 
 import carom
 from carom import billiards
-from carom.core.geometry.outlines import ellipse_depth
 from carom.gas import Gas, Species, container
+from carom.scene.figures.polygons import ellipse_depth
 
 P, Q = 1.2, 0.5  # smallest radius of curvature: 0.2083
 BALL = carom.Disc(0.35, 1.0)

@@ -9,7 +9,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from carom.core.jets import FUNCTIONS, call, variable
+from carom.scene.figures.figure import FUNCTIONS, call, variable
 
 CASES: list[tuple[Callable[[Any], Any], Callable[[Any], Any]]] = [
     (lambda t: 1 + 0.3 * np.cos(2 * t) / (2 - t), lambda t: 1 + 0.3 * mpmath.cos(2 * t) / (2 - t)),

@@ -8,8 +8,8 @@ import pytest
 
 import carom
 from carom import billiards
-from carom.core.geometry.outlines import MOST, outline_faults
 from carom.gas import container
+from carom.scene.figures.polygons import MOST, outline_faults
 
 RUNS, LIES, CROSS, ONCE, TOUCH = (
     "run back",

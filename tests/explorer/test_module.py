@@ -15,7 +15,6 @@ from carom.core.jit import webassembly
 from carom.core.jit.compile import numba_signature, signature
 from carom.core.jit.kernel_hash import kernel_hash
 from carom.core.jit.lowering import LoweringError, linked_dispatcher, llvm_text
-from carom.explorer import fields
 from carom.explorer import module as build
 from carom.explorer.module import ASSETS, MAX_BYTES, description, engine_bytes, engine_layout, version
 from carom.scene.schema import Model
@@ -119,8 +118,8 @@ class Rims(Model):
 
 
 def test_parts_within_shapes_are_found_by_their_type() -> None:
-    assert list(dict.fromkeys(fields._within(tuple[Rims, ...] | None))) == [Rim, Rims]
-    found = fields._field(Rims, "inner", Rims.model_fields["inner"])
+    assert list(dict.fromkeys(build._within(tuple[Rims, ...] | None))) == [Rim, Rims]
+    found = build._field(Rims, "inner", Rims.model_fields["inner"])
     assert found["optional"]  # it says nothing
-    assert fields.NAMED["sides"] is Sides
-    assert fields.NAMED["side"] is Side
+    assert build.NAMED["sides"] is Sides
+    assert build.NAMED["side"] is Side

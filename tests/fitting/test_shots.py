@@ -97,7 +97,7 @@ def test_the_result_pickles_prints_and_goes_to_json(ranking):
 
 
 def test_pictures_say_what_is_drawn(ranking, tmp_path):
-    from carom.plot.shots import plot_shot, plot_shots, write_shots_report
+    from carom.plot.fit import plot_shot, plot_shots, write_shots_report
 
     one = plot_shot(ranking.best.shots[0])
     words = [text.get_text() for legend in one.legends for text in legend.get_texts()]

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from carom.core.geometry.curve_arcs import arc_hit, arc_tables
-from carom.core.geometry.outlines import ellipse_depth
 from carom.scene.figures import EllipsePiece
+from carom.scene.figures.polygons import ellipse_depth
 
 
 @functools.cache

@@ -16,7 +16,7 @@ import pytest
 from reference.drawn_scenes import away, hop, still, three
 
 import carom
-from carom.plot import animation
+from carom.plot import film
 from carom.scene import Plane, Scene, SceneBall
 
 needs_ffmpeg = pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="ffmpeg is not installed")
@@ -53,7 +53,7 @@ def test_a_gif_has_its_frames_and_its_pace(tmp_path: Path) -> None:
 
 def test_a_film_shows_the_ball_where_it_is() -> None:
     pytest.importorskip("matplotlib")
-    from carom.plot.animation import Film
+    from carom.plot.film import Film
     from carom.plot.style import style
 
     run = carom.simulate(hop())
@@ -94,7 +94,7 @@ def test_an_mp4_is_one(tmp_path: Path) -> None:
 def test_ffmpeg_may_come_from_a_package(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shutil, "which", lambda _name: None)
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", SimpleNamespace(get_ffmpeg_exe=lambda: "/its/own/ffmpeg"))
-    assert animation.ffmpeg() == "/its/own/ffmpeg"
+    assert film.ffmpeg() == "/its/own/ffmpeg"
 
 
 def test_without_ffmpeg_it_says_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

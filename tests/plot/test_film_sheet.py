@@ -11,8 +11,8 @@ from matplotlib.colors import to_hex
 from reference.rendered_films import Look, bouncing_film
 from reference.tracked_truth import as_tracked
 
-from carom.plot.film_sheet import COLUMNS, RED, SHOWN, outline_of, plot_film, smooth_residuals, write_overlay
 from carom.plot.fit import film_parts
+from carom.plot.tracks import COLUMNS, RED, SHOWN, outline_of, plot_film, smooth_residuals, write_overlay
 from carom.tracks.video.reading import TrackedFilm
 
 FLAGGED = (8, 21)

@@ -13,7 +13,7 @@ import pytest
 import carom
 from carom import billiards, plot
 from carom.cli.streams import guarded_streams
-from carom.plot.animation import Film
+from carom.plot.film import Film
 from carom.plot.fit import _from_above
 from carom.plot.style import literal, new_figure, style
 

@@ -65,7 +65,7 @@ EGG = '''
 
 from typing import Literal
 
-from carom.core.jets import call
+from carom.scene.figures.figure import call
 from carom.scene.figures import PlaneFigure
 from carom.scene.figures.curve import PolarPiece
 from carom.scene.schema import Share, Size

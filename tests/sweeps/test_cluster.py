@@ -70,7 +70,7 @@ def test_a_cluster_gives_the_same_bits_though_workers_die_and_connections_are_lo
 
 
 def test_nobody_answers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("carom.sweeps.cluster.CONNECT_SECONDS", 1)
+    monkeypatch.setattr("carom.sweeps.store.CONNECT_SECONDS", 1)
     made = carom.sweep(space(), KEEP, store=tmp_path / "s.zarr", block=40)
     begin = time.monotonic()
     with pytest.raises(carom.CaromError, match="expected a Dask scheduler that answers at tcp://127"):
@@ -85,8 +85,8 @@ def test_nobody_answers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
 @pytest.mark.slow
 def test_a_cluster_without_workers_is_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """It was waited for, for ever; what was done stays."""
-    monkeypatch.setattr("carom.sweeps.cluster.ALONE_SECONDS", 0.2)
-    monkeypatch.setattr("carom.sweeps.cluster.ASK_SECONDS", 0.1)
+    monkeypatch.setattr("carom.sweeps.store.ALONE_SECONDS", 0.2)
+    monkeypatch.setattr("carom.sweeps.store.ASK_SECONDS", 0.1)
     made = carom.sweep(space(), KEEP, store=tmp_path / "s.zarr", block=4)
     with (
         distributed.LocalCluster(n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None) as one,

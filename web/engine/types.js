@@ -42,7 +42,7 @@
  * @typedef {{numbers: Record<string, number | string[]>, faults: FaultText[], pockets?: string[]}} Ruled */
 
 /**
- * A field of a scene, as carom.explorer.fields writes it.
+ * A field of a scene, as carom.explorer.module writes it.
  * @typedef {object} Field
  * @property {string} kind number, vector, list, flag, choice, text, whole, part, tagged: a part by its tag
  * @property {string} what is expected in its place

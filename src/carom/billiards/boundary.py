@@ -22,13 +22,12 @@ from carom.billiards.curved_wall import (
 )
 from carom.billiards.intersections import BILLIARD, PIECES
 from carom.bodies import holds_arrays
-from carom.core.geometry.outlines import ellipse_depth, polygon_depth
 from carom.errors import CaromError, Fault
 from carom.scene.figures import CellFigure, Figure, PlaneFigure
 from carom.scene.figures.cells import DiscsFigure
 from carom.scene.figures.curve import PlatesFigure, StripFigure, WedgeFigure
 from carom.scene.figures.figure import ArcPiece, EllipsePiece, Loop, SegmentPiece, joints
-from carom.scene.figures.polygons import RectangleFigure
+from carom.scene.figures.polygons import RectangleFigure, ellipse_depth, polygon_depth
 from carom.scene.figures.rounds import BoxFigure, CylinderFigure, SphereFigure
 
 Array = NDArray[np.float64]

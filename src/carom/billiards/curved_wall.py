@@ -34,9 +34,9 @@ from carom.core.geometry.curve import (
     X,
     cut_into_panels,
 )
-from carom.core.geometry.outlines import outline_faults
 from carom.errors import CaromError, Fault
 from carom.scene.figures import EllipsePiece, Piece
+from carom.scene.figures.polygons import outline_faults
 
 Array = NDArray[np.float64]
 CORNER_TURN = 1e-7  # rad

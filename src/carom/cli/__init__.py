@@ -20,8 +20,8 @@ from carom.public.interrupts import INTERRUPTED
 VERBS: dict[str, dict[str, str]] = {
     "Laws": {"compare": "compare:compare", "laws": "catalog:laws"},
     "Shots": {
-        "simulate": "simulate:simulate", "aim": "aim:aim", "explore": "explore:explore", "scene new": "scene:new",
-        "scene check": "scene:check", "sweep new": "sweep:new", "sweep explain": "sweep:explain", "sweep run": "sweep:run",
+        "simulate": "simulate:simulate", "aim": "shots:aim", "explore": "shots:explore", "scene new": "shots:new",
+        "scene check": "shots:check", "sweep new": "sweep:new", "sweep explain": "sweep:explain", "sweep run": "sweep:run",
         "sweep status": "sweep:status", "sweep verify": "sweep:verify", "sweep plot": "sweep:plot",
     },
     "Billiards": {"orbit": "orbit:orbit"},
@@ -29,7 +29,7 @@ VERBS: dict[str, dict[str, str]] = {
     "Measurements": {
         "track": "tracks:track", "tracks show": "tracks:show", "tracks example": "tracks:example", "fit": "fit:fit",
         "fit gas": "fit:fit_gas",
-        "fit air": "fit:fit_air", "datasets": "catalog:datasets", "predict": "predict:predict", "design": "design:design",
+        "fit air": "fit:fit_air", "datasets": "catalog:datasets", "predict": "predict:predict", "design": "fit:design",
         "judge": "judge:judge",
     },
     "Installation": {"doctor": "doctor:doctor"},

@@ -502,7 +502,7 @@ def _plot(found: Session | Ensemble, path: Path) -> None:
 def _animate(session: Session, path: Path, quiet: bool) -> None:
     """Write the film."""
     from carom.cli.console import working
-    from carom.plot.gas_film import animate_gas
+    from carom.plot.film import animate_gas
 
     with working("rendering", quiet=quiet) as progress:
         animate_gas(session, path, progress=progress)

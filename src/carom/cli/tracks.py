@@ -434,7 +434,7 @@ def track(
         found.sheet(sheet)
         wrote(sheet)
     if overlay is not None:
-        from carom.plot.film_sheet import write_overlay
+        from carom.plot.tracks import write_overlay
 
         with working("overlay", err()) as bar:
             write_overlay(found, overlay, bar)

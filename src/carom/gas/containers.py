@@ -20,12 +20,12 @@ from pydantic import BeforeValidator, Field, model_validator
 from carom.bodies import holds_arrays
 from carom.core.geometry.curve import ROW
 from carom.core.geometry.curve_arcs import arc_gap, arc_length, arc_tables, join_ends
-from carom.core.geometry.outlines import outline_faults, polygon_depth
 from carom.errors import CaromError, Fault, FaultList, did_you_mean, shown
 from carom.formatting import counted, format_number
 from carom.gas.edmd.gas_records import CURVE, INSIDE, OUTSIDE, PLANE
 from carom.scene.figures import FIGURES, ArcPiece, EllipsePiece, Figure, PlaneFigure, SegmentPiece
 from carom.scene.figures.figure import Loop, figure_table, joints
+from carom.scene.figures.polygons import outline_faults, polygon_depth
 from carom.scene.figures.rounds import CylinderFigure, SectorFigure, SphereFigure
 from carom.scene.schema import Components, Length, Model, Size, from_file, refused, with_faults_of_part
 

@@ -24,7 +24,6 @@ from carom.public.own_laws import with_own_laws
 from carom.scene.presets import read_toml
 from carom.scene.toml import load_scene
 from carom.sweeps.axes import Axis, axis_from_data
-from carom.sweeps.cluster import run_on_cluster
 from carom.sweeps.fields import FAILED, FAILURES, NOT_DONE, WHY, Outcome
 from carom.sweeps.space import Space
 from carom.sweeps.store import (
@@ -38,6 +37,7 @@ from carom.sweeps.store import (
     identity,
     open_dataset,
     require_few,
+    run_on_cluster,
 )
 from carom.sweeps.subjects import subject_from_data
 

@@ -220,7 +220,7 @@ def arc_gap(table: Any, base: int, d: float, x: float, y: float) -> tuple[float,
 # the normal it has the gap's value and its rate. So Newton's method with these polynomials in place of tangents never passes the
 # first contact with an arc that bends away. Of one that bends round, G'' is at most the size of the acceleration: where the chord
 # less that bound stays positive, nothing is met; where G falls throughout, it has one root; every other stretch is halved (as in
-# :mod:`carom.core.geometry.outlines`).
+# :mod:`carom.scene.figures.polygons`).
 
 
 BEHIND = 1e-3  # of the ball's radius: a ball that is deeper in the wall is behind it, or before another part of it

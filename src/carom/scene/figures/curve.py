@@ -11,10 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, Field, PlainSerializer, model_validator
 
-from carom.core.jets import as_jet, call, variable
 from carom.errors import CaromError, Fault
 from carom.files import import_optional
-from carom.scene.figures.figure import Figure, Loop, Piece, PlaneFigure, Sizes2, formula
+from carom.scene.figures.figure import Figure, Loop, Piece, PlaneFigure, Sizes2, as_jet, call, formula, variable
 from carom.scene.schema import Angle, Components, Number, Place, Size, Whole, raise_faults, refused
 
 Array = NDArray[np.float64]

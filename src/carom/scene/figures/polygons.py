@@ -1,4 +1,4 @@
-"""Polygons: by their points, regular ones, rectangles."""
+"""Polygons: by their points, regular ones, rectangles; faults of outlines, and depths in polygons and ellipses."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import BeforeValidator, model_validator
 
-from carom.core.geometry.outlines import outline_faults
 from carom.errors import Fault
 from carom.scene.figures.figure import Loop, Piece, PlaneFigure, SegmentPiece, Sizes2
 from carom.scene.schema import Components, Place, Size, Whole, raise_faults, refused
@@ -192,3 +192,156 @@ class OutlineFigure(PlaneFigure):
     def outline(self) -> list[Loop]:
         """Return its pieces."""
         return [list(loop) for loop in self.loops]
+
+
+# ----------------------------------------------------------------------------------------------------
+# Polygons and ellipses as outlines: depth of points inside, validation. For many points at once, with NumPy.
+
+Array = NDArray[np.float64]
+NEAR = 1e-9  # of a polygon's longest side: what lies so close is in one place
+MOST = 8  # problems of an outline that are reported
+
+
+def polygon_depth(vertices: Array, x: Array) -> Array:
+    """Distance (...) of points x (..., 2 or more) to a polygon with vertices (N, 2) in order: positive inside, else negative."""
+    nearest: Any = np.inf
+    odd = np.zeros(x.shape[:-1], bool)
+    for (px, py), (qx, qy) in zip(vertices.tolist(), np.roll(vertices, -1, axis=0).tolist(), strict=True):
+        rx, ry, ex, ey = x[..., 0] - px, x[..., 1] - py, qx - px, qy - py
+        u = np.clip((rx * ex + ry * ey) / (ex * ex + ey * ey), 0, 1)
+        nearest = np.minimum(nearest, np.hypot(rx - u * ex, ry - u * ey))
+        if ey != 0:  # sides cut by the level line to the right of the point
+            odd ^= ((py > x[..., 1]) != (qy > x[..., 1])) & (x[..., 0] < px + ry * ex / ey)
+    found: Array = np.where(odd, nearest, -nearest)
+    return found
+
+
+def outline_faults(corners: Array) -> list[tuple[str, str]]:
+    """Faults of points (N, 2), N >= 3, as the corners of a polygon in order: pairs of expectation and finding.
+
+    Corners in one place, sides that run back along the one before (a slit or a spike of no width), that lie on each other, that
+    cross, corners on other sides. What is closer than 1e-9 of the longest side is in one place. Corners are counted from 1; where
+    there are many, the first are reported.
+    """
+    every = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1)
+    near = NEAR * float(every.max())
+    # one of corners that follow each other in one place is enough for all that comes after
+    keep = np.flatnonzero(np.roll(every, 1) > near)
+    found = [
+        (
+            "each corner once",
+            f"corners {_which(k, n)} both at {_at(corners[k])}; "
+            + ("the last side closes by itself: leave the last corner out" if k == n - 1 else "leave one out"),
+        )
+        for n in [len(corners)]
+        for k in np.flatnonzero(every <= near).tolist()
+    ]
+    p = corners[keep]
+    if len(p) < 3 or np.linalg.svd(p - p[0], compute_uv=False)[-1] <= near:
+        return [*found[:MOST], ("corners around some area", "corners that are all on one line")]
+    found += _meetings(p, keep, near)
+    more = len(found) - MOST
+    return found if more <= 0 else [*found[:MOST], ("an outline without faults", f"{more} more of these")]
+
+
+def _at(x: Array) -> str:
+    return f"({x[0]:.6g}, {x[1]:.6g})"
+
+
+def _which(k: int, n: int) -> str:
+    """A corner and the next one."""
+    return f"{k + 1} and {(k + 1) % n + 1}" if k < n - 1 else f"1 and {n}"
+
+
+def _meetings(p: Array, number: NDArray[np.int64], near: float) -> list[tuple[str, str]]:
+    """Where sides of an outline p (N, 2) meet that should not; ``number`` (N) says which corner each was."""
+    n = len(p)
+    q, after = np.roll(p, -1, axis=0), np.roll(np.arange(n), -1)
+    d = q - p
+    length = np.linalg.norm(d, axis=1)
+    t = d / length[:, None]
+    name = [f"{number[k] + 1} to {number[after[k]] + 1}" for k in range(n)]
+    turn = np.arctan2(t[:, 0] * t[after, 1] - t[:, 1] * t[after, 0], (t * t[after]).sum(1))
+    if ((turn > 0).all() or (turn < 0).all()) and np.abs(turn).max() < 3 and abs(turn.sum()) < 7:
+        return []  # convex, and once around
+    # run back: the side after it lies on it
+    back = (t * t[after]).sum(1) < 0
+    back &= np.abs(t[:, 0] * d[after, 1] - t[:, 1] * d[after, 0]) <= near
+    reported = {(int(k), int(after[k])) for k in np.flatnonzero(back)}
+    found = [
+        (
+            "sides that do not run back along the one before",
+            f"the side from corner {name[after[k]]} back along that from {name[k]}: it encloses no width;"
+            f" give it one, or leave corner {number[after[k]] + 1} out",
+        )
+        for k in np.flatnonzero(back).tolist()
+    ]
+    touches: list[tuple[int, int]] = []
+    for i in range(n):
+        # of all corners: how far along side i, and how far off its line
+        along, off = (p - p[i]) @ t[i], t[i, 0] * (p[:, 1] - p[i, 1]) - t[i, 1] * (p[:, 0] - p[i, 0])
+        on = (np.abs(off) <= near) & (along >= -near) & (along <= length[i] + near)
+        touches += [(k, i) for k in np.flatnonzero(on).tolist() if k not in (i, after[i])]
+        later = np.arange(i + 2, n - (i == 0))
+        if not len(later):
+            continue
+        one, two = along[later], along[after[later]]
+        flat = (np.abs(off[later]) <= near) & (np.abs(off[after[later]]) <= near)
+        low, high = np.minimum(one, two), np.maximum(one, two)
+        for j in later[flat & (np.minimum(high, length[i]) - np.maximum(low, 0) > near)].tolist():
+            reported.add((i, j))
+            found.append(
+                ("sides that do not lie on each other", f"those from corner {name[i]} and from corner {name[j]}")
+            )
+        # the ends of each well on either side of the other
+        x, y = p[i] - p[later], q[i] - p[later]
+        left, right = (t[later, 0] * z[:, 1] - t[later, 1] * z[:, 0] for z in (x, y))
+        a, b = off[later], off[after[later]]
+        for j in np.flatnonzero(
+            (np.minimum(a, b) < -near) & (np.maximum(a, b) > near)
+            & (np.minimum(left, right) < -near) & (np.maximum(left, right) > near)
+        ).tolist():  # fmt: skip
+            where = p[later[j]] + (p[after[later[j]]] - p[later[j]]) * (a[j] / (a[j] - b[j]))
+            found.append(
+                (
+                    "sides that do not cross",
+                    f"those from corner {name[i]} and from corner {name[later[j]]}, which meet at {_at(where)}",
+                )
+            )
+    for k, i in touches:
+        end = next((m for m in (i, int(after[i])) if np.linalg.norm(p[k] - p[m]) <= near), None)
+        sides = {i} if end is None else {(end - 1) % n, end}
+        if any({(one, two), (two, one)} & reported for one in ((k - 1) % n, k) for two in sides):
+            continue  # (it is said above)
+        if end is None:
+            got = f"corner {number[k] + 1}, {_at(p[k])}, on the side from corner {name[i]}"
+        elif k < end == i:  # (each pair once)
+            got = f"corners {number[k] + 1} and {number[end] + 1} both at {_at(p[k])}"
+        else:
+            continue
+        found.append(("an outline that does not touch itself", got))
+    return found
+
+
+def ellipse_depth(p: float, q: float, x: Array) -> Array:
+    """Distance (...) of points x (..., 2 or more) to the ellipse (p cos u, q sin u): positive inside, else negative.
+
+    The nearest point is (p^2 x/(t + e), q^2 y/t), where (p x/(t + e))^2 + (q y/t)^2 = 1, e = p^2 - q^2, p >= q. The left side falls
+    and is convex in t > 0: Newton's steps come from the left and never pass the root.
+    """
+    (p, u), (q, v) = sorted([(p, np.abs(x[..., 0])), (q, np.abs(x[..., 1]))], key=lambda pair: -pair[0])
+    e = (p - q) * (p + q)
+    t = np.maximum(q * v, p * u - e)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for _ in range(100):
+            a, b = p * u / (t + e), q * v / t
+            step = 0.5 * (a * a + b * b - 1.0) / (a * a / (t + e) + b * b / t)
+            t = t + np.where(t > 0, step, 0.0)
+            if not (step > 1e-15 * t).any():
+                break
+        off_axis = (q * q - t) * np.hypot(u / (t + e), v / t)
+        # on the long axis, between the centres of curvature of its ends: two points are nearest
+        c = p * u / e if e > 0 else np.zeros_like(u)
+        on_axis = q * np.sqrt(np.maximum((1.0 - c) * (1.0 + c), 0.0) + (c * q / p) ** 2)
+    found: Array = np.where(t > 0, off_axis, on_axis)
+    return found

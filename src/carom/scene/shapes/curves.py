@@ -15,7 +15,6 @@ from carom.core.geometry.angles import direction
 from carom.core.geometry.curve import COEFFICIENTS, CX, DEGREE, HALF, OX, ROW, X
 from carom.core.geometry.curve_arcs import COUNT, arc_circle, arc_tables, join_ends
 from carom.core.geometry.features import CURVE, FACE, LINE
-from carom.core.geometry.outlines import outline_faults
 from carom.core.jit.calls import address_of_table
 from carom.core.jit.kernel import kernel
 from carom.errors import Fault
@@ -23,6 +22,7 @@ from carom.scene.feature_builders import UP, Feature, circle, put, put_line, put
 from carom.scene.figures import FIGURES, ArcPiece, Piece, PlaneFigure, SegmentPiece
 from carom.scene.figures.curve import CurveFigure
 from carom.scene.figures.figure import joints
+from carom.scene.figures.polygons import outline_faults
 from carom.scene.schema import Angle, Coefficient, Components, Flag, Place, Vector, raise_faults, with_faults_of_part
 from carom.scene.wall import Outline, ShapeKernels, WallShape
 
