@@ -2,7 +2,8 @@
 
     python campaigns/runs_judged.py [N] [--only NAME] [--rows FILE]
 
-N runs (100) a kind, by tests/reference/judged_runs.py, at 60 to 480 frames a second: no violation is right. Then N balls that
+N runs (100) a kind, by tests/reference/judged_runs.py, at 60 to 480 frames a second: no violation is right. Then the same runs with
+noise of 0.1 and 1 mm (``--only noise``). Then N balls that
 bounce, with a fault or without, and with noise (``--only power``), and N films of balls that bounce, of each kind, by the laws
 without units; and how many of N films are blamed whose ball hangs in the air, trembles, is struck there, or is no ball, and so on
 (``--only film``).
@@ -45,6 +46,11 @@ def main(words: Sequence[str] | None = None) -> int:
             blamed += len(bad)
             count = sum(sum(row["checked"].values()) for row in rows)
             run.say(f"{kind:7} {len(rows)} runs, {count:,} checks, {len(bad)} runs blamed {bad[:9] or ''}")
+        for kind in KINDS if run.given.only == "noise" or not (run.small or run.given.only) else ():
+            found = [[bool(judged(kind, seed, noise).violations) for seed in range(run.count)] for noise in NOISES[1:]]
+            blamed += sum(map(sum, found))
+            said = ", ".join(f"{sum(one)} at {1e3 * noise:g} mm" for one, noise in zip(found, NOISES[1:], strict=True))
+            run.say(f"noise {kind:7} of {run.count} runs blamed {said}")
         for fault, size in FAULTS if run.given.only == "power" or not (run.small or run.given.only) else ():
             found = [
                 [bool(faulty(fault, size, seed, noise).violations) for seed in range(run.count)] for noise in NOISES

@@ -244,22 +244,22 @@ def test_no_build_product_is_tracked() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10565,
+    "fitting": 10566,
     "gas": 6955,
     "billiards": 5574,
-    "tracks": 9338,
+    "tracks": 9381,
     "simulation": 6476,
     "core": 5775,
     "laws": 4926,
     "scene": 4879,
     "cli": 4158,
-    "plot": 3533,
+    "plot": 3542,
     "derive": 2999,
     "sweeps": 3262,
     "data": 2603,
     "interop": 1162,
     "explorer": 890,
-    "env": 596,
+    "env": 600,
     "public": 329,
     "top": 800,
 }

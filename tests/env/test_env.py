@@ -278,3 +278,39 @@ def test_wrong_settings_get_one_line(made: Any, said: str) -> None:
     with pytest.raises(CaromError) as caught:
         made()
     assert said in str(caught.value)
+
+
+@pytest.mark.parametrize("name", GAMES)
+def test_the_last_shot_is_drawn_in_a_picture_of_the_same_size_as_the_table_before_it(name: str) -> None:
+    env = gymnasium.make(f"carom/{name}-v0", render_mode="rgb_array", shots=3)
+    assert env.metadata["render_fps"] == (60 if name == "AirHockey" else 1)
+    env.action_space.seed(2)
+    env.reset(seed=1)
+    before, same = (env.render() for _ in range(2))
+    env.step(env.action_space.sample())
+    after = env.render()
+    assert before.dtype == np.uint8
+    assert before.shape == after.shape == (len(before), 640, 3)
+    assert np.array_equal(before, same)
+    assert (before != after).any(axis=2).sum() > 100
+    many = gymnasium.make_vec(f"carom/{name}-v0", num_envs=2, render_mode="rgb_array", shots=3)
+    many.reset(seed=1)
+    assert np.array_equal(many.render()[0], before)
+
+
+def test_a_ball_is_drawn_where_it_lies() -> None:
+    env = gymnasium.make("carom/ThreeCushion-v0", render_mode="rgb_array")
+    env.reset(seed=1)
+    red = (np.abs(env.render()[:, :500].astype(int) - [0xC2, 0x36, 0x16]).max(axis=2) < 12).nonzero()
+    felt = (np.abs(env.render()[:, :500].astype(int) - [0xF4, 0xF2, 0xEC]).max(axis=2) < 3).nonzero()
+    game = env.unwrapped.game
+    for axis, sign in ((1, 1), (0, -1)):
+        low, high = felt[axis].min(), felt[axis].max()
+        share = (red[axis].mean() - (low + high) / 2) / (high - low)
+        assert abs(sign * share - game.places[0, 2, 1 - axis] / (2 * game.size[1 - axis])) < 0.01
+
+
+def test_other_ways_to_render_are_refused() -> None:
+    for make in (carom.env.CaromEnv, carom.env.CaromVectorEnv, carom.env.two_players):
+        with pytest.raises(CaromError, match=r"^render_mode: expected ansi or rgb_array, got 'video'$"):
+            make("EightBall", render_mode="video")

@@ -71,10 +71,15 @@ def frames(run, rate):
     return columns | {"radius": np.full(len(columns["t"]), R), "mass": np.full(len(columns["t"]), BALL["mass"])}
 
 
-def judged(kind, seed):
-    """Return the judgement of a drawn run."""
+def judged(kind, seed, noise=0.0):
+    """Return the judgement of a drawn run; noise in m; up to 0.1 mm its spins are known."""
     run = carom.simulate(scene_of(kind, seed))
-    return judge(frames(run, RATES[seed % len(RATES)]), slope=tuple(run.scene.floor.slope))
+    columns = frames(run, RATES[seed % len(RATES)])
+    rng = np.random.default_rng([91, KINDS.index(kind), seed])
+    for axis in "xyz" if noise else "":
+        columns[axis] = columns[axis] + rng.normal(scale=noise, size=len(columns[axis]))
+    unknown = ("wx", "wy", "wz") if noise > 1e-4 else ()
+    return judge({k: v for k, v in columns.items() if k not in unknown}, slope=tuple(run.scene.floor.slope))
 
 
 FAULTS = (

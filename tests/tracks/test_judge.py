@@ -67,6 +67,19 @@ def test_runs_of_carom_violate_nothing(scene: str, rate: float, tmp_path: Path) 
     assert found.noise < 1e-14
 
 
+@pytest.mark.parametrize(
+    ("kind", "seed", "noise"),
+    [
+        *(("rack", seed, 1e-4) for seed in (1009, 1030, 1039, 2012, 2041)),  # blows passed on; paths that are none; hops
+        *(("frozen", seed, 1e-4) for seed in (1042, 2007)),  # beside a cushion
+        ("table", 2113, 1e-4), ("air", 1036, 1e-4), ("leaning", 2048, 0.0),  # low flights
+        ("rack", 3078, 1e-4),  # the deepest of many frames
+    ],
+)  # fmt: skip
+def test_runs_with_noise_are_not_blamed(kind: str, seed: int, noise: float) -> None:
+    assert judged_runs.judged(kind, seed, noise).violations == []
+
+
 @pytest.mark.parametrize("kind", judged_runs.KINDS)
 def test_drawn_runs_of_carom_violate_nothing(kind: str) -> None:
     """On slopes, among cushions, struck while frozen to one, in the air, from racks; at four frame rates."""

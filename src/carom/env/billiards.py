@@ -130,10 +130,8 @@ class BilliardGame(Game):
             which = order[mine, :balls]
             at = mine[:, None], which
             runs = simulate_many(self._scenes[balls - 1], v[at], w[at], x[at], events=EVENTS, kinds=("wall", "ball"))
-            places[at], gone[at] = (
-                np.nan_to_num(np.asarray(runs.final.position)[..., :2]),
-                np.isin(runs.code, (POCKETED, LEFT)),
-            )
+            places[at] = np.nan_to_num(np.asarray(runs.final.position)[..., :2])
+            gone[at] = np.isin(runs.code, (POCKETED, LEFT))
             met = runs.events["met"] == BALL
             seen = (runs.events["kind"] > 0) & (met | (runs.events["met"] == WALL))
             t[mine] = np.where(seen, runs.events["t"], np.nan)
@@ -203,7 +201,7 @@ class SumToThree(ThreeCushion):
     """
 
     changes: ClassVar = {"walls.0.length": 1.22, "walls.0.width": 0.61}
-    bounds: ClassVar = {"speed": (0.5, 3.0), "cut": (-70.0, 70.0)}
+    bounds: ClassVar = {"speed": (0.3, 3.0), "cut": (-70.0, 70.0)}
 
     def opening(self) -> Scene:
         """Return a table of 1.22 by 0.61 m with two balls, a quarter of its length from the ends."""
@@ -234,9 +232,8 @@ class SumToThree(ThreeCushion):
         """Return points, and whose turn it is then."""
         hit = np.isfinite(shots.first(self.cue(rows), 1))
         cushions = (np.isfinite(shots.t) & (shots.other < 0)).sum(axis=1)
-        return self.scored(
-            rows, shots, hit & (cushions == 3), {"point": hit & (cushions == 3), "hit": hit, "cushions": cushions}
-        )
+        point = hit & (cushions == 3)
+        return self.scored(rows, shots, point, {"point": point, "hit": hit, "cushions": cushions})
 
 
 FOULS = ("", "cue ball lost", "no ball hit", "wrong ball hit first", "no cushion after the hit")

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError, FaultList, checked_number
+from carom.plot.film import picture
 from carom.scene.scene import Scene
 from carom.scene.toml import replaced
 from carom.simulation.simulate import simulate
@@ -52,6 +53,7 @@ class Game(ABC):
     """
 
     shots: ClassVar[int] = 10
+    metadata: ClassVar[dict[str, Any]] = {"render_modes": ["ansi", "rgb_array"], "render_fps": 1}
     bounds: ClassVar[dict[str, tuple[float, float]]]
     """Least and largest of each number of an action."""
     low: Array
@@ -100,15 +102,21 @@ class Game(ABC):
         scene = replaced(self.scene, {"balls": [self.scene.balls[k] for k in there]})
         return replaced(scene, {f"balls.{i}.position": tuple(x[k]) for i, k in enumerate(there)} | dict(changes or {}))
 
-    def words(self, row: int) -> str:
-        """Return the last shot, or step, of a table in words, a line for each ball."""
-        rows, *states = self._last
-        if row not in rows:
-            return ""
-        x, v, w = (one[np.flatnonzero(rows == row)[0]] for one in states)
+    def shown(self, row: int, mode: str) -> str | NDArray[np.uint8]:
+        """Return the last shot, or step, of a table; before the first one the balls there.
+
+        In words, a line for each ball ("ansi"), or as a picture, (high, 640, 3) bytes ("rgb_array").
+        """
+        played = np.flatnonzero(self._last[0] == row)
+        if self.taken[row] and len(played):
+            x, v, w = (one[played[0]] for one in self._last[1:])
+        else:
+            x, v, w = np.array([ball.center for ball in self.scene.balls]), *np.zeros((2, len(self.scene.balls), 3))
+            x[:, :2] = self.observe(np.array([row]))[0, : len(x), :2]
         there = enumerate(np.flatnonzero(np.isfinite(x[:, 0])).tolist())
         start = {f"balls.{i}.{name}": tuple(of[k]) for i, k in there for name, of in (("velocity", v), ("spin", w))}
-        return "\n".join(simulate(self.scene_of(x, start)).describe())
+        run = simulate(self.scene_of(x, start))
+        return "\n".join(run.describe()) if mode == "ansi" else picture(run, self.high[0, :2])
 
     def clipped(self, actions: Array) -> Array:
         """Return actions (n, A) within their bounds. Raises CaromError for another shape, and for what is no number."""

@@ -18,11 +18,12 @@ from carom.errors import CaromError, did_you_mean
 GAMES: dict[str, type[Game]] = {
     game.__name__: game for game in (ThreeCushion, EightBall, SumToThree, AirHockey, TableTennisReturn)
 }
-MODES = {"render_modes": ["ansi"], "render_fps": 1}
 
 
-def game_named(name: str, count: int, **settings: Any) -> Game:
-    """Return a game on so many tables; CaromError with the nearest name where there is none."""
+def game_named(name: str, count: int, mode: str | None, **settings: Any) -> Game:
+    """Return a game on so many tables; CaromError with the nearest name where there is none, and for another render mode."""
+    if mode not in (None, *Game.metadata["render_modes"]):
+        raise CaromError(f"render_mode: expected ansi or rgb_array, got {mode!r}")
     if name not in GAMES:
         raise CaromError(f"game: expected one of {', '.join(GAMES)}, got {name!r}{did_you_mean(name, GAMES)}")
     return GAMES[name](count, **settings)
@@ -38,15 +39,15 @@ def spaces_of(game: Game) -> tuple[gymnasium.spaces.Box, gymnasium.spaces.Box]:
 class CaromEnv(gymnasium.Env[Any, Any]):
     """One table: ``gymnasium.make("carom/ThreeCushion-v0", law="mirror", shots=20)``.
 
-    ``render_mode="ansi"``: ``render()`` tells the last shot in words. ``game`` is the :class:`Game`.
+    ``render()`` tells the last shot in words (``render_mode="ansi"``), or draws it ("rgb_array"). ``game`` is the :class:`Game`.
     """
 
-    metadata = MODES
+    metadata = Game.metadata
 
     def __init__(self, game: str, render_mode: str | None = None, **settings: Any) -> None:
-        self.game = game_named(game, 1, **settings)
+        self.game, self.render_mode = game_named(game, 1, render_mode, **settings), render_mode
         self.observation_space, self.action_space = spaces_of(self.game)
-        self.render_mode = render_mode
+        self.metadata = self.game.metadata
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Begin a new game; return what is observed, and an empty dict."""
@@ -60,9 +61,9 @@ class CaromEnv(gymnasium.Env[Any, Any]):
         info = {name: column[0] for name, column in played.info.items()}
         return self.game.seen(ONE)[0], float(played.reward[0]), bool(played.ended[0]), bool(played.cut[0]), info
 
-    def render(self) -> str | None:
-        """Return the last shot in words, with ``render_mode="ansi"``."""
-        return self.game.words(0) if self.render_mode == "ansi" else None
+    def render(self) -> str | np.ndarray[Any, np.dtype[np.uint8]] | None:
+        """Return the last shot in words, or as a picture, (high, 640, 3) bytes."""
+        return self.game.shown(0, self.render_mode) if self.render_mode else None
 
 
 class CaromVectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
@@ -73,8 +74,9 @@ class CaromVectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
     """
 
     def __init__(self, game: str, num_envs: int = 1, render_mode: str | None = None, **settings: Any) -> None:
-        self.metadata = {**MODES, "autoreset_mode": gymnasium.vector.AutoresetMode.NEXT_STEP}
-        self.game, self.num_envs, self.render_mode = game_named(game, num_envs, **settings), num_envs, render_mode
+        self.game, self.num_envs = game_named(game, num_envs, render_mode, **settings), num_envs
+        self.metadata = self.game.metadata | {"autoreset_mode": gymnasium.vector.AutoresetMode.NEXT_STEP}
+        self.render_mode = render_mode
         self.single_observation_space, self.single_action_space = spaces_of(self.game)
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(self.single_action_space, num_envs)
@@ -85,11 +87,8 @@ class CaromVectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Any, dict[str, Any]]:
         """Begin anew on all tables."""
-        seeds = (
-            [None if seed is None else seed + k for k in range(self.num_envs)]
-            if not isinstance(seed, Sequence)
-            else seed
-        )
+        tables = self._rows.tolist()
+        seeds = seed if isinstance(seed, Sequence) else [None if seed is None else seed + k for k in tables]
         if len(seeds) != self.num_envs:
             raise CaromError(f"reset: seed: expected {self.num_envs} seeds, got {len(seeds)}")
         known = zip(seeds, self.game.rngs, strict=True)
@@ -112,9 +111,11 @@ class CaromVectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         self._over = ended | cut
         return self.game.seen(self._rows), reward, ended, cut, info
 
-    def render(self) -> tuple[str, ...] | None:
-        """Return the last shots in words, with ``render_mode="ansi"``."""
-        return tuple(self.game.words(row) for row in range(self.num_envs)) if self.render_mode == "ansi" else None
+    def render(self) -> tuple[Any, ...] | None:
+        """Return the last shots in words, or as pictures."""
+        return (
+            tuple(self.game.shown(row, self.render_mode) for row in range(self.num_envs)) if self.render_mode else None
+        )
 
 
 ONE = np.zeros(1, np.int64)

@@ -33,7 +33,7 @@ class AirHockey(Game):
     the own mallet, the other one; x grows towards the other side. ``info``: ``goals``, ``against``.
     """
 
-    shots = 3600
+    shots, metadata = 3600, Game.metadata | {"render_fps": 60}
     bounds: ClassVar = {"vx": (-SPEED, SPEED), "vy": (-SPEED, SPEED)}
 
     def __init__(self, count: int = 1, **settings: Any) -> None:

@@ -10,7 +10,7 @@ from gymnasium.utils import seeding
 from numpy.typing import NDArray
 from pettingzoo import AECEnv, ParallelEnv
 
-from carom.env.gym import MODES, ONE, game_named, spaces_of
+from carom.env.gym import ONE, game_named, spaces_of
 from carom.errors import CaromError
 
 AGENTS = ["player_0", "player_1"]
@@ -20,8 +20,9 @@ class _Players:
     """What both kinds of environments have: spaces, seeds and words."""
 
     def __init__(self, game: str, render_mode: str | None = None, **settings: Any) -> None:
-        self.game = game_named(game, 1, players=2, **settings)
-        self.metadata = MODES | {"name": f"carom_{game.lower()}_v0", "is_parallelizable": game == "AirHockey"}
+        self.game = game_named(game, 1, render_mode, players=2, **settings)
+        named = {"name": f"carom_{game.lower()}_v0", "is_parallelizable": game == "AirHockey"}
+        self.metadata = self.game.metadata | named
         self.render_mode, self.possible_agents, self.agents = render_mode, AGENTS[:], AGENTS[:]
         self._spaces = spaces_of(self.game)
 
@@ -33,9 +34,9 @@ class _Players:
         """Return the space of a player's actions."""
         return self._spaces[1]
 
-    def render(self) -> str | None:
-        """Return the last shot in words, with ``render_mode="ansi"``."""
-        return self.game.words(0) if self.render_mode == "ansi" else None
+    def render(self) -> str | NDArray[np.uint8] | None:
+        """Return the last shot in words, or as a picture, (high, 640, 3) bytes."""
+        return self.game.shown(0, self.render_mode) if self.render_mode else None
 
     def close(self) -> None:
         """Do nothing: PettingZoo wants it beside ``render``."""

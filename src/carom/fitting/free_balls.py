@@ -38,8 +38,9 @@ from carom.scene.scene import Run, Scene
 from carom.scene.schema import Model
 from carom.scene.toml import load_scene, path_match, replaced
 from carom.simulation.sensitivity.at_times import sensitivities
-from carom.tracks.judgement import BallRows, read_rows
+from carom.tracks.judgement import read_rows
 from carom.tracks.least_squares import central_differences
+from carom.tracks.track import BallRows
 
 Array = NDArray[np.float64]
 LEAST_NOISE = 1e-9  # of the radius: simulated places have none

@@ -103,7 +103,9 @@ class Frames(ABC):
 class Film(Frames):
     """Frames of a run: balls, trails and clock over the table."""
 
-    def __init__(self, run: Trajectory, times: Array, span: tuple[float, float], wide: int) -> None:
+    def __init__(
+        self, run: Trajectory, times: Array, span: tuple[float, float], wide: int, points: Array | None = None
+    ) -> None:
         from matplotlib.collections import LineCollection, PolyCollection
         from matplotlib.figure import Figure
 
@@ -122,7 +124,8 @@ class Film(Frames):
             )
             for pieces in ways
         ]
-        shown = view(run, np.concatenate([*(x for _t, x in self.trails), np.array(run.start.position)]))
+        everywhere = np.concatenate([*(x for _t, x in self.trails), np.array(run.start.position)])
+        shown = view(run, everywhere if points is None else points)
         # pixels: the table at the left, close-ups at the right, energy below
         self.column = 0.2 * wide
         room = wide - self.column - 0.03 * wide
@@ -349,6 +352,15 @@ def animate(
     with style():
         write_film(Film(run, times, span, WIDE[kind]), path, program, fps, tell)
     return path
+
+
+def picture(run: Trajectory, reach: Array) -> NDArray[np.uint8]:
+    """Return the end of a run with its paths on a region that ``reach`` (2,), m, is half of: (high, 640, 3) bytes."""
+    require_library("matplotlib", "rgb_array")
+    until = last_time(run)
+    with style():
+        film = Film(run, np.array([until]), (0.0, until), 640, np.array([reach, -reach]))
+        return np.array(film.frame(0)[..., :3])
 
 
 def write_film(film: Any, path: Path, program: str, fps: float, tell: Callable[[int, int], None]) -> None:

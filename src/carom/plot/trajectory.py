@@ -45,8 +45,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 # A white ball is drawn grey, to be visible on paper.
 CALLED = {
-    "white": "#8f887c", "yellow": "#dba800", "red": "#c23616", "blue": "#0072B2", "green": "#009E73", "black": "#222222",
-    "orange": "#D55E00", "brown": "#8c5a2b", "pink": "#CC79A7", "purple": "#6a3d9a", "maroon": "#7b2d26",
+    "white": "#8f887c", "cue": "#8f887c", "yellow": "#dba800", "red": "#c23616", "blue": "#0072B2", "green": "#009E73",
+    "black": "#222222", "orange": "#D55E00", "brown": "#8c5a2b", "pink": "#CC79A7", "purple": "#6a3d9a", "maroon": "#7b2d26",
 }  # fmt: skip
 # Of pool, by number; 9 to 15 are striped in the colours of 1 to 7.
 OF_POOL = ("yellow", "blue", "red", "purple", "orange", "green", "maroon", "black")
@@ -58,8 +58,8 @@ MANY = 4000
 
 
 def colour(run: Trajectory, ball: int) -> str:
-    """Return the colour of a ball: that with which its name begins ("red 3"), if there is one, else by its number."""
-    first = run.scene.ball_names[ball].lower().split(maxsplit=1)[:1]
+    """Return the colour of a ball: that with which its name begins ("red 3", "8-ball"), if there is one, else by its number."""
+    first = run.scene.ball_names[ball].lower().replace("-", " ").split(maxsplit=1)[:1]
     return CALLED.get(first[0] if first else "", COLOURS[ball % len(COLOURS)])
 
 

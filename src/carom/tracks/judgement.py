@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import combinations, product
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -29,6 +29,7 @@ from carom.scene.floor import gravity_on_slope
 from carom.tracks.films import columns_of_film, film_options
 from carom.tracks.preprocess import times_behind_rounding
 from carom.tracks.read import read_tracks
+from carom.tracks.track import BallRows, PathPiece
 from carom.tracks.verdicts import SIGMAS, Judgement, by_film_laws
 from carom.tracks.video.film import likeliest_ball
 from carom.tracks.video.reading import is_film
@@ -47,71 +48,6 @@ OF_FRAMES = ("vx", "vy", "vz", "qw", "qx", "qy", "qz", "energy", "phase", "speci
 OF_AIR = ("air_x", "air_y", "air_z")  # the acceleration that the air gives a ball
 NUMBERS = ("t", "x", "y", "z", "wx", "wy", "wz", "radius", "mass", "kappa", *OF_AIR)
 SMOOTH = 5  # degree of that acceleration over a piece
-
-
-@dataclass(frozen=True)
-class PathPiece:
-    """Frames of one ball with one acceleration, beside that by the air: a parabola about the middle, and its covariance."""
-
-    first: int
-    last: int
-    middle: float
-    numbers: Array  # (3, 3): place, velocity, half the acceleration; by coordinate
-    covariance: Array  # (3, 3)
-    spins: Array | None  # (2, 3): spin, and its rate of change
-    spin_error: float = 0.0  # of a component at the ends, at most
-    air: Array | None = None  # (k, 3): the acceleration by the air, as a polynomial of the time after the middle
-
-    def _by_air(self, tau: float, times: int) -> Any:
-        """Return what the air's acceleration gives, integrated so many times."""
-        return 0.0 if self.air is None else polynomial.polyval(tau, polynomial.polyint(self.air, times))
-
-    def place(self, t: float) -> tuple[Array, float]:
-        """Return the place (3,) at a time, and the standard error of a coordinate."""
-        tau = t - self.middle
-        return self._part(np.array([1.0, tau, tau * tau]), tau, 2)
-
-    def velocity(self, t: float) -> tuple[Array, float]:
-        """Return the velocity (3,) at a time, and the standard error of a component."""
-        tau = t - self.middle
-        return self._part(np.array([0.0, 1.0, 2 * tau]), tau, 1)
-
-    def _part(self, g: Array, tau: float, times: int) -> tuple[Array, float]:
-        return g @ self.numbers + self._by_air(tau, times), math.sqrt(g @ self.covariance @ g)
-
-    def parabola(self, t: float) -> Array:
-        """Return the parabola that touches the path at a time: place, velocity, half the acceleration, by coordinate (3, 3)."""
-        return np.stack([self.place(t)[0], self.velocity(t)[0], self.numbers[2] + self._by_air(t - self.middle, 0) / 2])
-
-    def spin(self, t: float) -> Array:
-        """Return the spin (3,) at a time."""
-        assert self.spins is not None
-        return np.array([1.0, t - self.middle]) @ self.spins
-
-    @property
-    def acceleration(self) -> tuple[Array, float]:
-        """Return the acceleration (3,) beside that by the air, and the standard error of a component."""
-        return 2 * self.numbers[2], 2 * math.sqrt(self.covariance[2, 2])
-
-
-@dataclass(frozen=True, eq=False)
-class BallRows:
-    """A ball with its rows, sorted by time."""
-
-    name: str
-    t: Array  # (n,) s
-    x: Array  # (n, 3) m
-    w: Array | None  # (n, 3): its spins, if they are known
-    radius: float
-    mass: float
-    air: Array | None = None  # (n, 3): what the air does to it, if it is known
-    kappa: float = 0.0  # 0: not known
-    pieces: tuple[PathPiece, ...] = ()
-
-    @property
-    def fastest(self) -> float:
-        """The largest speed in the middle of a piece, m/s."""
-        return max((float(np.linalg.norm(piece.numbers[1])) for piece in self.pieces), default=0.0)
 
 
 def read_rows(
@@ -314,47 +250,71 @@ def _noise(rows: Sequence[BallRows]) -> float:
     return float(np.median(sizes[sizes > 0]) / 0.6745 / math.sqrt(20)) if (sizes > 0).any() else 0.0
 
 
+def _hidden(sigma: float) -> float:
+    """Return how far an event may move a place, m, so that noise hides it."""
+    return 6 * math.sqrt(20) * sigma + 1e-9
+
+
 def _pieces(row: BallRows, sigma: float, drag: float) -> Iterator[PathPiece]:
     """Yield pieces of constant acceleration beside that by the air: runs of frames in which third differences are noise."""
-    t, w = row.t, row.w
+    t = row.t
     if len(t) < FEW:
         return
-    calm = (np.abs(_third_differences(row)) < 6 * math.sqrt(20) * sigma + 1e-9).all(axis=1)
+    calm = (np.abs(_third_differences(row)) < _hidden(sigma)).all(axis=1)
     edges, runs = np.flatnonzero(np.diff(np.concatenate([[False], calm, [False]]))), list[tuple[int, int]]()
     for low, high in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
         first, last = low, high + 2  # window i has the frames i to i + 3
-        # (a bounce in the middle of four frames has no third difference, either)
-        if sigma > EXACT and last - first < FEW:
-            continue
-        if sigma > EXACT and last - first > FEW + 2:  # (noise may hide an event within the last of them)
+        if sigma > EXACT:  # (noise may hide an event within the last of them)
             first, last = first + 1, last - 1
-        runs += _parts(t, row.x, first, last, sigma, 3 * row.radius) if sigma > EXACT else [(first, last)]
+        # (a bounce in the middle of four frames has no third difference, either)
+        if last - first >= FEW - 1:
+            runs += _parts(t, row.x, first, last, sigma, 3 * row.radius) if sigma > EXACT else [(first, last)]
     for first, last in runs:
-        middle = (t[first] + t[last]) / 2
-        tau = t[first : last + 1] - middle
-        design = np.stack([np.ones_like(tau), tau, tau * tau], axis=-1)
-        x, by_air = row.x[first : last + 1], None if row.air is None else row.air[first : last + 1]
+        yield _fitted(row, first, last, sigma, drag)
+
+
+def _fitted(row: BallRows, first: int, last: int, sigma: float, drag: float) -> PathPiece:
+    """Return the path through some frames."""
+    t, w = row.t, row.w
+    middle = (t[first] + t[last]) / 2
+    tau = t[first : last + 1] - middle
+    design = np.stack([np.ones_like(tau), tau, tau * tau], axis=-1)
+    x, by_air = row.x[first : last + 1], None if row.air is None else row.air[first : last + 1]
+    numbers = np.linalg.lstsq(design, x, rcond=None)[0]
+    if by_air is None and drag > 0:
+        v = numbers[1] + 2 * np.multiply.outer(tau, numbers[2])
+        by_air = -drag * np.linalg.norm(v, axis=1)[:, None] * v
+    air = None if by_air is None else polynomial.polyfit(tau, by_air, min(SMOOTH, len(tau) - 1))
+    if air is not None:
+        x = x - polynomial.polyval(tau, polynomial.polyint(air, 2)).T
         numbers = np.linalg.lstsq(design, x, rcond=None)[0]
-        if by_air is None and drag > 0:
-            v = numbers[1] + 2 * np.multiply.outer(tau, numbers[2])
-            by_air = -drag * np.linalg.norm(v, axis=1)[:, None] * v
-        air = None if by_air is None else polynomial.polyfit(tau, by_air, min(SMOOTH, len(tau) - 1))
-        if air is not None:
-            x = x - polynomial.polyval(tau, polynomial.polyint(air, 2)).T
-            numbers = np.linalg.lstsq(design, x, rcond=None)[0]
-        misfit = float(np.square(design @ numbers - x).sum()) / (3 * max(len(tau) - 3, 1))
-        # (more than noise is a path that is no parabola: it does not average out, and the slope at the ends of a cubic is off by
-        # 12 sqrt(7) r/T, r the rest and T the time, where noise of that size would make sqrt(192) r/T)
-        misfit *= CUBIC * len(tau) if misfit > UNEVEN * sigma**2 else 1
-        covariance = np.linalg.inv(design.T @ design) * max(sigma**2, misfit)
-        turns = w is not None and bool(np.isfinite(w[first : last + 1]).all())
-        spins = None if w is None or not turns else np.linalg.lstsq(design[:, :2], w[first : last + 1], rcond=None)[0]
-        error = 0.0
-        if spins is not None and w is not None:
-            left = float(np.square(design[:, :2] @ spins - w[first : last + 1]).sum(axis=0).max())
-            # (noise averages out, a spin that changes unevenly does not: the ends of its line are off by twice the rest)
-            error = 2 * math.sqrt(left / max(len(tau) - 2, 1))
-        yield PathPiece(first, last, float(middle), numbers, covariance, spins, error, air)
+    free = 3 * max(len(tau) - 3, 1)
+    misfit = float(np.square(design @ numbers - x).sum()) / free
+    # (more than noise is a path that is no parabola: it does not average out, and the slope at the ends of a cubic is off by
+    # 12 sqrt(7) r/T, r the rest and T the time, where noise of that size would make sqrt(192) r/T)
+    uneven, even = misfit > UNEVEN * sigma**2, misfit <= sigma**2 * (1 + SIGMAS * math.sqrt(2 / free))
+    even = even if sigma > EXACT else not uneven
+    misfit *= CUBIC * len(tau) if uneven else 1
+    covariance = np.linalg.inv(design.T @ design) * max(sigma**2, misfit)
+    turns = w is not None and bool(np.isfinite(w[first : last + 1]).all())
+    spins = None if w is None or not turns else np.linalg.lstsq(design[:, :2], w[first : last + 1], rcond=None)[0]
+    error = 0.0
+    if spins is not None and w is not None:
+        left = float(np.square(design[:, :2] @ spins - w[first : last + 1]).sum(axis=0).max())
+        # (noise averages out, a spin that changes unevenly does not: the ends of its line are off by twice the rest)
+        error = 2 * math.sqrt(left / max(len(tau) - 2, 1))
+    return PathPiece(
+        first,
+        last,
+        float(middle),
+        numbers,
+        covariance,
+        spins,
+        error,
+        air,
+        even,
+        1.0 if even or uneven else CUBIC * len(tau),
+    )
 
 
 def _parts(t: Array, x: Array, first: int, last: int, sigma: float, high: float) -> list[tuple[int, int]]:
@@ -496,21 +456,22 @@ def judge(
     notes += said
     times = np.concatenate([ball.t for ball in balls])
     found = Judgement(sigma, notes, (float(times.min()), float(times.max())))
+    places = _Places(balls, sigma)
+    walls = None if obstacles else places
     rubs = 0.0  # what the floor's friction does at most, m/s^2
     for ball in balls:
         _in_the_floor(ball, sigma, found)
         for piece in ball.pieces:
             own = drag_per_metre if piece.air is not None else 0.0
-            rubs = max(rubs, _between_contacts(ball, piece, sigma, pull, floor_friction, own, roll, found))
+            rubs = max(rubs, _between_contacts(ball, piece, sigma, pull, floor_friction, own, roll, walls, found))
     _overlaps(balls, sigma, found)
-    places = _Places(balls, sigma)
     for event in _events(balls, sigma, places):
         t, late = _event_time(event)
         if not math.isnan(t):
             _energy(t, late, event, pull, found)
             if len(event.members) == 2:
                 _momentum(t, late, event, friction, gravity, rubs, places, found)
-            elif len(event.members) == 1 and not obstacles and not places.beside(event):
+            elif len(event.members) == 1 and not obstacles:
                 _turn(t, event, places, found)
     if found.of("gravity") and not any(piece.air is not None for ball in balls for piece in ball.pieces):
         notes.append("gravity: flights are compared with those in a vacuum; drag_per_metre allows for air")
@@ -546,8 +507,13 @@ def _why_unchecked(law: str, balls: Sequence[BallRows]) -> str:
 def _in_the_floor(ball: BallRows, sigma: float, found: Judgement) -> None:
     depth = ball.radius - ball.x[:, 2]
     k = int(np.argmax(depth))
-    least = 1e-4 * ball.radius
-    found.check("penetration", float(ball.t[k]), [ball.name], float(depth[k]), sigma, least, "the ball is in the floor")
+    least, error = 1e-4 * ball.radius, sigma * _of_largest(len(depth))
+    found.check("penetration", float(ball.t[k]), [ball.name], float(depth[k]), error, least, "the ball is in the floor")
+
+
+def _of_largest(count: int) -> float:
+    """Return by how much the error bar of one of so many is to be longer, so that the largest is a violation no more often."""
+    return math.sqrt(1 + 2 * math.log(count) / SIGMAS**2)
 
 
 def _overlaps(balls: Sequence[BallRows], sigma: float, found: Judgement) -> None:
@@ -584,7 +550,8 @@ def _overlaps(balls: Sequence[BallRows], sigma: float, found: Judgement) -> None
             worst[pair] = max(worst.get(pair, (0.0, 0)), (float(depth[k]), -int(min(i[k], j[k]))))
     found.checked["penetration"] -= len(worst)
     for (one, other), (size, row) in sorted(worst.items()):
-        names, error = [balls[one].name, balls[other].name], math.sqrt(2) * sigma
+        names = [balls[one].name, balls[other].name]
+        error = math.sqrt(2) * sigma * _of_largest(len(balls[one].t))
         least = COMPRESSED * (balls[one].radius + balls[other].radius)
         found.check("penetration", float(t[-row]), names, size, error, least, "the balls overlap")
 
@@ -597,18 +564,25 @@ def _hashed(frame: NDArray[np.int64], cell: NDArray[np.int64]) -> NDArray[np.int
 
 def _between_contacts(
     ball: BallRows, piece: PathPiece, sigma: float, pull: Array, floor_friction: float, drag: float, roll: float,
-    found: Judgement,
+    places: _Places | None, found: Judgement,
 ) -> float:  # fmt: skip
     """Check free fall in the air; friction and its direction on the floor, and return how much it accelerates the ball at least."""
-    up = ball.x[piece.first : piece.last + 1, 2] - ball.radius
-    a, error = piece.acceleration
-    t, names = float(ball.t[piece.first]), [ball.name]
-    if len(up) <= FEW:
+    through = ball.x[piece.first : piece.last + 1]
+    up = through[:, 2] - ball.radius
+    if (aloft := up > _hidden(sigma) + LEAST * ball.radius).any():  # (lower frames may be beyond a bounce)
+        low, high = int(aloft.argmax()), len(up) - int(aloft[::-1].argmax())
+        if FEW < high - low < len(up):
+            piece = _fitted(ball, piece.first + low, piece.first + high - 1, sigma, drag)
+        up, through = up[low:high], through[low:high]
+    (a, error), t, names = piece.acceleration, float(ball.t[piece.first]), [ball.name]
+    if len(up) <= FEW or (len(up) < 2 * FEW and not piece.even):
         return 0.0
     step = float(np.diff(ball.t[piece.first : piece.last + 1]).max())
-    if up.min() > SIGMAS * sigma + LEAST * ball.radius:
+    if up.min() > _hidden(sigma) + LEAST * ball.radius:
         if up.max() < -pull[2] * step**2 / 2:  # (it may hop from frame to frame)
             return 0.0
+        if piece.hides > 1 and (not places or any(places.pushes(ball, x, a - pull, slack=TOUCHED) for x in through)):
+            error *= math.sqrt(piece.hides)
         aside = max(float(np.hypot(*(a - pull)[:2])) - roll * float(np.linalg.norm(a)), 0.0)
         off = math.hypot(aside, abs(float(a[2] - pull[2]))) if roll else float(np.linalg.norm(a - pull))
         speed = float(np.linalg.norm(v := piece.velocity(piece.middle)[0]))
@@ -737,25 +711,34 @@ class _Places:
             np.array([getattr(ball, name) for ball in balls]) for name in ("radius", "fastest")
         )
 
-    def beside(self, event: _Event) -> list[BallRows]:
-        """Return the balls beside the members that are in reach of one."""
-        low, high, members = event
+    def beside(self, low: float, high: float, balls: Sequence[BallRows]) -> list[BallRows]:
+        """Return the balls beside some that are in reach of one between two times."""
         rows = slice(*np.searchsorted(self.t, [low - (high - low), high + (high - low)], side="left"))
         x, of = self.x[rows], self.of[rows]
         near = np.zeros(len(x), dtype=bool)
-        for ball, before, _after in members:
-            gap = np.linalg.norm(x - ball.x[before.last], axis=1)
-            fastest = np.maximum(self.fastest[of], max(one.ball.fastest for one in members))
+        fastest = np.maximum(self.fastest[of], max(one.fastest for one in balls))
+        for ball in balls:
+            gap = np.linalg.norm(x - ball.at(low), axis=1)
             near |= gap - ball.radius - self.radius[of] < SIGMAS * self.sigma + 4 * fastest * (high - low)
         found = (self.balls[k] for k in np.unique(of[near]))
-        return [ball for ball in found if all(one.ball is not ball for one in members)]
+        return [ball for ball in found if all(one is not ball for one in balls)]
 
     def resolves(self, event: _Event) -> bool:
-        """Return whether each ball beside an event is on one path meanwhile, so that none takes part in it."""
-        return all(
-            any(ball.t[piece.first] <= event.low and ball.t[piece.last] >= event.high for piece in ball.pieces)
-            for ball in self.beside(event)
-        )
+        """Return whether each ball beside an event is on one path meanwhile, so that none takes part in it.
+
+        A ball that touches another one may pass on a blow and stay where it is: what is beside it counts as well.
+        """
+        low, high, touching = event.low, event.high, [one.ball for one in event.members]
+        balls = list[BallRows]()
+        while touching:
+            balls += touching
+            beside = self.beside(low, high, balls)
+            for ball in beside:
+                if not any(p.even and ball.t[p.first] <= low and ball.t[p.last] >= high for p in ball.pieces):
+                    return False
+            apart = [min(math.dist(a.at(low), b.at(low)) - a.radius - b.radius for b in balls) for a in beside]
+            touching = [a for a, gap in zip(beside, apart, strict=True) if gap < _hidden(self.sigma)]
+        return True
 
     def pushes(
         self, ball: BallRows, place: Array, impulse: Array, widest: float = math.pi / 4, slack: float = SAME
@@ -844,7 +827,7 @@ def _turn(t: float, event: _Event, places: _Places, found: Judgement) -> None:
     (x, dx), (v, dv), (u, du) = a.place(t), a.velocity(t), b.velocity(t)
     error, size = math.hypot(dv, du), float(np.linalg.norm(u - v))
     low = x[2] < 3 * ball.radius + SIGMAS * dx + float(np.linalg.norm(v)) * (event.high - event.low)
-    if low or size <= SIGMAS * error:
+    if low or size <= SIGMAS * error or places.beside(event.low, event.high, [ball]):
         return
     share = math.sqrt(0.5)
     if a.spins is not None and b.spins is not None:  # (friction turns the ball, most of all a solid one)
@@ -884,7 +867,8 @@ def _momentum(
         # (no ball was seen to slide, but one rolls: it did so between two frames, and the floor gave it this at most)
         floor += min((one.mass + other.mass) * g * max(event.high - event.low, 0.0), 2 * most / (1 + most) * size)
     if extra - floor > max(SIGMAS * error, PRESSED * size) and any(
-        places.pushes(ball, place[:2], (p + q)[:2]) for ball, place in ((one, x), (other, y))
+        places.pushes(ball, place[:2], (p + q)[:2], slack=TOUCHED + SIGMAS * off / ball.radius)
+        for ball, place, off in ((one, x, dx), (other, y, dy))
     ):
         return  # (a ball that touches a cushion is struck)
     names = [one.name, other.name]

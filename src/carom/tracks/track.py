@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
+from numpy.polynomial import polynomial
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
@@ -85,3 +87,77 @@ def position_noise(time: Array, position: Array, interval: float) -> float:
         return 0.0
     # the median of |N(0, 1)| is 0.6745; 1 + 16 + 36 + 16 + 1 = 70
     return float(np.median(sizes) / 0.6745 / np.sqrt(70.0))
+
+
+# --- a ball's rows in a table, and their smooth pieces ------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class PathPiece:
+    """Frames of one ball with one acceleration, beside that by the air: a parabola about the middle, and its covariance."""
+
+    first: int
+    last: int
+    middle: float
+    numbers: Array  # (3, 3): place, velocity, half the acceleration; by coordinate
+    covariance: Array  # (3, 3)
+    spins: Array | None  # (2, 3): spin, and its rate of change
+    spin_error: float = 0.0  # of a component at the ends, at most
+    air: Array | None = None  # (k, 3): the acceleration by the air, as a polynomial of the time after the middle
+    even: bool = True  # whether what is left beside the path is noise
+    hides: float = 1.0  # times the variance: more, where a weak event may be in it
+
+    def _by_air(self, tau: float, times: int) -> Any:
+        """Return what the air's acceleration gives, integrated so many times."""
+        return 0.0 if self.air is None else polynomial.polyval(tau, polynomial.polyint(self.air, times))
+
+    def place(self, t: float) -> tuple[Array, float]:
+        """Return the place (3,) at a time, and the standard error of a coordinate."""
+        tau = t - self.middle
+        return self._part(np.array([1.0, tau, tau * tau]), tau, 2)
+
+    def velocity(self, t: float) -> tuple[Array, float]:
+        """Return the velocity (3,) at a time, and the standard error of a component."""
+        tau = t - self.middle
+        return self._part(np.array([0.0, 1.0, 2 * tau]), tau, 1)
+
+    def _part(self, g: Array, tau: float, times: int) -> tuple[Array, float]:
+        return g @ self.numbers + self._by_air(tau, times), math.sqrt(g @ self.covariance @ g)
+
+    def parabola(self, t: float) -> Array:
+        """Return the parabola that touches the path at a time: place, velocity, half the acceleration, by coordinate (3, 3)."""
+        return np.stack([self.place(t)[0], self.velocity(t)[0], self.numbers[2] + self._by_air(t - self.middle, 0) / 2])
+
+    def spin(self, t: float) -> Array:
+        """Return the spin (3,) at a time."""
+        assert self.spins is not None
+        return np.array([1.0, t - self.middle]) @ self.spins
+
+    @property
+    def acceleration(self) -> tuple[Array, float]:
+        """Return the acceleration (3,) beside that by the air, and the standard error of a component."""
+        return 2 * self.numbers[2], 2 * math.sqrt(self.covariance[2, 2])
+
+
+@dataclass(frozen=True, eq=False)
+class BallRows:
+    """A ball with its rows, sorted by time."""
+
+    name: str
+    t: Array  # (n,) s
+    x: Array  # (n, 3) m
+    w: Array | None  # (n, 3): its spins, if they are known
+    radius: float
+    mass: float
+    air: Array | None = None  # (n, 3): what the air does to it, if it is known
+    kappa: float = 0.0  # 0: not known
+    pieces: tuple[PathPiece, ...] = ()
+
+    def at(self, t: float) -> Array:
+        """Return the place (3,) in the last frame until a time."""
+        return np.asarray(self.x[max(int(np.searchsorted(self.t, t, side="right")) - 1, 0)])
+
+    @property
+    def fastest(self) -> float:
+        """The largest speed in the middle of a piece, m/s."""
+        return max((float(np.linalg.norm(piece.numbers[1])) for piece in self.pieces), default=0.0)
