@@ -21,13 +21,13 @@ import numpy as np
 import pytest
 from reference.forking import forking
 
-from carom.core.jit import native, native_build
+from carom.core.jit import build, native
 from carom.core.jit import native as machine_code
+from carom.core.jit.build import NativeBuild
 from carom.core.jit.compile import array_of, njit, signature
 from carom.core.jit.kernel import kernel, prange
 from carom.core.jit.lowering import LoweringError
 from carom.core.jit.native import NativeLoop, dtype_of, dtype_text
-from carom.core.jit.native_build import NativeBuild
 from carom.simulation import simulate as run_many
 
 PLACE = np.dtype([("x", "f8", (3,)), ("count", "i4"), ("weight", "f8")])
@@ -293,7 +293,7 @@ def _vectors(code: Any) -> set[str]:
 def test_loops_over_numbers_are_vectors_of_any_machine_or_of_the_users(
     left: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(native_build, "MOSTLY_VECTORS", 0.01 if left else 0.99)
+    monkeypatch.setattr(build, "MOSTLY_VECTORS", 0.01 if left else 0.99)
     with NativeBuild().recording():
         rows = njit(_rows, parallel=True)
         rows(np.arange(9.0), out := np.zeros(9))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from carom.core import units
-from carom.core.sums import added
+from carom.core.random import added
 from carom.core.units import UNITS, Unit, parse_quantity, unit_named
 
 SI = {dimension: name for name, dimension in units._DIMENSION_OF.items()} | {"angle": "rad"}

@@ -11,9 +11,9 @@ from typing import Any
 import pytest
 
 import carom
-from carom.core.jit import webassembly
+from carom.core.jit import build as lowered
+from carom.core.jit.cache import kernel_hash
 from carom.core.jit.compile import numba_signature, signature
-from carom.core.jit.kernel_hash import kernel_hash
 from carom.core.jit.lowering import LoweringError, linked_dispatcher, llvm_text
 from carom.explorer import module as build
 from carom.explorer.module import ASSETS, MAX_BYTES, description, engine_bytes, engine_layout, version
@@ -68,15 +68,15 @@ def test_the_hash_is_of_code_and_constants_and_not_of_comments(monkeypatch: pyte
 
 
 def test_code_that_numba_writes_otherwise_is_refused_in_a_sentence() -> None:
-    export = webassembly.Export("entry", _entry_alone, signature(float, float))
-    made, needed = webassembly._object([export], [webassembly._text(export)])
+    export = lowered.Export("entry", _entry_alone, signature(float, float))
+    made, needed = lowered._object([export], [lowered._text(export)])
     assert made[:4] == b"\0asm"
     assert needed == {"exp"}
     name, text = llvm_text(linked_dispatcher(_entry_alone, numba_signature(export.signature)))
     arguments = numba_signature(export.signature).args
 
     def build(text: str) -> None:
-        webassembly._object([export], [webassembly._of_numbas_text(export, arguments, name, text)])
+        lowered._object([export], [lowered._of_numbas_text(export, arguments, name, text)])
 
     build(text)
     with pytest.raises(LoweringError, match=r"^expected LLVM code as Numba .* arguments .* for "):
@@ -101,7 +101,7 @@ def test_the_version_does_not_depend_on_what_was_imported() -> None:
 
 def test_a_missing_ziglang_is_said_first_in_one_line(monkeypatch: pytest.MonkeyPatch, capsys: Any) -> None:
     """It was said after all kernels had been compiled, without the command that installs it."""
-    monkeypatch.setattr(webassembly, "find_spec", lambda _name: None)
+    monkeypatch.setattr(lowered, "find_spec", lambda _name: None)
     monkeypatch.setattr(build, "entries", lambda: pytest.fail("kernels are compiled before"))
     assert build.main() == 2
     said = capsys.readouterr().err

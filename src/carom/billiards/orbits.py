@@ -19,7 +19,7 @@ from carom.billiards.setup import OrbitSetup, Start, needs_surface, orbit_setup,
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Numbers, Surface
 from carom.core.jit.threads import Pace
-from carom.core.sums import added
+from carom.core.random import added
 from carom.errors import CaromError, Fault
 from carom.files import require_memory
 from carom.public.other_rooms import saved_figure

@@ -10,8 +10,8 @@ import sys
 import time
 
 from carom.cli.doctor import COMPILE_JOBS
+from carom.core.jit.build import NativeBuild
 from carom.core.jit.lowering import LoweringError
-from carom.core.jit.native_build import NativeBuild
 from carom.core.jit.threads import do_job
 
 

@@ -20,9 +20,9 @@ import numpy as np
 from pydantic.fields import FieldInfo
 
 from carom.core.geometry.features import CURVE, FACE, FALLS, FEATURES, GOES_ON, LEAVES, LINE, OVER, POINT, RIM
+from carom.core.jit.cache import kernel_hash
 from carom.core.jit.calls import register_tables
 from carom.core.jit.kernel import kernel
-from carom.core.jit.kernel_hash import kernel_hash
 from carom.core.motion.phases import FORMS, PHASES
 from carom.errors import CaromError
 from carom.explorer.entries import PARTS, entries, rule_name, rules_of
@@ -180,8 +180,7 @@ def build() -> tuple[bytes, str, str]:
 
     Raises CaromError where it cannot be built.
     """
-    from carom.core.jit.compile import signature
-    from carom.core.jit.webassembly import (
+    from carom.core.jit.build import (
         Export,
         build_module,
         libm_licence,
@@ -189,6 +188,7 @@ def build() -> tuple[bytes, str, str]:
         require_tools,
         tool_versions,
     )
+    from carom.core.jit.compile import signature
 
     require_tools()  # (before the kernels are compiled, which takes a minute)
     # (in the engine's own loop another process compiles this part)

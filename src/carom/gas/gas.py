@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.core.sums import added
+from carom.core.random import added
 from carom.errors import CaromError, FaultList, float_or_nan
 from carom.formatting import counted, format_number
 from carom.gas.containers import Container, as_container

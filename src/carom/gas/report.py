@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.sums import added
+from carom.core.random import added
 from carom.gas.gas import Gas
 from carom.gas.results import LayerAverages, Mark, slice_volumes
 from carom.gas.scene import GasScene

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, model_validator
 
-from carom.core.sums import added
+from carom.core.random import added
 from carom.errors import CaromError, Fault, FaultList, require_type, shown, suggestion
 from carom.files import as_path, require_memory
 from carom.formatting import counted, format_bytes, format_number

@@ -1,8 +1,8 @@
 """Kernels as LLVM's intermediate code, each with an entry of plain C types: the one path to code that runs without Numba.
 
 Numba types and lowers a function with all that it calls (:mod:`carom.core.jit.link`). To its text an entry is added whose arguments
-are addresses and numbers, and that calls Numba's function. Two targets follow: the page's module
-(:mod:`carom.core.jit.webassembly`) and the loops that lie ready in the package (:mod:`carom.core.jit.native_build`).
+are addresses and numbers, and that calls Numba's function. Two targets follow (:mod:`carom.core.jit.build`): the page's module, and
+the loops that lie ready in the package.
 
 This relies on how Numba writes its code (as of 0.68); where that has changed, a LoweringError says so.
 """
@@ -26,7 +26,7 @@ class CFunction(NamedTuple):
     ``name``: of the entry. ``objects``: an array is the address of NumPy's object, and whole numbers have 64 bits; else it is the
     address of its items, with their number on each axis, and whole numbers have 32 bits. ``returns``: the entry returns Numba's
     status. ``out``: the first argument is the place to which the function's value is written. ``context``: the second is Numba's
-    place for an error, beyond which a share of the work is written (:func:`carom.core.jit.native_build.part_range`).
+    place for an error, beyond which a share of the work is written (:func:`carom.core.jit.build.part_range`).
     """
 
     name: str

@@ -1,7 +1,7 @@
 """Loops that lie ready in the package: nothing is compiled by Numba, which is not even imported, on a user's machine.
 
 `make native` has Numba type and lower every loop that carom.cli.doctor names, and keeps each as LLVM's bitcode, optimised, for any
-processor (:mod:`carom.core.jit.native_build`). Here llvmlite alone finishes it for this processor, when it is first called, in a
+processor (:mod:`carom.core.jit.build`). Here llvmlite alone finishes it for this processor, when it is first called, in a
 fraction of a second; the machine code is kept in the user's cache, from where it is loaded in a millisecond.
 
 A loop is taken from the package only while its kernels are those of which it was built: by the hash of their files, or else by the
@@ -31,9 +31,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from carom.core.jit.cache import cache_base, hash_of_files, use_folder
+from carom.core.jit.cache import cache_base, hash_of_files, kernel_hash, module_hash, name_with_values, use_folder
 from carom.core.jit.kernel import DERIVED
-from carom.core.jit.kernel_hash import kernel_hash, module_hash, name_with_values
 from carom.core.jit.threads import call_in_parts, thread_count
 
 # Where NumPy keeps an array's address and shape: after what all objects of Python begin with (16 bytes, or 32 without a lock).
@@ -440,7 +439,7 @@ def finished_code(code: Bitcode) -> bytes:
 # Loops that lie ready in the package: nothing is compiled by Numba, which is not even imported, on a user's machine.
 #
 # `make native` has Numba type and lower every loop that carom.cli.doctor names, and keeps each as LLVM's bitcode, optimised, for
-# any processor (:mod:`carom.core.jit.native_build`). Here llvmlite alone finishes it for this processor, when it is first called,
+# any processor (:mod:`carom.core.jit.build`). Here llvmlite alone finishes it for this processor, when it is first called,
 # in a fraction of a second; the machine code is kept in the user's cache, from where it is loaded in a millisecond.
 #
 # A loop is taken from the package only while its kernels are those of which it was built: by the hash of their files, or else by
@@ -816,5 +815,5 @@ def shipped_loop(source: LoopSource) -> NativeLoop | None:
     return NativeLoop(source, codes) if codes else None
 
 
-# While the package's code is built: what makes it of a loop (carom.core.jit.native_build).
+# While the package's code is built: what makes it of a loop (carom.core.jit.build).
 recorder: Callable[[LoopSource], NativeLoop | None] | None = None
