@@ -250,7 +250,7 @@ CAPS = {
     "tracks": 9381,
     "simulation": 6476,
     "core": 5761,
-    "laws": 4926,
+    "laws": 4960,
     "scene": 4879,
     "cli": 4158,
     "plot": 3542,

@@ -7,7 +7,7 @@ import pytest
 
 from carom.core.contact import SLIDE, STICK
 from carom.laws.wall_and_floor.integrators import _changes, _dormand_prince_step
-from carom.laws.wall_and_floor.rates import FLOOR_SLIP, _start_at_wall, pressed_rates
+from carom.laws.wall_and_floor.rates import FLOOR_SLIP, _start_at_wall, gap_growth, pressed_rates, touch_down_impulse
 
 
 def couplings(rng, nz):
@@ -54,3 +54,28 @@ def test_the_integrator_of_two_slips_is_of_order_eight() -> None:
         once, twice = (np.abs(after(n) - exact).max() for n in (1, 2))
         orders.append(math.log2(once / twice))
     assert np.median(orders) > 7.5
+
+
+def test_a_gap_closes_where_bisection_alone_says_to_the_last_bit():
+    rng, tried = np.random.default_rng(4), 0
+    for _ in range(3000):
+        un, vz, c, stored, e = (
+            -rng.random(),
+            rng.normal() * 10 ** rng.uniform(-6, 0),
+            -rng.random(),
+            rng.random(),
+            rng.random(),
+        )
+        gap, compressing = rng.choice([0.0, 10 ** rng.uniform(-12, -1)]), bool(rng.random() < 0.5)
+        p = rng.uniform(0.1, 1) * (-un if compressing else un + math.sqrt(un * un + 2 * stored))
+        low = -vz / c if vz > 0 else 0.0
+        if not (low < p and (vz > 0 or gap > 0) and gap + gap_growth(un, vz, c, stored, p, e, compressing) < 0):
+            continue
+        tried, high = tried + 1, p
+        while (middle := (low + high) / 2) not in (low, high):
+            if gap + gap_growth(un, vz, c, stored, middle, e, compressing) > 0:
+                low = middle
+            else:
+                high = middle
+        assert touch_down_impulse(un, vz, c, stored, p, e, compressing, gap) == high
+    assert tried > 500

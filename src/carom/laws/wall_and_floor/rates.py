@@ -23,7 +23,7 @@ from __future__ import annotations
 import math
 
 from carom.core.contact import SLIDE, STICK, wall_contact
-from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, root_of
+from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, root_of, without_slopes
 
 Pair = tuple[float, float]
 # The slips u_t, u_y, f_x, f_y, and the energy stored in the wall's normal spring.
@@ -35,6 +35,9 @@ Couplings = tuple[float, float, float, float, float, float, float, float, float,
 LEVEL = 1e-10  # a floor impulse below this fraction of the wall's impulse is regarded as zero
 SINGULAR = 1e-9  # a sticking wall locks with a slipping floor where its equations are this close to singular
 ENDLESS = 1e15  # stands for infinite friction of contacts at rest
+# Where a gap closes: the rounding of a gap, as a share of what is added up to it; the share of the wall's energy that has to be
+# left there; steps until the place is known to that.
+DECIDED, SPENT, NEWTON_STEPS, TINIEST = 16 * 2.0**-52, 1e-6, 12, 1e-300
 
 # Whether the floor takes part, and how.
 OFF, FLOOR_SLIP, FLOOR_STICK, FLOOR_JUMP = 0, 1, 2, 3
@@ -311,17 +314,58 @@ def gap_growth(un: float, vz: float, c: float, stored: float, p: float, e: float
 
 
 @kernel
+def _touch_down_bracket(
+    un: float, vz: float, c: float, stored: float, low: float, p: float, e: float, compressing: bool, gap: float
+) -> tuple[float, float]:
+    """Return impulses between which the gap closes, near each other and yet so far apart that rounding does not decide.
+
+    From ``low``, the gap's maximum, to p, where it is negative, it only falls. Newton's steps begin where it closes if the wall's
+    spring keeps its force.
+    """
+    k, near, far, far_off = (1 + 0 * e if compressing else e), low, p, p
+    first = math.sqrt(2 * stored) + TINIEST
+    x = (vz + math.sqrt(vz * vz - 2 * c * gap * first / k)) / -c if c < 0 and k > 0 else low
+    x = x if low < x < p else (low + p) / 2
+    for _ in range(NEWTON_STEPS):
+        grown = gap + gap_growth(un, vz, c, stored, x, e, compressing)
+        near, far = (x, far) if grown > 0 else (near, x)
+        left, rate = stored - un * x - x * x / 2, k * (vz + c * x)
+        if not (left > SPENT * (stored + abs(un) * x) and rate < 0):
+            return low, p
+        root = math.sqrt(2 * left)
+        noise = DECIDED * (gap + k * (abs(vz) + abs(c) * (abs(un) + x)) * min(math.pi, x / min(root, first)))
+        then, far_off = x - grown * root / rate, -noise * root / rate
+        if abs(then - x) <= far_off:
+            break
+        x = then if near < then < far else (near + far) / 2
+    near, far = x - 2 * far_off, x + 2 * far_off
+    if not (
+        low < near
+        and far < p
+        and gap + gap_growth(un, vz, c, stored, near, e, compressing) > noise / 2
+        and gap + gap_growth(un, vz, c, stored, far, e, compressing) < -noise / 2
+    ):
+        return low, p
+    return near, far
+
+
+@kernel
 def touch_down_impulse(
     un: float, vz: float, c: float, stored: float, p: float, e: float, compressing: bool, gap: float
 ) -> float:
     """Return the impulse in (0, p] at which the gap closes, by bisection between its maximum and p, where it is negative."""
     low = -vz / c if vz > 0 else 0 * p
     high = p
+    near, far = _touch_down_bracket(
+        without_slopes(un), without_slopes(vz), without_slopes(c), without_slopes(stored), without_slopes(low),
+        without_slopes(p), without_slopes(e), compressing, without_slopes(gap),
+    )  # fmt: skip
     for _ in range(200):
         middle = (low + high) / 2
         if middle in (low, high):
             break
-        if gap + gap_growth(un, vz, c, stored, middle, e, compressing) > 0:
+        # (what lies beyond the bracket is known without the gap)
+        if middle <= near or (middle < far and gap + gap_growth(un, vz, c, stored, middle, e, compressing) > 0):
             low = middle
         else:
             high = middle
