@@ -134,6 +134,25 @@ def win_rates(laws: Sequence[str], tables: int = 12, tries: int = 800, seed: int
     return scored / np.maximum(count, 1)[:, None]
 
 
+def sum_to_three(games: int, tries: int = 0, seed: int = 0) -> tuple[float, float]:
+    """Return the mean points of games of ten shots at random, and its standard error.
+
+    With ``tries``: of that many shots at random, foreseen, the first that scores.
+    """
+    rng, rows = np.random.default_rng(seed), np.arange(games)
+    game = carom.env.SumToThree(games)
+    game.begin(rows, [rng] * games)
+    low, high = np.array(list(game.bounds.values())).T
+    points = np.zeros(games)
+    for _shot in range(game.most):
+        actions = rng.uniform(low, high, (games, 2))
+        for row in rows.tolist() if tries else ():
+            tried = rng.uniform(low, high, (tries, 2))
+            actions[row] = tried[np.argmax(game.foresee(row, tried).reward)]
+        points += game.play(rows, actions).reward
+    return float(points.mean()), float(points.std(ddof=1) / np.sqrt(games))
+
+
 def racks(count: int, seed: int = 0) -> dict[str, float]:
     """Return how the player does on so many racks: share of shots after the break that pot, of racks cleared in one turn."""
     made = shots = cleared = won = 0

@@ -195,9 +195,10 @@ class ThreeCushion(BilliardGame):
 class SumToThree(ThreeCushion):
     """LightZero's game: a point where the cue ball meets the other one and both together meet three cushions; ten shots.
 
-    Table, places, actions and the reward of a point are those of its zoo/pooltool/sum_to_three (rules: zoo/pooltool/README.md;
-    ``binary`` in reward.py; table: pooltool's SUMTOTHREE_WIP). An action is the speed of the cue and the angle at which the ball
-    is cut, negative on its left. Observed, (4,): x, y (m) of cue ball and object ball. ``info``: ``point``, ``hit``, ``cushions``.
+    Table, places, ten shots, actions and the reward of a point are those of its zoo/pooltool/sum_to_three (rules:
+    zoo/pooltool/README.md, whose section of results is empty; ``binary`` in envs/utils.py; table: pooltool's SUMTOTHREE_WIP).
+    An action is the speed of the cue and the angle at which the ball is cut, negative on its left. Observed, (4,): x, y (m) of cue
+    ball and object ball. ``info``: ``point``, ``hit``, ``cushions``.
     """
 
     changes: ClassVar = {"walls.0.length": 1.22, "walls.0.width": 0.61}
