@@ -12,7 +12,7 @@ import sympy as sp
 from sympy.physics.mechanics import dynamicsymbols
 
 from carom.derive import Contact, ImpulsiveMotion
-from carom.derive.linear import Expr
+from carom.derive.system import Expr
 
 __all__ = [
     "ball_in_corner",

@@ -8,8 +8,8 @@ from reference.spring_walls import after_spring
 from sympy.physics.mechanics import dynamicsymbols
 
 from carom.derive import ImpulsiveMotion, corner_conditions, corner_jump
-from carom.derive.linear import is_zero
 from carom.derive.paper import ledger as model
+from carom.derive.system import is_zero
 from carom.errors import CaromError
 from carom.laws.conventional import mirror_root
 

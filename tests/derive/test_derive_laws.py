@@ -18,7 +18,7 @@ from carom.core import contact as contact_module
 from carom.core.contact import SLIDE, STICK, wall_contact
 from carom.core.motion.phases import rolls_at_last
 from carom.derive import Contact, ImpulsiveMotion
-from carom.derive.linear import is_zero, tidy
+from carom.derive.system import is_zero, tidy
 from carom.laws.conventional import conventional_reflection, mirror_root
 from carom.laws.mirror import mirror_reflection
 from carom.laws.no_slip import no_slip_reflection

@@ -9,7 +9,7 @@ from examples import bodies
 from sympy.physics.mechanics import LagrangesMethod, Point, ReferenceFrame, dynamicsymbols
 
 from carom.derive import Contact, EnergyGain, FrictionJam, ImpulsiveMotion, contact_at
-from carom.derive.linear import is_zero, tidy
+from carom.derive.system import is_zero, tidy
 from carom.errors import CaromError
 
 R = sp.Rational

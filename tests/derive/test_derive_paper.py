@@ -18,10 +18,10 @@ from typer.testing import CliRunner
 import carom as carom_package
 import carom.derive as carom_derive
 from carom.cli import app
-from carom.derive.linear import is_zero
 from carom.derive.paper import as_record, as_tex, derive_paper, find_entries, judge
 from carom.derive.paper import ledger as k
 from carom.derive.paper.ledger import INSIDE, OUTSIDE, Branch, Entry, poles, says_nothing, true_of
+from carom.derive.system import is_zero
 from carom.errors import CaromError
 
 NUMBERED = [str(k) for k in range(1, 42)]

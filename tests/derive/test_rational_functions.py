@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 from sympy.physics.mechanics import dynamicsymbols
 
-from carom.derive.linear import is_zero, reduce_trig, tidy
+from carom.derive.system import is_zero, reduce_trig, tidy
 
 a, m, u = sp.symbols("a m u", positive=True)
 x = sp.Symbol("x", real=True)

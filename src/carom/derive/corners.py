@@ -15,16 +15,27 @@ one solution: the velocity that the constraints allow is mirrored, in the metric
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
 
 from carom.derive.impulsive import ImpulsiveMotion
-from carom.derive.linear import Expr, Matrix, independent_rows, is_zero, null_basis, reduce_trig, tidy
-from carom.derive.percussion import Jump, delassus, rk4
-from carom.derive.system import ConstraintRow, constraint_row, make_speeds, named_constraints
+from carom.derive.percussion import Jump, delassus
+from carom.derive.system import (
+    ConstraintRow,
+    Expr,
+    Matrix,
+    constraint_row,
+    independent_rows,
+    is_zero,
+    make_speeds,
+    named_constraints,
+    null_basis,
+    reduce_trig,
+    tidy,
+)
 from carom.errors import CaromError, Fault
 
 
@@ -282,14 +293,14 @@ def _degree(term: Expr) -> int:
     return 0 if term == 1 else len(sp.Mul.make_args(term))
 
 
-def first_integrals(test: Integrability, degree: int = 2, extra: Iterable[Expr] = ()) -> list[Expr]:
+def first_integrals(test: Integrability, degree: int = 2) -> list[Expr]:
     """Return functions of the coordinates that are constant along every velocity that the constraints allow.
 
-    The search covers linear combinations of products of coordinates, sines and cosines up to ``degree``, and of the ``extra``
-    functions. Each one found is verified: its derivative along the closure of D is identically zero. At most
-    ``test.holonomic`` functionally independent ones exist; fewer may be found, since the search space is finite.
+    The search covers linear combinations of products of coordinates, sines and cosines up to ``degree``. Each one found is
+    verified: its derivative along the closure of D is identically zero. At most ``test.holonomic`` functionally independent ones
+    exist; fewer may be found, since the search space is finite.
     """
-    terms = _library(test.coordinates, degree) + [sp.sympify(t) for t in extra]
+    terms = _library(test.coordinates, degree)
     rows = []
     for k in range(test.closure.cols):
         field = test.closure[:, k]
@@ -333,38 +344,3 @@ def _coefficient_rows(rates: Sequence[Expr]) -> list[list[Expr]]:
         for monomial, coefficient in poly.terms():
             table.setdefault(monomial, {})[i] = coefficient
     return [[row.get(i, sp.S.Zero) for i in range(len(rates))] for row in table.values()]
-
-
-def integral_drift(
-    test: Integrability,
-    integral: Expr,
-    start: Mapping[Expr, float],
-    drive: Callable[[float], Sequence[float]],
-    parameters: Mapping[Expr, float] | None = None,
-    length: float = 1.0,
-    steps: int = 400,
-) -> float:
-    """Return the largest change of ``integral`` along a path that the constraints allow, integrated by RK4.
-
-    The path starts at ``start`` and follows the columns of D (``test.fields``) with the speeds ``drive(s)``, s from 0 to
-    ``length``. For a true first integral the change is the error of the integrator, about (length/steps)^4.
-    """
-    numbers = dict(parameters or {})
-    table = test.fields.subs(numbers).tolist()
-    field: Any = sp.lambdify(list(test.coordinates), table, modules="math")
-    value: Any = sp.lambdify(list(test.coordinates), sp.sympify(integral).subs(numbers), modules="math")
-    y = [0.0, *(float(start[c]) for c in test.coordinates)]
-
-    def flow(at: list[float]) -> list[float]:
-        columns, speeds = field(*at[1:]), drive(at[0])
-        if len(speeds) != test.rank:
-            raise CaromError(
-                f"integral drift: expected {test.rank} speeds along the allowed velocities, got {len(speeds)}"
-            )
-        return [1.0, *(float(sum(c * u for c, u in zip(row, speeds, strict=True))) for row in columns)]
-
-    first, worst = value(*y[1:]), 0.0
-    for _ in range(steps):
-        y = rk4(flow, y, length / steps)
-        worst = max(worst, abs(value(*y[1:]) - first))
-    return worst

@@ -16,7 +16,6 @@ from typing import Any
 import sympy as sp
 
 from carom.derive import percussion as contact_mass
-from carom.derive.linear import Expr, Matrix, is_zero, tidy
 from carom.derive.percussion import (
     EnergyGain,
     Instant,
@@ -36,13 +35,17 @@ from carom.derive.percussion import (
 from carom.derive.system import (
     ConstraintRow,
     Contact,
+    Expr,
+    Matrix,
     Speeds,
     constraint_row,
     displacement_basis,
     displacement_limit,
+    is_zero,
     make_speeds,
     mass_matrix,
     named_constraints,
+    tidy,
 )
 from carom.errors import CaromError
 

@@ -19,9 +19,12 @@ import sympy as sp
 
 from carom.core.jit.compile import njit
 from carom.core.jit.threads import row_slices
-from carom.derive.linear import (
+from carom.derive.system import (
+    ConstraintRow,
+    Contact,
     Expr,
     Matrix,
+    Speeds,
     atoms_of,
     bound_columns,
     independent_rows,
@@ -30,7 +33,6 @@ from carom.derive.linear import (
     solve_linear,
     tidy,
 )
-from carom.derive.system import ConstraintRow, Contact, Speeds
 from carom.errors import CaromError
 
 

@@ -11,7 +11,6 @@ from carom.simulation.motion import begin_phase, is_in_air, move_by, set_to_row
 
 PIECE = 0.05  # s: a ball whose acceleration decays is drawn by parabolas so short, 1e-7 m from its path
 IN_AIR_PIECE = 0.01  # s: so is one in air, 1e-5 m from its path
-PIECE_COLUMNS = 18  # time, duration; position, velocity, spin, acceleration, change of the spin; phase
 ZERO: Vec = (0.0, 0.0, 0.0)
 
 

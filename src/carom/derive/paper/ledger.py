@@ -15,9 +15,8 @@ import sympy as sp
 from sympy.physics.mechanics import dynamicsymbols
 
 from carom.derive.impulsive import ImpulsiveMotion
-from carom.derive.linear import Expr, Matrix, is_zero, tidy
 from carom.derive.percussion import Jump
-from carom.derive.system import Contact
+from carom.derive.system import Contact, Expr, Matrix, is_zero, tidy
 
 
 @dataclass(frozen=True)

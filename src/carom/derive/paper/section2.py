@@ -7,7 +7,6 @@ from typing import Any
 import sympy as sp
 
 from carom.derive.corners import frobenius
-from carom.derive.linear import Expr, tidy
 from carom.derive.paper import ledger as k
 from carom.derive.paper.ledger import (
     ATTITUDE,
@@ -30,6 +29,7 @@ from carom.derive.paper.ledger import (
     psi,
     theta,
 )
+from carom.derive.system import Expr, tidy
 
 SIN, COS = sp.sin, sp.cos
 

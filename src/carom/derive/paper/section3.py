@@ -8,7 +8,6 @@ from typing import Any
 
 import sympy as sp
 
-from carom.derive.linear import Expr, is_zero, solve_linear, tidy
 from carom.derive.paper import ledger as k
 from carom.derive.paper.ledger import (
     ATTITUDE,
@@ -32,6 +31,7 @@ from carom.derive.paper.ledger import (
     u0,
     v0,
 )
+from carom.derive.system import Expr, is_zero, solve_linear, tidy
 
 COMING = {k.x0: -k.u0}  # the ball comes to the wall: x' < 0
 SMOOTH = "at a wall without friction"
