@@ -1,4 +1,4 @@
-"""Lagrangians and constraints as matrices: mass matrix, generalised speeds, constraint rows; linear algebra with sines and cosines."""
+"""Lagrangians and constraints as matrices: mass matrix, speeds, constraint rows; linear algebra with sines and cosines."""
 
 from __future__ import annotations
 
