@@ -3,8 +3,8 @@
     python campaigns/pooltool_shots.py [N] [--python PYTHON]
 
 N shots (100) of one ball, on pooltool's billiard and pool tables in turn: any direction, cue speeds of 0.5 to 3 m/s, offsets up to
-0.3. pooltool is run by PYTHON, or in a virtual environment of its own (build/pooltool), which is made first. With --small the
-stored shot of tests/interop is compared, and pooltool is not needed.
+0.3. pooltool is run by PYTHON, or in a virtual environment of its own (build/pooltool), which is made first; the checks of
+campaigns/in_pooltool pass in it before. With --small the stored shot of tests/interop is compared, and pooltool is not needed.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from carom.interop.pooltool import engine, read
 FILES = ROOT / "tests" / "interop" / "files"
 NEEDED = (
     "attrs", "cattrs", "click", "h5py", "msgpack-numpy", "numpy-quaternion", "panda3d==1.10.16", "panda3d-gltf",
-    "panda3d-simplepbr", "pillow", "pyyaml", "scipy",
+    "panda3d-simplepbr", "pillow", "pytest", "pyyaml", "scipy",
 )  # fmt: skip
 SAME = 0.01  # m: final places that count as the same
 
@@ -107,8 +107,10 @@ def main(words: Sequence[str] | None = None) -> None:
             python = run.given.python or prepared()
             with tempfile.TemporaryDirectory() as folder:
                 paths = os.pathsep.join([str(ROOT / "src"), str(ROOT / "campaigns")])
-                command = [python, "-W", "ignore", __file__, str(run.count), "--play", folder]
-                subprocess.run(command, check=True, env={**os.environ, "PYTHONPATH": paths}, stdout=subprocess.DEVNULL)
+                environment = {**os.environ, "PYTHONPATH": paths}
+                checks = ["-m", "pytest", "-q", "-c", os.devnull, f"{ROOT}/campaigns/in_pooltool/check_pooltool.py"]
+                for command in (checks, [__file__, str(run.count), "--play", folder]):
+                    subprocess.run([python, "-W", "ignore", *command], check=True, env=environment, stdout=sys.stderr)
                 names = sorted(path.name for path in Path(folder).glob("*_own.msgpack"))
                 compare(Path(folder), [(name, name.replace("own", "two_step")) for name in names], run.say)
 

@@ -2,23 +2,16 @@
 
 from __future__ import annotations
 
-import importlib.util
 import sys
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 from reference.forking import Forked
 
 import carom
-from carom.interop.pooltool import engine, read, to_system
-from carom.interop.pooltool.engine import use_as_default
+from carom.interop.pooltool import to_system
 
-POOLTOOL = importlib.util.find_spec("pooltool") is not None
-needs_pooltool = pytest.mark.skipif(not POOLTOOL, reason="pooltool 0.6 is not installed")
-foreign = pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::SyntaxWarning", "ignore::UserWarning")
-FILES = Path(__file__).parent / "files"
 BALL: dict[str, Any] = {"radius": 0.03, "mass": 0.2}
 
 
@@ -84,63 +77,3 @@ def test_play_says_what_is_wrong_and_ends_with_2(
     assert ended == 2
     assert err.startswith(said)
     assert err.count("\n") == 1
-
-
-# --- in pooltool ------------------------------------------------------------------------------------------------------
-
-
-@needs_pooltool
-@foreign
-@pytest.mark.parametrize("name", ["break.json", "bank.json"])
-def test_a_run_comes_back_from_pooltools_file(name: str, tmp_path: Path) -> None:
-    scene = read(FILES / name)[0].scene
-    run = carom.simulate(scene)
-    system = to_system(run, dt=0.02)
-    assert system.simulated
-    assert system.continuized
-    system.save(tmp_path / "run.msgpack")
-    (back,) = read(tmp_path / "run.msgpack")
-    old, new = scene.walls[0], back.scene.walls[0]
-    assert isinstance(new, carom.scene.Table)
-    assert new.restitution == old.restitution
-    for field in ("length", "width", "nose_height", "friction"):
-        assert getattr(new, field) == pytest.approx(getattr(old, field), abs=1e-12)
-    assert back.scene.floor == scene.floor
-    final = run.final.position
-    for i, ball in enumerate(scene.balls):
-        assert back.paths[ball.name or ""][-1, 1:] == pytest.approx(final[i], abs=1e-12)
-
-
-@needs_pooltool
-@foreign
-def test_a_table_along_x_is_turned_and_hops_are_kept() -> None:
-    ball = carom.SceneBall(**BALL, position=(0.5, 0.1), velocity=(-2.0, 1.0), rolling=True, name="white")
-    run = a_run([TABLE], [ball])
-    system = to_system(run)
-    rvw, _s, t = system.balls["white"].history_cts.vectorize()
-    there = run.at(t)
-    # a quarter turn: x in pooltool is half the width less y
-    assert rvw[:, 0, 0] == pytest.approx(0.71 - there.position[:, 0, 1], abs=1e-12)
-    assert rvw[:, 0, 1] == pytest.approx(1.42 + there.position[:, 0, 0], abs=1e-12)
-    assert rvw[:, 1, 1] == pytest.approx(there.velocity[:, 0, 0], abs=1e-12)
-    assert np.allclose(rvw[:, 0, 2], there.position[:, 0, 2])
-    assert rvw[:, 0, 2].max() > 0.031
-    assert (system.table.w, system.table.l) == (1.42, 2.84)
-    assert system.cue.cue_ball_id == "white"
-
-
-@needs_pooltool
-@foreign
-def test_the_game_plays_with_caroms_engine() -> None:
-    import pooltool as pt
-
-    module = sys.modules["pooltool.evolution.event_based.simulate"]
-    before = module.DEFAULT_ENGINE.resolver
-    try:
-        use_as_default(engine("mathavan2010"))
-        shot = pt.System.example()
-        given = pt.simulate(shot, engine=engine("mathavan2010"))
-        assert pt.simulate(shot).t == given.t
-    finally:
-        module.DEFAULT_ENGINE.resolver = before
-    assert pt.simulate(shot).t != given.t
