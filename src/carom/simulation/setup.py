@@ -159,8 +159,7 @@ def starts_of(
         if value is not None:
             given[field] = vectors(faults, {"v": "velocity", "w": "spin", "x": "position"}[field], value, unit)
     faults.raise_if_any()
-    count = len(arrays.balls)
-    shape: tuple[int, ...] = (1, count)
+    shape: tuple[int, ...] = (1, count := len(arrays.balls))
     if count == 1:
         given = {field: array[:, None, :] if array.ndim == 2 else array for field, array in given.items()}
     for array in given.values():
@@ -187,7 +186,8 @@ def _check_places(where: str, scene: Scene, arrays: SceneArrays, balls: NDArray[
     """Raise CaromError for the first initial state that overlaps something, or lies where no ball can be."""
     bad = overlapping(arrays, balls)
     places, which = np.unique(balls["x"].reshape(-1, 3), axis=0, return_inverse=True)
-    blocked = np.array([any(wall.blocked(tuple(x)) for wall in scene.walls) for x in places.tolist()])
+    walls = [(wall.kernels.blocked, wall.numbers) for wall in scene.walls]
+    blocked = np.array([any(check(numbers, x) for check, numbers in walls) for x in map(tuple, places.tolist())])
     bad |= blocked[which.reshape(balls.shape)].any(axis=1)
     if bad.any():
         n = int(np.flatnonzero(bad)[0])
