@@ -40,17 +40,6 @@ def law(shot, wall_mu, floor_mu, floor_contact):
     return np.concatenate([after.velocity, after.spin])
 
 
-def ringing_floors(run):
-    """A floor that gives back what it stores, under a ball that is pressed throughout: its restitution must not matter."""
-    run.say("undamped floors, mu = 0.2 at both, r = 1e4: greatest difference from the law (at most 2e-3)")
-    for name, shot in list(SHOTS.items())[1:]:
-        for floor_e in (0.5, 1.0):
-            out = spring_contact(
-                0.4, *shot, wall_e=0.85, wall_mu=0.2, floor_mu=0.2, ratio=1e4, floor_e=floor_e, creep=1e-6
-            )
-            run.say(f"{name}, floor e = {floor_e}: {np.max(np.abs(out.state - law(shot, 0.2, 0.2, 'with'))):.1e}")
-
-
 def main(words: Sequence[str] | None = None) -> None:
     """A table a shot."""
     with campaign("stiff_limit", __doc__, words) as run:

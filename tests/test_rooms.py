@@ -253,7 +253,7 @@ CAPS = {
     "laws": 4960,
     "scene": 4879,
     "cli": 4158,
-    "plot": 3542,
+    "plot": 3539,
     "derive": 2981,
     "sweeps": 3262,
     "data": 2603,

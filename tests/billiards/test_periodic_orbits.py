@@ -17,8 +17,6 @@ from carom import billiards
 from carom.billiards.coded_orbits import periods_of
 from carom.errors import CaromError
 
-GOLDEN = (3 - math.sqrt(5)) / 2
-
 
 @pytest.mark.parametrize(("law", "period"), [("mirror", 3), ("mirror", 4), ("no-slip", 3), ("no-slip", 5)])
 def test_orbits_close_and_have_their_trace_to_forty_digits(law: str, period: int) -> None:

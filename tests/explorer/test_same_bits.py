@@ -29,7 +29,6 @@ from carom.simulation.setup import set_up
 
 SCENES, EVENTS, SHOTS = tried(150, 300), 200, 12
 TOLERANCE = 1e-12
-WHOLE = ("kind", "ball", "met", "other", "phase_before", "phase", "regime")
 # Numbers of a log that share a scale.
 SCALES = (("t",), ("x",), ("v_before", "v"), ("w_before", "w"), ("impulse", "floor_impulse"))
 

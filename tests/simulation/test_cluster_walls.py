@@ -18,7 +18,6 @@ from carom.simulation.setup import set_up
 from carom.simulation.trajectory import budget
 
 CASES = known()["walls"]
-HEAD_ON = CASES["frozen to a hard wall, head-on"]
 JAWS = CASES["between jaws of half angle 60 deg"]
 Array = Any
 

@@ -488,8 +488,7 @@ def _from_above(axes: Any, fit: TrackFit, shot: str, names: list[str]) -> None:
     margin = 0.03 * float((high - low).max())
     axes.set(aspect="equal", xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin))
     axes.set(xticks=[], yticks=[])
-    for spine in axes.spines.values():
-        spine.set_visible(False)
+    axes.spines[:].set_visible(False)
     axes.set_title(f"{literal(shot or 'track')}: {1e3 * fit.rms(which):.2g} mm", fontsize=8)
 
 
@@ -732,8 +731,7 @@ def _shot_above(axes: Any, shot: FittedShot, *, marks: bool = False, size: float
     margin = 0.02 * table.length
     axes.set(aspect="equal", xticks=[], yticks=[])
     axes.set(xlim=(cx - half[0] - margin, cx + half[0] + margin), ylim=(cy - half[1] - margin, cy + half[1] + margin))
-    for spine in axes.spines.values():
-        spine.set_visible(False)
+    axes.spines[:].set_visible(False)
 
 
 def _shot_over_time(axes: Any, shot: FittedShot) -> None:

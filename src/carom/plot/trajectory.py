@@ -352,8 +352,7 @@ def _above(axes: Any, run: Trajectory, shown: View, ways: dict[int, list[Any]], 
     axes.set_xlabel("x, m", labelpad=1.5)
     axes.set_ylabel("y, m", labelpad=1.5)
     axes.tick_params(length=2)
-    for spine in axes.spines.values():
-        spine.set_visible(False)
+    axes.spines[:].set_visible(False)
 
 
 MARKS: dict[int, tuple[str, str, float]] = {
