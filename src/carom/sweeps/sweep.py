@@ -25,7 +25,7 @@ from carom.scene.presets import read_toml
 from carom.scene.toml import load_scene
 from carom.sweeps.axes import Axis, axis_from_data
 from carom.sweeps.fields import FAILED, FAILURES, NOT_DONE, WHY, Outcome
-from carom.sweeps.space import Space
+from carom.sweeps.space import Space, subject_from_data
 from carom.sweeps.store import (
     BLOCKS,
     Blocks,
@@ -39,7 +39,6 @@ from carom.sweeps.store import (
     require_few,
     run_on_cluster,
 )
-from carom.sweeps.subjects import subject_from_data
 
 if TYPE_CHECKING:
     import xarray
@@ -423,7 +422,7 @@ def sweep_over(space: Space, keep: tuple[str, ...] | list[str], store: Any, bloc
 def stored_sweep(place: str | Path, allow_own_laws: bool = False) -> Sweep:
     """Return the sweep of a store, as :func:`sweep` does."""
     from carom.sweeps.axes import axis_from_data
-    from carom.sweeps.subjects import subject_from_data
+    from carom.sweeps.space import subject_from_data
 
     store = Store(place)
     data = store.attributes()
