@@ -80,6 +80,17 @@ def test_runs_with_noise_are_not_blamed(kind: str, seed: int, noise: float) -> N
     assert judged_runs.judged(kind, seed, noise).violations == []
 
 
+@pytest.mark.parametrize("rate", [24.7, 30, 119.88, 240])
+def test_rounded_times_are_known_no_better_than_their_clock(rate: float) -> None:
+    for k in range(4):
+        t = (np.arange(60) + k / 5) / rate
+        for g, blamed in ((G, False), (0.9 * G, True)):
+            x = parabola(t, (0, 0, 40.0), (0.3, 0, 0), (0, 0, -g)).round(6)
+            found = judge({"t": t.round(3), "x": x[:, 0], "y": x[:, 1], "z": x[:, 2]}, radius=R)
+            assert found.checked["gravity"] > 0
+            assert bool(found.of("gravity")) == blamed, (k, found.notes, found.of("gravity"))
+
+
 @pytest.mark.parametrize("kind", judged_runs.KINDS)
 def test_drawn_runs_of_carom_violate_nothing(kind: str) -> None:
     """On slopes, among cushions, struck while frozen to one, in the air, from racks; at four frame rates."""

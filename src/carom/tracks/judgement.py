@@ -86,9 +86,14 @@ def read_rows(
         raise CaromError(
             f"{where}: {several[0]}: expected one row per frame, got two of the same time; give each ball a name"
         )
-    rows = [replace(one, t=t) for one, t in zip(rows, clock, strict=True)]
+    rows = [replace(one, t=t, clock=_clock_error(one.t, t)) for one, t in zip(rows, clock, strict=True)]
     sigma = _noise(rows) if noise is None else float(noise)
     return rows, max(sigma, 4e-16 * max(float(np.abs(one.x).max(initial=0.0)) for one in rows)), notes
+
+
+def _clock_error(rounded: Array, t: Array) -> float:
+    """Return the relative standard error of the interval of even times, by what their rounding moved."""
+    return float(np.std(rounded - t)) / max(math.sqrt(len(t) / 12) * float(np.ptp(t)), 1e-300)
 
 
 def _rows_of_balls(
@@ -590,6 +595,7 @@ def _between_contacts(
             along = float((a - pull) @ v) / speed
             off = math.hypot(along, max(math.sqrt(max(off * off - along * along, 0.0)) - drag * speed * speed, 0.0))
         said = ", ".join(f"{x:.3g}" for x in piece.parabola(piece.middle)[2] * 2)
+        error = math.hypot(error, 2 * ball.clock * float(np.linalg.norm(a)))
         found.check(
             "gravity", t, names, off, error, LEAST * -pull[2], f"the ball in the air accelerates by ({said}) m/s^2"
         )

@@ -152,6 +152,7 @@ class BallRows:
     air: Array | None = None  # (n, 3): what the air does to it, if it is known
     kappa: float = 0.0  # 0: not known
     pieces: tuple[PathPiece, ...] = ()
+    clock: float = 0.0  # relative standard error of the interval of its frames, where times are rounded
 
     def at(self, t: float) -> Array:
         """Return the place (3,) in the last frame until a time."""
