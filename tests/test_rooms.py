@@ -247,7 +247,7 @@ CAPS = {
     "fitting": 10566,
     "gas": 6955,
     "billiards": 5574,
-    "tracks": 9385,
+    "tracks": 9382,
     "simulation": 6476,
     "core": 5761,
     "laws": 4960,

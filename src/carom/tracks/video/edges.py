@@ -10,24 +10,26 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 ORDER = 6, 16  # of the Fourier series of a ball, least and most: one per px of the radius
+RIDGE = 3e-4  # of the ball's series, of the band's pixels
 SHADOW = 1 / 30  # standard deviation of the shadow's prior, of the background
-INSIDE, OUTSIDE = (2.8, 0.5), (0.35, 3.5, 7.0)  # of the band: times the blur plus px; of the radius, least and most px
+INSIDE = 2.8, 0.5, 0.1  # of the band: of the blur, px, of the radius
+OUTSIDE = 0.35, 3.5, 7.0  # of the radius; least and most px
 CHROMA_BLUR = 1.3  # px, of colour planes, beside that of the lens
 PLACES = 25  # of the exposure, at most
-HUBER = 3.0
+OUTLIER = 2.0  # times the usual misfit of a plane
 STEPS = 6
 BLOCK = 256  # pixels
 GAMMA, BLACK, WHITE = 2.2, 16.0, 219.0  # of brightness as stored; levels: of black, and from there to white
 LEAST_SLOPE = 0.15  # of light over brightness, by which noise is multiplied
 LEAST_WAY = 0.4  # px, in an exposure of the fastest
-MOST_PIXELS = 1300  # of a plane, evenly taken from the band
+MOST_PIXELS = 2000  # of a plane, evenly taken from the band
 LEAST_PIXELS, LEAST_SEEN = 30, 0.2  # of a band; of a rim
 SECTORS = 16
 INNER = 0.8  # of the radius: what shows the colour of the ball
@@ -111,9 +113,8 @@ def _band(
         rows, columns = rows[::every], columns[::every]
         seen, behind, steep = plane[rows, columns].astype(float), ground[rows, columns].astype(float), 1.0
         if k == 0:
-            seen, behind = (np.maximum(one - BLACK, 1.0) / WHITE for one in (seen, behind))
-            steep = np.maximum(GAMMA * seen ** (GAMMA - 1), LEAST_SLOPE)  # type: ignore[assignment]
-            seen, behind = WHITE * seen**GAMMA, WHITE * behind**GAMMA
+            seen, behind = _light(seen), _light(behind)
+            steep = np.maximum(GAMMA * (seen / WHITE) ** (1 - 1 / GAMMA), LEAST_SLOPE)  # type: ignore[assignment]
         ones = np.ones(len(rows))
         where = x[columns] + place[0], y[rows] + place[1]
         wide = CHROMA_BLUR**2 if k else 0.0
@@ -190,7 +191,7 @@ def _residuals(
     for part in pixels.planes:
         x, w = columns[:, part], weight[part]
         noise = 1 / pixels.weight[part][0] if part.stop > part.start else 1.0
-        prior[1:count], prior[count:] = 1e-3 * len(w), (noise / SHADOW) ** 2
+        prior[1:count], prior[count:] = RIDGE * len(w), (noise / SHADOW) ** 2
         wx = x * w
         normal = np.linalg.inv(_product(wx, x) + np.diag(prior + 1e-9))
         known = normal @ (wx @ target[part])
@@ -224,7 +225,7 @@ def fit_outline(
         pixels = _band(patch, p[:2], speed * optics.exposure, optics.radius, wide, wide, optics)
         p = _descended(pixels, p, v, "xy", 1, 3, optics)[0] if len(pixels.x) >= LEAST_PIXELS else p
         p[3] = optics.psf
-    pixels = _rim(patch, *(like[0] if like else (p[:2], speed)), optics, "r" in free)
+    pixels = _rim(patch, *(like[0] if like else (p[:2], speed)), optics)
     if len(pixels.x) < LEAST_PIXELS:
         return Outline(p[:2].copy(), optics.radius, np.inf, 0.0, 0.0)
     p, residual, differ = _descended(pixels, p, v, free, order or _order(optics), STEPS, optics)
@@ -247,7 +248,7 @@ def look_closer(patch: Patch, outline: Outline, speed: Array, optics: Optics) ->
     angle around it. Colour (3,): mean light, u, v of the ball, levels.
     """
     p, v = _start(outline.place, optics), 1e-3 * speed
-    pixels = _rim(patch, outline.place, speed, optics, True)
+    pixels = _rim(patch, outline.place, speed, optics)
     weight = pixels.weight**2
     residual, *_rest = _residuals(pixels, p, v, optics.rows, "xy", _order(optics), weight)
     weight = _robust(pixels, residual)
@@ -260,20 +261,20 @@ def look_closer(patch: Patch, outline: Outline, speed: Array, optics: Optics) ->
         x, y = (patch.corner[n] + size * np.arange(plane.shape[1 - n]) + offset - outline.place[n] for n in (0, 1))
         way = speed * optics.exposure
         cover = (np.hypot(x[None, None] - part * way[0], y[None, :, None] - part * way[1]) < inner).mean(axis=0)
-        seen, behind = ((_light(one) if k == 0 else one.astype(float)) for one in (plane, ground))
+        seen, behind = ((one if k else _light(one)) for one in (plane, ground))
         total = float((cover * cover).sum())
         colour.append(float((cover * (seen - (1 - cover) * behind)).sum()) / total if total else np.nan)
     return np.asarray(shape), np.array(colour)
 
 
-def _light(plane: NDArray[np.uint8]) -> Array:
-    return WHITE * (np.maximum(plane.astype(float) - BLACK, 1.0) / WHITE) ** GAMMA
+def _light(plane: NDArray[Any]) -> Array:
+    return np.asarray(WHITE * (np.maximum(plane - BLACK, 1.0) / WHITE) ** GAMMA)
 
 
-def _rim(patch: Patch, place: Array, speed: Array, optics: Optics, loose: bool) -> _Pixels:
-    """Return the pixels beside the edge, from which outlines are found; some more where the radius is ``loose``."""
+def _rim(patch: Patch, place: Array, speed: Array, optics: Optics) -> _Pixels:
+    """Return the pixels beside the edge, from which outlines are found."""
     beyond = float(np.clip(OUTSIDE[0] * optics.radius, *OUTSIDE[1:]))
-    depth = INSIDE[0] * optics.psf + INSIDE[1] + 0.1 * optics.radius * loose
+    depth = float(np.dot(INSIDE, (optics.psf, 1.0, optics.radius)))
     return _band(patch, place, speed * optics.exposure, optics.radius, depth, beyond, optics)
 
 
@@ -314,8 +315,12 @@ def _descended(
 
 
 def _robust(pixels: _Pixels, residual: Array) -> Array:
-    scale = max(float(np.median(np.abs(residual))) / 0.6745, 1e-3)
-    return pixels.weight**2 * np.minimum(1.0, HUBER * scale / np.maximum(np.abs(residual), 1e-9))
+    """Return weights (N,): less of a plane that the outline explains less, and of pixels far off."""
+    weight, off = pixels.weight**2, np.abs(residual) * pixels.weight
+    for part in pixels.planes:
+        scale = max(float(np.median(off[part])) / 0.6745, 1.0) if part.stop > part.start else 1.0
+        weight[part] *= np.minimum(1.0, OUTLIER * scale / np.maximum(off[part], 1e-9)) ** 2 / scale
+    return weight
 
 
 def fit_optics(
@@ -327,7 +332,7 @@ def fit_optics(
     between the frames, and the places.
     """
     order = order or _order(optics)
-    bands = [_rim(patch, place, speed, optics, True) for patch, place, speed in frames]
+    bands = [_rim(patch, place, speed, optics) for patch, place, speed in frames]
     places, shared = [place.copy() for _patch, place, _speed in frames], _start(np.zeros(2), optics)
     index = ["xyrseqbcd".index(name) for name in free]
     limit = np.array([0.15 * optics.radius, 0.5, 4.0, 20.0, 0.1, 0.1, 0.1])[np.array(index) - 2]

@@ -64,17 +64,13 @@ ALIKE_SIZE = 0.12  # scatter of a ball's radius in the frames, at most
 SHARPER = 0.85  # blur of a ball without its shadow, of that with it
 LIKE = 0.5  # of the frames of the best candidate: another one with as many is as likely
 ASTRAY = 4.0, 0.25  # from where the frames beside it have the ball: times the usual, and px
-OTHER_SHAPE, NO_DISC = (
-    (0.06, 0.3),
-    0.2,
-)  # by which a rim differs from the ball's usual one: radii, and px; from a disc's: radii
+OTHER_SHAPE = 0.06, 0.3  # by which a rim differs from the ball's usual one: radii, and px
+NO_DISC = 0.2  # radii, by which it differs from a disc's
 OTHER_LIGHT, OTHER_COLOUR = (0.35, 12.0), 14.0  # by which a ball differs from itself: of its light, and levels; levels
 OTHER_SCATTER = 7.0  # times the median difference, which marks on the ball make
 SAME = 0.3  # of the tiles, of a frame that is no other picture
-MOST_CUT, MOST_SHIFT = (
-    0.05,
-    1.2,
-)  # share of frames that are another picture; px by which most of a camera's frames may be shifted
+MOST_CUT = 0.05  # share of frames that are another picture
+MOST_SHIFT = 1.2  # px by which most of a camera's frames may be shifted
 MOVING = "a picture of which most moves by"
 ELLIPSE = 0.985  # of the area of an ellipse with its moments: of a disc of which a part is hidden it is less, or it looks round
 LEAST_GOOD = 0.5  # of the frames of a ball, whose outline fits
@@ -192,7 +188,7 @@ def _some_patches(
 
 def _candidate(path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Background, interval: float) -> Candidate:
     """Return a candidate from its pixels in some frames, with blobs and velocities."""
-    noise = tuple(max(2 * one, least) for one, least in zip(ground.noise, (1.5, 0.8, 0.8), strict=True))
+    noise = tuple(max(2 * one, least) for one, least in zip(ground.noise, (2.2, 0.8, 0.8), strict=True))
     quick = np.array([np.hypot(*speed) for *_rest, speed in some])
     blur = np.array([one.blur for _patch, one, _speed in some])
     fast = quick > max(FAST * path.radius / interval, SLOW * quick.max())
@@ -475,22 +471,13 @@ def track_film(
     asked = check_arguments(
         balls, radius, scale, length, readout, rate, ball, colour, region, corners, start, end
     )  # fmt: skip
-    file = open_film(as_path("track_film", path))
-    notes = list(file.notes)
-    part = (file.start + (start or 0.0), np.inf if end is None else file.start + end)
 
     def tell(done: float, text: str) -> None:
         if progress is not None:
             progress(done, 1.0, text)
 
-    tell(0.0, "background")
-    samples = sampled(file, part)
-    if len(samples) < LEAST_FRAMES:
-        raise CaromError(Fault(f"{file.path}", "", f"{LEAST_FRAMES} frames or more", f"{len(samples)}"))
-    size = file.width if file.rotation % 2 else file.height
-    ground = find_background(samples)._replace(rows=rows_direction(file.rotation), lag=(readout or 0.0) / size)
-    del samples
-    stamps, paths, moves = _linked(file, ground, part, asked, tell)
+    file, ground, stamps, paths, moves = _linked(as_path("track_film", path), (start, end), readout, asked, tell)
+    notes = list(file.notes)
     if moves:
         advice = "put it on a stand, or name a part in which it rests (`start`, `end`)"
         raise CaromError(Fault(f"{file.path}", "", "a camera at rest, without cuts", moves, advice))
@@ -528,13 +515,7 @@ def likeliest_ball(path: FilePath, error: CaromError, **given: Any) -> FilmPath:
     names = ("start", "end", "region", "rate")
     start, end, region, rate = (given.get(name) for name in names)
     asked = check_arguments(1, None, None, None, None, rate, (), None, region, None, start, end)
-    file = open_film(path)
-    part = (file.start + (start or 0.0), np.inf if end is None else file.start + end)
-    samples = sampled(file, part)
-    if len(samples) < LEAST_FRAMES:
-        raise error
-    ground = find_background(samples)._replace(rows=rows_direction(file.rotation))
-    stamps, paths, moves = _linked(file, ground, part, asked, lambda _done, _text: None)
+    file, ground, stamps, paths, moves = _linked(path, (start, end), None, asked, lambda _done, _text: None)
     if moves and not moves.startswith(MOVING):
         raise error
     times = film_times(file, stamps, rate, [])
@@ -605,9 +586,20 @@ def _by_rows(
 
 
 def _linked(
-    file: FilmFile, ground: Background, part: tuple[float, float], asked: Asked, tell: Callable[[float, str], None]
-) -> tuple[list[float], list[Path], str]:
-    """Return the stamps of all frames, the paths of what moves in part of the film, and what speaks against a camera at rest."""
+    path: FilePath, part: tuple[float | None, float | None], readout: float | None, asked: Asked,
+    tell: Callable[[float, str], None],
+) -> tuple[FilmFile, Background, list[float], list[Path], str]:  # fmt: skip
+    """Return a film, its background, the stamps of all frames, the paths of what moves in part of it, and what speaks against a
+    camera at rest. Raises CaromError for what is no film, and for a part with few frames."""
+    file = open_film(path)
+    low, high = file.start + (part[0] or 0.0), np.inf if part[1] is None else file.start + part[1]
+    tell(0.0, "background")
+    samples = sampled(file, (low, high))
+    if len(samples) < LEAST_FRAMES:
+        raise CaromError(Fault(f"{file.path}", "", f"{LEAST_FRAMES} frames or more", f"{len(samples)}"))
+    size = file.width if file.rotation % 2 else file.height
+    ground = find_background(samples)._replace(rows=rows_direction(file.rotation), lag=(readout or 0.0) / size)
+    del samples
     inside = None
     if asked.region is not None:
         inside = np.zeros(ground.half.shape, bool)
@@ -616,14 +608,14 @@ def _linked(
     linker, stamps, shares, shifts = Linker(), list[float](), list[float](), list[Array]()
     for frame in file.frames():
         stamps.append(frame.stamp)
-        if part[0] <= frame.stamp <= part[1] or not np.isfinite(frame.stamp):
+        if low <= frame.stamp <= high or not np.isfinite(frame.stamp):
             regions, share = find_regions(frame, ground, inside)
             shift, same = movement(half_size(frame.y), ground)
             linker.add(frame.number, regions if same > SAME else [])
             shares.append(share if same > SAME else 1.0)
             shifts.append(shift)
         tell(0.05 + 0.25 * (1 - 100 / (100 + frame.number)), "what moves")
-    return stamps, linker.paths, _unsteady(np.array(shares), np.array(shifts))
+    return file, ground, stamps, linker.paths, _unsteady(np.array(shares), np.array(shifts))
 
 
 def _unsteady(shares: Array, shifts: Array) -> str:
@@ -717,6 +709,8 @@ def _what_moves(found: Sequence[Candidate], likely: Sequence[Path], times: Array
     if not lacking:
         return f"{some}{'nothing that keeps its size' if not likely else 'nothing with an outline'}"
     best = max(lacking, key=lambda one: one.share * one.seen)
+    if best.stretched:
+        return f"{some}at best {_said(best, times)}, which is longer than it moves from frame to frame"
     return (
         f"{some}at best {_said(best, times)}, of which a disc explains {100 * max(best.share, 0):.0f} %, with"
         f" {100 * best.seen:.0f} % of its rim seen, its radius scattering by {100 * best.scatter:.0f} %"

@@ -70,10 +70,10 @@ def choose_readout(found: Sequence[tuple[float, float]], notes: list[str]) -> tu
     if value + EXCLUDED * error < LEAST_READOUT:
         return 0.0, 0.0
     value = max(value, 0.0)
-    notes.append(
-        f"rolling shutter: the readout from first to last row is {1e3 * value:.3g} ± {1e3 * error:.1g} ms by outlines and flights;"
-        " used, and its error is part of all error bars (`readout` gives another, 0 for none)"
-    )
+    said = f"the readout from first to last row is {1e3 * value:.3g} ± {1e3 * error:.1g} ms by outlines and flights"
+    if value < 2 * error:
+        said = f"the film does not determine the readout, first to last row (below {1e3 * (value + 2 * error):.2g} ms)"
+    notes.append(f"rolling shutter: {said}; its error is part of all error bars (`readout` gives another, 0 for none)")
     return value, error
 
 
