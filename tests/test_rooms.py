@@ -252,7 +252,7 @@ CAPS = {
     "core": 5761,
     "laws": 4960,
     "scene": 4879,
-    "cli": 4158,
+    "cli": 4157,
     "plot": 3539,
     "derive": 2981,
     "sweeps": 3252,

@@ -208,9 +208,8 @@ def _restitution(one: TrackContact) -> str:
 def _without_names(why: str, names: Iterable[str]) -> str:
     """Return a reason without the names of other walls and balls."""
     for name in sorted(names, key=len, reverse=True):
-        why = re.sub(
-            re.escape(name) + r"(?!\w)", "another wall" if name.startswith("the wall") else "another ball", why
-        )
+        other = "another wall" if name.startswith("the wall") else "another ball"
+        why = re.sub(rf"(?<!the )(?<!\w){re.escape(name)}(?!\w)", other, why)
     return why
 
 
