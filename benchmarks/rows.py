@@ -232,8 +232,9 @@ OF_PROCESSOR = (
 PEERS = """\
 Peers: `np.copy` copies half as many bytes as a result reads and writes, into new memory; `np.copyto` those of a final
 state, into arrays that exist, on one thread where carom has two; C is a loop written by hand for one table
-(`benchmarks/orbits.py`), which follows the same orbit. Gases, with their peers, are on [the page on
-gases](theory/gas.md); what was tried and left, in [Architecture](design.md#tried)."""
+(`benchmarks/orbits.py`), which follows the same orbit. Of 100,000 spheres two take
+0.9 µs more from the third-level cache (six lines of 150 ns); a collision takes 0.7 to 1.0 µs more. Gases with peers are on
+[their page](theory/gas.md); what was tried and left, in [Architecture](design.md#tried)."""
 
 
 def commit() -> str:

@@ -257,7 +257,7 @@ def fit_law(law: FittedLaw, problem: Problem, near: Sequence[Fit] = ()) -> Fit:
     >>> f"{fit.law.name}: e = {fit.estimates['restitution'].value:.3f}"
     'mirror: e = 0.799'
     """
-    model = model_of(law, problem)
+    model = itself = model_of(law, problem)
 
     def search(at: FitModel) -> Array:
         return np.vstack([_search(at), *(model.near(fit.numbers) for fit in near)])
@@ -274,11 +274,8 @@ def fit_law(law: FittedLaw, problem: Problem, near: Sequence[Fit] = ()) -> Fit:
     if coarse is not None:
         p = np.concatenate([p, _annealed(own, p)])
     best = _across_kinks(own, _descend(own, p))
-    if found.estimate is not None and found.estimate.value:  # (beyond kinks the scatter may be another)
-        place, share = best.p[None], found.estimate.value
-        found = with_contact_scatter(model, lambda _model: place, lambda at, p: _descend(at, p).p, share)
-        own, best = found.model.without_shared(), _descend(found.model, found.p)
-    model = found.model
+    found, best = _with_scatter_near(model, found, best)  # (beyond kinks it may be another)
+    model, own = found.model, found.model.without_shared()
     if problem.shared:  # there may be a kink: searched from both sides, and from a bound that is near
         z, free = np.eye(len(problem.shared)), model.free
         p = np.tile(best.p, (2 + 2 * len(z), 1))
@@ -292,7 +289,18 @@ def fit_law(law: FittedLaw, problem: Problem, near: Sequence[Fit] = ()) -> Fit:
     table = None
     if coarse is not None:
         best, table = _refined(model if problem.shared else own, best, coarse)
+        found, best = _with_scatter_near(itself, found, best)  # (until here it is that beside the table)
+        model = found.model
     return fit_at(model, best, found.scatter, found.extra, found.estimate, table)
+
+
+def _with_scatter_near(model: FitModel, found: Scattered, best: Place) -> tuple[Scattered, Place]:
+    """Return the scatter between contacts and the place, fitted again from there; unchanged where there is no scatter."""
+    if found.estimate is None or not found.estimate.value:
+        return found, best
+    place, share = best.p[None], found.estimate.value
+    found = with_contact_scatter(model, lambda _model: place, lambda at, p: _descend(at, p).p, share)
+    return found, _descend(found.model, found.p)
 
 
 def none_above(found: dict[str, Any], fit_of: Callable[[Any], Fit], again: Callable[[Any, Any], Any]) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.bodies import Ball, State, Surface
 from carom.core.jit.threads import block_slices
 from carom.fitting.deviance import RowData
 from carom.fitting.laws import (
@@ -21,6 +22,7 @@ from carom.fitting.laws import (
     PARAMETERS,
     PLACES,
     PLANES,
+    ROLLING,
     TABULATED,
     TOGETHER,
     FittedLaw,
@@ -30,6 +32,7 @@ from carom.fitting.laws import (
 from carom.fitting.likelihood import Evaluation, LikelihoodModel, TabulatedLaw, evaluate, evaluate_mixture, predictions
 from carom.fitting.rows import Problem, Setting, code_of, decided, forms_of
 from carom.fitting.spin_chains import Minimum, evaluate_chains, minimize
+from carom.laws.two_step_batch import two_step_into
 
 Array = NDArray[np.float64]
 STEPS = 200
@@ -432,10 +435,38 @@ def _node(grid: _Grid, restitution: float, friction: float, floor: float) -> Arr
     p[[E, MU, FLOOR]] = restitution, friction, floor
     x, empty = np.tile(ball, (len(grid.stages), 1)), np.empty((0, 3))
     stages = np.repeat(np.array(grid.stages, np.int64), len(ball))
-    rows = RowData(TOGETHER, 0, stages, grid.radius, None, x, empty, empty[:, :2], empty, empty, 0.0, np.empty(0))
-    out = predictions("table", rows, x, p)
+    out = np.full(x.shape, math.nan)
+    if grid.stages == (ROLLING,):
+        out = _rolling(x, p, grid.radius)
+    left = np.isnan(out[:, 0])
+    rows = RowData(
+        TOGETHER, 0, stages[left], grid.radius, None, x[left], empty, empty[:, :2], empty, empty, 0.0, np.empty(0)
+    )
+    out[left] = predictions("table", rows, x[left], p)
     out[:, 2] *= grid.radius
     return out.ravel()
+
+
+def _rolling(x: Array, p: Array, a: float) -> Array:
+    """Return the law's predictions (N, 3) for balls that roll again, many at once; NaN for one that does not roll away."""
+    e, mu, ef, muf, roll, height, kappa = (
+        float(p[INDEX[name]])
+        for name in (
+            "restitution",
+            "friction",
+            "floor_restitution",
+            "floor_friction",
+            "roll",
+            "contact_height",
+            "kappa",
+        )
+    )
+    up, (v_n, v_t, spin) = 1 - height, x.T
+    before = State(np.stack([-v_n, v_t, 0 * v_n], axis=1), np.stack([-roll / a * v_t, -roll / a * v_n, spin], axis=1))
+    after, ball = State(np.zeros_like(x), np.zeros_like(x)), Ball(radius=a, mass=1.0, inertia=kappa)
+    normal, why = (math.sqrt(1 - up * up), 0.0, up), np.zeros(len(x), np.int8)
+    two_step_into(after, why, ball, before, Surface(e, mu), Surface(ef, muf), normal)
+    return np.stack([*after.velocity.T[:2], after.spin[:, 2]], axis=1)
 
 
 @dataclass(frozen=True, eq=False)
