@@ -123,4 +123,7 @@ def test_a_table_too_short_for_any_law_is_refused_in_one_line(tmp_path, capsys):
     code, told, notes = command(capsys, "fit", str(table), "--kind", "planar", "--radius", "0.033")
     assert (code, told) == (2, "")
     (line,) = [one for one in notes.splitlines() if one.startswith("carom: ")]
-    assert line.endswith("expected 4 measured numbers or more, which mirror needs, got 3; measure more")
+    assert (
+        "expected 4 measured numbers or more, which mirror needs, got 3; measure more (restitution of each row: 0.750,"
+        in line
+    )
