@@ -510,13 +510,14 @@ def likeliest_ball(path: FilePath, error: CaromError, **given: Any) -> FilmPath:
     """Follow what is most likely a ball in a film that is refused: to be judged, not to be measured.
 
     ``given``: ``rate``, ``start``, ``end``, ``region`` of :func:`track_film`. Raises ``error`` where nothing moves that may be a
-    ball, and for cuts.
+    ball, for cuts, and where several are as likely.
     """
     names = ("start", "end", "region", "rate")
     start, end, region, rate = (given.get(name) for name in names)
     asked = check_arguments(1, None, None, None, None, rate, (), None, region, None, start, end)
     file, ground, stamps, paths, moves = _linked(path, (start, end), None, asked, lambda _done, _text: None)
-    if moves and not moves.startswith(MOVING):
+    # (of several balls none is judged: they meet one another)
+    if (moves and not moves.startswith(MOVING)) or "as likely" in f"{error}":
         raise error
     times = film_times(file, stamps, rate, [])
     found = _usual_optics(file, ground, likely_paths(paths, LEAST_FRAMES)[:5], times)
