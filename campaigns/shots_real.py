@@ -3,7 +3,7 @@
     python campaigns/shots_real.py [N] --films FILE [--radius METRES] [--only fit|rest|halves|alone]
 
 Without a film, N shots (2) that carom draws are fitted, whose numbers are known. Halves: the shots with even and odd numbers are
-fitted by themselves from the numbers of all; theirs are compared in error bars, and each half predicts the shots of the other from
+fitted by themselves, from scratch; their numbers are compared in error bars, and each half predicts the shots of the other from
 their first third and first half. Alone: each shot is fitted by itself, on a table that is given and with all numbers free.
 """
 
@@ -21,7 +21,7 @@ from held_out_shots import HeldOut, predict_rest
 
 import carom
 from carom.fitting.result import with_error_bar
-from carom.fitting.shots import ShotsFit, drawn_films, fit_of_some
+from carom.fitting.shots import ShotsFit, drawn_films
 from carom.fitting.shots.result import HORIZONS
 from carom.tracks.films import tracks_of_films
 
@@ -56,14 +56,20 @@ def said_of(run: Campaign, found: Sequence[HeldOut], what: str) -> None:
         run.say(f"  up to {until:3g} s later {1e3 * far:5.0f} mm, expected {1e3 * thought:5.0f} ({count} shots)")
 
 
-def halves(run: Campaign, best: ShotsFit) -> None:
-    """Compare the numbers of the table that halves of the shots give, and predict each half with the table of the other."""
-    fits = [fit_of_some(best, range(k, len(best.shots), 2)) for k in range(2)]
-    for name in best.names:
+def halves(run: Campaign, tracks: Any) -> None:
+    """Fit the shots with even and with odd numbers apart, each from scratch: their numbers beside each other, and what the table
+    of one half predicts of the shots of the other."""
+    names = list(dict.fromkeys(one.group for one in tracks))
+    some = [[one for one in tracks if one.group in names[k::2]] for k in range(2)]
+    fits = [carom.fit_shots(one, None, run.given.radius).best for one in some]
+    squares = []
+    for name in fits[0].names:
         first, second = (fit.estimates[name] for fit in fits)
         if first.stderr and second.stderr:
             apart = (first.value - second.value) / math.hypot(first.stderr, second.stderr)
+            squares.append(apart**2)
             run.say(f"{name:28} {with_error_bar(first)} and {with_error_bar(second)}: {apart:+.1f} error bars apart")
+    run.say(f"sum of squares {sum(squares):.3g} of {len(squares)}")
     for share, what in PARTS:
         found = [predict_rest(fits[k], share, [one.film for one in fits[1 - k].shots]) for k in range(2)]
         said_of(run, found, f"{what}, by the table of the other half")
@@ -94,13 +100,13 @@ def main(words: Sequence[str] | None = None) -> None:
             table = scenes[0]
         if run.wants("alone", KINDS):
             alone(run, tracks, table)
-        if run.given.only == "alone":
+        if run.wants("halves", KINDS) and run.given.films:
+            halves(run, tracks)
+        if run.given.only in ("alone", "halves"):
             return
         best = fitted(run, tracks, table)
         for share, what in PARTS if run.wants("rest", KINDS) and run.given.films else ():
             said_of(run, [predict_rest(best, share)], what)
-        if run.wants("halves", KINDS) and run.given.films:
-            halves(run, best)
 
 
 if __name__ == "__main__":

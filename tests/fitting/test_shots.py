@@ -1,6 +1,7 @@
 """Whole shots: simulated films give their numbers back; derivatives; events; bad films."""
 
 import json
+import math
 import pickle
 import re
 from dataclasses import replace
@@ -12,13 +13,16 @@ import carom
 from carom.core.motion.phases import REST
 from carom.fitting.identify import NOT_IDENTIFIABLE, Identified
 from carom.fitting.result import Estimate
-from carom.fitting.shots import drawn_films, fit_of_some
+from carom.fitting.shots import drawn_films
 from carom.fitting.shots.fit import DRAWS, _Together
 from carom.fitting.shots.joint import (
     PRIOR_WIDTH,
     JointFit,
     Optimum,
     TablePrior,
+    fit_scatter,
+    frames_of_events,
+    identified,
     in_combination,
     likely_widths,
     searched_together,
@@ -250,16 +254,34 @@ def test_a_scatter_between_shots_is_found_and_widens_the_errors():
     estimate = best.estimates[name]
     assert estimate.stderr > 0.5 * best.scatter[name] / np.sqrt(len(met))
     assert abs(estimate.value - 0.85) < 3 * estimate.stderr
-    # the numbers of some of the shots alone
-    some = fit_of_some(best, [0, 2, 4])
-    assert [one.name for one in some.shots] == ["shot 1", "shot 3", "shot 5"]
-    assert 0 < abs(some.estimates[name].value - estimate.value) < 3 * some.estimates[name].stderr
     own = [one.scene.walls[0].restitution.value for one in best.shots]
     assert own == pytest.approx([estimate.value + one.deviations[name] for one in best.shots], abs=1e-12)
     # laws are compared on one table for all shots, as AICc is
     again = searched_together([best, best], lambda _done, _text: None)
     assert [one.deviance for one in again] == pytest.approx([best.deviance] * 2, abs=0.1)
-    assert len(some.one_table.starts) == 3
+
+
+@pytest.mark.slow
+def test_error_bars_hold_the_difference_of_two_halves_that_never_saw_each_other():
+    name = "floor.friction"
+    tracks, scenes = drawn_films(10, seed=3, until=0.6)
+    # every other film has another scale, so that its cloth has another friction
+    for one in tracks:
+        if int(one.group.split()[-1]) % 2:
+            one.position[:] = scenes[0].walls[0].center + 1.03 * (one.position - scenes[0].walls[0].center)
+    table = carom.replaced(scenes[0], {"walls.0.length": 2.9, "walls.0.width": 1.5})
+    alone = [
+        carom.fit_shots([one for one in tracks if int(one.group.split()[-1]) % 2 == odd], table, free=[name]).best
+        for odd in (1, 0)
+    ]
+    first, second = (one.estimates[name] for one in alone)
+    both = carom.fit_shots(tracks, table, free=[name]).best
+    apart = (first.value - second.value) / math.hypot(first.stderr, second.stderr)
+    # (the noise of a frame is that of all films)
+    assert both.halves == pytest.approx((apart**2, 1), rel=0.02)
+    assert both.halves.enlarge > 1.5
+    assert both.estimates[name].stderr == pytest.approx(np.sqrt(both.covariance[0, 0]))
+    assert any("from scratch" in said for said in both.describe())
 
 
 def test_the_table_at_other_numbers_is_that_of_its_scene(films):
@@ -460,10 +482,13 @@ def test_a_scatter_as_large_as_the_number_is_found():
     name = "ball_contact.friction"
     tracks, scenes = drawn_films(5, seed=3, until=0.6, scatter={name: 1.5})
     best = carom.fit_shots(tracks, carom.replaced(scenes[0], {name: 0.06}), free=[name]).best
-    best = fit_of_some(best, range(5))  # (goes on from these widths, which grow step by step)
+    frames = [
+        frames_of_events(one.shot, best.events) for one in best.starts
+    ]  # (widths grow step by step: once more from these)
+    more = fit_scatter(best.model, best.values, best.starts, frames, best.widths, best.noise, lambda _done: None)
     met = np.array([float(scene.ball_contact.friction) for scene in scenes])
-    assert best.scatter[name] == pytest.approx(met.std(ddof=1), rel=0.25)
-    estimate = best.estimates[name]
+    assert more.widths[0] == pytest.approx(met.std(ddof=1), rel=0.25)
+    estimate = identified(Optimum.of_scatter(best.model, more, frames), name).estimates[name]
     assert estimate.stderr == pytest.approx(met.std(ddof=1) / np.sqrt(len(met)), rel=0.25)
     assert abs(estimate.value - met.mean()) < 2 * estimate.stderr
 

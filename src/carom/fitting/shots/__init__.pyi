@@ -1,5 +1,4 @@
 from .fit import drawn_films as drawn_films
-from .fit import fit_of_some as fit_of_some
 from .fit import fit_shots as fit_shots
 from .result import EventMatch as EventMatch
 from .result import FittedShot as FittedShot

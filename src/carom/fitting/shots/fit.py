@@ -17,6 +17,7 @@ from carom.files import require_library
 from carom.fitting.evidence import weigh
 from carom.fitting.identify import Identified
 from carom.fitting.laws import FittedLaw, track_laws_named
+from carom.fitting.result import Estimate
 from carom.fitting.shots.joint import (
     FEWEST,
     PRIOR_WIDTH,
@@ -35,6 +36,7 @@ from carom.fitting.shots.joint import (
 from carom.fitting.shots.result import (
     FREE,
     FittedShot,
+    Halves,
     OneTable,
     ShotsFit,
     ShotsRanking,
@@ -104,7 +106,8 @@ def fit_shots(
     Each shot has an unknown start: when the cue ball sets off, its velocity and spin, and the places of all balls (known to a
     millimetre). All shots share the numbers of the table. The horizon grows from event to event; starts descend with exact
     derivatives through all contacts, beside others that are drawn at each event; the shared numbers are fitted to the first events
-    of all shots, in which no error has grown much yet.
+    of all shots, in which no error has grown much yet. Ten shots or more are fitted in two halves, too, each from scratch: error
+    bars are as wide as their differences are.
 
     Parameters
     ----------
@@ -329,35 +332,85 @@ class _Together:
 def _fit_law(
     model: TableModel, law: FittedLaw, films: Films, seed: int, tell: Callable[[float, str], None]
 ) -> ShotsFit:
-    """Fit one law: starts up to the first events, shared numbers there, and so on; then all shots to rest."""
-    together = _Together(model, films, seed, tell)
-    values, widths = np.array([one.value for one in model.shared]), None
-    frames = [frames_of_events(one, together.events) for one in films.shots]
-    found = Identified(np.zeros((0, 0)), {}, (), ())
-    if not len(values):
-        ready = together.searched(values, [None] * len(films.shots), 0.7, 0.3)
-    else:
-        fitted, ready = (together.of_few if together.few else together.of_many)(values)
-        values = fitted.values
-    likelihood = deviance_of(mean_squares(model.at(values), ready, frames), ready, frames, films.noise)
-    final, one_table = ready, OneTable(values, tuple(ready))
-    if len(values) and together.few:
-        found = identified(Optimum.of_few(model, fitted, ready), law.name)
-    elif len(values):
-        begin = WIDTH * np.array([one.scale for one in model.shared])
-        scattered = fit_scatter(
-            model, values, ready, frames, begin, films.noise, functools.partial(_said, tell, 0.6, 0.1)
-        )
-        ready, values, widths = scattered.starts, scattered.values, scattered.widths
-        found = identified(Optimum.of_scatter(model, scattered, frames), law.name)
-        final = together.searched(values, ready, 0.7, 0.3, widths=widths)
+    """Fit one law: the shared numbers, their error bars by two halves of the shots, then all shots to rest."""
+    share = 0.5 if len(model.shared) and len(films.shots) >= 2 * FEWEST else 1.0
+    together = _Together(model, films, seed, lambda done, text: tell(share * done, text))
+    found, halves = _shared_numbers(together), Halves()
+    if share < 1:
+        halves = _halves(replace(together, tell=lambda done, text: tell(0.35 + 0.25 * done, text)), law)
+    values, final = found.values, found.starts
+    known = Identified(np.zeros((0, 0)), {}, (), ())
+    if found.optimum is not None:
+        known = identified(found.optimum, law.name, halves.enlarge)
+    if found.widths is not None:
+        final = replace(together, tell=tell).searched(values, final, 0.7, 0.3, widths=found.widths)
     table = model.at(values)
     shots = tuple(_fitted(table, model, one) for one in final)
     return ShotsFit(
-        law, model.scene_at(values), shots, found.estimates, found.covariance, *likelihood, together.events, films.noise,
-        widths is not None, found.degenerate, found.untold, model=model, values=values, widths=widths, starts=tuple(ready),
-        one_table=one_table,
+        law, model.scene_at(values), shots, known.estimates, known.covariance, *found.likelihood, together.events, films.noise,
+        found.widths is not None, known.degenerate, known.untold, model=model, values=values, widths=found.widths,
+        starts=tuple(found.starts), one_table=found.one_table, halves=halves,
     )  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class _Numbers:
+    """The shared numbers of shots, and the starts that go with them; ``optimum`` is None where no number is free."""
+
+    values: Array
+    starts: list[ShotStart]
+    likelihood: tuple[float, int]
+    one_table: OneTable
+    optimum: Optimum | None = None
+    widths: Array | None = None
+
+
+def _shared_numbers(together: _Together) -> _Numbers:
+    """Search the shared numbers: starts up to the first events, the numbers there, and so on; then their scatter between shots."""
+    model, shots, noise = together.model, together.films.shots, together.films.noise
+    values = np.array([one.value for one in model.shared])
+    frames = [frames_of_events(one, together.events) for one in shots]
+    if not len(values):
+        ready = together.searched(values, [None] * len(shots), 0.7, 0.3)
+    else:
+        fitted, ready = (together.of_few if together.few else together.of_many)(values)
+        values = fitted.values
+    likelihood = deviance_of(mean_squares(model.at(values), ready, frames), ready, frames, noise)
+    found = _Numbers(values, ready, likelihood, OneTable(values, tuple(ready)))
+    if not len(values):
+        return found
+    if together.few:
+        return replace(found, optimum=Optimum.of_few(model, fitted, ready))
+    begin = WIDTH * np.array([one.scale for one in model.shared])
+    scattered = fit_scatter(
+        model, values, ready, frames, begin, noise, functools.partial(_said, together.tell, 0.6, 0.1)
+    )
+    return replace(
+        found, values=scattered.values, starts=scattered.starts, widths=scattered.widths,
+        optimum=Optimum.of_scatter(model, scattered, frames),
+    )  # fmt: skip
+
+
+def _halves(together: _Together, law: FittedLaw) -> Halves:
+    """Return how far apart two halves of the shots are, each searched from scratch: a half that begins from the fit to all has seen
+    the other. A search ends beside the optimum, and laws miss some of what a ball does; the curvature knows of neither.
+    """
+
+    def estimates(k: int) -> dict[str, Estimate]:
+        def tell(done: float, text: str) -> None:
+            together.tell(0.7 * k + done, f"half {k + 1}: {text}")
+
+        some = together.films._replace(shots=together.films.shots[k::2])
+        optimum = _shared_numbers(replace(together, films=some, tell=tell)).optimum
+        assert optimum is not None
+        return identified(optimum, law.name).estimates
+
+    apart = [
+        (one.value - other.value) / math.hypot(one.stderr, other.stderr)
+        for one, other in zip(estimates(0).values(), estimates(1).values(), strict=True)
+        if one.stderr and other.stderr and one.value is not None and other.value is not None
+    ]
+    return Halves(float(np.square(apart).sum()), len(apart))
 
 
 def _farness(end: tuple[JointFit, object]) -> tuple[int, float]:
@@ -369,22 +422,6 @@ def _lost(table: TableNumbers, fitted: JointFit, films: Films) -> bool:
     """Return whether a shot is not followed as far as the shared numbers were fitted."""
     each = zip(films.shots, fitted.found, fitted.frames, strict=True)
     return any(not n or rms(table, shot, found.start, n) >= FAILED for shot, found, n in each)
-
-
-def fit_of_some(fit: ShotsFit, which: Sequence[int]) -> ShotsFit:
-    """Fit means and scatter of the table's numbers to some of the shots alone, by their places, beginning from the fit to all."""
-    if fit.widths is None:
-        raise CaromError(f"fit_of_some: expected a fit to at least {FEWEST} shots, got {len(fit.shots)}")
-    some = [fit.starts[i] for i in which]
-    starts = [ShotStart(one.shot, one.prior, dict(one.best), [*one.pool]) for one in some]
-    frames = [frames_of_events(one.shot, fit.events) for one in starts]
-    found = fit_scatter(fit.model, fit.values, starts, frames, fit.widths, fit.noise, lambda _done: None)
-    known = vars(identified(Optimum.of_scatter(fit.model, found, frames), fit.law.name))
-    return replace(
-        fit, scene=fit.model.scene_at(found.values), shots=tuple(fit.shots[i] for i in which), starts=tuple(some),
-        values=found.values, widths=found.widths,
-        one_table=OneTable(fit.one_table.values, tuple(fit.one_table.starts[i] for i in which)), **known,
-    )  # fmt: skip
 
 
 def _said(tell: Callable[[float, str], None], part: float, share: float, done: float) -> None:

@@ -558,9 +558,11 @@ class _Subject:
         return np.array(rises), np.array(found)
 
 
-def identified(at: Optimum, label: str) -> Identified:
-    """Return covariance and estimates of the shared numbers, and those that the shots do not identify."""
-    return in_combination(identify(_Subject(at, label)), at.values, label)
+def identified(at: Optimum, label: str, enlarge: float = 1.0) -> Identified:
+    """Return covariance and estimates of the shared numbers, and those that the shots do not identify; ``enlarge``: error bars."""
+    found = identify(_Subject(at, label))
+    wider = {name: replace(one, stderr=one.stderr and enlarge * one.stderr) for name, one in found.estimates.items()}
+    return in_combination(replace(found, covariance=enlarge**2 * found.covariance, estimates=wider), at.values, label)
 
 
 def in_combination(found: Identified, values: Array, label: str) -> Identified:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import functools
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any, NamedTuple
@@ -476,6 +477,20 @@ class OneTable(NamedTuple):
     starts: tuple[ShotStart, ...] = ()
 
 
+class Halves(NamedTuple):
+    """Two halves of the shots, each fitted from scratch, beside each other."""
+
+    squares: float = 0.0
+    """Sum of squares of the differences of their numbers, in error bars."""
+    numbers: int = 0
+    """That have an error bar in both; 0 where the shots are too few for halves."""
+
+    @property
+    def enlarge(self) -> float:
+        """The factor of the error bars with which the mean square is 1; 1 where it is less."""
+        return math.sqrt(max(1.0, self.squares / self.numbers)) if self.numbers else 1.0
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class ShotsFit:
     """A law of the cushions fitted to whole shots; made by :func:`carom.fit_shots`, with an example there."""
@@ -508,6 +523,7 @@ class ShotsFit:
     starts: tuple[ShotStart, ...] = field(kw_only=True, default=())
     """Up to the joint horizon, where the numbers are fitted."""
     one_table: OneTable = field(kw_only=True)
+    halves: Halves = field(kw_only=True, default=Halves())
 
     @property
     def table(self) -> TableNumbers:
@@ -567,6 +583,16 @@ class ShotsFit:
         if self.scatter:
             each = ", ".join(f"{name} {width:.2g}" for name, width in self.scatter.items())
             found.append(f"Scatter between shots (standard deviation): {each}.")
+        if self.halves.numbers:
+            wider = (
+                f"; the error bars are {self.halves.enlarge:.2g} times as wide for it"
+                if self.halves.enlarge > 1
+                else ""
+            )
+            found.append(
+                f"Two halves of the shots, each searched from scratch: {counted(self.halves.numbers, 'number')} differ by"
+                f" {self.halves.squares:.3g} (sum of squares, in error bars){wider}."
+            )
         lost = [one for one in self.shots if not one.followed]
         if lost:
             each = ", ".join(f"{one.name} ({1e3 * one.rms:.0f} mm)" for one in lost)
@@ -584,6 +610,7 @@ class ShotsFit:
         return common_dict(self) | {
             "joint_horizon_events": self.events,
             "scatter_between_shots": self.scatter,
+            "halves": {**self.halves._asdict(), "enlarge": self.halves.enlarge},
             "median_rms": {name: json_value(self.median(name)) for name in HORIZONS},
             "shots": [
                 {
