@@ -244,7 +244,7 @@ def test_no_build_product_is_tracked() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10599,
+    "fitting": 10646,
     "gas": 6955,
     "billiards": 5574,
     "tracks": 9382,
