@@ -247,7 +247,7 @@ CAPS = {
     "fitting": 10646,
     "gas": 6955,
     "billiards": 5574,
-    "tracks": 9382,
+    "tracks": 9383,
     "simulation": 6476,
     "core": 5761,
     "laws": 4960,

@@ -108,43 +108,6 @@ def bounces(
     ) if start > 0 else first  # fmt: skip
 
 
-def rolls_to_cushion(
-    restitution: float = 0.85,
-    x: float = -0.5,
-    y: float = -0.25,
-    velocity: Sequence[float] = (1.8, 0.9),
-    *,
-    cushion: float = 0.45,
-    radius: float = 0.026,
-    friction: float = 0.2,
-    sliding: float = 0.2,
-    rolling: float = 0.007,
-    gravity: float = GRAVITY,
-) -> Motion:
-    """From above: a ball rolls to a cushion whose face is at X = ``cushion``, leaves it sliding, and rolls again."""  # fmt: skip
-    v = np.array([*velocity, 0.0])
-    slow = -rolling * gravity * v / np.linalg.norm(v)
-    turns = lambda q: np.array([-q[1], q[0], 0.0]) / radius  # noqa: E731
-    place = np.array([x, y, radius])
-    way = cushion - radius - x
-    lasts = 2 * way / (v[0] + np.sqrt(v[0] ** 2 + 2 * slow[0] * way))
-    rows = [(0.0, place, v, slow, turns(v), turns(slow))]
-    place, v = place + v * lasts + slow * lasts**2 / 2, v + slow * lasts
-    w = turns(v)
-    slip = v[1] + radius * w[2]
-    lost = -np.sign(slip) * min(friction * (1 + restitution) * v[0], abs(slip) * KAPPA / (1 + KAPPA))
-    v, w = np.array([-restitution * v[0], v[1] + lost, 0.0]), w + np.array([0, 0, lost / (KAPPA * radius)])
-    slip2 = np.array([v[0] - radius * w[1], v[1] + radius * w[0], 0.0])
-    push = -sliding * gravity * slip2 / np.linalg.norm(slip2)
-    rate = np.array([push[1], -push[0], 0.0]) / (KAPPA * radius)
-    slides = np.linalg.norm(slip2) / (sliding * gravity * (1 + 1 / KAPPA))
-    rows.append((lasts, place, v, push, w, rate))
-    place, v, w = place + v * slides + push * slides**2 / 2, v + push * slides, w + rate * slides
-    slow = -rolling * gravity * v / np.linalg.norm(v)
-    rows.append((lasts + slides, place, v, slow, w, np.append(turns(slow)[:2], 0.0)))
-    return pieces(rows, [lasts])
-
-
 def collide(
     places: Sequence[Sequence[float]],
     velocities: Sequence[Sequence[float]],
@@ -648,21 +611,6 @@ def big(**given: Any) -> dict[str, Any]:
     return {
         "size": (1280, 720), "scale": 1000.0, "frames": 119, "bit_rate": 12e6, "height": 0.5, "x": -0.55, "speed": 0.55, **given,
     }  # fmt: skip
-
-
-def table_film(
-    path: Path, *, restitution: float = 0.85, radius: float = 0.026, look: Look | None = None, **given: Any
-) -> RenderedFilm:
-    """A ball rolls to a cushion and back, filmed from above."""
-    motion = {k: given.pop(k) for k in ("velocity", "x", "y", "friction", "sliding", "cushion") if k in given}
-    lens = {k: given.pop(k) for k in Camera.__dataclass_fields__ if k in given}
-    lens = {"scale": 300.0, "centre": (0.0, 0.0), "exposure": 1 / 250, **lens}
-    look = look or Look(WHITE, "mark", RED)
-    backdrop = given.pop("backdrop", Backdrop("cloth", floor=False, shadow=""))
-    return render(
-        path, {"ball": (rolls_to_cushion(restitution, radius=radius, **motion), radius, look)}, camera=Camera(**lens),
-        backdrop=backdrop, restitution=restitution, **given,
-    )  # fmt: skip
 
 
 def three_balls_film(path: Path, *, seed: int = 0, radius: float = 0.03, **given: Any) -> RenderedFilm:

@@ -506,6 +506,10 @@ def track_film(
     return with_spins(found) if spin else found
 
 
+class SeveralBallsError(CaromError):
+    """Raised where other things in a film are as likely to be the ball."""
+
+
 def likeliest_ball(path: FilePath, error: CaromError, **given: Any) -> FilmPath:
     """Follow what is most likely a ball in a film that is refused: to be judged, not to be measured.
 
@@ -517,7 +521,7 @@ def likeliest_ball(path: FilePath, error: CaromError, **given: Any) -> FilmPath:
     asked = check_arguments(1, None, None, None, None, rate, (), None, region, None, start, end)
     file, ground, stamps, paths, moves = _linked(path, (start, end), None, asked, lambda _done, _text: None)
     # (of several balls none is judged: they meet one another)
-    if (moves and not moves.startswith(MOVING)) or "as likely" in f"{error}":
+    if (moves and not moves.startswith(MOVING)) or isinstance(error, SeveralBallsError):
         raise error
     times = film_times(file, stamps, rate, [])
     found = _usual_optics(file, ground, likely_paths(paths, LEAST_FRAMES)[:5], times)
@@ -663,7 +667,7 @@ def _chosen(
     if count > balls:
         got = f"{count} that are as likely: {'; '.join(_said(one, times) for one in apart[: min(count, 4)])}"
         advice = f"carom track `balls` {count} tracks all, `ball` x,y@t names one"
-        raise CaromError(refused("", some, got, advice))
+        raise SeveralBallsError(refused("", some, got, advice))
     rest = [path for path in likely if not any(path is one.path for one in apart[:balls])]
     kept = [one._replace(path=joined(one.path, rest)) for one in apart[:balls]]
     return sorted(kept, key=lambda one: (one.path.frames[0], one.path.blobs[0].x)) if balls > 1 else kept
