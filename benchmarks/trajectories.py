@@ -15,11 +15,15 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from rows import REPEATS, SMALL, alone, clock, paired, report, run_script, seconds, usually
+from rows import REPEATS, SMALL, Row, alone, clock, paired, report, run_script, seconds, usually
 
 import carom
+from carom.core.jit.native import fixed
 from carom.scene.shapes import Plane, Table
-from carom.simulation.loop import compiled_engine
+from carom.simulation.loop import ALL, FIRST_ROWS, compiled_engine, run_scene
+from carom.simulation.records import LOG
+from carom.simulation.setup import set_up
+from carom.simulation.trajectory import Trajectory
 
 RADIUS, MASS, GRAVITY = 0.03075, 0.21, 9.81
 LENGTH, WIDTH = 2.84, 1.42
@@ -77,6 +81,61 @@ def carom_shots() -> dict[str, float]:
         alone("the break of a pool rack, 16 balls", lambda: carom.simulate(rack), unit="break", calls=30, wanted=5e6)
     )
     return found
+
+
+def call_steps() -> None:
+    """The steps of one call of `simulate`, a mirror shot of one ball: each is the difference of two calls timed in turn."""
+    table = scene(ONE, "mirror")
+    found = run_scene(table)
+    arrays = set_up(table)
+    balls, log = arrays.balls_to_move(), np.empty(FIRST_ROWS, LOG)
+    starts, bytes_of = arrays.balls.tobytes(), balls.view(np.uint8).data
+
+    def loop(most: int, slow: float) -> Callable[[], Any]:
+        return fixed(
+            compiled_engine().run, (arrays.world, arrays.features, balls, log, slow, math.inf, most, arrays.users, ALL)
+        )
+
+    nothing, whole = loop(0, 0.0), loop(2**62, -1.0)
+
+    def shot() -> None:
+        bytes_of[:] = starts
+        whole()
+
+    def reset() -> None:
+        bytes_of[:] = starts
+
+    bare = carom.simulate.__wrapped__  # type: ignore[attr-defined]
+    calls = (
+        nothing,
+        reset,
+        shot,
+        lambda: run_scene(table),
+        lambda: Trajectory(*found),
+        lambda: bare(table),
+        lambda: carom.simulate(table),
+    )
+    many = usually(1000, 1)
+
+    def took(call: Callable[[], Any]) -> float:
+        begin = clock()
+        for _ in range(many):
+            call()
+        return (clock() - begin) / many
+
+    times = [[took(call) for call in calls] for _ in range(REPEATS)]
+    handed, back, ran, kept, made, unguarded, all_of_it = (min(times) for times in zip(*times, strict=True))
+    print("\ncarom: a mirror shot of one ball by `simulate`, step by step")
+    steps = {
+        "arguments handed over, answer read": handed,
+        "events in machine code": ran - back - handed,
+        "balls set back, log kept": kept - (ran - back),
+        "Trajectory made": made,
+        "arguments checked": unguarded - kept - made,
+        "errors explained": all_of_it - unguarded,
+    }
+    for step, took_it in steps.items():
+        report(Row(f"of a mirror shot: {step}", took_it * 1e9, "shot"))
 
 
 def carom_many(shots: int = usually(40_000, 100)) -> dict[str, float]:
@@ -260,7 +319,9 @@ def pybullet_steps() -> None:
 
 
 def main() -> None:
-    single, many = carom_shots(), carom_many()
+    single = carom_shots()
+    call_steps()
+    many = carom_many()
     paper()
     if not SMALL:
         pooltool_shots(single, many)
