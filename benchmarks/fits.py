@@ -18,7 +18,7 @@ from carom.fitting import Setting, fit_law, make_problem, with_bootstrap
 from carom.fitting.laws import laws_named
 from carom.fitting.table_numbers import StatesBy
 from carom.fitting.tracks import fit_tracks, model
-from carom.simulation.sensitivity.at_times import states_at
+from carom.simulation.sensitivity.sensitivity import states_at
 from carom.tracks import Measured, Settings, measure
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))

@@ -21,8 +21,7 @@ import carom
 from carom.core.jit.native import fixed
 from carom.scene.shapes import Plane, Table
 from carom.simulation.loop import ALL, FIRST_ROWS, compiled_engine, run_scene
-from carom.simulation.records import LOG
-from carom.simulation.setup import set_up
+from carom.simulation.records import LOG, set_up
 from carom.simulation.trajectory import Trajectory
 
 RADIUS, MASS, GRAVITY = 0.03075, 0.21, 9.81

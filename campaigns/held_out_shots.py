@@ -39,7 +39,7 @@ from carom.fitting.shots.search import (
     starting_balls,
 )
 from carom.fitting.table_numbers import TableNumbers, balls_by, balls_of, states_by
-from carom.simulation.sensitivity.at_times import states_at
+from carom.simulation.sensitivity.sensitivity import states_at
 
 Array = NDArray[np.float64]
 

@@ -10,7 +10,7 @@ from reference.magnetic_bounces import bounces
 
 import carom
 from carom import CaromError, billiards
-from carom.core.geometry.angles import angle_of_tangent
+from carom.core.geometry.circles import angle_of_tangent
 
 OVAL = {"shape": "curve", "r": lambda theta: 1 + 0.2 * np.cos(3 * theta)}
 TABLES = {

@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from carom.core.geometry.angles import direction
+from carom.core.geometry.circles import direction
 
 PI = Fraction(314159265358979323846264338327950288419716939937510582097494459, 10**62)
 

@@ -9,7 +9,7 @@ import numba
 import pytest
 from numba.extending import register_jitable
 
-from carom.core.jit import link as linked
+from carom.core.jit import compile as linked
 
 
 def half(x: float) -> float:
@@ -36,7 +36,7 @@ def test_what_is_linked_gives_the_same_bits(tmp_path: Path) -> None:
 
 
 def test_another_numba_is_met_by_the_ordinary_way(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(linked, "_pipeline", object)  # not a compiler
+    monkeypatch.setattr(linked, "linked_pipeline", object)  # not a compiler
     assert linked.linked_only.__wrapped__(tmp_path) == {}
     assert list(tmp_path.iterdir()) == []
 

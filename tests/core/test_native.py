@@ -132,15 +132,15 @@ def test_loops_of_the_package_are_for_the_records_of_today(
 def test_every_loop_with_a_signature_is_in_the_package() -> None:
     from carom.fitting import likelihood
     from carom.simulation.loop import compiled_engine
-    from carom.simulation.sensitivity import at_times
     from carom.simulation.sensitivity import follow as compiled
     from carom.simulation.sensitivity import margins as near_misses
+    from carom.simulation.sensitivity import sensitivity
 
     if native.why_not_shipped():
         pytest.skip("Numba compiles all loops")
     loops = [
         *compiled_engine(), compiled.compiled_follow(), compiled.compiled_states(), near_misses.compiled_least_gaps(),
-        run_many.compiled_many(), at_times.compiled_runs(),
+        run_many.compiled_many(), sensitivity.compiled_runs(),
         likelihood._evaluating(False), likelihood._evaluating(True), likelihood._predicting(),
     ]  # fmt: skip
     assert all(isinstance(getattr(one, "func", one), NativeLoop) for one in loops)

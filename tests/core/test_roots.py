@@ -34,7 +34,7 @@ from reference.exact_roots import (
 )
 from reference.exploring import tried
 
-from carom.core.roots.first_root import accurate_value, hit4, hit8, next_hit4, two_prod, two_sum, value_at_turn
+from carom.core.roots import accurate_value, hit4, hit8, next_hit4, two_prod, two_sum, value_at_turn
 
 ROWS_JUDGED = tried(200, 500)  # of each kind; campaigns/first_roots.py judges 10,000
 

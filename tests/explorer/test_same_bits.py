@@ -24,8 +24,7 @@ from carom.explorer.page import with_outlines
 from carom.scene.presets import presets
 from carom.scene.scene import scene_dict
 from carom.simulation.loop import ALL, LIMIT, compiled_engine
-from carom.simulation.records import BALLS, KINDS, LOG, WORLD
-from carom.simulation.setup import set_up
+from carom.simulation.records import BALLS, KINDS, LOG, WORLD, set_up
 
 SCENES, EVENTS, SHOTS = tried(150, 300), 200, 12
 TOLERANCE = 1e-12

@@ -33,8 +33,8 @@ from carom.fitting.tracks.model import (
     track_models,
 )
 from carom.scene.shapes import Table
-from carom.simulation.sensitivity.at_times import states_at
-from carom.simulation.setup import set_up
+from carom.simulation.records import set_up
+from carom.simulation.sensitivity.sensitivity import states_at
 from carom.tracks import Measured, Settings, measure
 
 NOISE = 3e-4

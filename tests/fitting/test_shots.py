@@ -38,8 +38,8 @@ from carom.fitting.shots.search import (
     rms,
     search_start,
 )
-from carom.simulation.sensitivity.seeds import parameters_of
-from carom.simulation.setup import set_up
+from carom.simulation.records import set_up
+from carom.simulation.sensitivity.follow import parameters_of
 from carom.tracks import Track
 
 RADIUS = 0.03075

@@ -12,7 +12,7 @@ import pytest
 import carom
 from carom.gas import Gas, GasScene, Session, Snapshots, Species, load_checkpoint, save_checkpoint, thermal
 from carom.gas.edmd import driver
-from carom.gas.overlaps import first_overlap
+from carom.gas.initial import first_overlap
 
 BALLS = 200_000
 

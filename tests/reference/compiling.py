@@ -11,8 +11,7 @@ from typing import TypeVar
 from numba.extending import register_jitable
 
 from carom.core.jit.cache import cache_folder
-from carom.core.jit.compile import KERNEL_OPTIONS
-from carom.core.jit.link import linked_only
+from carom.core.jit.compile import KERNEL_OPTIONS, linked_only
 
 Part = TypeVar("Part", bound=Callable[..., object])
 

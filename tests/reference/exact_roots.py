@@ -13,7 +13,7 @@ import mpmath
 import numpy as np
 
 from carom.core.jit.compile import njit
-from carom.core.roots.first_root import hit2, hit4, hit8, next_hit4
+from carom.core.roots import hit2, hit4, hit8, next_hit4
 
 WITHIN = Fraction(1, 10**12)
 INF = math.inf

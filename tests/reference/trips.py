@@ -16,7 +16,7 @@ from carom.gas import GasScene, Session, gas_text, load_checkpoint, load_gas, sa
 from carom.scene.scene import plain_model
 from carom.scene.schema import Model
 from carom.scene.toml import path_match
-from carom.simulation.setup import set_up
+from carom.simulation.records import set_up
 from carom.sweeps import ImpactCase, OrbitCase
 
 __all__ = ["fields_given", "leaves", "lost_trips", "same", "swept_otherwise"]

@@ -10,8 +10,8 @@ import pytest
 from reference.random_walls import SHAPES, random_wall
 
 import carom
-from carom.core.geometry.angles import direction
-from carom.core.roots.first_root import two_prod
+from carom.core.geometry.circles import direction
+from carom.core.roots import two_prod
 from carom.scene.feature_builders import _last_digit, _too_long, built, length_2d, put_upright
 from carom.scene.ruled import number_fields
 from carom.scene.shapes import Box, Polygon, Table

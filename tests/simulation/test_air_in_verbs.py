@@ -16,7 +16,7 @@ import carom
 from carom.gas.scene import gas_text
 from carom.interop.run_function import RunFunction
 from carom.scene.air import air_acceleration
-from carom.sweeps.fields import FAILURES
+from carom.sweeps.axes import FAILURES
 from carom.tracks import judge
 
 api: Any = carom  # (parts of scenes as dicts)

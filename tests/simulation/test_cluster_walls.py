@@ -13,8 +13,7 @@ from simulation.test_clusters import energy, scene_of
 import carom
 from carom.core.jit.kernel import as_objects
 from carom.simulation.loop import ALL, run
-from carom.simulation.records import BALL, IN_CLUSTER, LOG, WALL, WALL_IN_CLUSTER, event_numbers
-from carom.simulation.setup import set_up
+from carom.simulation.records import BALL, IN_CLUSTER, LOG, WALL, WALL_IN_CLUSTER, event_numbers, set_up
 from carom.simulation.trajectory import budget
 
 CASES = known()["walls"]

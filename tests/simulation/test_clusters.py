@@ -13,8 +13,7 @@ import carom
 from carom.core.jit.kernel import as_objects
 from carom.simulation import cluster
 from carom.simulation.loop import ALL, FULL, run
-from carom.simulation.records import BALL, IN_CLUSTER, LOG, event_numbers
-from carom.simulation.setup import set_up
+from carom.simulation.records import BALL, IN_CLUSTER, LOG, event_numbers, set_up
 
 KNOWN = known()
 CASES = KNOWN["cases"]

@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 import carom
 from carom.cli import app
 from carom.laws.pair import contact_time
-from carom.simulation.contacts_in_time import overlap_note, overlaps
+from carom.simulation.contact_kinds import overlap_note, overlaps
 
 R, M = 0.028575, 0.17
 E_STAR = 5.84e9 / (2 * (1 - 0.34**2))

@@ -13,8 +13,7 @@ from reference.brute_force_scene import random_scene
 import carom
 from carom.simulation import loop as engine_loop
 from carom.simulation.loop import ALL, compiled_engine, run_limits
-from carom.simulation.records import LOG
-from carom.simulation.setup import set_up
+from carom.simulation.records import LOG, set_up
 
 SCENES = 40
 

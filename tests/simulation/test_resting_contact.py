@@ -14,8 +14,7 @@ import carom
 from carom.core.jit.kernel import as_objects
 from carom.scene.toml import replaced
 from carom.simulation import loop, predict
-from carom.simulation.records import BALL, FLOOR, WALL
-from carom.simulation.setup import set_up
+from carom.simulation.records import BALL, FLOOR, WALL, set_up
 
 TOP = 150.0  # rad/s, more than any of these balls spins
 

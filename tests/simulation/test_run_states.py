@@ -13,10 +13,9 @@ from carom.core.jit.threads import limit_threads, thread_count
 from carom.core.motion.phases import REST, SLIDING
 from carom.scene.toml import replaced
 from carom.simulation.loop import FULL
-from carom.simulation.sensitivity.at_times import Limits, RunSlopes, kept_states
-from carom.simulation.sensitivity.follow import dual_users
-from carom.simulation.sensitivity.seeds import ARRAYS, parameters_of
-from carom.simulation.setup import set_up, starts_of
+from carom.simulation.records import set_up, starts_of
+from carom.simulation.sensitivity.follow import ARRAYS, dual_users, parameters_of
+from carom.simulation.sensitivity.sensitivity import Limits, RunSlopes, kept_states
 
 RADIUS = 0.03
 WRT = ["balls.0.velocity", "walls.0.restitution", "floor.friction"]

@@ -13,12 +13,20 @@ from reference.scenes_of_all_laws import scene_of_all_laws
 from reference.sensitivity_differences import paths_of
 
 import carom
-from carom.core.jit.dual.numbers import LANES, seeded
+from carom.core.jit.dual import LANES, seeded
 from carom.core.jit.threads import limit_threads, thread_count
 from carom.scene.toml import replaced
-from carom.simulation.sensitivity.follow import follow_compiled, follow_interpreted
-from carom.simulation.sensitivity.seeds import Column, _columns_of, _differences, _step_of, parameters_of, shifted_scene
-from carom.simulation.setup import SceneArrays, set_up
+from carom.simulation.records import SceneArrays, set_up
+from carom.simulation.sensitivity.follow import (
+    Column,
+    _columns_of,
+    _differences,
+    _step_of,
+    follow_compiled,
+    follow_interpreted,
+    parameters_of,
+    shifted_scene,
+)
 
 
 def both(run: carom.Trajectory, paths: Any) -> tuple[Any, Any]:

@@ -10,9 +10,8 @@ import pytest
 
 import carom
 from carom.scene.shapes import Plane, Segment, Sphere
-from carom.simulation import setup
-from carom.simulation.records import LOG, WALL
-from carom.simulation.setup import set_up
+from carom.simulation import records
+from carom.simulation.records import LOG, WALL, set_up
 
 A = 0.03
 
@@ -48,8 +47,8 @@ def test_a_copy_of_a_scene_takes_nothing_computed_along(way: Any) -> None:
 
 def test_the_arrays_of_a_scene_are_made_once_for_a_run_and_all_that_follows(monkeypatch: pytest.MonkeyPatch) -> None:
     made = []
-    make = setup._set_up
-    monkeypatch.setattr(setup, "_set_up", lambda scene, compiled: made.append(scene) or make(scene, compiled))
+    make = records._set_up
+    monkeypatch.setattr(records, "_set_up", lambda scene, compiled: made.append(scene) or make(scene, compiled))
     scene = carom.Scene(gravity=0, walls=[wall()], balls=[ball((1, 0, 0), (-1, 0, 0))], run=carom.Run(duration=3.0))
     run = carom.simulate(scene)
     assert [one is scene for one in made] == [True]

@@ -104,7 +104,7 @@ export function runOf(module, scene, { world, balls, logs, status, end }) {
   };
 }
 
-const PIECE_COLUMNS = 18; // as carom.explorer.pieces writes them
+const PIECE_COLUMNS = 18; // as carom.explorer.entries writes them
 
 /** @param {number[]} r @param {string[]} phases @returns {Piece} */
 const pieceOf = (r, phases) => ({

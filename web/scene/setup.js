@@ -1,4 +1,4 @@
-// A scene as the engine's records: world, features, balls (carom.simulation.setup, carom.scene.Scene.features).
+// A scene as the engine's records: world, features, balls (carom.simulation.records, carom.scene.Scene.features).
 
 /** @import { Ball, Restitution, Scene, Vec, Wall } from "../state/types.js" */
 /** @import { Law, Layout } from "../engine/types.js" */

@@ -4,7 +4,7 @@ A single ball needs no event queue: its next event is the nearest of the table's
 
 Where no force acts across the walls, the flight is met as a straight line: linear for a face, quadratic for a circle, a sphere, an
 ellipse. Under a force across walls it is a parabola; its roots, of degree 2 (faces) or 4 (curved pieces), are those of
-:mod:`carom.core.roots.first_root`, which find the first of them, and a crossing outside the ends of a piece is skipped for the next
+:mod:`carom.core.roots`, which find the first of them, and a crossing outside the ends of a piece is skipped for the next
 one. Smooth curves, with a table of ``panels``, are in :mod:`carom.core.geometry.curve`. In a magnetic field flights are arcs of
 circles, in quarters of which u = tan(angle/2) goes from 0 to 1.
 """
@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from carom.core.geometry.angles import angle_of_tangent
+from carom.core.geometry.circles import angle_of_tangent
 from carom.core.geometry.curve import (
     BEND,
     CX,
@@ -33,8 +33,7 @@ from carom.core.geometry.curve import (
     graph_at,
 )
 from carom.core.jit.kernel import Vec, hot_kernel, kernel
-from carom.core.roots.bracketed import searches
-from carom.core.roots.first_root import hit2, hit4, next_hit4
+from carom.core.roots import hit2, hit4, next_hit4, searches
 
 # A piece of the boundary of the region open to the ball's CENTRE; fields of other kinds are zero.
 PIECES = np.dtype(
@@ -111,7 +110,7 @@ MAX_EMPTY_CELLS = 1_000_000  # a flight through this many periodic cells counts 
 # Where no force acts across the walls, the flight is met as a straight line: linear for a face, quadratic for a circle, a sphere,
 # an
 # ellipse. Under a force across walls it is a parabola; its roots, of degree 2 (faces) or 4 (curved pieces), are those of
-# :mod:`carom.core.roots.first_root`, which find the first of them, and a crossing outside the ends of a piece is skipped for the
+# :mod:`carom.core.roots`, which find the first of them, and a crossing outside the ends of a piece is skipped for the
 # next
 # one. Smooth curves, with a table of ``panels``, are in :mod:`carom.core.geometry.curve`. In a magnetic field flights are arcs of
 # circles, in quarters of which u = tan(angle/2) goes from 0 to 1.

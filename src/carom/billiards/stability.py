@@ -31,8 +31,7 @@ from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
 from carom.core.geometry.curve import curve_wall
 from carom.core.jit.compile import array_of, njit, signature
-from carom.core.jit.dual.dual_records import dual_records, register_records
-from carom.core.jit.dual.numbers import LANES, value_of, with_value
+from carom.core.jit.dual import LANES, dual_records, register_records, value_of, with_value
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, only_slopes, prange, vector
 from carom.core.jit.threads import Pace
 from carom.errors import CaromError, Fault

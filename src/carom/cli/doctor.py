@@ -265,7 +265,7 @@ def draw_numbers() -> None:
 
 def follow_many_runs() -> None:
     """Compile the loop over runs whose states are kept, with their derivatives: of many starts, and of whole tracks."""
-    from carom.simulation.sensitivity.at_times import compiled_runs
+    from carom.simulation.sensitivity.sensitivity import compiled_runs
 
     compiled_runs()
 

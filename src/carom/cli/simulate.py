@@ -75,7 +75,7 @@ def simulate(
     from carom.cli import trajectory_output as tables
     from carom.cli.streams import say_notes
     from carom.scene.openings import scene_notes
-    from carom.simulation.contacts_in_time import overlap_note
+    from carom.simulation.contact_kinds import overlap_note
     from carom.simulation.files import FORMATS, FRAME_FORMATS
     from carom.simulation.simulate import law_notes
 

@@ -22,8 +22,17 @@ from numpy.typing import NDArray
 from carom.bodies import Ball, Disc, State, Surface, inertia_number
 from carom.data.columns import Columns, ColumnTable, as_columns, is_columns, read_columns
 from carom.data.headers import STATE_NAMES
-from carom.data.limits import CHECKS, FINITE, bad_numbers
-from carom.data.plan import BOUNCE, PARAMETERS, PredictSettings, TablePlan, make_plan, unread
+from carom.data.plan import (
+    BOUNCE,
+    CHECKS,
+    FINITE,
+    PARAMETERS,
+    PredictSettings,
+    TablePlan,
+    bad_numbers,
+    make_plan,
+    unread,
+)
 from carom.data.table_files import PARQUET, CsvTable, ParquetTable, add_note
 from carom.errors import CaromError, FaultList, suggestion
 from carom.files import as_path, atomic_file, open_regular

@@ -40,9 +40,8 @@ from carom.scene.ball import KAPPA, RUBBING, BallContact
 from carom.scene.feature_builders import FIRST_CUSHION
 from carom.scene.presets import presets
 from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, Power, Viscoelastic
-from carom.scene.ruled import Ruled, number_fields
+from carom.scene.ruled import LAW_FAULTS, SCENE_FAULTS, Ruled, number_fields
 from carom.scene.scene import GRAVITY, Run, Scene, needed_faults
-from carom.scene.scene_rules import LAW_FAULTS, SCENE_FAULTS
 from carom.scene.schema import EXPECTED, Acceleration, Components, Model, Number, Whole
 from carom.scene.shapes import PAGE_SHAPES
 from carom.scene.wall import VANISHES
@@ -223,10 +222,6 @@ def main() -> int:
     return 0
 
 
-if __name__ == "__main__":
-    sys.exit(main())
-
-
 # ----------------------------------------------------------------------------------------------------
 # The fields of a scene as data: what the page checks numbers by, and names them by, is what Python checks them by.
 #
@@ -350,3 +345,7 @@ def _described_field(annotation: Any, metadata: list[Any]) -> dict[str, Any]:  #
     if annotation is bool:
         return {"kind": "flag", "what": EXPECTED["bool_type"]}
     return {"kind": "text", "what": EXPECTED["string_type"]}
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -37,7 +37,7 @@ from carom.scene.restitution import Exponential, Polynomial, Power, Viscoelastic
 from carom.scene.scene import Run, Scene
 from carom.scene.schema import Model
 from carom.scene.toml import load_scene, path_match, replaced
-from carom.simulation.sensitivity.at_times import sensitivities
+from carom.simulation.sensitivity.sensitivity import sensitivities
 from carom.tracks.judgement import read_rows
 from carom.tracks.least_squares import central_differences
 from carom.tracks.track import BallRows

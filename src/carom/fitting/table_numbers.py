@@ -15,8 +15,7 @@ from typing import Any, NamedTuple, Protocol, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.jit.dual.dual_records import float_count, float_places
-from carom.core.jit.dual.numbers import LANES
+from carom.core.jit.dual import LANES, float_count, float_places
 from carom.fitting.evidence import (
     DECIDED,
     LEANS,
@@ -31,11 +30,9 @@ from carom.fitting.spin_chains import Minimum, minimize
 from carom.formatting import format_length
 from carom.scene.scene import Scene
 from carom.scene.shapes import Table
-from carom.simulation.records import BALLS
-from carom.simulation.sensitivity.at_times import SEGMENT, Limits, states_and_slopes
-from carom.simulation.sensitivity.follow import dual_users
-from carom.simulation.sensitivity.seeds import Column, Parameters, linear_slopes
-from carom.simulation.setup import SceneArrays, set_up
+from carom.simulation.records import BALLS, SceneArrays, set_up
+from carom.simulation.sensitivity.follow import Column, Parameters, dual_users, linear_slopes
+from carom.simulation.sensitivity.sensitivity import SEGMENT, Limits, states_and_slopes
 
 Array = NDArray[np.float64]
 MOVED = ("world", "features")

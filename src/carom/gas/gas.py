@@ -18,8 +18,7 @@ from carom.gas.drives import Drive, Thermostat, WallMotion, motion_of_walls
 from carom.gas.edmd import driver as engine
 from carom.gas.edmd.driver import GasArrays, SystemRecords
 from carom.gas.edmd.gas_records import COLLAPSED, DONE, HEAT, UNDERFLOW, Averages
-from carom.gas.initial import dense, lattice, thermal
-from carom.gas.overlaps import first_overlap
+from carom.gas.initial import dense, first_overlap, lattice, thermal
 from carom.gas.results import (
     AT_REST,
     COLLAPSE,

@@ -14,9 +14,9 @@ from carom.core.contact import LEAST
 from carom.errors import CaromError, Fault, require_type, suggestion
 from carom.scene.scene import Scene
 from carom.scene.toml import path_match, replaced
-from carom.simulation.sensitivity.at_times import ManySensitivities, first_phases, run_all
-from carom.simulation.sensitivity.seeds import Column, parameters_of
-from carom.simulation.setup import SceneArrays, set_up, starts_of
+from carom.simulation.records import SceneArrays, set_up, starts_of
+from carom.simulation.sensitivity.follow import Column, parameters_of
+from carom.simulation.sensitivity.sensitivity import ManySensitivities, first_phases, run_all
 from carom.simulation.simulate import simulate, simulate_many
 from carom.sweeps.shots import start_states
 

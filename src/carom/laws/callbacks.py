@@ -12,8 +12,14 @@ from contextlib import contextmanager
 from typing import Any
 
 from carom.core.jit.calls import address_of, answer_at, python_address, register_answers
-from carom.core.jit.dual.dual_records import dual_address, read_duals, register_calls_of_duals, write_duals
-from carom.core.jit.dual.numbers import register_functions, register_numbers
+from carom.core.jit.dual import (
+    dual_address,
+    read_duals,
+    register_calls_of_duals,
+    register_functions,
+    register_numbers,
+    write_duals,
+)
 from carom.core.jit.kernel import Vec, kernel
 from carom.errors import CaromError
 

@@ -20,8 +20,7 @@ from carom.laws.pair import POISSON, YOUNG, contact_modulus
 from carom.laws.strike import DEFAULT_CUE, Cue, Strike, strike
 from carom.scene.air import Drag, Lift
 from carom.scene.restitution import Bounce, Constant, FasterThanNothing
-from carom.scene.ruled import FaultText, Ruled, put_fault
-from carom.scene.scene_rules import least_young
+from carom.scene.ruled import FaultText, Ruled, least_young, put_fault
 from carom.scene.schema import (
     Angle,
     Components,

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from carom.core.geometry.curve_arcs import arc_address
 from carom.core.geometry.features import FACE, LINE, OVER, POINT, RIM
 from carom.core.jit.kernel import cross, dot, kept_kernel, kernel
-from carom.core.roots.first_root import two_prod, two_sum
+from carom.core.roots import two_prod, two_sum
 from carom.scene.schema import Vector
 
 Array = NDArray[np.float64]

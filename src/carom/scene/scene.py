@@ -27,13 +27,13 @@ from carom.scene.air import SceneAir, air_faults, has_no_overlap
 from carom.scene.ball import BallContact, Rack, SceneBall, default_is_too_soft, fastest, near_pairs
 from carom.scene.floor import Floor, gravity_on_slope
 from carom.scene.restitution import Constant
-from carom.scene.ruled import filled
-from carom.scene.scene_rules import (
+from carom.scene.ruled import (
     COLUMNS,
     LAW_FAULTS,
     NEEDED,
     SCENE_FAULTS,
     BallRow,
+    filled,
     floor_faults,
     gravity_faults,
     name_fault,

@@ -67,9 +67,10 @@ from carom.simulation.records import (
     WALL,
     WALL_IN_CLUSTER,
     WORLD,
+    SceneArrays,
+    set_up,
 )
 from carom.simulation.resting_contact import CALM, IN_TOUCH, is_calm, is_lying, stays_clear
-from carom.simulation.setup import SceneArrays, set_up
 
 # Which events are logged: bit ``kind``; for the end of a phase, bit PHASES_FROM + the phase that begins.
 ALL, PHASES_FROM = -1, 16

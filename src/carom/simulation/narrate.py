@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, PIVOTING, POCKETED, REST, ROLLING, SLIDING
 from carom.errors import CaromError
 from carom.formatting import counted, format_length, format_number, format_time
-from carom.simulation.contact_kinds import CONTACTS, cushion_side, partner_names
-from carom.simulation.contacts_in_time import overlap_note
+from carom.simulation.contact_kinds import CONTACTS, cushion_side, overlap_note, partner_names
 from carom.simulation.records import (
     BALL,
     CLUSTERS,

@@ -28,7 +28,7 @@ from carom.core.geometry.features import (
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, vector
 from carom.core.motion.air import PHASE_ENDS, fall_in_piece, way_of_piece
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, decay_integrals, time_of_path
-from carom.core.roots.first_root import hit2, hit4
+from carom.core.roots import hit2, hit4
 from carom.simulation.motion import (
     acceleration_in,
     error_ahead,

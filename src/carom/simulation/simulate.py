@@ -55,9 +55,11 @@ from carom.simulation.records import (
     WALL,
     WALL_IN_CLUSTER,
     WORLD,
+    SceneArrays,
     are_in_clusters,
+    set_up,
+    starts_of,
 )
-from carom.simulation.setup import SceneArrays, set_up, starts_of
 from carom.simulation.trajectory import Trajectory
 
 if TYPE_CHECKING:

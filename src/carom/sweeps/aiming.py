@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.geometry.angles import direction
+from carom.core.geometry.circles import direction
 from carom.core.motion.phases import BOUNCING, FLIGHT, ROLLING, SLIDING
 from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, float_or_nan, require_type, shortened_list
 from carom.files import import_optional
@@ -22,8 +22,7 @@ from carom.public.progress import Progress, loop_callback
 from carom.scene.scene import Scene
 from carom.scene.toml import path_match, replaced
 from carom.simulation.contact_kinds import partner_names
-from carom.simulation.records import START
-from carom.simulation.setup import set_up
+from carom.simulation.records import START, set_up
 from carom.simulation.simulate import run_starts, simulate
 from carom.sweeps.shots import start_states
 from carom.sweeps.targets import EVENTS, Outcomes, TargetEvent, find, is_reached, residuals, sizes, slopes, targets_of

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.geometry.angles import direction
+from carom.core.geometry.circles import direction
 from carom.core.random import normals, uniform
 
 Array = NDArray[np.float64]

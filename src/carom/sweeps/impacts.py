@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from pydantic import BeforeValidator
 
 from carom.bodies import Ball, State, Surface, kinetic_energy
-from carom.core.geometry.angles import direction
+from carom.core.geometry.circles import direction
 from carom.errors import CaromError
 from carom.laws.landing import angle_from
 from carom.laws.law import Law, Meeting
@@ -21,8 +21,7 @@ from carom.scene.ball import Inertia
 from carom.scene.schema import Friction, Mass, Model, NotNegative, Number, Share, Size, Spin, Spring
 from carom.scene.toml import stored_model
 from carom.scene.wall import LawChoice
-from carom.sweeps.axes import Axis
-from carom.sweeps.fields import AXES, FAILURES, Outcome, blank, check_paths, plain_value, require_outcomes, unit_of
+from carom.sweeps.axes import AXES, FAILURES, Axis, Outcome, blank, check_paths, plain_value, require_outcomes, unit_of
 
 Array = NDArray[Any]
 Columns = dict[str, Array]

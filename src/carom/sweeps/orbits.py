@@ -24,7 +24,7 @@ from carom.bodies import Ball, Disc, Surface
 from carom.core.jit.threads import thread_count
 from carom.core.random import threefry
 from carom.errors import CaromError, shown, suggestion
-from carom.gas import initial, overlaps
+from carom.gas import initial
 from carom.gas import measures as histograms
 from carom.gas.edmd import driver
 from carom.gas.report import report
@@ -36,8 +36,7 @@ from carom.scene.figures import AnyFigure
 from carom.scene.schema import Count, Friction, Model, Number, Share, Spring, refused
 from carom.scene.toml import replaced, stored_model
 from carom.scene.wall import permitted_law
-from carom.sweeps.axes import Axis
-from carom.sweeps.fields import FAILURES, Outcome, blank, check_paths, plain_value, require_outcomes, unit_of
+from carom.sweeps.axes import FAILURES, Axis, Outcome, blank, check_paths, plain_value, require_outcomes, unit_of
 
 Array = NDArray[Any]
 REFUSED = FAILURES.index("refused")
@@ -312,8 +311,9 @@ class Gases(PointByPoint):
         self, columns: dict[str, NDArray[Any]], points: range, seed: int, first: int
     ) -> Iterator[Mapping[str, Any] | None]:
         """Yield the outcomes of points, each computed by a thread of its own, in their order."""
-        for room in (driver, histograms, initial, overlaps):
-            room.compiled_loops()  # made once, before several threads ask for them
+        loops = (driver.compiled_loops, histograms.compiled_loops, initial.compiled_loops, initial.compiled_search)
+        for made in loops:  # once, before several threads ask for them
+            made()
         halted = threading.Event()
 
         def computed(k: int) -> Mapping[str, Any] | None:

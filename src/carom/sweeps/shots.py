@@ -29,11 +29,9 @@ from carom.simulation.contact_kinds import (
     REFUSED_UNDEFINED,
 )
 from carom.simulation.loop import LIMIT, PHASES_FROM, run_limits, run_scene
-from carom.simulation.records import BALL, KINDS, LOG, POCKETED_EVENT
-from carom.simulation.setup import SceneArrays, overlapping, set_up
+from carom.simulation.records import BALL, KINDS, LOG, POCKETED_EVENT, SceneArrays, overlapping, set_up
 from carom.simulation.simulate import PARTS, compiled_many, empty_counts, empty_logs
-from carom.sweeps.axes import Axis
-from carom.sweeps.fields import AXES, FAILURES, Outcome, blank, check_paths, plain_value, unit_of
+from carom.sweeps.axes import AXES, FAILURES, Axis, Outcome, blank, check_paths, plain_value, unit_of
 
 Array = NDArray[Any]
 # Fields of a ball that its initial state is made from.

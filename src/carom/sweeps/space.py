@@ -14,9 +14,8 @@ from numpy.typing import NDArray
 from carom.errors import CaromError, Fault, FaultList, shown
 from carom.public.own_laws import holds_own_laws
 from carom.scene.scene import Scene
-from carom.sweeps.axes import Axis, Design, Draw, Polar, Values, as_axis, axis_to_data, design_columns
+from carom.sweeps.axes import Axis, Design, Draw, Outcome, Polar, Values, as_axis, axis_to_data, design_columns
 from carom.sweeps.draws import normal_draws, polar_rows, uniform_draws
-from carom.sweeps.fields import Outcome
 
 Columns = dict[str, NDArray[Any]]
 REPEAT = "repeat"

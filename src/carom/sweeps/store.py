@@ -29,7 +29,7 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.files import import_optional
 from carom.formatting import counted, format_number
-from carom.sweeps.fields import FAILED, WHY, Outcome
+from carom.sweeps.axes import FAILED, WHY, Outcome
 from carom.sweeps.space import Coordinate
 
 Array = NDArray[Any]

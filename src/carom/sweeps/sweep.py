@@ -23,8 +23,7 @@ from carom.gas.scene import GasScene, load_gas
 from carom.public.own_laws import with_own_laws
 from carom.scene.presets import read_toml
 from carom.scene.toml import load_scene
-from carom.sweeps.axes import Axis, axis_from_data
-from carom.sweeps.fields import FAILED, FAILURES, NOT_DONE, WHY, Outcome
+from carom.sweeps.axes import FAILED, FAILURES, NOT_DONE, WHY, Axis, Outcome, axis_from_data
 from carom.sweeps.space import Space, subject_from_data
 from carom.sweeps.store import (
     BLOCKS,

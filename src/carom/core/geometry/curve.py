@@ -31,7 +31,7 @@ from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
 from carom.core.jit.kernel import hot_kernel, kernel
-from carom.core.roots.bracketed import searches
+from carom.core.roots import searches
 
 NEVER = math.inf
 DEGREE = 13

@@ -39,8 +39,7 @@ from carom.core.geometry.curve import (
 )
 from carom.core.jit.calls import Answer, address_of, answer_at, python_address, register_tables, table_at
 from carom.core.jit.kernel import Vec, hot_kernel, kernel, vector, without_slopes
-from carom.core.roots.bracketed import MOST_STEPS, searches
-from carom.core.roots.first_root import hit2
+from carom.core.roots import MOST_STEPS, hit2, searches
 
 NEVER = math.inf
 # Columns of the first row: number of panels; 1 where the arc bends round the ball, -1 where it bends away; the size of the curve,
@@ -381,7 +380,7 @@ def arc_hit(
 ) -> float:
     """Return the time within ``until`` at which a ball's centre comes nearer to an arc than d + dd s, or infinity.
 
-    As in :mod:`carom.core.roots.first_root`, a ball in touch hits now if it approaches faster than ``slow``, and not while it
+    As in :mod:`carom.core.roots`, a ball in touch hits now if it approaches faster than ``slow``, and not while it
     recedes.
     """
     ends = touchable_part(table, base, d)

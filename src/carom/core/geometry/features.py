@@ -22,7 +22,7 @@ import numpy as np
 from carom.core.geometry.circles import call_rim, rim_gap, rim_gap_derivatives, rim_normal
 from carom.core.geometry.curve_arcs import curve_bend, curve_depth, curve_gap, curve_hit, curve_is_far, curve_normal
 from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel, vector
-from carom.core.roots.first_root import hit2, hit4, next_hit4
+from carom.core.roots import hit2, hit4, next_hit4
 
 # Kinds. OVER is no wall: it is the upward continuation of a low one, and a ball whose centre passes it has cleared it; of a
 # round one, with R > 0. Faces come before what is round, so that one comparison tells them apart. CURVE is an upright arc of a

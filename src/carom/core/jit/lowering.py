@@ -1,8 +1,8 @@
 """Kernels as LLVM's intermediate code, each with an entry of plain C types: the one path to code that runs without Numba.
 
-Numba types and lowers a function with all that it calls (:mod:`carom.core.jit.link`). To its text an entry is added whose arguments
-are addresses and numbers, and that calls Numba's function. Two targets follow (:mod:`carom.core.jit.build`): the page's module, and
-the loops that lie ready in the package.
+Numba types and lowers a function with all that it calls (:mod:`carom.core.jit.compile`). To its text an entry is added whose
+arguments are addresses and numbers, and that calls Numba's function. Two targets follow (:mod:`carom.core.jit.build`): the page's
+module, and the loops that lie ready in the package.
 
 This relies on how Numba writes its code (as of 0.68); where that has changed, a LoweringError says so.
 """
@@ -13,7 +13,7 @@ import re
 from collections.abc import Callable, Collection, Sequence
 from typing import Any, NamedTuple
 
-from carom.core.jit.compile import KERNEL_OPTIONS
+from carom.core.jit.compile import KERNEL_OPTIONS, linked_pipeline
 
 
 class LoweringError(Exception):
@@ -40,9 +40,7 @@ def linked_dispatcher(function: Callable[..., Any], signature: Any, **options: A
     """Return Numba's dispatcher of a function, compiled for one signature to be linked into its callers."""
     import numba
 
-    from carom.core.jit.link import _pipeline
-
-    dispatcher = numba.njit(**{**KERNEL_OPTIONS, "pipeline_class": _pipeline(), **options})(function)
+    dispatcher = numba.njit(**{**KERNEL_OPTIONS, "pipeline_class": linked_pipeline(), **options})(function)
     dispatcher.compile(signature)
     return dispatcher
 

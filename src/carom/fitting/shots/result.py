@@ -27,8 +27,8 @@ from carom.scene.floor import Floor
 from carom.scene.scene import Run, Scene
 from carom.scene.shapes import Table
 from carom.scene.toml import path_match, replaced
-from carom.simulation.sensitivity.seeds import Parameters, parameters_of
-from carom.simulation.setup import SceneArrays, set_up
+from carom.simulation.records import SceneArrays, set_up
+from carom.simulation.sensitivity.follow import Parameters, parameters_of
 from carom.simulation.simulate import simulate
 from carom.simulation.trajectory import Trajectory
 

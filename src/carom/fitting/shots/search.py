@@ -14,7 +14,7 @@ from carom.errors import Fault, FaultList
 from carom.fitting.table_numbers import TableNumbers, balls_by, balls_of, nearest_starts, reach_of, states_by
 from carom.formatting import counted
 from carom.scene.shapes import Table
-from carom.simulation.sensitivity.at_times import Limits, states_at
+from carom.simulation.sensitivity.sensitivity import Limits, states_at
 from carom.tracks.events import (
     TOUCH_DISTANCE_M,
     TrackEvent,

@@ -38,8 +38,8 @@ from carom.scene.ball import SceneBall
 from carom.scene.floor import Floor
 from carom.scene.restitution import Constant
 from carom.scene.scene import Run, Scene
-from carom.simulation.sensitivity.at_times import states_at
-from carom.simulation.setup import SceneArrays
+from carom.simulation.records import SceneArrays
+from carom.simulation.sensitivity.sensitivity import states_at
 from carom.simulation.simulate import simulate
 from carom.simulation.trajectory import Trajectory
 from carom.tracks.events import TrackEvent, WallLine

@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from carom.core.geometry.curve import HALF, X
 from carom.core.geometry.curve_arcs import COUNT
 from carom.core.jit.kernel import hot_kernel, kernel
-from carom.core.roots.first_root import two_sum
+from carom.core.roots import two_sum
 from carom.gas.edmd.gas_records import CURVE, INDEX_BITS, INSIDE, NO_BALL, PLANE
 
 # An unsigned index needs no test whether it counts from the end; sums are done with signed integers (a signed and an unsigned

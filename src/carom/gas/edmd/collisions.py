@@ -13,7 +13,7 @@ from carom.core.contact import contact, friction_at_slip
 from carom.core.jit.kernel import Vec, hot_kernel, kernel
 from carom.core.motion.phases import restitution
 from carom.core.random import normals, uniform
-from carom.core.roots.first_root import hit2
+from carom.core.roots import hit2
 from carom.gas.edmd.averages import note_change, note_pair, note_passed_heat
 from carom.gas.edmd.calendar import I64, INDEX_MASK, U64, Block, cell_index, copy_cell
 from carom.gas.edmd.gas_records import INDEX_BITS, NO_BALL, RANDOM_NORMAL, RANDOM_UNIFORM

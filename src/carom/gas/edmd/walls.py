@@ -18,7 +18,7 @@ from carom.core.contact import contact, friction_at_slip, one_contact, slip_velo
 from carom.core.geometry.curve_arcs import arc_contact, arc_hit
 from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel
 from carom.core.random import exponential, normals, uniform
-from carom.core.roots.first_root import hit2, hit4, next_hit4
+from carom.core.roots import hit2, hit4, next_hit4
 from carom.gas.edmd.averages import note_change
 from carom.gas.edmd.calendar import I64, U64
 from carom.gas.edmd.collisions import (

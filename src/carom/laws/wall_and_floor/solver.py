@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 
 from carom.core.contact import GRAZE, SLIDE, STICK, contact, slip_velocity
-from carom.core.jit.dual.numbers import lane_of, seeded
+from carom.core.jit.dual import lane_of, seeded
 from carom.core.jit.kernel import (
     Vec,
     carries_slopes,

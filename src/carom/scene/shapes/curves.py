@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, create_model, model_validator
 
-from carom.core.geometry.angles import direction
+from carom.core.geometry.circles import direction
 from carom.core.geometry.curve import COEFFICIENTS, CX, DEGREE, HALF, OX, ROW, X
 from carom.core.geometry.curve_arcs import COUNT, arc_circle, arc_tables, join_ends
 from carom.core.geometry.features import CURVE, FACE, LINE

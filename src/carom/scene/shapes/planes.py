@@ -9,7 +9,7 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from pydantic import BeforeValidator, TypeAdapter, ValidationError, model_validator
 
-from carom.core.geometry.angles import direction
+from carom.core.geometry.circles import direction
 from carom.core.geometry.features import FACE
 from carom.core.jit.kernel import cross, dot, kernel
 from carom.errors import shown

@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Literal
 
 import numpy as np
 
-from carom.core.geometry.angles import direction
+from carom.core.geometry.circles import direction
 from carom.core.geometry.features import LINE, OVER
 from carom.core.jit.kernel import dot, kernel
 from carom.formatting import format_length

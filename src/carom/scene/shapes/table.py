@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, model_validator
 
-from carom.core.geometry.angles import direction
+from carom.core.geometry.circles import direction
 from carom.core.geometry.features import FACE, OVER
 from carom.core.jit.kernel import Vec, kept_kernel, kernel
 from carom.formatting import format_length

@@ -34,9 +34,8 @@ from carom.errors import CaromError
 from carom.laws.law import TWO_STEP_WALL
 from carom.simulation.contact_kinds import compiled_joint_impact, joint_impact
 from carom.simulation.records import BALL, MEETINGS, WALL, WALLS, event_numbers
-from carom.simulation.sensitivity.follow import lifted, seeded_records
+from carom.simulation.sensitivity.follow import Parameters, lifted, seeded_records
 from carom.simulation.sensitivity.passages import PLACES, Dual, Passage, Passages, derivative, met_feature, value
-from carom.simulation.sensitivity.seeds import Parameters
 
 Array = NDArray[np.float64]
 SPAN = 0.5  # of the numbers of an impact: so far the next sequence of a joint impact is looked for

@@ -23,8 +23,7 @@ from carom.core.geometry.features import (
     gap_to_feature,
     pair_gap,
 )
-from carom.core.jit.dual.dual_records import float_places
-from carom.core.jit.dual.numbers import as_dual, depends, scaled, value_of, with_value
+from carom.core.jit.dual import as_dual, depends, float_places, scaled, value_of, with_value
 from carom.core.jit.kernel import Vec, dot, kernel, steepest, vector
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, SLIDING, acts
 from carom.simulation.contact_kinds import line_of_centres, pair_friction, resolve_event

@@ -1,1 +1,0 @@
-"""Dual numbers for compiled kernels: a value with derivatives in vector registers; records of them; calls through addresses."""

@@ -1,1 +1,0 @@
-"""First positive roots of polynomials, to their last digits."""
