@@ -220,7 +220,10 @@ class Film(Frames):
         for text, (k, *_rest) in zip(self.said[1:], self._cards(), strict=True):
             lift = float(places[k, 2] - self.radii[k]) if self.run.scene.floor is not None else 0.0
             up = f", {format_length(lift, 2)} up" if lift > 1e-5 else ""
-            text.set_text(f"{literal(self.run.scene.ball_names[k])}: {WORDS[str(self.phases[n][k])]}{up}")
+            scene, phase = self.run.scene, str(self.phases[n][k])
+            # (without weight nothing is in the air: a puck, a disc of a billiard)
+            words = "moving" if phase == "flight" and not any(scene.gravity) else WORDS[phase]
+            text.set_text(f"{literal(scene.ball_names[k])}: {words}{up}")
 
     def _shapes(self, n: int, there: Any) -> tuple[list[Array], list[Any]]:
         """Return polygons and their colours: shadows, then balls from the lowest up, then the close-ups."""
