@@ -242,6 +242,14 @@ def test_no_build_product_is_tracked() -> None:
     assert len(built(["cache/used", "a/__pycache__/b", "src/carom/a.nbc", "web/node_modules/c.js", "d.pkl"])) == 5
 
 
+def test_a_module_that_is_run_ends_with_its_call() -> None:
+    """What stands below it would not be defined yet."""
+    for name, path in MODULES.items():
+        body = ast.parse(path.read_text(encoding="utf-8")).body
+        calls = [one for one in body if isinstance(one, ast.If) and ast.unparse(one.test) == "__name__ == '__main__'"]
+        assert calls in ([], body[-1:]), name
+
+
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
     "fitting": 10643,
