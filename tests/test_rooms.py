@@ -261,7 +261,7 @@ CAPS = {
     "laws": 4966,
     "scene": 4873,
     "cli": 4157,
-    "plot": 3539,
+    "plot": 3540,
     "derive": 2981,
     "sweeps": 3238,
     "data": 2616,

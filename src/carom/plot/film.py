@@ -115,6 +115,8 @@ class Film(Frames):
             run.orientation(times),
             run.phase(times),
         )
+        # (without weight nothing is in the air: a puck, a disc of a billiard)
+        self.words = WORDS if any(run.scene.gravity) else WORDS | {"flight": "moving"}
         self.radii = np.array([ball.radius for ball in run.scene.balls])
         ways = [way(run, i, span[1]) for i in range(len(self.radii))]
         self.trails = [
@@ -220,10 +222,7 @@ class Film(Frames):
         for text, (k, *_rest) in zip(self.said[1:], self._cards(), strict=True):
             lift = float(places[k, 2] - self.radii[k]) if self.run.scene.floor is not None else 0.0
             up = f", {format_length(lift, 2)} up" if lift > 1e-5 else ""
-            scene, phase = self.run.scene, str(self.phases[n][k])
-            # (without weight nothing is in the air: a puck, a disc of a billiard)
-            words = "moving" if phase == "flight" and not any(scene.gravity) else WORDS[phase]
-            text.set_text(f"{literal(scene.ball_names[k])}: {words}{up}")
+            text.set_text(f"{literal(self.run.scene.ball_names[k])}: {self.words[str(self.phases[n][k])]}{up}")
 
     def _shapes(self, n: int, there: Any) -> tuple[list[Array], list[Any]]:
         """Return polygons and their colours: shadows, then balls from the lowest up, then the close-ups."""
