@@ -1,8 +1,9 @@
 """The outline of a ball in a frame: a disc swept over the exposure and blurred by the camera, before a known background.
 
 A picture is (1 - A) B (1 + G) + A F: A is the part of a pixel that the ball covers, B the background, F and G are Fourier series
-around the rim (what the ball looks like there; its shadow), found anew for each A (variable projection). Only pixels beside the
-edge enter, the same ones for all that is compared. Light is what mixes in a pixel, so brightness is taken out of the camera's
+around the rim (what the ball looks like there; its shadow, of which a part falls off with the distance from the rim, as where a
+ball touches the ground), found anew for each A (variable projection). Only pixels beside the edge enter, the same ones for all
+that is compared. Light is what mixes in a pixel, so brightness is taken out of the camera's
 gamma: as stored, an edge is off by an amount that changes with the ground behind it.
 """
 
@@ -17,14 +18,18 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 ORDER = 6, 16  # of the Fourier series of a ball, least and most: one per px of the radius
-RIDGE = 3e-4  # of the ball's series, of the band's pixels
+RIDGE = 3e-4  # of the ball's series, of the band's weight
 SHADOW = 1 / 30  # standard deviation of the shadow's prior, of the background
+SHADOW_ORDER, FALL = (
+    (1, 2),
+    0.3,
+)  # of the shadow's series, and of one that is deep; radii from the rim over which that falls off
 INSIDE = 2.8, 0.5, 0.1  # of the band: of the blur, px, of the radius
 OUTSIDE = 0.35, 3.5, 7.0  # of the radius; least and most px
 CHROMA_BLUR = 1.3  # px, of colour planes, beside that of the lens
 PLACES = 25  # of the exposure, at most
 OUTLIER = 2.0  # times the usual misfit of a plane
-STEPS = 6
+STEPS = 10
 BLOCK = 256  # pixels
 GAMMA, BLACK, WHITE = 2.2, 16.0, 219.0  # of brightness as stored; levels: of black, and from there to white
 LEAST_SLOPE = 0.15  # of light over brightness, by which noise is multiplied
@@ -63,6 +68,8 @@ class Optics(NamedTuple):
     """Direction in the picture in which the camera reads its rows."""
     lag: float = 0.0
     """From row to row, s per px."""
+    deep: bool = False
+    """Whether the ball has a deep shadow at its rim."""
 
 
 class Outline(NamedTuple):
@@ -125,8 +132,11 @@ def _band(
     return _Pixels(x, y, seen, behind, blur, weight, planes)
 
 
-def _covered(pixels: _Pixels, p: Array, speed: Array, rows: Sequence[float], names: str) -> tuple[Array, Array, Array]:
-    """Return the covered part A (N,) of pixels, its derivatives (K, N) by the parameters named, and directions (N,) from there.
+def _covered(
+    pixels: _Pixels, p: Array, speed: Array, rows: Sequence[float], names: str
+) -> tuple[Array, Array, Array, Array]:
+    """Return the covered part A (N,) of pixels, its derivatives (K, N) by the parameters named, and directions and distances (N,),
+    px, of pixels from the ball's middle and its rim.
 
     Parameters: x, y, r (radius), s (psf), px; e (exposure), ms; q (lag), us per px; and what light makes of the outline, so that it
     is not taken for lag: it is longer along the rows' direction by b, and by c times the square of the speed, and askew by d.
@@ -167,7 +177,8 @@ def _covered(pixels: _Pixels, p: Array, speed: Array, rows: Sequence[float], nam
         "5": lambda: density.mean(axis=0) * (around**3).imag,
     }
     around = middle / np.maximum(np.abs(middle), 1e-9)
-    return ndtr(z).mean(axis=0), np.stack([slopes[name]() for name in names]), around
+    beyond = np.maximum(distance.min(axis=0) - radius, 0.0)
+    return ndtr(z).mean(axis=0), np.stack([slopes[name]() for name in names]), around, beyond
 
 
 def _product(a: Array, b: Array) -> Array:
@@ -176,13 +187,18 @@ def _product(a: Array, b: Array) -> Array:
 
 
 def _residuals(
-    pixels: _Pixels, p: Array, speed: Array, rows: Sequence[float], names: str, order: int, weight: Array
+    pixels: _Pixels, p: Array, speed: Array, optics: Optics, names: str, order: int, weight: Array
 ) -> tuple[Array, Array, Array]:
     """Return residuals (N,), their projected derivatives (K, N), and by how much ball and ground differ (N,); all in levels."""
-    cover, slope, turn = _covered(pixels, p, speed, rows, names)
-    powers = np.cumprod(np.broadcast_to(turn, (order, len(turn))), axis=0)
-    ball = np.concatenate([np.ones((1, len(turn))), powers.real, powers.imag])
-    shadow = np.stack([ball[0], powers[0].real, powers[0].imag]) * (pixels.ground + 1.0)
+    cover, slope, turn, beyond = _covered(pixels, p, speed, optics.rows, names)
+    orders = order, SHADOW_ORDER[optics.deep]
+    powers = np.cumprod(np.broadcast_to(turn, (max(orders), len(turn))), axis=0)
+    ball, shadow = (
+        np.concatenate([np.ones((1, len(turn))), powers[:most].real, powers[:most].imag]) for most in orders
+    )
+    if optics.deep:
+        shadow = np.concatenate([shadow, shadow * np.exp(-beyond / (FALL * p[2]))])
+    shadow = shadow * (pixels.ground + 1.0)
     columns = np.concatenate([cover * ball, (1 - cover) * shadow])
     target = pixels.seen - (1 - cover) * pixels.ground
     residual, differ, projected = np.empty_like(target), np.empty_like(target), np.empty_like(slope)
@@ -190,8 +206,7 @@ def _residuals(
     prior = np.zeros(len(columns))
     for part in pixels.planes:
         x, w = columns[:, part], weight[part]
-        noise = 1 / pixels.weight[part][0] if part.stop > part.start else 1.0
-        prior[1:count], prior[count:] = RIDGE * len(w), (noise / SHADOW) ** 2
+        prior[1:count], prior[count:] = RIDGE * w.sum(), SHADOW**-2
         wx = x * w
         normal = np.linalg.inv(_product(wx, x) + np.diag(prior + 1e-9))
         known = normal @ (wx @ target[part])
@@ -212,11 +227,12 @@ def _order(optics: Optics) -> int:
 
 def fit_outline(
     patch: Patch, place: Array, speed: Array, optics: Optics, *, free: str = "xy", order: int | None = None, coarse: bool = True,
-    like: Sequence[tuple[Array, Array]] = (),
+    like: tuple[Array, Array] | None = None,
 ) -> Outline:  # fmt: skip
     """Fit the outline of a ball, beginning at a place (2,), px, with its speed (2,), px/s.
 
-    ``free``: of x, y, r (radius). ``like``: place and speed of another outline, whose pixels are used, as the two are compared.
+    ``free``: of x, y, r (radius). ``like``: place and way (px, in the exposure) of another outline, whose pixels are used, as the
+    two are compared.
     """
     p, v = _start(place, optics), 1e-3 * speed
     if coarse:
@@ -225,7 +241,7 @@ def fit_outline(
         pixels = _band(patch, p[:2], speed * optics.exposure, optics.radius, wide, wide, optics)
         p = _descended(pixels, p, v, "xy", 1, 3, optics)[0] if len(pixels.x) >= LEAST_PIXELS else p
         p[3] = optics.psf
-    pixels = _rim(patch, *(like[0] if like else (p[:2], speed)), optics)
+    pixels = _rim(patch, *(like or (p[:2], speed * optics.exposure)), optics)
     if len(pixels.x) < LEAST_PIXELS:
         return Outline(p[:2].copy(), optics.radius, np.inf, 0.0, 0.0)
     p, residual, differ = _descended(pixels, p, v, free, order or _order(optics), STEPS, optics)
@@ -248,11 +264,11 @@ def look_closer(patch: Patch, outline: Outline, speed: Array, optics: Optics) ->
     angle around it. Colour (3,): mean light, u, v of the ball, levels.
     """
     p, v = _start(outline.place, optics), 1e-3 * speed
-    pixels = _rim(patch, outline.place, speed, optics)
+    pixels = _rim(patch, outline.place, speed * optics.exposure, optics)
     weight = pixels.weight**2
-    residual, *_rest = _residuals(pixels, p, v, optics.rows, "xy", _order(optics), weight)
+    residual, *_rest = _residuals(pixels, p, v, optics, "xy", _order(optics), weight)
     weight = _robust(pixels, residual)
-    residual, slope, _differ = _residuals(pixels, p, v, optics.rows, "xyr2345", _order(optics), weight)
+    residual, slope, _differ = _residuals(pixels, p, v, optics, "xyr2345", _order(optics), weight)
     normal = _product(slope * weight, slope) + 1e-6 * np.eye(7)
     shape = np.linalg.solve(normal, slope @ (weight * residual))[2:]
     inner, part, colour = INNER * optics.radius, np.linspace(-0.5, 0.5, 7)[:, None, None], []
@@ -271,11 +287,11 @@ def _light(plane: NDArray[Any]) -> Array:
     return np.asarray(WHITE * (np.maximum(plane - BLACK, 1.0) / WHITE) ** GAMMA)
 
 
-def _rim(patch: Patch, place: Array, speed: Array, optics: Optics) -> _Pixels:
+def _rim(patch: Patch, place: Array, way: Array, optics: Optics) -> _Pixels:
     """Return the pixels beside the edge, from which outlines are found."""
     beyond = float(np.clip(OUTSIDE[0] * optics.radius, *OUTSIDE[1:]))
     depth = float(np.dot(INSIDE, (optics.psf, 1.0, optics.radius)))
-    return _band(patch, place, speed * optics.exposure, optics.radius, depth, beyond, optics)
+    return _band(patch, place, way, optics.radius, depth, beyond, optics)
 
 
 def _descended(
@@ -289,7 +305,7 @@ def _descended(
     damping, robust = 1e-3, False
     trial = p.copy()
     for _ in range(steps):
-        residual, slope, differ = _residuals(pixels, trial, speed, optics.rows, names, order, weight)
+        residual, slope, differ = _residuals(pixels, trial, speed, optics, names, order, weight)
         cost = float((residual * residual * weight).sum())
         if best is None or cost <= best[0]:
             moved = np.inf if best is None else float(np.abs(trial - best[1]).max())
@@ -332,7 +348,7 @@ def fit_optics(
     between the frames, and the places.
     """
     order = order or _order(optics)
-    bands = [_rim(patch, place, speed, optics) for patch, place, speed in frames]
+    bands = [_rim(patch, place, speed * optics.exposure, optics) for patch, place, speed in frames]
     places, shared = [place.copy() for _patch, place, _speed in frames], _start(np.zeros(2), optics)
     index = ["xyrseqbcd".index(name) for name in free]
     limit = np.array([0.15 * optics.radius, 0.5, 4.0, 20.0, 0.1, 0.1, 0.1])[np.array(index) - 2]
@@ -343,9 +359,7 @@ def fit_optics(
         total, pulls, inner = np.zeros((len(index), len(index))), [], []
         for pixels, place, (_patch, _place, speed) in zip(bands, places, frames, strict=True):
             p = np.array([*place, *shared[2:]])
-            residual, slope, _differ = _residuals(
-                pixels, p, 1e-3 * speed, optics.rows, "xy" + free, order, pixels.weight**2
-            )
+            residual, slope, _differ = _residuals(pixels, p, 1e-3 * speed, optics, "xy" + free, order, pixels.weight**2)
             weight = _robust(pixels, residual) if turn > 1 else pixels.weight**2
             # (a frame that the outline does not explain counts less)
             weight = weight / max(float((residual**2 * weight).mean()), 1.0)

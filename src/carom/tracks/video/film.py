@@ -79,6 +79,8 @@ FAR = 25.0  # radii: the way of what surely moves
 UNSTEADY = 0.04  # of the radius: scatter about a smooth path
 GROWS = 0.03  # of the radius, that is said
 FAST, SLOW = 0.2, 0.3  # radii from frame to frame, and of the largest speed: a ball whose blur tells the exposure
+HELD, DEEP = 0.95, 0.8  # of the radius and of the misfit, what is left of both where a deep shadow was part of the disc
+SHORT = 0.05  # of the time from frame to frame, an exposure to begin with, beside that of the blobs
 LONGEST, STRETCHED = 1.2, 0.7  # of the time from frame to frame, an exposure; of the radius, a blur that says so
 LONG_EXPOSURE = 0.5  # of the time from frame to frame
 
@@ -96,6 +98,8 @@ class Candidate(NamedTuple):
     """(n, 2): frame and radius, px."""
     stretched: bool
     """Whether it is longer than it can move in the time from frame to frame."""
+    offset: Array
+    """(2,) px: from the blobs' places, which hold the ball's shadow, to the outlines', usually."""
 
     @property
     def score(self) -> float:
@@ -146,13 +150,14 @@ def _usual_optics(film: FilmFile, ground: Background, paths: Sequence[Path], tim
     """Return candidates with radius, blur of the lens, exposure and noise, each from some frames of its own."""
     cores, interval = [one for one in map(cores_of, paths) if one is not None], float(np.median(np.diff(times)))
     found = [
-        _candidate(path, mine, ground, interval)
+        _candidate(path, mine, ground, interval, shaded=any(path is one or _within(one, path) for one in cores))
         for path, mine in _some_patches(film, ground, [*paths, *cores], times)
         if len(mine) >= 3
     ]
     # (a ball with its shadow is no disc, or a larger one: what is no shadow of it is taken where that is a ball)
     better = {id(one): core for one in found for core in found if core.path in cores and one.path not in cores
-              and core.is_ball and (not one.is_ball or core.optics.psf < SHARPER * one.optics.psf)
+              and core.is_ball and (not one.is_ball or one.optics.deep > core.optics.deep
+                                or core.optics.psf < SHARPER * one.optics.psf)
               and _within(core.path, one.path)}  # fmt: skip
     return [better.get(id(one), one) for one in found if one.path not in cores]
 
@@ -186,21 +191,51 @@ def _some_patches(
     return list(zip(paths, rows, strict=True))
 
 
-def _candidate(path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Background, interval: float) -> Candidate:
-    """Return a candidate from its pixels in some frames, with blobs and velocities."""
+def _first_outlines(some: Sequence[tuple[Patch, Blob, Array]], optics: Optics) -> list[tuple[Patch, Outline, Array]]:
+    return [
+        (patch, fit_outline(patch, np.array([one.x, one.y]), speed, optics, order=1), speed)
+        for patch, one, speed in some
+    ]
+
+
+def _misfit(frames: Sequence[tuple[Patch, Array, Array]], found: tuple[Optics, Array, list[Array]]) -> float:
+    optics, _errors, places = found
+    fits = [fit_outline(patch, at, speed, optics, coarse=False)
+            for (patch, _at, speed), at in zip(frames, places, strict=True)]  # fmt: skip
+    return float(np.median([one.cost for one in fits]))
+
+
+def _candidate(
+    path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Background, interval: float, *, shaded: bool
+) -> Candidate:
+    """Return a candidate from its pixels in some frames, with blobs and velocities; ``shaded``: some of these hold a shadow."""
     noise = tuple(max(2 * one, least) for one, least in zip(ground.noise, (2.2, 0.8, 0.8), strict=True))
     quick = np.array([np.hypot(*speed) for *_rest, speed in some])
     blur = np.array([one.blur for _patch, one, _speed in some])
     fast = quick > max(FAST * path.radius / interval, SLOW * quick.max())
     exposure = float(np.median(blur[fast] / quick[fast])) if fast.any() else 0.0
     optics = Optics(0.95 * path.radius, 1.0, min(exposure, interval), noise, rows=ground.rows, lag=ground.lag)  # type: ignore[arg-type]
-    first = [
-        (patch, fit_outline(patch, np.array([one.x, one.y]), speed, optics, order=1), speed)
-        for patch, one, speed in some
-    ]
+    first = _first_outlines(some, optics)
+    if fast.any():
+        # (a blob is also long where a shadow is part of it)
+        short = optics._replace(exposure=SHORT * interval)
+        again = _first_outlines(some, short)
+        rows = np.flatnonzero(fast).tolist()
+        misfits = [[fit_outline(some[k][0], one[k][1].place, some[k][2], at, order=1, coarse=False,
+                                like=(first[k][1].place, some[k][2] * optics.exposure)).cost for k in rows]
+                   for one, at in ((first, optics), (again, short))]  # fmt: skip
+        if np.median(misfits[1]) < np.median(misfits[0]):
+            optics, first = short, again
     usual = np.median([one.cost for _patch, one, _speed in first])
     good = [(patch, one.place, speed) for patch, one, speed in first if one.cost <= 2 * usual]
-    optics, _errors, places = fit_optics(good, optics, "rse" if fast.any() else "rs")
+    free = "rse" if fast.any() else "rs"
+    found = fit_optics(good, optics, free)
+    if shaded:
+        # (a disc that holds ball and shadow is larger than the ball)
+        deep = fit_optics(good, optics._replace(deep=True), free)
+        if deep[0].radius < HELD * found[0].radius and _misfit(good, deep) < DEEP * _misfit(good, found):
+            found = deep
+    optics, _errors, places = found
     long = optics.exposure > LONGEST * interval
     stretched = long and optics.exposure * _median(quick[fast]) > STRETCHED * optics.radius
     optics = optics._replace(exposure=min(optics.exposure, interval))
@@ -215,6 +250,7 @@ def _candidate(path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Ba
         path, optics._replace(radius=float(np.median(radii))), float(np.median([one.share for one in last])),
         float(np.median([one.seen for one in last])), float(1.4826 * np.median(np.abs(radii / np.median(radii) - 1))),
         np.array([[patch.frame, radius] for (patch, *_rest), radius in zip(some, radii, strict=True)]), stretched,
+        np.median([one.place - (blob.x, blob.y) for one, (_patch, blob, _speed) in zip(last, some, strict=True)], axis=0),
     )  # fmt: skip
 
 
@@ -241,7 +277,7 @@ def _followed(
 ) -> tuple[Array, Array]:
     """Return the places (F, 2) and costs (F,) of a ball's outline in all frames of its path."""
     count = len(times)
-    seeds = _dense(ball.path, count, times)
+    seeds = _dense(ball.path, count, times) + ball.offset
     found: dict[int, tuple[Outline, Array, Array]] = {}
     speed = velocities(times, seeds)[0]
     blurs = dict(zip(ball.path.frames, (one.blur for one in ball.path.blobs), strict=True))
@@ -280,8 +316,7 @@ def _followed(
 
 def _strange(times: Array, places: Array, costs: Array, radii: Array, shapes: Array, colours: Array) -> Mask:
     """Return the frames (F,) whose outline is of something else: of another shape or colour than usual, or off the way."""
-    off = _off_the_way(times, places, costs)
-    strange = off > max(ASTRAY[0] * _median(off), ASTRAY[1])
+    strange = _astray(times, places, costs)
     if np.isfinite(colours).any():
         # (a shadow that touches the ball is part of its usual shape)
         other = np.abs(shapes - np.nanmedian(shapes, axis=0)).max(axis=1) > OTHER_SHAPE[0] * radii + OTHER_SHAPE[1]
@@ -301,8 +336,8 @@ def _median(values: Array) -> float:
     return float(np.median(values[np.isfinite(values)])) if np.isfinite(values).any() else 0.0
 
 
-def _off_the_way(times: Array, places: Array, costs: Array) -> Array:
-    """Return how far each place (F,) is from where the frames beside it have the ball, px of scatter; NaN where these are too few.
+def _astray(times: Array, places: Array, costs: Array) -> Mask:
+    """Return whether each place (F,) is farther than usual from where the frames beside it have the ball.
 
     Of the parabolas before and after it, and a cubic through both, the one that is nearest.
     """
@@ -316,7 +351,7 @@ def _off_the_way(times: Array, places: Array, costs: Array) -> Array:
             weights = np.linalg.pinv(np.vander(times[near] - times[k], order))[-1]
             away.append(float(np.hypot(*(weights @ places[near] - places[k]))) / np.sqrt(1 + weights @ weights))
         off[k] = min(away)
-    return off
+    return np.asarray(off > max(ASTRAY[0] * _median(off), ASTRAY[1]))
 
 
 def _radius_of_frames(ball: Candidate, count: int) -> Array:
@@ -354,10 +389,10 @@ def _fit_chunk(
         keep(k, fit_outline(patch, seeds[k], speed[k], optics._replace(radius=radii[k])))
     for turn in range(3):
         both, before, after = velocities(times, places)
-        usual = _median(costs) or 1.0
+        usual, astray = _median(costs) or 1.0, _astray(times, places, costs)
         for k, patch in by_frame.items():
             choices = [one[k] for one in (both, before, after) if np.isfinite(one[k]).all()]
-            bad = costs[k] > FLAGGED / 2 * usual
+            bad = costs[k] > FLAGGED / 2 * usual or astray[k]
             turns = len(choices) == 3 and float(np.hypot(*(choices[1] - choices[2]))) * optics.exposure > 1.0
             moved = len(choices) > 0 and float(np.hypot(*(choices[0] - speed[k]))) * optics.exposure > 0.7
             if not (bad or (turns and turn == 0) or (moved and turn < 2)):
@@ -365,25 +400,30 @@ def _fit_chunk(
             if not turns:
                 choices = choices[:1]
             starts = [(places[k], one) for one in [*choices, *([np.zeros(2)] if turns else [])]]
-            if bad:
-                starts += _from_beside(k, times, places, costs, FLAGGED / 2 * usual)
+            near = _from_beside(k, times, places, costs, FLAGGED / 2 * usual, astray) if bad else []
             at = optics._replace(radius=radii[k])
-            same = [(places[k], speed[k]), *starts] if len(starts) > 1 else ()
-            tried = [fit_outline(patch, *one, at, coarse=bad, like=same[:1]) for one in starts]
+            if near:
+                starts.append((places[k], speed[k]))
+            same = (places[k], speed[k] * at.exposure) if len(starts) + len(near) > 1 else None
+            tried = [fit_outline(patch, *one, at, coarse=bad, like=same) for one in starts]
+            tried += [fit_outline(patch, *one, at, coarse=False, like=same) for one in near]
             best = min(range(len(tried)), key=lambda i: tried[i].cost)
-            if not np.isfinite(costs[k]) or tried[best].cost < costs[k] or not bad:
+            if near or not np.isfinite(costs[k]) or tried[best].cost < costs[k] or not bad:
                 keep(k, tried[best])
-                speed[k] = starts[best][1]
+                speed[k] = (starts + near)[best][1]
     return {
         k: (one, *look_closer(by_frame[k], one, speed[k], optics._replace(radius=radii[k])))
         for k, one in found.items() if np.isfinite(one.cost)
     }  # fmt: skip
 
 
-def _from_beside(k: int, times: Array, places: Array, costs: Array, most: float) -> list[tuple[Array, Array]]:
+def _from_beside(
+    k: int, times: Array, places: Array, costs: Array, most: float, astray: Mask
+) -> list[tuple[Array, Array]]:
     """Return places and velocities in a frame by the parabolas through the good frames before it, and after it."""
     return [
-        (one[2], one[1]) for one in sides(k, np.flatnonzero((costs <= most) & np.isfinite(places[:, 0])), times, places)
+        (one[2], one[1])
+        for one in sides(k, np.flatnonzero((costs <= most) & np.isfinite(places[:, 0]) & ~astray), times, places)
     ]
 
 
