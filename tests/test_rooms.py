@@ -255,7 +255,7 @@ CAPS = {
     "fitting": 10643,
     "gas": 6945,
     "billiards": 5572,
-    "tracks": 9383,
+    "tracks": 9423,
     "simulation": 6445,
     "core": 5740,
     "laws": 4966,

@@ -12,6 +12,7 @@ import pytest
 import carom
 from carom.errors import CaromError
 from carom.tracks import Track, judge
+from carom.tracks.video.edges import Optics, Patch, fit_optics
 from carom.tracks.video.reading import TrackedFilm
 
 pytest.importorskip("av")
@@ -213,3 +214,30 @@ def test_all_wrong_arguments_are_said_at_once(tmp_path: Path) -> None:
 def test_a_film_is_rendered_to_the_same_bits(tmp_path: Path) -> None:
     films = [bouncing_film(tmp_path / f"{k}.mp4", texture="wall", frames=12).path.read_bytes() for k in range(4)]
     assert len(set(films)) == 1
+
+
+def test_a_disc_holds_no_shadow_that_is_deep_at_its_rim() -> None:
+    x, y = np.meshgrid(np.arange(64), np.arange(64))
+    frames = []
+    for k in range(6):
+        middle = np.array([31.0 + 0.37 * k, 30.0 + 0.21 * k])
+        from_rim = np.hypot(x - middle[0], y - middle[1]) - 9.5
+        below = np.hypot(x - middle[0], y - middle[1] - 3.0) - 9.5
+        light = 60 * (1 - 0.8 / (1 + np.exp(2.0 * below)))
+        light += (190 - 4 * (y - middle[1]) - light) / (1 + np.exp(2.0 * from_rim))
+        planes = [16 + 219 * (one / 219) ** (1 / 2.2) for one in (light, np.full((64, 64), 60.0))]
+        seen, ground = (np.rint(one).astype(np.uint8) for one in planes)
+        grey = np.full((32, 32), 128, np.uint8)
+        frames.append(
+            (
+                Patch(k, (0, 0), (seen, grey, grey), (ground, grey, grey)),
+                middle + np.array([0.5, 1.5]),
+                np.zeros(2),
+                middle,
+            )
+        )
+    start = Optics(11.5, 1.0, 0.0, (2.2, 0.8, 0.8))
+    plain, deep = (fit_optics([one[:3] for one in frames], start._replace(deep=kind), "rs") for kind in (False, True))
+    assert deep[0].radius == pytest.approx(9.5, abs=0.05)
+    assert abs(plain[0].radius - 9.5) > 0.1
+    assert np.abs(np.array(deep[2]) - [one[3] for one in frames]).max() < 0.1

@@ -198,11 +198,11 @@ def _first_outlines(some: Sequence[tuple[Patch, Blob, Array]], optics: Optics) -
     ]
 
 
-def _misfit(frames: Sequence[tuple[Patch, Array, Array]], found: tuple[Optics, Array, list[Array]]) -> float:
-    optics, _errors, places = found
-    fits = [fit_outline(patch, at, speed, optics, coarse=False)
-            for (patch, _at, speed), at in zip(frames, places, strict=True)]  # fmt: skip
-    return float(np.median([one.cost for one in fits]))
+def _misfit(frames: Sequence[tuple[Patch, Array, Array]], optics: Optics, exposure: float) -> float:
+    """Return the usual misfit of outlines, in pixels beside those of that exposure, s."""
+    return float(np.median([
+        fit_outline(patch, at, speed, optics, order=1, like=(at, speed * exposure)).cost for patch, at, speed in frames
+    ]))  # fmt: skip
 
 
 def _candidate(
@@ -216,24 +216,20 @@ def _candidate(
     exposure = float(np.median(blur[fast] / quick[fast])) if fast.any() else 0.0
     optics = Optics(0.95 * path.radius, 1.0, min(exposure, interval), noise, rows=ground.rows, lag=ground.lag)  # type: ignore[arg-type]
     first = _first_outlines(some, optics)
-    if fast.any():
-        # (a blob is also long where a shadow is part of it)
-        short = optics._replace(exposure=SHORT * interval)
-        again = _first_outlines(some, short)
-        rows = np.flatnonzero(fast).tolist()
-        misfits = [[fit_outline(some[k][0], one[k][1].place, some[k][2], at, order=1, coarse=False,
-                                like=(first[k][1].place, some[k][2] * optics.exposure)).cost for k in rows]
-                   for one, at in ((first, optics), (again, short))]  # fmt: skip
-        if np.median(misfits[1]) < np.median(misfits[0]):
-            optics, first = short, again
+    # (a blob is also long where a shadow is part of it)
+    short = optics._replace(exposure=SHORT * interval)
+    moved = [(patch, one.place, speed) for (patch, one, speed), yes in zip(first, fast, strict=True) if yes]
+    if moved and _misfit(moved, short, optics.exposure) < _misfit(moved, optics, optics.exposure):
+        optics, first = short, _first_outlines(some, short)
     usual = np.median([one.cost for _patch, one, _speed in first])
     good = [(patch, one.place, speed) for patch, one, speed in first if one.cost <= 2 * usual]
-    free = "rse" if fast.any() else "rs"
+    free = "rse" if moved else "rs"
     found = fit_optics(good, optics, free)
     if shaded:
         # (a disc that holds ball and shadow is larger than the ball)
-        deep = fit_optics(good, optics._replace(deep=True), free)
-        if deep[0].radius < HELD * found[0].radius and _misfit(good, deep) < DEEP * _misfit(good, found):
+        deep, flat = fit_optics(good, optics._replace(deep=True), free), found[0]
+        misfits = [_misfit(good, one, flat.exposure) for one in (deep[0], flat)]
+        if deep[0].radius < HELD * flat.radius and misfits[0] < DEEP * misfits[1]:
             found = deep
     optics, _errors, places = found
     long = optics.exposure > LONGEST * interval
