@@ -190,9 +190,7 @@ def test_a_table_of_the_law_changes_no_estimate(monkeypatch):
     assert quick.deviance == pytest.approx(plain.deviance, abs=0.02)
     for name, one in plain.estimates.items():
         assert quick.estimates[name].value == pytest.approx(one.value, abs=0.01 * one.stderr), name
-        # (the friction's profile is the table's, which rounds kinks off)
-        rel = 0.05 if name == "friction" else 0.02
-        assert quick.estimates[name].stderr == pytest.approx(one.stderr, rel=rel), name
+        assert quick.estimates[name].stderr == pytest.approx(one.stderr, rel=0.02), name
     assert quick.degenerate == plain.degenerate
 
 

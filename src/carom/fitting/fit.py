@@ -48,6 +48,7 @@ Array = NDArray[np.float64]
 FEW_STEPS, HELD_STEPS = 40, 12
 SEARCH_ROWS, MARGINAL_SEARCH_ROWS = 150, 40  # rows, of many, in which starts are tried
 STARTS, MARGINAL_STARTS = 8, 12  # from which the search descends
+MANY_STARTS = 100  # of a grid: more are first tried with fewer rows
 OWN_STARTS = 4  # from which a law descends itself whose search is that of a similar one
 ANNEALED_ROWS = 120  # of many, in which the search with shrinking error bars is made
 KINK_ROWS = 250  # among which, of many, frictions beyond kinks are sought
@@ -58,15 +59,14 @@ COMPARED = 0.02  # of the deviance: to that descents are followed whose ends are
 FREED = 3  # number of held frictions that are then freed
 MAX_EXCESS = 30.0  # of the deviance above the best: a start that ends higher is dropped
 HEATS = (16.0, 8.0, 4.0, 2.0)  # by which error bars are multiplied, in turn, in the search with a table
+WARM = 0.01  # of the speed: error bars above which the valley of the friction is wide
 AROUND = (-4.0, -2.0, -1.0, 1.0, 2.0, 4.0)  # error bars of the friction, at which it is held with the fine table
+BESIDE = (0.99, 0.996, 1.004, 1.01)  # of the friction: a descent that ends in a kink is as near as this
 NEAR_BOUND = 0.01  # of a parameter's range
 DISTINCT = 0.02  # least distance between two points regarded as different
 STUDENT_NU = 4
-BEYOND, MOST_OF_EDGE, EDGE = (
-    2.0,
-    50.0,
-    4.0,
-)  # of the friction; of the deviance: more is no chance; beside the range it is sought in
+# Of the friction; of the deviance: more is no chance; beside the range it is sought in
+BEYOND, MOST_OF_EDGE, EDGE = 2.0, 50.0, 4.0
 
 
 class Place(NamedTuple):
@@ -185,6 +185,13 @@ def _search_grid(model: FitModel) -> Array:
     p = _grid(model)
     if not parameters:
         return p
+    if marginal and len(p) > MANY_STARTS:  # of each friction those that suit a quarter of the rows
+        rough = replace(some, problem=some.problem.select(np.arange(0, few, 4))).deviances(p)
+        of_friction = p[:, INDEX["friction"]]
+        p = np.concatenate(
+            [p[i[np.argsort(rough[i], kind="stable")[: max(len(i) // 5, 4)]]]
+             for i in (np.flatnonzero(of_friction == mu) for mu in np.unique(of_friction))]
+        )  # fmt: skip
     cost = some.deviances(p)
     # the best of the grid; only one of points that the rows do not distinguish
     _cost, first = np.unique(np.round(cost, 6), return_index=True)
@@ -271,7 +278,7 @@ def fit_law(law: FittedLaw, problem: Problem, near: Sequence[Fit] = ()) -> Fit:
     else:
         found = Scattered(search(model.without_shared()), model, 0.0, {}, None)
     p, own = found.p, found.model.without_shared()
-    if coarse is not None:
+    if coarse is not None and np.median(own.problem.vy[:, 0] / np.square(problem.x[:, :2]).sum(axis=1)) < WARM**2:
         p = np.concatenate([p, _annealed(own, p)])
     best = _across_kinks(own, _descend(own, p))
     found, best = _with_scatter_near(model, found, best)  # (beyond kinks it may be another)
@@ -284,11 +291,16 @@ def fit_law(law: FittedLaw, problem: Problem, near: Sequence[Fit] = ()) -> Fit:
         close = NEAR_BOUND * (high - low)
         p[-1, free] = np.where(high - here < close, high, np.where(here - low < close, low, here))
         best = _descend(model, p)
+    if problem.spins is not None and not problem.carried and "friction" in model.parameters:
+        best = _freed(model, best, best.p[INDEX["friction"]] * np.array(BESIDE))
     if problem.carried and feels_spins(law, problem) and not problem.shared:
         best = best._replace(information=chain_information(own, best.p, best.information))
     table = None
     if coarse is not None:
-        best, table = _refined(model if problem.shared else own, best, coarse)
+        own = model if problem.shared else own
+        best, table = _refined(own, best, coarse)
+        if found.estimate is None or not found.estimate.value:
+            best = _descend(own.using(None), best.p[None])
         found, best = _with_scatter_near(itself, found, best)  # (until here it is that beside the table)
         model = found.model
     return fit_at(model, best, found.scatter, found.extra, found.estimate, table)
@@ -440,7 +452,7 @@ def _annealed(model: FitModel, p: Array) -> Array:
 
 
 def _refined(model: FitModel, best: Place, coarse: LawTable) -> tuple[Place, LawTable]:
-    """Descend with a fine table, across the kinks nearby, and then with the law itself. Return the place and the table."""
+    """Descend with a fine table, across the kinks nearby. Return the place and the table."""
     bars = np.sqrt(np.abs(np.diag(np.linalg.pinv(best.information, hermitian=True))))
     e, mu = (float(bars[model.free == INDEX[name]].sum()) for name in ("restitution", "friction"))
     here = float(best.p[INDEX["friction"]])
@@ -449,7 +461,7 @@ def _refined(model: FitModel, best: Place, coarse: LawTable) -> tuple[Place, Law
     best = _descend(fine, best.p[None])
     if "friction" in model.parameters:
         best = _freed(fine, best, best.p[INDEX["friction"]] + np.array(AROUND) * mu)
-    return _descend(model.using(None), best.p[None]), table
+    return best, table
 
 
 class _Subject:

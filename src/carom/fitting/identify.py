@@ -440,7 +440,8 @@ def half_width(
     end, rise = profile_ends(
         rises, best, far, np.array([low, high]), np.full(2, level), jump=False, rounds=HALF_WIDTH_ROUNDS, close=HALF_WIDTH_CLOSE,
     )  # fmt: skip
-    return float(end[1] - end[0]) / 2 / math.sqrt(level), rise
+    nearly = np.where(np.abs(rise - level) <= HALF_WIDTH_CLOSE * level, rise, level)  # (its root is nearly linear)
+    return float((np.abs(end - best) / np.sqrt(nearly)).sum()) / 2, rise
 
 
 def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:
@@ -550,7 +551,8 @@ def _levels(fit: Fit, name: str, profiled: bool) -> tuple[tuple[float, float], t
 def profile_rises(
     fit: Fit, name: str, place: int, base: float, steps: int | None = None, model: FitModel | None = None
 ) -> Rises:
-    """Return the profile of a parameter above ``base``; with ``steps`` each end goes on from where it was left."""
+    """Return the profile of a parameter above ``base``; with ``steps`` each end goes on from where it was left. Of a tabulated law
+    the other numbers are fitted with its table, and the deviance there is the law's."""
     model = (model or model_of(fit.law, fit.problem)).holding(name)
     seeds: dict[int, Array] = {}
 
@@ -559,7 +561,7 @@ def profile_rises(
         p[:, place] = values
         found = model.minimize(p) if steps is None else model.minimize(p, steps)
         seeds.update(zip(which.tolist(), found.p, strict=True))
-        return found.value - base
+        return (found.value if model.tabulated is None else model.using(None).deviances(found.p)) - base
 
     return rises
 
@@ -586,7 +588,7 @@ FIRST_SHARE = 0.05  # of the speed: the scatter with which the search begins
 SETTLED, ROUGHLY = 2e-3, 0.1  # of the scatter: a smaller change ends the search
 SMALLEST_SHARE, MOST_SHARE = 1e-5, 1.0
 REACH = 0.5  # of log s, within which it is sought near where it was
-CURVATURE_STEP = 0.1  # of log s
+CURVATURE_STEP = 0.02  # of log s
 JACOBIAN_STEP = 0.1  # of an error bar before the wall
 CONTACT_SCATTER = "contacts"
 
@@ -646,23 +648,23 @@ def with_contact_scatter(model: FitModel, search: Search, descend: Descend, near
 
         return of_scatter
 
-    log_s = math.log(near or FIRST_SHARE * size)
+    log_s, curvature = math.log(near or FIRST_SHARE * size), 0.0
     p = search(having(math.exp(log_s)).without_shared())
     for turn in range(CONTACT_ROUNDS):
         at = having(math.exp(log_s))
         p = descend(at if turn or near else at.without_shared(), p)[None]
-        was = log_s
-        # later the scatter is near where it was
-        reach, close = (REACH, SETTLED / 4) if turn or near else (math.inf, 0.05)
-        ends = (max(low, was - reach), min(high, was + reach))
-        log_s = float(minimize_scalar(deviance(p[0]), bounds=ends, method="bounded", options={"xatol": close}).x)
+        was, of_scatter = log_s, deviance(p[0])
+        if turn or near:  # (near its minimum it is a parabola)
+            less, here, more = (of_scatter(was + step) for step in (-CURVATURE_STEP, 0.0, CURVATURE_STEP))
+            curvature = (less + more - 2 * here) / CURVATURE_STEP**2
+            log_s = min(was + (less - more) / (2 * CURVATURE_STEP * curvature), high) if curvature > 0 else math.inf
+        if not (turn or near) or abs(log_s - was) > REACH:
+            log_s = float(minimize_scalar(of_scatter, bounds=(low, high), method="bounded", options={"xatol": 0.05}).x)
         if abs(log_s - was) < (SETTLED if near else ROUGHLY) or log_s < low + 0.1:
             break
     if log_s < low + 0.1:
         return Scattered(p, model, 0.0, {CONTACT_SCATTER: 0.0}, Estimate(0.0, None, "none beyond the error bars"))
     s, at = math.exp(log_s), having(math.exp(log_s))
-    around = [*map(deviance(p[0]), (log_s - CURVATURE_STEP, log_s, log_s + CURVATURE_STEP))]
-    curvature = (around[0] + around[2] - 2 * around[1]) / CURVATURE_STEP**2
     stderr = s * math.sqrt(2 / curvature) if curvature > 0 else None
     moved = _moved_by_errors(model, p[0])
     extra = float(log_determinants(at, moved).sum() - log_determinants(model, moved).sum())
@@ -839,10 +841,8 @@ def with_profiled_friction(fit: Fit, information: Array, extra: float = 0.0) -> 
 
 
 def _friction_profile(fit: Fit, extra: float, step: float) -> tuple[float, Array]:
-    """Return the half-width of the friction's profile and the rises at its ends; of a tabulated law from its table."""
-    model, base = working_model(fit, fit.problem), fit.deviance - extra
-    if model.tabulated is not None:
-        base = float(model.minimize(fit.numbers[None], MARGINAL_STEPS).value[0])
+    """Return the half-width of the friction's profile and the rises at its ends."""
+    model = working_model(fit, fit.problem)
     parameter = model.parameters["friction"]
-    rises = profile_rises(fit, "friction", INDEX["friction"], base, MARGINAL_STEPS, model)
+    rises = profile_rises(fit, "friction", INDEX["friction"], fit.deviance - extra, MARGINAL_STEPS, model)
     return half_width(rises, float(fit.numbers[INDEX["friction"]]), step, parameter.low, parameter.high)

@@ -368,10 +368,11 @@ def form_starts(form: str, speed: Array, ratio: Array) -> list[tuple[float, ...]
 # Where a contact changes from sliding to sticking the answer has a kink, across which a table is off by a share of its spacing:
 # by 1.3e-3 of the speed (rms; 4e-3 at most) on the coarse lattice, which serves the search, and by 3e-5 (3e-4) on a fine one for
 # narrow error bars, which space its nodes about the place that was found (tests keep that). With six error bars between nodes the
-# deviance of 89 rebounds was off by 12 beside the best friction, with one by 0.05. The fine one serves what asks how much the
-# deviance rises: what is identifiable, the friction's profile, the bootstrap, cross-validation. The estimates, chi^2 and AICc are
-# from the law itself, by a descent that starts there, and are those of a fit without a table to a hundredth of an error bar, the
-# friction's error bar to 5 % (a test says so).
+# deviance of 89 rebounds was off by 12 beside the best friction, with one by 0.05; in the restitution it is smooth, and eight are
+# as good as one. The fine one serves what asks how much the deviance rises: what is identifiable, the bootstrap, numbers of folds
+# and of the friction's profile. The estimates, chi^2 and AICc are from the law itself, by a descent that starts there, and are
+# those of a fit without a table to a hundredth of an error bar; so are the deviances of folds and of the friction's profile, whose
+# error bar is that of the law to 1 % (a test says so).
 
 
 LEAST_ROWS = 60  # without spin: from here on a table is quicker than the law
@@ -382,12 +383,11 @@ OFFSET = 0.02
 FURTHEST_SPIN = 12.5  # v/a
 STEEPEST = 0.97  # direction, v_t / (v_n + v_t), up to which there are tables
 FLOOR_STEP = 1.0  # error bars of the floor's friction between the nodes in it
-FINE_STEP = 1.0  # error bars of restitution and friction between fine nodes
+FINE_STEP = (8.0, 1.0)  # error bars of restitution, in which the law is smooth, and of friction between fine nodes
 FINEST = -12  # power of 2
 MOST_NODES = 400  # kept in memory
-COLUMNS = (
-    2048  # of a product of matrices: for more, BLAS starts threads, which cost ten times the product on a busy machine
-)
+# Of a product of matrices: for more, BLAS starts threads, which cost ten times the product on a busy machine
+COLUMNS = 2048
 E, MU, FLOOR = INDEX["restitution"], INDEX["friction"], INDEX["floor_friction"]
 
 
@@ -449,18 +449,8 @@ def _node(grid: _Grid, restitution: float, friction: float, floor: float) -> Arr
 
 def _rolling(x: Array, p: Array, a: float) -> Array:
     """Return the law's predictions (N, 3) for balls that roll again, many at once; NaN for one that does not roll away."""
-    e, mu, ef, muf, roll, height, kappa = (
-        float(p[INDEX[name]])
-        for name in (
-            "restitution",
-            "friction",
-            "floor_restitution",
-            "floor_friction",
-            "roll",
-            "contact_height",
-            "kappa",
-        )
-    )
+    names = "restitution friction floor_restitution floor_friction roll contact_height kappa"
+    e, mu, ef, muf, roll, height, kappa = (float(p[INDEX[name]]) for name in names.split())
     up, (v_n, v_t, spin) = 1 - height, x.T
     before = State(np.stack([-v_n, v_t, 0 * v_n], axis=1), np.stack([-roll / a * v_t, -roll / a * v_n, spin], axis=1))
     after, ball = State(np.zeros_like(x), np.zeros_like(x)), Ball(radius=a, mass=1.0, inertia=kappa)
@@ -578,17 +568,10 @@ def coarse_table(model: FitModel) -> LawTable | None:
 def fine_table(coarse: LawTable, stderr: tuple[float, float], friction: float) -> LawTable:
     """Return a finer table, whose nodes are some error bars of restitution and friction apart."""
 
-    def power(bar: float, most: float) -> float:
-        return float(2.0 ** max(FINEST, math.floor(math.log2(FINE_STEP * bar)))) if 0 < FINE_STEP * bar < most else most
+    def power(step: float, most: float) -> float:
+        return float(2.0 ** max(FINEST, math.floor(math.log2(step)))) if 0 < step < most else most
 
     along = stderr[1] / (friction + OFFSET)
     narrow = any(0 < bar < NARROW for bar in (stderr[0], along))
-    grid = _Grid(
-        FINE if narrow else NEAR,
-        coarse.grid.stages,
-        coarse.grid.radius,
-        coarse.grid.steepest,
-        coarse.grid.others,
-        coarse.grid.floor_step,
-    )
-    return LawTable(grid, (power(stderr[0], SPACING[0]), power(along, SPACING[1])))
+    grid = replace(coarse.grid, shape=FINE if narrow else NEAR)
+    return LawTable(grid, (power(FINE_STEP[0] * stderr[0], SPACING[0]), power(FINE_STEP[1] * along, SPACING[1])))
