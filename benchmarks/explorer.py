@@ -1,4 +1,4 @@
-"""The explorer's engine in Chromium: how soon it is ready, and how long all laws of the default page take at a change.
+"""The explorer's engine in Chromium: how soon it is ready, how long all laws of the default page take at a change, 18,000 shots.
 
     python benchmarks/explorer.py
 
@@ -15,6 +15,7 @@ import shutil
 from pathlib import Path
 from typing import Any
 
+from aim import position
 from rows import run_script
 
 import carom
@@ -63,6 +64,27 @@ MEASURE = """async ({ wasm, layout, scenes, laws }) => {
 }"""
 
 
+SHOTS = 18_000
+IN_A_WORKER = """({ site, ...asked }) => new Promise((answer, fail) => {
+    const text = `onmessage = async ({ data: { wasm, layout, scene, count } }) => {
+        const { loadEngine } = await import("${site}/web/engine/engine.js");
+        const engine = await loadEngine(Uint8Array.from(atob(wasm), (c) => c.charCodeAt(0)), layout);
+        const starts = Array.from({ length: count }, (_, i) => {
+            const [angle, speed] = [(2 * Math.PI * 0.6180339887 * i) % (2 * Math.PI), 0.5 + (5.5 * i) / count];
+            return { velocity: [speed * Math.cos(angle), speed * Math.sin(angle), 0] };
+        });
+        engine.shots(scene, starts.slice(0, 500));
+        const begin = performance.now();
+        const found = engine.shots(scene, starts);
+        postMessage([(performance.now() - begin) / 1000, found.reduce((sum, one) => sum + one.length, 0)]);
+    }`;
+    const worker = new Worker(URL.createObjectURL(new Blob([text], { type: "text/javascript" })), { type: "module" });
+    worker.onmessage = ({ data }) => answer(data);
+    worker.onerror = (error) => fail(new Error(error.message));
+    worker.postMessage(asked);
+})"""
+
+
 def scenes() -> dict[str, Any]:
     """The default page's scene (the paper's example), and three balls on a table."""
     wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=1.0, friction=float("inf"))
@@ -99,9 +121,18 @@ def main() -> None:
         answer = json.loads(
             page.evaluate(f"async (text) => JSON.stringify(await ({MEASURE})(JSON.parse(text)))", json.dumps(asked))
         )
+        shots = {name: asked[name] for name in ("wasm", "layout")} | {
+            "scene": scene_dict(position()),
+            "count": SHOTS,
+            "site": SITE,
+        }
+        seconds, impacts = page.evaluate(f"async (text) => ({IN_A_WORKER})(JSON.parse(text))", json.dumps(shots))
         print(f"Chromium {browser.version}")
         browser.close()
     print(f"engine ready after {', '.join(map(str, answer['ready']))} ms (first and later loads)")
+    print(
+        f"{SHOTS:,} shots at a three-cushion position with real noses, in a worker: {seconds:.2f} s, {impacts:,} impacts"
+    )
     for name, found in answer["found"].items():
         print(f"{name} ({', '.join(map(str, found['events']))} events under {', '.join(found['laws'])}):")
         for what in ("runs", "compare", "curves"):

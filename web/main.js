@@ -79,7 +79,7 @@ async function start() {
   const loaded = await (recorded ? loadRecorded(module, layout, presets[0].scene, recorded) : loadEngine(module, layout));
   const engine = /** @type {Engine} */ (/** @type {unknown} */ (loaded));
   const [run, pieces] = [loaded.report.bind(loaded), loaded.run.bind(loaded)]; // run: in the form of carom simulate --json
-  const carom = { run, pieces, version: loaded.version };
+  const carom = { run, pieces, version: loaded.version, ...(!recorded && { shots: loaded.shots.bind(loaded) }) };
   Object.assign(window, { carom });
   if (recorded) document.documentElement.dataset.recorded = "true";
   const { store, at } = show(data, engine);

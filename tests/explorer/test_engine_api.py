@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,7 @@ from carom.laws.registry import laws_of_pairs
 from carom.scene.scene import scene_dict
 from carom.simulation.records import BALL, SEEN, WALL, kind_names
 
+SCENES_OF_DOCS = Path(__file__).parents[2] / "docs" / "scenes"
 SCENES = 60
 EVENTS = 60
 PAPER = """
@@ -105,6 +107,34 @@ def test_two_balls_meet_by_the_laws_of_pairs_as_in_python(evaluate: Any) -> None
         evaluate("(all) => all.map((scene) => engine.faults(scene))", bad), ("law", "friction"), strict=True
     ):
         assert faults[0].startswith(f"ball_contact.{told}")
+
+
+def test_shots_are_the_impacts_of_runs_of_python(evaluate: Any) -> None:
+    table = carom.load_scene(SCENES_OF_DOCS / "three_balls.toml")
+    scene = carom.replaced(table, {"run.law": "mirror", "run.duration": 8.0})
+    random = np.random.default_rng(5)
+    speed, angle = random.uniform(0.5, 6, 200), random.uniform(0, 2 * np.pi, 200)
+    v, radius = np.stack([speed * np.cos(angle), speed * np.sin(angle), 0 * angle], axis=1), scene.balls[0].radius
+    starts = [{"velocity": x.tolist(), "spin": [-x[1] / radius, x[0] / radius, 5.0]} for x in v]
+    answers = evaluate("([scene, starts]) => engine.shots(scene, starts)", [scene_dict(scene), starts])
+    for start, found in zip(starts, answers, strict=True):
+        changed = {"balls.0.velocity": start["velocity"], "balls.0.spin_z": 5.0}
+        rows = carom.simulate(carom.replaced(scene, changed)).events.rows
+        rows = rows[np.isin(rows["met"], (WALL, BALL))]
+        assert [(one["t"], one["ball"], one["other"]) for one in found] == rows[["t", "ball", "other"]].tolist()
+        assert [one["met"] for one in found] == [{WALL: "wall", BALL: "ball"}[met] for met in rows["met"].tolist()]
+    (rolls,) = evaluate(
+        "(scene) => engine.shots(scene, [{ velocity: [0, 2, 0] }], { ball: 1, events: 4 })", scene_dict(scene)
+    )
+    assert any(one["ball"] == 1 for one in rolls)
+    assert len(rolls) <= 4
+    for asked, said in (
+        ("engine.shots(scene, [], { ball: 3 })", "ball: expected a whole number from 0 to 2, got 3"),
+        ("engine.shots(scene, 3)", "starts: expected a list such as [{ velocity: [1, 0, 0] }], got 3"),
+        ("engine.shots(scene, [{ velocity: [1, 0] }])", "starts[0]: expected a velocity and maybe a spin"),
+    ):
+        caught = f"(scene) => {{ try {{ {asked}; }} catch (error) {{ return error.message; }} return ''; }}"
+        assert evaluate(caught, scene_dict(scene)).startswith(said)
 
 
 def test_a_report_is_what_carom_simulate_prints(evaluate: Any) -> None:

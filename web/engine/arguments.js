@@ -31,3 +31,13 @@ export function requireLimits(limits) {
 export function requireTime(t) {
   if (typeof t !== "number" || Number.isNaN(t)) throw new Error(`t: expected a time in s, such as 0.5, got ${shown(t)}`);
 }
+
+const isVector = (/** @type {unknown} */ x) => Array.isArray(x) && x.length === 3 && x.every(Number.isFinite);
+
+/** Throw an Error, one line, unless starts are velocities, maybe with spins, and a ball is one of so many. @param {unknown} starts @param {unknown} ball @param {number} count */
+export function requireStarts(starts, ball, count) {
+  if (!Number.isInteger(ball) || !(Number(ball) >= 0 && Number(ball) < count)) throw new Error(`ball: expected a whole number from 0 to ${count - 1}, got ${shown(ball)}`);
+  if (!Array.isArray(starts)) throw new Error(`starts: expected a list such as [{ velocity: [1, 0, 0] }], got ${shown(starts)}`);
+  const wrong = starts.findIndex((one) => !isVector(one?.velocity) || (one.spin !== undefined && !isVector(one.spin)));
+  if (wrong >= 0) throw new Error(`starts[${wrong}]: expected a velocity and maybe a spin of three numbers each, got ${shown(starts[wrong])}`);
+}

@@ -2,14 +2,14 @@
 
 /** @import { Scene } from "../state/types.js" */
 /** @import { Meeting } from "./meeting.js" */
-/** @import { Law, Layout, Limits, Run, Verdict } from "./types.js" */
+/** @import { Impact, Law, Layout, Limits, Run, Start, Verdict } from "./types.js" */
 /** @import { Module } from "./module.js" */
-import { requireLaw, requireLimits } from "./arguments.js";
+import { requireLaw, requireLimits, requireStarts } from "./arguments.js";
 import { incidenceAt, reflections, verdicts } from "./compare.js";
 import { firstMeeting } from "./meeting.js";
 import { loadModule } from "./module.js";
 import { reportOf } from "./report.js";
-import { runScene } from "./run.js";
+import { runMany, runScene } from "./run.js";
 import { sceneFaults } from "../scene/check.js";
 import { isTable } from "../scene/fields.js";
 
@@ -58,6 +58,21 @@ export class Engine {
    */
   report(scene, law, limits = {}) {
     return reportOf(scene, this.run(scene, law, limits));
+  }
+
+  /**
+   * The impacts of many shots of one ball, for a search among them: what `run` finds of walls, balls and pockets.
+   * @param {Scene} scene
+   * @param {Start[]} starts a velocity, m/s, and a spin, rad/s (default: of a ball that rolls, or the ball's own)
+   * @param {{ball?: number, law?: string} & Limits} [options] the ball that is shot (default: the first); a law, and limits of each run, as `run` takes them
+   * @returns {Impact[][]}
+   */
+  shots(scene, starts, { ball = 0, law, ...limits } = {}) {
+    requireLimits(limits);
+    if (law !== undefined) requireLaw(law, this.laws);
+    const checked = this.checked(law === undefined ? scene : withLaw(scene, law));
+    requireStarts(starts, ball, checked.balls.length);
+    return runMany(this.module, checked, ball, starts, limits);
   }
 
   /** @param {Scene} scene @returns {Scene} */

@@ -1,9 +1,9 @@
 // A run of a scene: the event loop is the module's; here its log becomes events, pieces of motion, and final states.
 
 /** @import { Scene, Vec } from "../state/types.js" */
-/** @import { Limits, LoggedEvent, Piece, Run } from "./types.js" */
+/** @import { Impact, Limits, LoggedEvent, Piece, Run, Start } from "./types.js" */
 /** @import { Module } from "./module.js" */
-import { setUp } from "../scene/setup.js";
+import { setUp, spinOf } from "../scene/setup.js";
 import { general, vectorText } from "./text.js";
 
 const MOST_EVENTS = 2000;
@@ -27,20 +27,30 @@ const MOST_ROWS = 4096;
  * @property {number} atFault the ball for which a law has no answer
  */
 
-/** Run the event loop on a scene. @param {Module} module @param {Scene} scene @param {Limits} limits @returns {Followed} */
-export function follow(module, scene, limits) {
+/** A scene in the memory, by address. @typedef {{world: number, features: number, count: number, balls: number, users: number, called: number, out: number}} Placed */
+
+/** Write a scene into the memory, which is emptied. @param {Module} module @param {Scene} scene @returns {Placed} */
+function place(module, scene) {
   const { memory, layout } = module;
-  const { records, run: status } = layout;
+  const { records } = layout;
   memory.clear();
   const made = setUp(scene, module);
-  const count = made.balls.length;
   const world = memory.records(records.world, [made.world]);
   const features = memory.records(records.features, made.features);
   const balls = memory.records(records.balls, made.balls);
   const users = memory.take(8 * Math.max(made.called.length, 1));
   made.called.forEach((law, i) => memory.putWhole(users + 8 * i, module.address(law.function)));
-  const out = memory.take(64);
+  return { world, features, count: made.features.length, balls, users, called: made.called.length, out: memory.take(64) };
+}
 
+/** Run the event loop on a scene. @param {Module} module @param {Scene} scene @param {Limits} limits @returns {Followed} */
+export const follow = (module, scene, limits) => followFrom(module, scene, place(module, scene), limits);
+
+/** Run the event loop on a scene that is in the memory. @param {Module} module @param {Scene} scene @param {Placed} placed @param {Limits} limits @returns {Followed} */
+function followFrom(module, scene, { world, features, count: walls, balls, users, called, out }, limits) {
+  const { memory, layout } = module;
+  const { records, run: status } = layout;
+  const count = scene.balls.length;
   const until = limits.until ?? scene.run.duration ?? Infinity;
   const most = Math.min(limits.events ?? MOST_EVENTS, scene.run.max_events ?? Infinity);
   const deadline = performance.now() + (limits.milliseconds ?? MOST_MILLISECONDS);
@@ -51,8 +61,7 @@ export function follow(module, scene, limits) {
     const log = memory.take(room * records.log.bytes);
     const step = Math.min(most - events, SLICE);
     module.call(
-      "run", out, world, 1, features, made.features.length, balls, count, log, room, slow, until, step, users, made.called.length,
-      status.all,
+      "run", out, world, 1, features, walls, balls, count, log, room, slow, until, step, users, called, status.all,
     );
     // (a tuple of four whole numbers and two numbers, 8 bytes each)
     const words = memory.words.subarray(out / 4);
@@ -72,6 +81,35 @@ export function follow(module, scene, limits) {
   const reached = known[code] ?? "refused";
   const found = reached === "done" && until === Infinity ? "quiet" : reached; // no end was asked for
   return { world, features, balls, logs, status: found, code, end: found === "done" ? until : last, atFault };
+}
+
+/**
+ * The impacts of many runs of a scene, from other velocities and spins of one ball: the scene is read once.
+ * @param {Module} module @param {Scene} scene @param {number} ball @param {Start[]} starts @param {Limits} limits @returns {Impact[][]}
+ */
+export function runMany(module, scene, ball, starts, limits) {
+  const { memory, layout } = module;
+  const { balls: record, log } = layout.records;
+  const placed = place(module, scene);
+  const [free, at] = [memory.top, placed.balls + ball * record.bytes];
+  const before = new Uint8Array(memory.memory.buffer, placed.balls, scene.balls.length * record.bytes).slice();
+  return starts.map(({ velocity, spin }) => {
+    memory.top = free;
+    new Uint8Array(memory.memory.buffer).set(before, placed.balls);
+    const one = { ...scene.balls[ball], velocity, ...(spin && { spin, rolling: false }) };
+    memory.set(record, at, "v", velocity);
+    memory.set(record, at, "w", spinOf(one));
+    const { logs } = followFrom(module, scene, placed, limits);
+    const [t, met, own, other] = ["t", "met", "ball", "other"].map((name) => memory.field(log, name));
+    return logs.flatMap(({ at: first, rows }) => {
+      const found = [];
+      for (let row = first; row < first + rows * log.bytes; row += log.bytes) {
+        const what = layout.kinds[met(row)];
+        if (what !== "nothing") found.push({ t: t(row), met: /** @type {Impact["met"]} */ (what), ball: own(row), other: other(row) });
+      }
+      return found;
+    });
+  });
 }
 
 /** @param {Module} module @param {Scene} scene @param {Limits} limits @returns {Run} */

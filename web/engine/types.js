@@ -93,6 +93,10 @@
  * @property {Record<string, string>} built_with
  */
 
+/** A shot of a ball: m/s, rad/s. @typedef {{velocity: Vec, spin?: Vec}} Start */
+
+/** What a ball met, and when, s; `other`: the number of the wall, ball or pocket. @typedef {{t: number, met: "wall" | "ball" | "pocketed", ball: number, other: number}} Impact */
+
 /** `enough`: whether the rows of the log that were written last are all that is wanted. @typedef {{events?: number, until?: number, milliseconds?: number, enough?: (last: {at: number, rows: number}) => boolean}} Limits */
 
 /** A recorded run: its log (gzip, base64), how and when it ended, and why the page does not run it. @typedef {{log: string, status: "done" | "quiet" | "limit", end: number, why: string}} Recording */
