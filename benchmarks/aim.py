@@ -1,6 +1,6 @@
 """A three-cushion position solved, against the runs that a search without gradients takes.
 
-    python benchmarks/aim.py [REPEATS]
+    python benchmarks/aim.py
 
 The time of ``carom.aim`` (sweep, refinement, the player's errors) on all cores, compiled before; beside it 18,000 of carom's runs
 of the same position. What a shot takes in pooltool: benchmarks/trajectories.py.
@@ -9,16 +9,13 @@ of the same position. What a shot takes in pooltool: benchmarks/trajectories.py.
 from __future__ import annotations
 
 import statistics
-import sys
 
 import numpy as np
-from rows import REPEATS as USUAL
-from rows import clock, repeated, report, run_script, usually
+from rows import REPEATS, clock, repeated, report, run_script, usually
 
 import carom
 from carom.core.jit.threads import thread_count
 
-REPEATS = int(sys.argv[1]) if len(sys.argv) > 1 else USUAL
 BRUTE = usually(18_000, 100)
 REACH = {"hit": ("yellow", "red"), "cushions": 3}
 PLACES = {"white": (-0.7, -0.3), "yellow": (0.3, 0.2), "red": (0.71, 0.0)}
