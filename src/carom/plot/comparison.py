@@ -299,7 +299,7 @@ def _heads(axes: Any, tail: Array, head: Array, colour: str) -> None:
 
 
 MOST_EVENTS = 2000
-PIECES = {FLIGHT: "flight", BOUNCING: "flight", SLIDING: "slide"}
+STAGES = {FLIGHT: "flight", BOUNCING: "flight", SLIDING: "slide"}
 POINTS_PER_CURVE = 41
 
 
@@ -379,10 +379,10 @@ def path_after_wall(meeting: Meeting, answer: Answer) -> PathAfterWall:
     run = simulate(Scene(**parts))
     pieces = []
     for (t, phase), end in zip(run.log[["t", "phase"]].tolist(), [*run.log["t"][1:].tolist(), run.end], strict=True):
-        if end > t and phase in PIECES:
+        if end > t and phase in STAGES:
             # (the instant of an event is that after it)
             points = np.asarray(run.at(np.linspace(t, np.nextafter(end, t), POINTS_PER_CURVE)).position)[:, 0]
-            pieces.append((PIECES[phase], points - [0.0, 0.0, a]))
+            pieces.append((STAGES[phase], points - [0.0, 0.0, a]))
     return PathAfterWall(tuple(pieces), _vec(run.final.velocity[0]), _vec(run.final.spin[0]))
 
 
