@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from carom.derive import EnergyGain
-from carom.derive.percussion import follow
+from carom.derive.percussion import integrate
 from carom.errors import CaromError
 
 R = sp.Rational
@@ -52,7 +52,7 @@ def by_force(g, start, e, mu, rule):
 @pytest.mark.parametrize("mu", [R(3, 10), R(6, 10), R(8, 10), 2])
 @pytest.mark.parametrize("slip", [R(-1, 5), R(2, 5)])
 def test_plane_against_integration(rule, mu, slip):
-    found = follow(COUPLED, [-1, slip], R(7, 10), mu, rule)
+    found = integrate(COUPLED, [-1, slip], R(7, 10), mu, rule)
     p, velocity = by_force(COUPLED, [-1.0, float(slip)], 0.7, float(mu), rule)
     assert float(found.impulse[0]) == pytest.approx(p, rel=2e-5)
     assert [float(v) for v in found.velocity] == pytest.approx(list(velocity), abs=2e-5)
@@ -64,7 +64,7 @@ def test_plane_against_integration(rule, mu, slip):
 @pytest.mark.parametrize("mu", [R(1, 10), R(2, 10), R(6, 10)])
 def test_space_against_integration(rule, mu):
     start = [-1, R(1, 4), -R(2, 5)]
-    found = follow(SPACE, start, R(7, 10), mu, rule)
+    found = integrate(SPACE, start, R(7, 10), mu, rule)
     p, velocity = by_force(SPACE, [float(s) for s in start], 0.7, float(mu), rule)
     assert float(found.impulse[0]) == pytest.approx(p, rel=2e-5)
     assert [float(v) for v in found.velocity] == pytest.approx(list(velocity), abs=2e-5)
@@ -73,23 +73,23 @@ def test_space_against_integration(rule, mu):
 def test_space_contains_the_plane():
     wide = sp.Matrix([[4, -3, 0], [-3, 4, 0], [0, 0, 2]])
     for mu in (R(3, 10), R(8, 10), 2):
-        flat = follow(COUPLED, [-1, -R(1, 5)], R(1, 2), mu, "stronge")
-        deep = follow(wide, [-1, -R(1, 5), 0], R(1, 2), mu, "stronge")
+        flat = integrate(COUPLED, [-1, -R(1, 5)], R(1, 2), mu, "stronge")
+        deep = integrate(wide, [-1, -R(1, 5), 0], R(1, 2), mu, "stronge")
         assert [float(v) for v in flat.velocity] == pytest.approx(deep.velocity[:2], abs=1e-10)
         assert [p.kind for p in flat.phases] == [p.kind for p in deep.phases]
 
 
 def test_exact_numbers_stay_exact():
-    found = follow(COUPLED, [-1, -R(1, 5)], R(1, 2), R(1, 2), "poisson")
+    found = integrate(COUPLED, [-1, -R(1, 5)], R(1, 2), R(1, 2), "poisson")
     assert found.velocity == (R(1, 2), -R(4, 5))
     assert found.impulse == (R(3, 5), R(3, 10))
     assert all(isinstance(v, sp.Rational) for v in (*found.velocity, *found.impulse, found.energy_change))
 
 
 def test_jam_is_found_where_friction_beats_the_normal():
-    assert follow(COUPLED, [-1, -R(1, 5)], 0, R(134, 100), "stronge").jams
-    assert not follow(COUPLED, [-1, -R(1, 5)], 0, R(133, 100), "stronge").jams  # 4/3 lies between
-    assert not follow(COUPLED, [-1, R(1, 5)], 0, 2, "stronge").jams  # the other way it does not
+    assert integrate(COUPLED, [-1, -R(1, 5)], 0, R(134, 100), "stronge").jams
+    assert not integrate(COUPLED, [-1, -R(1, 5)], 0, R(133, 100), "stronge").jams  # 4/3 lies between
+    assert not integrate(COUPLED, [-1, R(1, 5)], 0, 2, "stronge").jams  # the other way it does not
 
 
 numbers = st.integers(-20, 20).map(lambda k: Fraction(k, 7))
@@ -111,7 +111,7 @@ def test_stronge_and_poisson_never_gain(nn, tt, share, approach, slip, e, mu):
     g = sp.Matrix([[sp.Float(nn, 30), cross], [cross, sp.Float(tt, 30)]])
     start = [-R(approach, 5), R(slip, 5)]
     for rule in ("stronge", "poisson"):
-        found = follow(g, start, R(e, 10), R(mu, 10), rule)
+        found = integrate(g, start, R(e, 10), R(mu, 10), rule)
         if rule == "stronge":
             assert found.energy_change <= 1e-20
         assert found.velocity[0] >= -1e-20
@@ -122,9 +122,9 @@ def test_stronge_and_poisson_never_gain(nn, tt, share, approach, slip, e, mu):
 def test_newton_gain_is_warned_of_and_the_others_are_silent():
     steep = sp.Matrix([[4, R(39, 10)], [R(39, 10), 4]])
     with pytest.warns(EnergyGain, match="newton's restitution"):
-        newton = follow(steep, [-1, -R(9, 10)], 1, 1, "newton")
+        newton = integrate(steep, [-1, -R(9, 10)], 1, 1, "newton")
     assert newton.energy_change > 0
-    assert follow(steep, [-1, -R(9, 10)], 1, 1, "stronge").energy_change <= 0
+    assert integrate(steep, [-1, -R(9, 10)], 1, 1, "stronge").energy_change <= 0
 
 
 def test_infinite_friction_stops_the_slip_first():
@@ -139,10 +139,10 @@ def test_infinite_friction_stops_the_slip_first():
 @pytest.mark.parametrize(
     ("build", "message"),
     [
-        (lambda: follow(COUPLED, [1, 0], 0, 0), "separates"),
-        (lambda: follow(sp.Matrix([[1, 1], [1, 1]]), [-1, 0], 0, 0), "not positive definite"),
-        (lambda: follow(COUPLED, [-1, 0], 0, 0, "hertz"), "hypothesis: expected 'newton'"),
-        (lambda: follow(COUPLED, [-1, 0, 0], 0, 0), "expected a normal and one or two tangents"),
+        (lambda: integrate(COUPLED, [1, 0], 0, 0), "separates"),
+        (lambda: integrate(sp.Matrix([[1, 1], [1, 1]]), [-1, 0], 0, 0), "not positive definite"),
+        (lambda: integrate(COUPLED, [-1, 0], 0, 0, "hertz"), "hypothesis: expected 'newton'"),
+        (lambda: integrate(COUPLED, [-1, 0, 0], 0, 0), "expected a normal and one or two tangents"),
     ],
 )
 def test_bad_input(build, message):

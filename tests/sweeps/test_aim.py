@@ -78,7 +78,7 @@ def test_the_gradient_of_a_miss_is_that_of_differences(reach: object, start: tup
     x = np.array(start)
 
     def miss(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, object]:
-        run, sequence, found = problem.follow(x)
+        run, sequence, found = problem.run_one(x)
         return *problem.miss(run, found, run.sensitivity(problem.paths), x), sequence
 
     # (a start that reaches the target's event, by way of whatever sequence)
@@ -180,7 +180,7 @@ def test_a_target_that_is_reached_late_is_reached() -> None:
     targets = targets_of(scene, {"hit": "red"})
     problem = AimProblem(scene, unknowns_of(scene, ["balls.0.velocity"], {}), targets)
     x = np.array([[2.0, math.degrees(math.atan2(6.15, 60 * 0.95))], [2.0, 180.0]])
-    assert [event.kind for event in problem.follow(x[0])[0].events][:31] == ["wall"] * 30 + ["ball"]
+    assert [event.kind for event in problem.run_one(x[0])[0].events][:31] == ["wall"] * 30 + ["ball"]
     assert problem.run_many(x)[1].tolist() == [False, False]
     assert problem.judge(x)[1].tolist() == [True, False]
 

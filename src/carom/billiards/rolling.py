@@ -500,10 +500,10 @@ def roll(
     v = v - n * (v @ n)
     # (R1) and (R2)
     w = (np.outer(v, n) - np.outer(n, v)) / setting.radius + spin_matrix(about * n)
-    return _follow(setting, np.concatenate([x, w.ravel()]))
+    return _integrate(setting, np.concatenate([x, w.ravel()]))
 
 
-def _follow(setting: RollingSetting, state: Array) -> RollingRun:
+def _integrate(setting: RollingSetting, state: Array) -> RollingRun:
     """Follow the ball through rolling and flights until an event ends the run."""
     t, rolls, piece = 0.0, True, setting.surface.at(state[:3])
     events: list[RollingEvent] = []

@@ -22,8 +22,8 @@ from carom.derive.percussion import (
     Jump,
     Percussion,
     compile_jump,
-    follow,
     impulses_of,
+    integrate,
     prescribe_poisson_impulses,
     relations_before,
     solve_by_displacements,
@@ -417,7 +417,7 @@ class ImpulsiveMotion:
         return contact_mass.jam_friction(self.delassus(name))
 
     def percussion(self, name: str, values: Mapping[Expr, Any], hypothesis: str | None = None) -> Percussion:
-        """Follow one contact through its impact numerically: slip, reversal, stick, jam (:func:`percussion.follow`).
+        """Follow one contact through its impact numerically: slip, reversal, stick, jam (:func:`percussion.integrate`).
 
         ``values`` gives every symbol and coordinate a number (rationals stay exact); ``hypothesis`` replaces the contact's
         own. Raises CaromError where a number is missing.
@@ -433,7 +433,9 @@ class ImpulsiveMotion:
 
         g = self.delassus(name).applyfunc(number)
         start = [number(value_of(r, self.u0)) for r in rows]
-        return follow(g, start, number(contact.restitution), number(contact.friction), hypothesis or contact.hypothesis)
+        return integrate(
+            g, start, number(contact.restitution), number(contact.friction), hypothesis or contact.hypothesis
+        )
 
     def lambdify(self, jump: Jump, arguments: Sequence[Expr] | None = None) -> Callable[..., Any]:
         """Return ``jump`` as a compiled function of numbers; see :func:`carom.derive.percussion.compile_jump`."""

@@ -244,7 +244,7 @@ class _Run:
         return False
 
 
-def follow(g: Matrix, start: Sequence[Number], e: Number, mu: Number, hypothesis: str = "stronge") -> Percussion:
+def integrate(g: Matrix, start: Sequence[Number], e: Number, mu: Number, hypothesis: str = "stronge") -> Percussion:
     """Follow a contact with inverse mass ``g`` (2x2 or 3x3; normal, tangents) from the velocity ``start`` to its end.
 
     Rational numbers give exact results in the plane. Raises CaromError where the contact separates already, or ``g``

@@ -298,7 +298,7 @@ class AimProblem:
 
     # --- one run -----------------------------------------------------------------------------------------------------
 
-    def follow(self, x: Array) -> tuple[Any, Signature, list[int]]:
+    def run_one(self, x: Array) -> tuple[Any, Signature, list[int]]:
         """Run a start; return the run, the sequence of its events up to the last target, and the rows of the targets."""
         run = simulate(replaced(self.scene, values_at(self.unknowns, x)))
         log = Outcomes.of_run(run).log
@@ -578,7 +578,7 @@ def _refined(problem: AimProblem, x0: Array, sequence: Signature) -> tuple[Array
             lost = np.full(size, LOST), np.zeros((size, len(x))), None
             known[key] = lost
             try:
-                run, its, found = problem.follow(x)
+                run, its, found = problem.run_one(x)
                 if its == sequence:
                     miss, derivatives = problem.miss(run, found, problem.sensitivity(run), x)
                     if np.isfinite(miss).all() and np.isfinite(derivatives).all():

@@ -358,7 +358,7 @@ class SceneRuns:
             return
         until, most = run_limits(scene)
         kept = _Kept(outcomes, len(scene.balls))
-        counts, firsts, ended = _follow(arrays, until, most, kept, self._pace, tick)
+        counts, firsts, ended = _run_to_ends(arrays, until, most, kept, self._pace, tick)
         for outcome in outcomes:
             found[outcome.name][rows] = kept.values(outcome, arrays.balls, counts, firsts, ended)
         for code, failure in FAILURE_OF.items():
@@ -485,7 +485,7 @@ class _Kept:
         raise AssertionError(outcome.name)
 
 
-def _follow(
+def _run_to_ends(
     arrays: SceneArrays, until: float, most: int, kept: _Kept, pace: Pace, tick: Any
 ) -> tuple[Array, Array, Array]:
     """Run all points to their ends; return counts (N, CODES + 1), wanted events (N, W), status and number of events (N, 2)."""
@@ -494,11 +494,11 @@ def _follow(
     counts, firsts = empty_counts(n), np.zeros((n, len(wanted)), LOG)
     ended, slow = np.zeros((n, 2), np.int64), np.full(n, -1.0)
     ended[:, 0] = LIMIT
-    logs, follow = empty_logs(min(PARTS, n)), compiled_many()
+    logs, run_many = empty_logs(min(PARTS, n)), compiled_many()
     goes_on = True
     while goes_on:  # (a few events of every run at a time)
         share = pace.begin()
-        follow(
+        run_many(
             arrays.world, arrays.features, arrays.balls, logs, slow, until, most, max(share // n, 1), arrays.users, kept.keep,
             wanted, counts, firsts, ended,
         )  # fmt: skip

@@ -410,7 +410,7 @@ def run_on_cluster(sweep: Any, write_block: Callable[..., int], blocks: list[int
     client, own = _client(distributed, on)
     place = sweep.store.place if "://" in sweep.store.place else os.path.abspath(sweep.store.place)
     try:
-        yield from _follow(distributed, client, sweep, write_block, blocks, place)
+        yield from _submit_blocks(distributed, client, sweep, write_block, blocks, place)
     finally:
         if own:
             client.close(timeout=2)
@@ -433,7 +433,7 @@ def _client(distributed: Any, on: Any) -> tuple[Any, bool]:
         ) from None
 
 
-def _follow(
+def _submit_blocks(
     distributed: Any, client: Any, sweep: Any, write_block: Callable[..., int], blocks: list[int], place: str
 ) -> Iterator[int]:
     identity = sweep.specification["identity"]
