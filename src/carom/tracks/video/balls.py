@@ -16,19 +16,12 @@ SAMPLES, MOST_SAMPLE_BYTES = 32, 250e6  # frames of the background
 MANY_KEYS = 24  # frames stored whole, from which the background is taken from these alone
 LEAST_LEVELS = (7.0, 4.0, 4.0)  # by which a pixel of a plane differs from the background, at least
 NOISES = 5.0  # times its own noise that it differs, at least
-CODED = (
-    6,
-    0.8,
-    3.5,
-)  # classes of texture; the share of a class that differs by less than the codec's error, and times that error
+# Classes of texture; the share of a class that differs by less than the codec's error, and times that error
+CODED = 6, 0.8, 3.5
 LEAST_AREA = 12  # px at half the size
 MOST_BLOBS = 24  # of a frame, the largest
 CHANGED = 0.2  # share of a picture that changes where the camera moves
-TILE, TILES, LEAST_TILES = (
-    24,
-    5,
-    4,
-)  # px of a tile at half the size; tiles along each side, at most, and in all, at least
+TILE, TILES, LEAST_TILES = 24, 5, 4  # px of a tile at half the size; tiles along each side, at most; in all, at least
 STEEP, CONTRAST = 1.0, 1.6  # levels per px of a tile with enough texture, and its contrast, levels
 PARTS = 6  # of the samples, whose medians are compared
 GHOST = 0.8  # of the gradient along a region's edge: what was seen at another time is the background

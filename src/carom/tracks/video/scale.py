@@ -85,10 +85,9 @@ def turning(times: Array, places: Array) -> Mask:
         return found
     slope = np.diff(places[rows], axis=0) / np.diff(times[rows])[:, None]
     change = np.hypot(*np.diff(slope, axis=0).T)
-    limit = max(
-        SHARP_TURN * float(np.median(np.abs(change - np.median(change)))), TURN_SHARE * float(np.hypot(*slope.T).max())
-    )
-    found[rows[1:-1][np.abs(change - np.median(change)) > limit]] = True
+    away = np.abs(change - np.median(change))
+    limit = max(SHARP_TURN * float(np.median(away)), TURN_SHARE * float(np.hypot(*slope.T).max()))
+    found[rows[1:-1][away > limit]] = True
     return found
 
 
@@ -261,17 +260,10 @@ class TableView(NamedTuple):
         p, worst = found.x, float(np.hypot(*(projected(found.x) - corners.points).T).max())
         if worst > MOST_CORNERS or abs(p[6]) > 3 * FIELD_DOUBT:
             got = f"at best {worst:.2g} px off, with a focal length of {np.exp(p[6]) * FIELD:.2g} widths of the picture"
-            raise CaromError(
-                Fault("`corners`", "", "corners of a rectangle, as a camera sees it", got, "is the first side right?")
-            )
-        return cls(
-            corners,
-            middle,
-            float(usual * np.exp(p[6])),
-            Rotation.from_rotvec(p[:3]).as_matrix(),
-            p[3:6],
-            radius - corners.height,
-        )
+            wanted = "corners of a rectangle, as a camera sees it"
+            raise CaromError(Fault("`corners`", "", wanted, got, "is the first side right?"))
+        turn = Rotation.from_rotvec(p[:3]).as_matrix()
+        return cls(corners, middle, float(usual * np.exp(p[6])), turn, p[3:6], radius - corners.height)
 
     def __call__(self, places: Array) -> Array:
         """Return places (n, 2), m, of balls' middles that are seen at places (n, 2), px: from the lower left corner."""
@@ -377,9 +369,8 @@ def choose_scale(
     else:
         order = ["the table's corners", "the scale given", "the length in the picture", "the ball's radius", "gravity"]
         if "gravity" in known and abs(known["gravity"][0] / known.get(order[-2], known["gravity"])[0] - 1) < 2 * RADIUS:
-            order[-2:] = order[
-                :-3:-1
-            ]  # (the better of the two, where the radius says that the film is not slowed down)
+            # (the better of the two, where the radius says that the film is not slowed down)
+            order[-2:] = order[:-3:-1]
     first = next((name for name in order if name in known), None)
     if first is None:
         advice = "give `length` x1,y1,x2,y2=1m (two points in px and their distance), or `radius` of the ball"
