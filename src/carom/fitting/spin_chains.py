@@ -188,26 +188,6 @@ def cross_kinks(
     return best
 
 
-# ----------------------------------------------------------------------------------------------------
-# Spins that were not measured, carried from one contact of a ball to its next: the likelihood along chains of contacts.
-#
-# Between walls nothing changes the spin of a disc that slides without friction, or of a ball in flight, so the spin before a
-# contact is that after the one before. The spin before the first has a prior, a sum of C narrow normal components; each of them
-# follows the chain as in an extended Kalman filter (Alspach & Sorenson, IEEE Trans. Autom. Control 17, 439 (1972)). Its
-# derivatives J are differences over an error bar to both sides, so that the deviance has no steps where a contact changes from
-# sliding to sticking; and the components are narrow beside what a measurement says of a spin, so that it has no ripples. With the
-# law f, inputs x that have variances V, the component's spin among them, and r = y - f,
-#
-# S = var(y) + J V J' - J C - C' J',   c = r' S^-1 r,
-#
-# the component's weight is multiplied by exp(-c/2) (det S)^(-1/2), and the spin after the contact is normal with mean and
-# variance as the measurement leaves them. The row's deviance is -2 log of the sum of the weights, given all rows before it in its
-# chain.
-#
-# As in :mod:`carom.fitting.spins` the factor of det S is only for a spin that is not known: its normal part is divided out, and
-# as far as all components predict the same, so is the rest, which would bias the estimates.
-
-
 OF_BALL = ("film", "shot", "drop", "ball")
 COMPONENTS, REACH, NARROW = 101, 3.2, 0.064  # of the prior: number, ends of the centres and own width, in its widths
 LEAST = 1e-300  # weight of a component that has none left
