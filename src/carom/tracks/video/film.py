@@ -80,7 +80,6 @@ UNSTEADY = 0.04  # of the radius: scatter about a smooth path
 GROWS = 0.03  # of the radius, that is said
 FAST, SLOW = 0.2, 0.3  # radii from frame to frame, and of the largest speed: a ball whose blur tells the exposure
 HELD, DEEP = 0.95, 0.8  # of the radius and of the misfit, what is left of both where a deep shadow was part of the disc
-SHORT = 0.05  # of the time from frame to frame, an exposure to begin with, beside that of the blobs
 LONGEST, STRETCHED = 1.2, 0.7  # of the time from frame to frame, an exposure; of the radius, a blur that says so
 LONG_EXPOSURE = 0.5  # of the time from frame to frame
 
@@ -191,13 +190,6 @@ def _some_patches(
     return list(zip(paths, rows, strict=True))
 
 
-def _first_outlines(some: Sequence[tuple[Patch, Blob, Array]], optics: Optics) -> list[tuple[Patch, Outline, Array]]:
-    return [
-        (patch, fit_outline(patch, np.array([one.x, one.y]), speed, optics, order=1), speed)
-        for patch, one, speed in some
-    ]
-
-
 def _misfit(frames: Sequence[tuple[Patch, Array, Array]], optics: Optics, exposure: float) -> float:
     """Return the usual misfit of outlines, in pixels beside those of that exposure, s."""
     return float(np.median([
@@ -215,15 +207,13 @@ def _candidate(
     fast = quick > max(FAST * path.radius / interval, SLOW * quick.max())
     exposure = float(np.median(blur[fast] / quick[fast])) if fast.any() else 0.0
     optics = Optics(0.95 * path.radius, 1.0, min(exposure, interval), noise, rows=ground.rows, lag=ground.lag)  # type: ignore[arg-type]
-    first = _first_outlines(some, optics)
-    # (a blob is also long where a shadow is part of it)
-    short = optics._replace(exposure=SHORT * interval)
-    moved = [(patch, one.place, speed) for (patch, one, speed), yes in zip(first, fast, strict=True) if yes]
-    if moved and _misfit(moved, short, optics.exposure) < _misfit(moved, optics, optics.exposure):
-        optics, first = short, _first_outlines(some, short)
+    first = [
+        (patch, fit_outline(patch, np.array([one.x, one.y]), speed, optics, order=1), speed)
+        for patch, one, speed in some
+    ]
     usual = np.median([one.cost for _patch, one, _speed in first])
     good = [(patch, one.place, speed) for patch, one, speed in first if one.cost <= 2 * usual]
-    free = "rse" if moved else "rs"
+    free = "rse" if fast.any() else "rs"
     found = fit_optics(good, optics, free)
     if shaded:
         # (a disc that holds ball and shadow is larger than the ball)
