@@ -126,15 +126,15 @@ def call_steps() -> None:
     handed, back, ran, kept, made, unguarded, all_of_it = (min(times) for times in zip(*times, strict=True))
     print("\ncarom: a mirror shot of one ball by `simulate`, step by step")
     steps = {
-        "arguments and answer": handed,
+        "arguments": handed,
         "events": ran - back - handed,
-        "balls and log": kept - (ran - back),
+        "log": kept - (ran - back),
         "Trajectory": made,
         "checks": unguarded - kept - made,
-        "errors explained": all_of_it - unguarded,
+        "guard": all_of_it - unguarded,
     }
     for step, took_it in steps.items():
-        report(Row(f"step of a shot: {step}", took_it * 1e9, "shot"))
+        report(Row(f"shot, {step}", took_it * 1e9, "shot"))
 
 
 def carom_many(shots: int = usually(40_000, 100)) -> dict[str, float]:

@@ -20,10 +20,8 @@ Array = NDArray[np.float64]
 ORDER = 6, 16  # of the Fourier series of a ball, least and most: one per px of the radius
 RIDGE = 3e-4  # of the ball's series, of the band's weight
 SHADOW = 1 / 30  # standard deviation of the shadow's prior, of the background
-SHADOW_ORDER, FALL = (
-    (1, 2),
-    0.3,
-)  # of the shadow's series, and of one that is deep; radii from the rim over which that falls off
+SHADOW_ORDER = 1, 2  # of the shadow's series, and of one that is deep
+FALL = 0.3  # radii from the rim, over which a deep shadow falls off
 INSIDE = 2.8, 0.5, 0.1  # of the band: of the blur, px, of the radius
 OUTSIDE = 0.35, 3.5, 7.0  # of the radius; least and most px
 CHROMA_BLUR = 1.3  # px, of colour planes, beside that of the lens
