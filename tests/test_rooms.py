@@ -258,7 +258,7 @@ CAPS = {
     "tracks": 9396,
     "simulation": 6445,
     "core": 5740,
-    "laws": 4966,
+    "laws": 4969,
     "scene": 4873,
     "cli": 4157,
     "plot": 3540,

@@ -90,11 +90,12 @@ class Conditions:
     def __call__(self, meeting: Any) -> list[Condition]:
         """Return the conditions of a :class:`carom.Meeting`: masks (...) and phrases."""
         case = case_of(meeting)
-        with np.errstate(invalid="ignore", over="ignore"):
+        if np.ndarray in map(type, (*case.v, *case[3:])):
+            with np.errstate(invalid="ignore", over="ignore"):
+                found = [(rule, rule.kernel(case)) for rule in self.rules]
+        else:  # (setting NumPy's warnings, and formatting, take longer than the rules of one ball)
             found = [(rule, rule.kernel(case)) for rule in self.rules]
-        return [
-            Condition(_mask(holds), rule.text.format(a=_one(a), b=_one(b)), rule.field) for rule, (holds, a, b) in found
-        ]
+        return [Condition(_mask(holds), _filled(rule.text, a, b), rule.field) for rule, (holds, a, b) in found]
 
 
 class Objections:
@@ -133,6 +134,10 @@ def _three(v: Any) -> Any:
 
 def _mask(holds: Any) -> Any:
     return np.bool_(holds) if isinstance(holds, bool) else np.asarray(holds)
+
+
+def _filled(text: str, a: Any, b: Any) -> str:
+    return text.format(a=_one(a), b=_one(b)) if "{" in text else text
 
 
 def _one(x: Any) -> float:
