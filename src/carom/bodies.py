@@ -188,8 +188,7 @@ def _fill(
         "planar": planar,
     }
     faults.raise_if_any()
-    for key, value in values.items():
-        object.__setattr__(ball, key, value)
+    vars(ball).update(values)  # (the record is frozen)
 
 
 @holds_arrays
@@ -245,8 +244,7 @@ class Surface:
             ),
         }
         faults.raise_if_any()
-        for key, value in values.items():
-            object.__setattr__(self, key, value)
+        vars(self).update(values)  # (the record is frozen)
 
 
 @dataclass(frozen=True, init=False, eq=False)
@@ -327,9 +325,7 @@ class State:
 
 
 def _set(state: State, velocity: Array, spin: Array, position: Array | None) -> None:
-    object.__setattr__(state, "velocity", velocity)
-    object.__setattr__(state, "spin", spin)
-    object.__setattr__(state, "position", position)
+    vars(state).update(velocity=velocity, spin=spin, position=position)  # (the record is frozen)
 
 
 def vectors(faults: FaultList, field: str, value: ArrayLike, unit: str, length: int = 3) -> Array:

@@ -204,8 +204,10 @@ def checked_number(
     faults: FaultList, field: str, value: Any, expected: str, holds: Callable[[Any], Any], *, infinite: bool = False
 ) -> Any:
     """Return a float, or an array of floats, for which ``holds`` is true; else add a fault and return 1.0."""
+    if type(value) is float and MIN_MAGNITUDE <= value <= MAX_MAGNITUDE and holds(value):  # the common case
+        return value
     least = 0.0 if holds(0.0) else MIN_MAGNITUDE
-    if type(value) is float or type(value) is int:  # the common case, without arrays
+    if type(value) is float or type(value) is int:  # without arrays
         if holds(value) and (least <= abs(value) <= MAX_MAGNITUDE or (infinite and value == np.inf)):
             return float(value)
         faults.add(field, with_size_limit(expected, value), f"{value!r}")

@@ -211,14 +211,16 @@ def answer_rows(
     vectors share the memory of one array; many are evaluated by the loop, and so is a single one that has to be ``integrated``
     (a function of the kernel's arguments), which takes Python long.
     """
-    alone = max([x.ndim for x in vectors]) == 1 and (
-        set(map(type, parameters)) == {float} or not any(map(np.ndim, parameters))
-    )
-    one = (*[tuple(x.tolist()) for x in vectors], *map(float, parameters), *more) if alone else ()
+    plain = set(map(type, parameters)) == {float}
+    alone = all([x.ndim == 1 for x in vectors]) and (plain or not any(map(np.ndim, parameters)))
+    numbers = parameters if plain else map(float, parameters)
+    one = (*[tuple(x.tolist()) for x in vectors], *numbers, *more) if alone else ()
     if alone and not (integrated is not None and integrated(*one) and is_ready(loop)):
         found = kernel(*one)
-        made = iter(np.array([x for x, kind in zip(found, widths, strict=True) if kind == "v"], dtype=float))
-        return [next(made) if kind == "v" else x for x, kind in zip(found, widths, strict=True)]
+        if widths == "vv":  # (a custom law may return lists)
+            return [*np.array(found, dtype=float)]
+        made = iter(np.array([x for x in found if type(x) is tuple], dtype=float))
+        return [next(made) if type(x) is tuple else x for x in found]
     shape, rows = _rows_of(vectors, parameters)
     n = len(rows[0])
     arrays: list[NDArray[Any]] = [

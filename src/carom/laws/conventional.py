@@ -24,7 +24,6 @@ from carom.core.jit.kernel import Vec, kernel
 from carom.errors import CaromError
 from carom.laws.landing import PAPER_WALL
 from carom.laws.law import (
-    APPROACHES,
     PAPER,
     ROLLING_WALL,
     UP,
@@ -168,7 +167,6 @@ def _on_floor(c: Case) -> Said:
 
 
 CONDITIONS = Conditions(
-    *APPROACHES,
     Rule(_rolls, "hypothesis 1: a ball that rolls on the floor without sliding", "floor"),
     Rule(_vertical, "hypothesis 1: a vertical wall (any other lifts the ball or presses it down)", "shape"),
     Rule(_elastic, "hypothesis 3: a wall of restitution 1 (with less, energy would have to be created)", "restitution"),

@@ -82,20 +82,28 @@ class Rule(NamedTuple):
 
 
 class Conditions:
-    """The conditions of a law: what a call with a meeting returns."""
+    """The conditions of a law: those of every law (:data:`APPROACHES`) and its own, which are given here."""
 
-    def __init__(self, *rules: Rule) -> None:
-        self.rules = rules
+    def __init__(self, *own: Rule) -> None:
+        self.rules, self.own = (*APPROACHES, *own), own
 
     def __call__(self, meeting: Any) -> list[Condition]:
         """Return the conditions of a :class:`carom.Meeting`: masks (...) and phrases."""
-        case = case_of(meeting)
-        if np.ndarray in map(type, (*case.v, *case[3:])):
-            with np.errstate(invalid="ignore", over="ignore"):
-                found = [(rule, rule.kernel(case)) for rule in self.rules]
-        else:  # (setting NumPy's warnings, and formatting, take longer than the rules of one ball)
-            found = [(rule, rule.kernel(case)) for rule in self.rules]
-        return [Condition(_mask(holds), _filled(rule.text, a, b), rule.field) for rule, (holds, a, b) in found]
+        return _conditions(meeting, self.rules)
+
+    def of_approaching(self, meeting: Any) -> list[Condition]:
+        """Return the conditions that remain where the ball is known to approach the wall (:func:`require_approach`)."""
+        return _conditions(meeting, self.own) if self.own else []
+
+
+def _conditions(meeting: Any, rules: tuple[Rule, ...]) -> list[Condition]:
+    case = case_of(meeting)
+    if np.ndarray in map(type, (*case.v, *case[3:])):
+        with np.errstate(invalid="ignore", over="ignore"):
+            found = [(rule, rule.kernel(case)) for rule in rules]
+    else:  # (setting NumPy's warnings, and formatting, take longer than the rules of one ball)
+        found = [(rule, rule.kernel(case)) for rule in rules]
+    return [Condition(_mask(holds), _filled(rule.text, a, b), rule.field) for rule, (holds, a, b) in found]
 
 
 class Objections:
@@ -470,12 +478,7 @@ class Law:
         require_approach(ball, state, n)
         g, h, _together = landing_settings(gravity, height, floor_contact, self.name)
         meeting = Meeting(ball, state, n, wall, floor, g, h, floor_contact, stiffness_ratio)
-        for holds, expected, *_field in self.conditions(meeting):
-            if not holds_everywhere(holds):
-                raise CaromError(
-                    f"{self.name}: expected {expected}, got a state or a wall for which this does not hold"
-                    f"{bad_row(~np.asarray(holds))}"
-                )
+        _require_conditions(self, meeting)
         return self.answer(meeting)
 
     def __repr__(self) -> str:
@@ -602,7 +605,7 @@ def _answer_of_kernel(kernel: WallKernel, last: str, meeting: Meeting) -> Answer
     return wall_then_floor(meeting, respond(kernel, meeting, value))
 
 
-approaches = Conditions(*APPROACHES)
+approaches = Conditions()
 """The conditions of every law: the ball does not leave the wall, nor move too slowly for squares."""
 
 
@@ -632,12 +635,18 @@ def reflect(law: Law, ball: Ball, state: State, normal: ArrayLike, surface: Surf
     """Return the state (...) after the wall by a law's kernel; CaromError, one line per condition that fails."""
     meeting = Meeting(ball, state, unit_normal(normal), surface)
     require_approach(meeting.ball, meeting.state, meeting.normal)
+    _require_conditions(law, meeting)
+    assert law.kernel is not None  # all laws that are called here have one
+    return respond(law.kernel, meeting)
+
+
+def _require_conditions(law: Law, meeting: Meeting) -> None:
+    """Raise CaromError, one line per condition of a law that fails, for a ball that is known to approach the wall."""
+    of = law.conditions
     faults = [
-        f"{law.name}: expected {expected}, got another state{bad_row(~np.asarray(holds))}"
-        for holds, expected, *_field in law.conditions(meeting)
+        f"{law.name}: expected {expected}, got a state or a wall for which this does not hold{bad_row(~np.asarray(holds))}"
+        for holds, expected, *_field in (of.of_approaching(meeting) if isinstance(of, Conditions) else of(meeting))
         if not holds_everywhere(holds)
     ]
     if faults:
         raise CaromError(*faults)
-    assert law.kernel is not None  # all laws that are called here have one
-    return respond(law.kernel, meeting)

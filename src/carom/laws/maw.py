@@ -26,7 +26,6 @@ import numpy as np
 from carom.core.contact import LEAST, slip_velocity, struck_along
 from carom.core.jit.kernel import Vec, dot, kernel
 from carom.laws.law import (
-    APPROACHES,
     COMPLIANT_READS,
     Card,
     Case,
@@ -171,7 +170,7 @@ TABULATED = "a stiffness ratio from {a:.3g} to {b:.3g}, for which the law is tab
 LAW = wall_law(
     CARD,
     maw_contact,
-    Conditions(*APPROACHES, Rule(_tabulated, TABULATED, "stiffness_ratio")),
+    Conditions(Rule(_tabulated, TABULATED, "stiffness_ratio")),
     compliant_objections,
     COMPLIANT_READS,
     last="stiffness_ratio",

@@ -22,7 +22,6 @@ import math
 from carom.core.contact import LEAST, slip_velocity, struck_along
 from carom.core.jit.kernel import Vec, dot, kernel, root_of
 from carom.laws.law import (
-    APPROACHES,
     COMPLIANT_READS,
     Card,
     Case,
@@ -193,7 +192,6 @@ def _slow(c: Case) -> Said:
 
 
 CONDITIONS = Conditions(
-    *APPROACHES,
     Rule(_stiff, "a stiffness ratio from {a:g} to {b:g}", "stiffness_ratio"),
     Rule(_slow, "a stiffness ratio k and an inertia kappa with k (1 + 1/kappa) at most {a:g}", "stiffness_ratio"),
 )

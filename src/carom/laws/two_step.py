@@ -34,7 +34,6 @@ from carom.laws.landing import (
     times_mass,
 )
 from carom.laws.law import (
-    APPROACHES,
     ON_FLOOR,
     ON_WALL,
     PAPER,
@@ -180,8 +179,10 @@ def two_step_final(
     return rolling_after(v1, w1, n, a, kappa, ef, muf, betaf, g, h)
 
 
-def _is_pressed(v: Vec, w: Vec, n: Vec, a: float, _kappa: float, _e: float, mu: float, *others: Any) -> bool:
-    *_others, h, together = others
+def _is_pressed(
+    v: Vec, w: Vec, n: Vec, a: float, _kappa: float,
+    _e: float, mu: float, _beta: float, _ef: float, _muf: float, _betaf: float, h: float, together: bool,
+) -> bool:  # fmt: skip
     return together and pressed_down(v, w, n, a, mu, h)
 
 
@@ -330,7 +331,7 @@ def _not_pressed(c: Case) -> Said:
 
 
 two_step_conditions = Conditions(
-    *APPROACHES, Rule(_not_pressed, "tangential restitution 0 where the wall presses the ball on the floor")
+    Rule(_not_pressed, "tangential restitution 0 where the wall presses the ball on the floor")
 )
 
 
