@@ -212,7 +212,7 @@ def answer_rows(
     (a function of the kernel's arguments), which takes Python long.
     """
     plain = set(map(type, parameters)) == {float}
-    alone = all([x.ndim == 1 for x in vectors]) and (plain or not any(map(np.ndim, parameters)))
+    alone = max([x.ndim for x in vectors]) == 1 and (plain or not any(map(np.ndim, parameters)))
     numbers = parameters if plain else map(float, parameters)
     one = (*[tuple(x.tolist()) for x in vectors], *numbers, *more) if alone else ()
     if alone and not (integrated is not None and integrated(*one) and is_ready(loop)):
