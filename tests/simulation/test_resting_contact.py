@@ -13,7 +13,7 @@ from reference.leaning_balls import Leaning
 import carom
 from carom.core.jit.kernel import as_objects
 from carom.scene.toml import replaced
-from carom.simulation import loop, predict
+from carom.simulation import loop, predict, resting_contact
 from carom.simulation.records import BALL, FLOOR, WALL, set_up
 
 TOP = 150.0  # rad/s, more than any of these balls spins
@@ -224,3 +224,24 @@ def test_a_search_for_a_wall_behind_a_ball_that_rolls_down_ends(monkeypatch: pyt
     monkeypatch.setattr(predict, "state_at", lambda ball, s: (steps.append(s), state_at(ball, s))[1])
     loop._start(as_objects(arrays.world)[0], features, balls)
     assert 0 < len(steps) < 200
+
+
+def test_a_low_bounce_of_two_balls_takes_its_energy_from_the_motion_of_both() -> None:
+    ball = {"radius": 0.03, "mass": 0.2}
+    balls = [
+        {**ball, "position": (-0.03, 0.0), "velocity": (0.0, 0.3), "spin": (1.0, 2.0, 5.0)},
+        {**ball, "mass": 0.3, "position": (0.03, 0.0), "velocity": (0.0, -0.5), "spin": (-3.0, 0.0, 1.0)},
+    ]
+    arrays = set_up(carom.Scene(floor={"friction": 0.0, "slope": (0.05, 0.0)}, balls=balls), compiled=False)
+    world, (one, other) = as_objects(arrays.world)[0], as_objects(arrays.balls_to_move())
+
+    def energy() -> float:
+        return sum(m.mass * (np.dot(m.v, m.v) + m.kappa * m.radius**2 * np.dot(m.w, m.w)) / 2 for m in (one, other))
+
+    before = energy()
+    impulse = resting_contact.continue_ball_contact(world, one, other, (-1.0, 0.0, 0.0), 0.0, -1.0)
+    apart = other.v[0] - one.v[0]
+    assert impulse > 0
+    assert apart == pytest.approx(impulse * (1 / 0.2 + 1 / 0.3))
+    assert apart > 0
+    assert energy() == pytest.approx(before, rel=1e-14)

@@ -247,7 +247,7 @@ def drift(found: Orbit, axis: int | None = None) -> Drift:
     1.0
     """
     if axis is None:
-        axis = 2 if found.setup.table.dimension == 3 and found.setup.table.name == "cylinder" else 0
+        axis = 2 if found.setup.table.name == "cylinder" else 0
     if axis not in range(found.setup.table.dimension):
         raise CaromError(Fault("drift", "axis", f"one of {list(range(found.setup.table.dimension))}", repr(axis)))
     if (np.asarray(found.count) < 4).any():

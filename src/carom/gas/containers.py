@@ -478,7 +478,7 @@ class GasContainer(Model):
 
     def __new__(cls, *_unnamed: Any, **fields: Any) -> Any:
         """Return a container of the class of its shape."""
-        kind = CONTAINERS.get(str(fields.get("shape"))) if cls is GasContainer and fields else cls
+        kind = CONTAINERS.get(str(fields.get("shape"))) if cls is GasContainer else cls
         return super().__new__(kind or cls)
 
     @model_validator(mode="after")
