@@ -6,11 +6,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from reference.brute_profiles import wrongly_untold
+from reference.brute_profiles import profile, wrongly_untold
+from reference.synthetic_bounces import SETTING, bounces
 
 import carom
-from carom.fitting.identify import NOT_IDENTIFIABLE, identify
-from carom.fitting.laws import Parameter
+from carom.data import make_rebounds
+from carom.fitting import fit_law, make_problem
+from carom.fitting.identify import KINKED, NOT_IDENTIFIABLE, identify
+from carom.fitting.laws import Parameter, laws_named
 from carom.fitting.model import model_of
 
 BEST = 0.4
@@ -135,6 +138,18 @@ def test_no_parameter_is_not_identifiable_whose_profile_rises_on_both_sides(name
         assert fit.untold == fit.degenerate == ()
         for one, stderr in (("restitution", 0.022), ("friction", 0.013)):
             assert fit.estimates[one].stderr == pytest.approx(stderr, rel=0.2)
+
+
+@pytest.mark.parametrize("seed", [541, 545, 549])
+def test_error_bars_at_kinks_are_those_of_profiles(seed: int) -> None:
+    """The curvature at a kink made that of a tangential restitution 1.3 to 2.6 times too large or too small."""
+    law = laws_named(["contact"], "planar", True)[0][0]
+    rows = make_rebounds("planar", bounces(seed, 30, 0.03, 2.0, unknown=True, spin_seen=True))
+    fit = fit_law(law, make_problem(rows, SETTING)[0])
+    for name in (name for name in KINKED if name in fit.names):
+        stderr = fit.estimates[name].stderr
+        (_, low), (_, high) = profile(fit, name, stderr, shares=(1.0,))
+        assert (low**-0.5 + high**-0.5) / 2 == pytest.approx(1, abs=0.06), name
 
 
 @pytest.mark.slow

@@ -37,7 +37,9 @@ def least_deviance(model: Any, starts: np.ndarray) -> tuple[float, np.ndarray]:
     return min(float(ended.fun), float(found.value.min())), p
 
 
-def profile(fit: Any, name: str, reach: float, seed: int = 0) -> list[tuple[float, float]]:
+def profile(
+    fit: Any, name: str, reach: float, seed: int = 0, shares: tuple[float, ...] = SHARES
+) -> list[tuple[float, float]]:
     """(value, rise) of one parameter outwards to both sides, as far as a distance or its bound; none where that is near."""
     model = model_of(fit.law, fit.problem)
     place, parameter, held = model.places[name], model.parameters[name], model.holding(name)
@@ -49,7 +51,7 @@ def profile(fit: Any, name: str, reach: float, seed: int = 0) -> list[tuple[floa
         far = float(np.clip(best + sign * reach, parameter.low, parameter.high))
         if abs(far - best) < reach / 4:
             continue
-        for share in SHARES:
+        for share in shares:
             starts = np.tile(fit.numbers, (DRAWN + 2, 1))
             starts[1] = here
             for i in held.free[held.free < NUMBERS]:

@@ -369,7 +369,7 @@ def fit_at(
         information = information * max(problem.count - fit.k, 1) / problem.count
     done = _identified(fit, information)
     if problem.spins is not None and "friction" in done.untold:
-        done = _identified(fit, with_profiled_friction(fit, information, extra))
+        done = _identified(fit, with_profiled_friction(done, information, extra))
     return done if problem.spins is None else with_marginal_errors(done, extra)
 
 

@@ -375,9 +375,7 @@ class _Joint:
             return np.array(found)
 
         low, high = float(self.low[i]), float(self.high[i])
-        for level in LEVELS:
-            bar = max(half_width(rises, float(q[i]), bar * level, low, high, level)[0], bar)
-        return bar
+        return max(half_width(rises, float(q[i]), bar * level, low, high, level)[0] for level in LEVELS)
 
     def _descend(self, start: Array, options: dict[str, float], hold: int | None = None) -> tuple[Array, float]:
         """Return the end point of one descent, and its deviance; one number may be held."""
@@ -554,7 +552,7 @@ def _settled(fit: Fit, ends: dict[str, _Mixed]) -> Fit:
                 abs(end.at[0][i] - p[i]) / math.sqrt(max(end.fit.deviance - mixed.fit.deviance, LEAST_RISE))
                 for end in inner
             ]
-            found = scaled(found, name, max(bar, *reach, one.stderr) / one.stderr)
+            found = scaled(found, name, float(max([bar, *reach])) / one.stderr)
     return found
 
 

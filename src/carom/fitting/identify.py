@@ -35,6 +35,7 @@ COMPENSATED = (
     2.0  # ratio of a parameter's error bar to what it were with the others known, above which they compensate for it
 )
 SLIP_RETURN = ("tangential_restitution", "stiffness_ratio")
+KINKED = ("friction", *SLIP_RETURN)  # numbers in which the deviance has kinks where spins are not measured
 NEARER = 0.4  # of a step: 2 error bars where the step is 5
 ALONG = np.array([-8.0, -4.0, -2.0, 2.0, 4.0, 8.0])  # steps along a valley
 BISECTIONS = 20
@@ -551,17 +552,24 @@ def _levels(fit: Fit, name: str, profiled: bool) -> tuple[tuple[float, float], t
 def profile_rises(
     fit: Fit, name: str, place: int, base: float, steps: int | None = None, model: FitModel | None = None
 ) -> Rises:
-    """Return the profile of a parameter above ``base``; with ``steps`` each end goes on from where it was left. Of a tabulated law
-    the other numbers are fitted with its table, and the deviance there is the law's."""
+    """Return the profile of a parameter above ``base``; with ``steps`` each end goes on from where it was left. The others begin
+    there, and where the covariance has them: across a kink one of the two may end higher. Of a tabulated law they are fitted with
+    its table, and the deviance there is the law's."""
     model = (model or model_of(fit.law, fit.problem)).holding(name)
     seeds: dict[int, Array] = {}
+    places, own = [model.places[one] for one in fit.names], fit.names.index(name)
+    with np.errstate(all="ignore"):
+        along = np.nan_to_num(fit.covariance[own] / fit.covariance[own, own])
 
     def rises(values: Array, which: Indices) -> Array:
-        p = np.array([fit.numbers if steps is None else seeds.get(i, fit.numbers) for i in which.tolist()])
-        p[:, place] = values
+        here = np.array([fit.numbers if steps is None else seeds.get(i, fit.numbers) for i in which.tolist()])
+        p, far = np.concatenate([here, here]), (values - here[:, place])[:, None]
+        p[: len(here), places] = np.clip(here[:, places] + far * along, model.low[places], model.high[places])
+        p[:, place] = np.tile(values, 2)
         found = model.minimize(p) if steps is None else model.minimize(p, steps)
-        seeds.update(zip(which.tolist(), found.p, strict=True))
-        return (found.value if model.tabulated is None else model.using(None).deviances(found.p)) - base
+        least = np.argmin(found.value.reshape(2, -1), axis=0) * len(here) + np.arange(len(here))
+        seeds.update(zip(which.tolist(), found.p[least], strict=True))
+        return (found.value[least] if model.tabulated is None else model.using(None).deviances(found.p[least])) - base
 
     return rises
 
@@ -788,25 +796,21 @@ def with_shared(fit: Fit, shifted: Sequence[tuple[str, Rebounds]]) -> Fit:
 
 
 def with_marginal_errors(fit: Fit, extra: float = 0.0) -> Fit:
-    """Correct estimates if unmeasured spins are integrated over: an unbiased prior width, and the friction's error by its profile.
+    """Correct estimates if unmeasured spins are integrated over: error bars by profiles, and an unbiased prior width.
 
-    The prior's width is the scatter of few spins, and its maximum-likelihood value is too small on average: for n normal numbers
-    about a fitted mean, with sum of squares S, it is sqrt(S/n), whereas sqrt(S/(n - 3/2)) is unbiased (about a given mean,
-    n - 1/2). The friction is the edge of a scatter, and the deviance has a kink for each row at that edge, so its curvature
-    between two kinks does not represent its rise across them. ``fit.numbers`` are not changed; ``extra``: the part of the
-    deviance that does not depend on the rows.
+    The friction is the edge of a scatter, and the deviance has a kink for each row at that edge, so its curvature between two
+    kinks does not represent its rise across them; so it is with the other numbers along the wall. The prior's width is the scatter
+    of few spins, and its maximum-likelihood value is too small on average: for n normal numbers about a fitted mean, with sum of
+    squares S, it is sqrt(S/n), whereas sqrt(S/(n - 3/2)) is unbiased (about a given mean, n - 1/2). ``fit.numbers`` are not
+    changed; ``extra``: the part of the deviance that does not depend on the rows.
     """
     fit = _with_unbiased_width(fit)
-    estimate = fit.estimates.get("friction")
-    if (
-        estimate is None or not estimate.stderr or fit.problem.carried
-    ):  # (there the curvature is that between distant points)
-        return fit
-    half, _rise = _friction_profile(fit, extra, estimate.stderr)
-    by = half / estimate.stderr
-    # (the profile holds a mixture of spins, with which the friction is correlated)
-    found: Fit = scaled(fit, "friction", max(by, 1.0) if fit.problem.mixture is not None else by)
-    return found
+    # (else the curvature is that between distant points, or profiles are those of law and mixture together)
+    names = fit.estimates if not fit.problem.carried and fit.problem.mixture is None else ()
+    for name in (name for name in KINKED if name in names):
+        if stderr := fit.estimates[name].stderr:
+            fit = scaled(fit, name, _profile_width(fit, name, extra, stderr)[0] / stderr)
+    return fit
 
 
 def _with_unbiased_width(fit: Fit) -> Fit:
@@ -828,9 +832,8 @@ def with_profiled_friction(fit: Fit, information: Array, extra: float = 0.0) -> 
 
     If a row is at a kink exactly at the minimum, the curvature there may suggest that the friction is not identifiable.
     """
-    i = fit.names.index("friction")
-    best = float(fit.numbers[INDEX["friction"]])
-    half, rise = _friction_profile(fit, extra, MIN_STEP * max(best, MIN_STEP))
+    i, best = fit.names.index("friction"), float(fit.numbers[INDEX["friction"]])
+    half, rise = _profile_width(fit, "friction", extra, MIN_STEP * max(best, MIN_STEP))
     if (np.abs(np.sqrt(np.maximum(rise, 0.0)) - 1) > NO_ROOT).any():
         return information
     rest = np.delete(np.arange(len(information)), i)
@@ -840,9 +843,9 @@ def with_profiled_friction(fit: Fit, information: Array, extra: float = 0.0) -> 
     return information
 
 
-def _friction_profile(fit: Fit, extra: float, step: float) -> tuple[float, Array]:
-    """Return the half-width of the friction's profile and the rises at its ends."""
+def _profile_width(fit: Fit, name: str, extra: float, step: float) -> tuple[float, Array]:
+    """Return the half-width of a number's profile, searched for from a step away, and the rises at its ends."""
     model = working_model(fit, fit.problem)
-    parameter = model.parameters["friction"]
-    rises = profile_rises(fit, "friction", INDEX["friction"], fit.deviance - extra, MARGINAL_STEPS, model)
-    return half_width(rises, float(fit.numbers[INDEX["friction"]]), step, parameter.low, parameter.high)
+    place, parameter = model.places[name], model.parameters[name]
+    rises = profile_rises(fit, name, place, fit.deviance - extra, MARGINAL_STEPS, model)
+    return half_width(rises, float(fit.numbers[place]), step, parameter.low, parameter.high)

@@ -369,10 +369,10 @@ def form_starts(form: str, speed: Array, ratio: Array) -> list[tuple[float, ...]
 # by 1.3e-3 of the speed (rms; 4e-3 at most) on the coarse lattice, which serves the search, and by 3e-5 (3e-4) on a fine one for
 # narrow error bars, which space its nodes about the place that was found (tests keep that). With six error bars between nodes the
 # deviance of 89 rebounds was off by 12 beside the best friction, with one by 0.05; in the restitution it is smooth, and eight are
-# as good as one. The fine one serves what asks how much the deviance rises: what is identifiable, the bootstrap, numbers of folds
-# and of the friction's profile. The estimates, chi^2 and AICc are from the law itself, by a descent that starts there, and are
-# those of a fit without a table to a hundredth of an error bar; so are the deviances of folds and of the friction's profile, whose
-# error bar is that of the law to 1 % (a test says so).
+# as good as one. The fine one serves what asks how much the deviance rises: what is identifiable, the bootstrap, where folds begin,
+# and the profiles of single numbers. The estimates, chi^2 and AICc are from the law itself, by a descent that starts there, and are
+# those of a fit without a table to a hundredth of an error bar; so are the numbers of folds, and the deviances of profiles: error
+# bars are those of the law to 1 % (a test says so).
 
 
 LEAST_ROWS = 60  # without spin: from here on a table is quicker than the law

@@ -38,7 +38,7 @@ from carom.fitting.forms import FormChoice, choose_forms, may_mix, with_flexible
 from carom.fitting.identify import with_bootstrap, with_estimate, with_profiles, with_shared
 from carom.fitting.laws import FORMS, NUMBERS, FittedLaw, laws_named
 from carom.fitting.model import SETTING_NUMBERS, STEPS, model_of, predict_law
-from carom.fitting.result import Estimate, Fit, refit, rows_of_fit, scaled, with_error_bar, working_model
+from carom.fitting.result import Estimate, Fit, refit, rows_of_fit, scaled, with_error_bar
 from carom.fitting.rows import (
     Problem,
     Setting,
@@ -75,7 +75,7 @@ from carom.scene import Scene
 Array = NDArray[np.float64]
 # Law evaluations (carom.fitting.rows.Problem.work) up to which each fold descends on its own
 CROSS_VALIDATION_WORK = 4e5
-FOLDS, MAX_FOLDED_ROWS, FEW_STEPS = 10, 20_000, 6
+FOLDS, MAX_FOLDED_ROWS, FEW_STEPS, LAW_STEPS = 10, 20_000, 6, 2
 LARGEST_STEP = 3.0  # error bars by which one Newton step may move a parameter
 LEAST_GAIN = 0.5  # of the log likelihood of all rows, left out in turn: a smaller difference speaks against no law
 
@@ -97,17 +97,17 @@ def cross_validated_score(fit: Fit) -> float:
     else:
         # a fold's minimum is near the minimum of all; where spins are integrated over evaluations are costly, and few suffice
         numbers, _cost = refit(fit, problem, 1 - left_out, steps=STEPS if problem.spins is None else FEW_STEPS)
-    total = 0.0
-    for one in range(folds):
-        part = problem.select(np.flatnonzero(fold == one))
-        total -= float(rows_of_fit(fit, part, numbers[one])[0].sum()) / 2
+        if fit.tabulated is not None:  # (beside its table; from there by the law itself)
+            numbers = model_of(fit.law, problem).minimize(numbers, LAW_STEPS, 1 - left_out).p
+    parts = [problem.select(np.flatnonzero(fold == one)) for one in range(folds)]
+    total = -sum(float(rows_of_fit(fit, part, p)[0].sum()) for part, p in zip(parts, numbers, strict=True)) / 2
     logs = np.log(problem.vy[0, problem.estimated]) * np.isfinite(problem.y[:, problem.estimated]).sum(axis=0) / 2
     return (total - float(logs.sum()) - fit.determinants * n / len(fit.problem.x) / 2) / n
 
 
 def one_step_without(fit: Fit, problem: Problem, left_out: Array) -> Array:
     """Return numbers (B, K) without the rows that are left out, weights (B, N): one Newton step from the fit to all rows."""
-    model = working_model(fit, problem)
+    model = model_of(fit.law, problem)
     free, p = model.free, np.tile(fit.numbers, (len(left_out), 1))
     if not len(free):
         return p
