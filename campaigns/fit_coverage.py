@@ -1,6 +1,6 @@
 """Do error bars keep what they promise? 1,000 made-up tables; how often the truth lies within one and two (1.96) of them.
 
-    python campaigns/fit_coverage.py [runs] [--only NAME] [--rows FILE]
+    python campaigns/fit_coverage.py [runs] [--first SEED] [--only NAME] [--rows FILE]
 
 Prints, for each kind of table, the share of 68.3 % and 95 % beside the counting error of so many runs; how far off the numbers are
 on average, and how far they scatter, both in error bars; then how long fits take. With --rows every table is written down as it is
@@ -91,11 +91,12 @@ def one(kind: Kind, seed: int) -> dict[str, Any]:
 
 def main(words: Sequence[str] | None = None) -> None:
     """A line a number."""
-    with campaign("fit_coverage", __doc__, words, count=1000, small=20) as run:
+    with campaign("fit_coverage", __doc__, words, count=1000, small=20, first={"type": int, "default": 0}) as run:
         for name, kind in KINDS.items():
             if run.wants(name, KINDS):
                 count = max(run.count // 3, 20) if kind.profiles else run.count
-                rows = run.rows.fill(name, range(count), lambda seed, kind=kind: one(kind, seed))
+                seeds = range(run.given.first, run.given.first + count)
+                rows = run.rows.fill(name, seeds, lambda seed, kind=kind: one(kind, seed))
                 took = np.mean([row["seconds"] for row in rows])
                 for number in [number for number in rows[0] if number in TRUTH]:
                     run.say(f"{name:50} {number:24} {shares([row[number] for row in rows])}; {took:.2f} s a table")
