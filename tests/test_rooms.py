@@ -255,7 +255,7 @@ CAPS = {
     "fitting": 10635,
     "gas": 6945,
     "billiards": 5572,
-    "tracks": 9396,
+    "tracks": 9394,
     "simulation": 6445,
     "core": 5740,
     "laws": 4969,

@@ -141,3 +141,20 @@ def test_the_shape_of_a_rim_and_the_colour_within_are_seen() -> None:
         shape, colour = look_closer(patch, outline, np.zeros(2), optics)
         assert shape == pytest.approx(expected, abs=0.15)
         assert colour == pytest.approx([219 * (180 / 219) ** 2.2, 128, 128], abs=2)
+
+
+def test_a_ball_that_falls_within_an_exposure_is_where_it_is_in_the_middle_of_it() -> None:
+    # (a long exposure of a ball that falls by 8 px in it: both ends of its way are 1 px lower than if it moved evenly)
+    y, x = np.mgrid[0:120, 0:64].astype(float)
+    speed, fall, part = np.array([0.0, 2000.0]), np.array([0.0, 40000.0]), (np.arange(400) + 0.5) / 400 - 0.5
+    after = part / 50
+    at = 58.0 + speed[1] * after + fall[1] * after**2 / 2
+    cover = np.mean([1 / (1 + np.exp(-1.7 * (15 - np.hypot(x - 31.5, y - one)))) for one in at], axis=0)
+    light = (1 - cover) * 60**2.2 + cover * 180**2.2
+    colour, behind = np.full((60, 32), 128, np.uint8), np.full((120, 64), 76, np.uint8)
+    patch = Patch(0, (0, 0), ((light ** (1 / 2.2) + 16.5).astype(np.uint8), colour, colour), (behind, colour, colour))
+    optics = Optics(15.0, 1.0, 0.02, (1.5, 1.0, 1.0), fall=fall)
+    off = [fit_outline(patch, np.array([31.0, 58.0]), speed, one).place[1] - 58.0 for one in
+           (optics, optics._replace(fall=(0.0, 0.0)))]  # fmt: skip
+    assert abs(off[0]) < 0.15
+    assert off[1] > 0.8

@@ -68,6 +68,8 @@ class Optics(NamedTuple):
     """From row to row, s per px."""
     deep: bool = False
     """Whether the ball has a deep shadow at its rim."""
+    fall: Sequence[float] | Array = (0.0, 0.0)
+    """px/s²: the usual acceleration of a ball, also within an exposure."""
 
 
 class Outline(NamedTuple):
@@ -130,9 +132,7 @@ def _band(
     return _Pixels(x, y, seen, behind, blur, weight, planes)
 
 
-def _covered(
-    pixels: _Pixels, p: Array, speed: Array, rows: Sequence[float], names: str
-) -> tuple[Array, Array, Array, Array]:
+def _covered(pixels: _Pixels, p: Array, speed: Array, optics: Optics, names: str) -> tuple[Array, Array, Array, Array]:
     """Return the covered part A (N,) of pixels, its derivatives (K, N) by the parameters named, and directions and distances (N,),
     px, of pixels from the ball's middle and its rim.
 
@@ -143,9 +143,12 @@ def _covered(
     from scipy.special import ndtr
 
     x, y, radius, psf, exposure, lag, long, more, skew = p
+    rows = optics.rows
     sigma = np.sqrt(psf**2 + pixels.blur)
     count = int(np.clip(np.ceil(exposure * np.hypot(*speed) / max(psf, 0.5)), 1, PLACES))
     part = ((np.arange(count) + 0.5) / count - 0.5)[:, None]
+    # (speeds within the exposure)
+    u, v = (speed[k] + part * (exposure * 1e-6 * optics.fall[k]) for k in (0, 1))
     dx, dy = pixels.x - x, pixels.y - y
     row = 1e-3 * (dx * rows[0] + dy * rows[1])
     middle = dx + 1j * dy
@@ -153,8 +156,8 @@ def _covered(
     fast = (speed[0] * rows[0] + speed[1] * rows[1]) ** 2
     along = 1e3 * row * (long + more * fast)
     turn = 1e3 * row * skew
-    dx = (dx - along * rows[0] - turn * rows[1] - lag * row * speed[0])[None, :] - part * (exposure * speed[0])
-    dy = (dy - along * rows[1] + turn * rows[0] - lag * row * speed[1])[None, :] - part * (exposure * speed[1])
+    dx = (dx - along * rows[0] - turn * rows[1] - lag * row * speed[0])[None, :] - part * exposure * (speed[0] + u) / 2
+    dy = (dy - along * rows[1] + turn * rows[0] - lag * row * speed[1])[None, :] - part * exposure * (speed[1] + v) / 2
     distance = np.maximum(np.sqrt(dx * dx + dy * dy), 1e-9)
     z = (radius - distance) / sigma
     density = np.exp(-0.5 * z * z) / (np.sqrt(2 * np.pi) * sigma)
@@ -164,7 +167,7 @@ def _covered(
         "y": lambda: (out * dy).mean(axis=0),
         "r": lambda: density.mean(axis=0),
         "s": lambda: -(density * z).mean(axis=0) * psf / sigma,
-        "e": lambda: (out * (dx * speed[0] + dy * speed[1]) * part).mean(axis=0),
+        "e": lambda: (out * (dx * u + dy * v) * part).mean(axis=0),
         "q": lambda: (out * (dx * speed[0] + dy * speed[1])).mean(axis=0) * row,
         "b": lambda: (out * (dx * rows[0] + dy * rows[1])).mean(axis=0) * 1e3 * row,
         "c": lambda: slopes["b"]() * fast,
@@ -188,7 +191,7 @@ def _residuals(
     pixels: _Pixels, p: Array, speed: Array, optics: Optics, names: str, order: int, weight: Array
 ) -> tuple[Array, Array, Array]:
     """Return residuals (N,), their projected derivatives (K, N), and by how much ball and ground differ (N,); all in levels."""
-    cover, slope, turn, beyond = _covered(pixels, p, speed, optics.rows, names)
+    cover, slope, turn, beyond = _covered(pixels, p, speed, optics, names)
     orders = order, SHADOW_ORDER[optics.deep]
     powers = np.cumprod(np.broadcast_to(turn, (max(orders), len(turn))), axis=0)
     ball, shadow = (

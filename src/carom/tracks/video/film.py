@@ -201,12 +201,14 @@ def _candidate(
     path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Background, interval: float, *, shaded: bool
 ) -> Candidate:
     """Return a candidate from its pixels in some frames, with blobs and velocities; ``shaded``: some of these hold a shadow."""
-    noise = tuple(max(2 * one, least) for one, least in zip(ground.noise, (2.2, 0.8, 0.8), strict=True))
+    noise: Any = tuple(max(2 * one, least) for one, least in zip(ground.noise, (2.2, 0.8, 0.8), strict=True))
     quick = np.array([np.hypot(*speed) for *_rest, speed in some])
     blur = np.array([one.blur for _patch, one, _speed in some])
     fast = quick > max(FAST * path.radius / interval, SLOW * quick.max())
     exposure = float(np.median(blur[fast] / quick[fast])) if fast.any() else 0.0
-    optics = Optics(0.95 * path.radius, 1.0, min(exposure, interval), noise, rows=ground.rows, lag=ground.lag)  # type: ignore[arg-type]
+    optics = Optics(
+        0.95 * path.radius, 1.0, min(exposure, interval), noise, rows=ground.rows, lag=ground.lag, fall=_fall(path, interval)
+    )  # fmt: skip
     first = [
         (patch, fit_outline(patch, np.array([one.x, one.y]), speed, optics, order=1), speed)
         for patch, one, speed in some
@@ -238,6 +240,13 @@ def _candidate(
         np.array([[patch.frame, radius] for (patch, *_rest), radius in zip(some, radii, strict=True)]), stretched,
         np.median([one.place - (blob.x, blob.y) for one, (_patch, blob, _speed) in zip(last, some, strict=True)], axis=0),
     )  # fmt: skip
+
+
+def _fall(path: Path, interval: float) -> Array:
+    """Return the usual acceleration (2,) of a path, px/s²: in three frames that follow one another."""
+    near = np.subtract(path.frames[2:], path.frames[:-2]) == 2
+    bend = np.diff(path.places, 2, axis=0)[near] / interval**2
+    return np.median(bend, axis=0) if len(bend) >= LEAST_FRAMES else np.zeros(2)
 
 
 def _colour_shift(slow: Sequence[tuple[Patch, Array, Array]], optics: Optics) -> tuple[float, float]:
@@ -386,7 +395,8 @@ def _fit_chunk(
             if not turns:
                 choices = choices[:1]
             starts = [(places[k], one) for one in [*choices, *([np.zeros(2)] if turns else [])]]
-            near = _from_beside(k, times, places, costs, FLAGGED / 2 * usual, astray) if bad else []
+            good = np.flatnonzero((costs <= FLAGGED / 2 * usual) & np.isfinite(places[:, 0]) & ~astray)
+            near = [(one[2], one[1]) for one in sides(k, good, times, places)] if bad else []
             at = optics._replace(radius=radii[k])
             if near:
                 starts.append((places[k], speed[k]))
@@ -401,16 +411,6 @@ def _fit_chunk(
         k: (one, *look_closer(by_frame[k], one, speed[k], optics._replace(radius=radii[k])))
         for k, one in found.items() if np.isfinite(one.cost)
     }  # fmt: skip
-
-
-def _from_beside(
-    k: int, times: Array, places: Array, costs: Array, most: float, astray: Mask
-) -> list[tuple[Array, Array]]:
-    """Return places and velocities in a frame by the parabolas through the good frames before it, and after it."""
-    return [
-        (one[2], one[1])
-        for one in sides(k, np.flatnonzero((costs <= most) & np.isfinite(places[:, 0]) & ~astray), times, places)
-    ]
 
 
 def track_film(
@@ -823,11 +823,7 @@ def _record(
     for name, place in places.items():
         rows = np.flatnonzero(used[name])
         t = times[rows] + readout * phases[name][rows]
-        up = (
-            table(place[rows])
-            if table
-            else value * np.stack([place[rows, 0], file.height - 1 - place[rows, 1]], axis=1)
-        )
+        up = table(place[rows]) if table else value * (place[rows] * (1, -1) + (0, file.height - 1))
         shared = error * phases[name][rows]
         tracks.append(Track(name, t, up, frame=rows.astype(float), stamped=True, sigma_time=shared))
     cost = functools.reduce(np.fmax, costs.values())
