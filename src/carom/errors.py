@@ -204,11 +204,10 @@ def checked_number(
     faults: FaultList, field: str, value: Any, expected: str, holds: Callable[[Any], Any], *, infinite: bool = False
 ) -> Any:
     """Return a float, or an array of floats, for which ``holds`` is true; else add a fault and return 1.0."""
-    if type(value) is float and MIN_MAGNITUDE <= value <= MAX_MAGNITUDE and holds(value):  # the common case
-        return value
-    least = 0.0 if holds(0.0) else MIN_MAGNITUDE
-    if type(value) is float or type(value) is int:  # without arrays
-        if holds(value) and (least <= abs(value) <= MAX_MAGNITUDE or (infinite and value == np.inf)):
+    if type(value) is float or type(value) is int:  # the common case, without arrays
+        size = abs(value)
+        in_range = MIN_MAGNITUDE <= size <= MAX_MAGNITUDE or (size < MIN_MAGNITUDE and holds(0.0))
+        if holds(value) and (in_range or (infinite and value == np.inf)):
             return float(value)
         faults.add(field, with_size_limit(expected, value), f"{value!r}")
         return 1.0
@@ -217,6 +216,7 @@ def checked_number(
     except (TypeError, ValueError):
         faults.add(field, expected, repr(value))
         return 1.0
+    least = 0.0 if holds(0.0) else MIN_MAGNITUDE
     in_range = (np.abs(array) >= least) & (np.abs(array) <= MAX_MAGNITUDE)
     good = holds(array) & (in_range | (infinite & (array == np.inf)))
     bad = ~np.asarray(good)
