@@ -255,7 +255,7 @@ CAPS = {
     "fitting": 10635,
     "gas": 6945,
     "billiards": 5572,
-    "tracks": 9394,
+    "tracks": 9393,
     "simulation": 6445,
     "core": 5740,
     "laws": 4969,

@@ -112,6 +112,18 @@ def test_a_ball_on_a_table_does_not_fall(seed: int, camera: Camera) -> None:
             assert likely_unit(scaled)[0] == "", unit
 
 
+def test_pieces_that_hold_a_bounce_do_not_fall_upward() -> None:
+    # (two of its four pieces of eight frames hold a bounce, and bend upward by 8 to 9.7 m/s^2)
+    t, contacts, drop = np.arange(26) / 30, (0.34008, 0.81739), (0.42434, 0.49288)
+    y = np.where(t < contacts[0], drop[0] + drop[1] * t - 9.81 / 2 * t**2, 0.0)
+    for start, speed in zip(contacts, (2.34122, 1.92778), strict=True):
+        y = np.where(t > start, 0.02467 + speed * (t - start) - 9.81 / 2 * (t - start) ** 2, y)
+    keep = np.abs(np.arange(26) - 9.5) > 1  # (no frames beside the first contact)
+    for up, fall in ((1, 0.0), (-1, 9.81)):
+        track = Track("ball", t, np.stack([0.6 * t, up * y], axis=1)).select(keep)
+        assert axis_points_down([track], 9.81) == fall
+
+
 def test_short_films_of_a_single_bounce() -> None:
     for seed in range(8):
         rng = np.random.default_rng(seed)

@@ -596,7 +596,10 @@ def _windows(track: Track, span: float) -> tuple[Array, Array, Array, Array, Arr
 
 def axis_points_down(tracks: Sequence[Track], gravity: float) -> float:
     """Return the acceleration with which the ball falls upward, m/s^2, as it does if the second axis points down; else 0."""
-    if falling_share(tracks, -gravity) > MIN_FALLING_SHARE or falls_freely(tracks, -gravity):
+    down, up = (falls_freely(tracks, sign * gravity) for sign in (1, -1))
+    if down > up:  # (pieces of few frames with a bounce in them look like a fall upward)
+        return 0.0
+    if up or falling_share(tracks, -gravity) > MIN_FALLING_SHARE:
         return gravity
     return max(float(np.nan_to_num(constant_acceleration(tracks))), 0.0)
 

@@ -125,11 +125,7 @@ WHOLE_RIM = 0.97  # of the rim seen: nobody holds the ball
 LEAST_RUN, LONG_RUN, SHORT_RUN = 15, 24, 8  # frames
 NOISE = 0.004  # radii: of the outline of a ball, at least
 SCATTER = 0.05, 0.8  # radii, and px: more from frame to frame no ball does whose outline is whole
-MISFIT, MISFIT_PARTS, MISFIT_SHORT = (
-    0.04,
-    0.1,
-    0.08,
-)  # radii: from one cubic, from two, from one that is nearly a parabola
+MISFIT, MISFIT_PARTS, MISFIT_SHORT = 0.04, 0.1, 0.08  # radii: from one cubic, two, one that is nearly a parabola
 LEAST_FLIGHT, HIGHER = 8, 0.1  # frames from bounce to bounce; of a fall, that a rise after it is larger
 CHANGE = 0.4  # of the acceleration, at the ends of a short part of a flight: drag and perspective change it by less
 SHALLOW = 3.0  # radii that a short part is high, at least
