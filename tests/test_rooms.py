@@ -252,7 +252,7 @@ def test_a_module_that_is_run_ends_with_its_call() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10635,
+    "fitting": 10655,
     "gas": 6945,
     "billiards": 5572,
     "tracks": 9393,
@@ -260,8 +260,8 @@ CAPS = {
     "core": 5740,
     "laws": 4969,
     "scene": 4873,
-    "cli": 4157,
-    "plot": 3540,
+    "cli": 4174,
+    "plot": 3628,
     "derive": 2983,
     "sweeps": 3238,
     "data": 2616,

@@ -63,7 +63,7 @@ def test_json_has_the_ranking_and_nothing_else(here, monkeypatch, capsys):
     # the sticking law has no friction to tell, and the sliding one had: what is degenerate names its law
     assert all(set(one) == {"law", "parameters", "what"} for one in found["degenerate"])
     page = (here / "page.html").read_text()
-    assert page.count("<svg") == 2 + 2 * 3 * 3  # two panels; residuals of two laws, three numbers, against three
+    assert page.count("<svg") == 1 + 3 * 3  # what was measured; residuals in three numbers, against three
     assert not re.search(r"(src|href)=\"http", page.replace("http://www.w3.org", ""))
     assert "contact" in page
     assert "written: page.html" in err
@@ -527,10 +527,10 @@ def test_three_heights_are_too_few_for_a_fit_but_have_restitutions(here, monkeyp
 
 
 def test_what_was_computed_is_printed_whatever_becomes_of_its_files(here, monkeypatch, capsys):
-    def broken(_ranking):
+    def broken(_ranking, _path):
         raise carom.CaromError("no picture")
 
-    monkeypatch.setattr("carom.cli.fit._picture", broken)
+    monkeypatch.setattr("carom.cli.fit._draw", broken)
     words = (
         "fit",
         "tt_rackets",

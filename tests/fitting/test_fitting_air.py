@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import carom
+from carom.plot.fit import plot_flights
 
 api: Any = carom  # (parts of scenes as dicts)
 LIFT = {"form": "saturating", "slope": 1.0, "saturation": 2.0}
@@ -55,6 +56,10 @@ def test_a_flight_that_is_another_is_left_out() -> None:
     assert found.flights == 7
     assert any("left out" in note for note in found.notes)
     assert found.values["balls.0.drag"] == pytest.approx(0.54, abs=0.01)
+    spin, speed, flight = plot_flights(found).axes  # each flight keeps its number
+    assert flight.lines[0].get_xdata().tolist() == [1, 2, 3, 5, 6, 7, 8]
+    assert [axes.get_xlabel() for axes in (spin, speed)] == ["spin ratio", "speed, m/s"]
+    assert np.mean(flight.lines[0].get_ydata() ** 2) == pytest.approx((1e3 * found.residual) ** 2)
 
 
 def test_a_flight_with_a_bounce_in_it_is_said() -> None:

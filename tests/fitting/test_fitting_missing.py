@@ -103,7 +103,7 @@ def test_a_table_of_spins_is_fitted_from_the_command_line(tmp_path, monkeypatch,
     assert code == 0, err
     assert "v_t_out: not measured; only spin_out depends on friction" in err
     assert "Unconstrained parameters" in out
-    assert (tmp_path / "page.html").read_text().count("<svg") == 2 + 2 * 3
+    assert (tmp_path / "page.html").read_text().count("<svg") == 1 + 3
 
 
 @pytest.mark.parametrize("keep", [("v_t_out",), ("v_n_out",), ("spin_out",), ("v_n_out", "v_t_out")])
@@ -112,7 +112,7 @@ def test_reports_are_drawn_of_what_there_is(tmp_path, keep):
     columns = without(measured_bounces(6, 30), *(name for name in AFTER if name not in keep))
     ranking = fit_laws(make_rebounds("planar", columns), SETTING, ["contact", "sliding"], bootstrap=0, profiles=False)
     page = write_report(ranking, tmp_path / "page.html").read_text()
-    assert page.count("<svg") == 2 + 2 * 3 * len(keep)
+    assert page.count("<svg") == 1 + 3 * len(keep)
     assert ranking.fits
 
 

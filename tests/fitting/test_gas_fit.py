@@ -37,10 +37,12 @@ def test_the_numbers_are_found_in_a_noisy_film_and_by_the_command(tmp_path, caps
     with (tmp_path / "film.csv").open("w", newline="") as file:
         csv.writer(file).writerows([list(columns), *zip(*columns.values(), strict=True)])
     (tmp_path / "gas.toml").write_text(gas_text(scene(0.5, 0.5, 0.0)), encoding="utf-8")
-    code, out, _err = command(
-        capsys, "fit", "gas", str(tmp_path / "film.csv"), "--scene", str(tmp_path / "gas.toml"), "--json"
-    )
+    words = [str(tmp_path / "film.csv"), "--scene", str(tmp_path / "gas.toml")]
+    code, out, _err = command(capsys, "fit", "gas", *words, "--json", "--plot", str(tmp_path / "gas.svg"))
     assert code == 0
+    assert (tmp_path / "gas.svg").is_file()
+    (line,) = fails(capsys, "fit", "gas", *words, "--plot", str(tmp_path / "gas.doc"))
+    assert "ends with .svg, .pdf or .png" in line
     assert json.loads(out)["parameters"]["restitution"]["value"] == pytest.approx(found.values["restitution"], rel=1e-9)
 
 

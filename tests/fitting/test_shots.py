@@ -110,14 +110,19 @@ def test_pictures_say_what_is_drawn(ranking, tmp_path):
     # the title and the legends of few small multiples are not cut off
     few = plot_shots(replace(ranking.best, shots=ranking.best.shots[:1]))
     few.canvas.draw()
-    for part in (few._suptitle, *few.legends):
+    (drawn,) = few.subfigs
+    for part in (drawn._suptitle, *drawn.legends):
         box = part.get_window_extent()
         assert 0 <= box.x0 < box.x1 <= few.bbox.x1
         assert 0 <= box.y0 < box.y1 <= few.bbox.y1
     text = write_shots_report(ranking, "films.csv", tmp_path / "shots.html").read_text(encoding="utf-8")
     assert ">nan<" not in text  # (no shot goes through three cushions)
     assert [text.count(f"<h3>{shot.name}: ") for shot in ranking.best.shots] == [1, 1]
-    assert text.count("<svg") == 2 + 2 + 1 + 2 * 2  # small multiples, distances, the legend, and two of each shot
+    # small multiples, distances over time and against incidence, speed, shot, the legend, and two of each shot
+    assert text.count("<svg") == 2 + 1 + 3 + 1 + 2 * 2
+    against = {axes.get_xlabel(): axes.lines[0].get_ydata() for axes in plot_shots(ranking.best).axes if axes.get_xlabel()}
+    assert list(against) == ["incidence, degrees", "speed, m/s", "shot"]
+    assert against["shot"] == pytest.approx([1e3 * shot.rms for shot in ranking.best.shots])
     assert "<td>walls.0.restitution</td>" in text
     assert "prefers-color-scheme: dark" in text
 

@@ -12,7 +12,7 @@ from carom.fitting import Setting
 from carom.fitting.design import Plan, Shots, design
 from carom.fitting.fit import fit_law
 from carom.fitting.laws import laws_named
-from carom.plot.fit import plot_design
+from carom.plot.sweeps import plot_design
 
 SETTING = Setting(radius=0.02625, kappa=0.4)
 

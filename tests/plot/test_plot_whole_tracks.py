@@ -1,4 +1,4 @@
-"""The figure of whole tracks: the shares over time where there are many tracks; panels for every shape of table."""
+"""The figure of whole tracks: the shares over time where there are many tracks; the distances; panels for every shape of table."""
 
 from __future__ import annotations
 
@@ -19,7 +19,8 @@ def ranking(tracks: int, size: tuple[float, float]) -> Any:
     place = np.linspace((0.0, 0.0), size, 100)
     rng = np.random.default_rng(1)
     segments = [
-        SimpleNamespace(group=f"shot_{n}", name="a", position=place, time=time, contacts=[0.5]) for n in range(tracks)
+        SimpleNamespace(group=f"shot_{n}", name="a", position=place, time=time, contacts=[0.5], walls=["top"])
+        for n in range(tracks)
     ]
     fit: Any = SimpleNamespace(
         frames=SimpleNamespace(
@@ -45,13 +46,19 @@ def test_of_many_tracks_the_shares_are_drawn(tracks: int, lines: int, bands: int
     assert 0.5 < np.median(median.get_ydata()) < 2.0  # mm, as the distances were drawn
 
 
-@pytest.mark.parametrize(("size", "panels"), [((2.8, 1.4), 12), ((1.4, 2.8), 6), ((1.0, 1.0), 6)])
-def test_panels_are_wide_enough_and_do_not_overlap(size: tuple[float, float], panels: int) -> None:
+def test_distances_are_drawn_against_what_was_varied() -> None:
+    (axes,) = [one for one in plot_tracks(ranking(30, (2.8, 1.4))).axes if one.get_ylabel() == "RMS, mm"]
+    assert axes.get_xlabel() == "segment"  # (all have one incidence and speed)
+    assert axes.lines[0].get_ydata() == pytest.approx(1.0 + np.arange(30))
+
+
+@pytest.mark.parametrize("size", [(2.8, 1.4), (1.4, 2.8), (1.0, 1.0)])
+def test_panels_are_wide_enough_and_do_not_overlap(size: tuple[float, float]) -> None:
     figure = plot_tracks(ranking(30, size))
     figure.draw_without_rendering()
     shown = [axes for axes in figure.axes if axes.get_title().startswith("shot")]
-    assert len(shown) == panels
+    assert [axes.get_title() for axes in shown] == [f"shot_{n}: {n + 1} mm" for n in (29, 28, 27, 26)]  # the farthest
     boxes = [axes.get_window_extent() for axes in figure.axes]
     assert all(not a.overlaps(b) for k, a in enumerate(boxes) for b in boxes[:k])
     assert figure.get_figwidth() == WIDTH
-    assert min(axes.get_window_extent().width for axes in shown) > 0.1 * WIDTH * figure.dpi
+    assert min(axes.get_window_extent().width for axes in shown) > 0.2 * WIDTH * figure.dpi

@@ -276,11 +276,7 @@ def fit(
                 lambda: _page(with_options(ranking), files, report), lambda text, done: progress(done, 1.0, text)
             )
             wrote(report)
-        if plot is not None:
-            from carom.plot.style import save
-
-            save(_picture(ranking), plot)
-            wrote(plot)
+        _draw(ranking, plot)
         if explore is not None:
             from carom.explorer.page import explore as make_page
 
@@ -298,15 +294,25 @@ def _bar(console: Console) -> Iterator[Any]:
         yield update
 
 
-def _picture(ranking: Any) -> Any:
-    """Return the figure of a fit: film and model on each other, of rows what was measured and predicted."""
-    from carom.fitting import Ranking
+def _draw(found: Any, path: Path | None) -> None:
+    """Write the figure of a fit, if a file is named: what was measured, the best laws, and residuals."""
+    if path is None:
+        return
+    from carom.fitting.free_balls import AirFit, GasFit
     from carom.fitting.shots import ShotsRanking
-    from carom.plot.fit import plot_fit, plot_shot, plot_shots, plot_tracks
+    from carom.fitting.tracks import TrackRanking
+    from carom.plot.fit import plot_fit, plot_flights, plot_shot, plot_shots, plot_tracks
+    from carom.plot.style import save
 
-    if not isinstance(ranking, ShotsRanking):
-        return plot_fit(ranking) if isinstance(ranking, Ranking) else plot_tracks(ranking)
-    return plot_shots(ranking.best) if len(ranking.best.shots) > 1 else plot_shot(ranking.best.shots[0])
+    found = found.ranking if isinstance(found, GasFit) else found
+    kinds: list[tuple[type, Any]] = [(AirFit, plot_flights), (TrackRanking, plot_tracks)]
+    draw = next((draw for kind, draw in kinds if isinstance(found, kind)), plot_fit)
+    if isinstance(found, ShotsRanking):
+        shots = found.best.shots
+        save(plot_shot(shots[0]) if len(shots) == 1 else plot_shots(*(one.fit for one in found.ranked[:2])), path)
+    else:
+        save(draw(found), path)
+    wrote(path)
 
 
 def _page(ranking: Any, files: list[Path], path: Path) -> Path:
@@ -329,6 +335,9 @@ def fit_gas(
         ),
     ],
     scene: Annotated[Path, typer.Option(metavar="SCENE.toml", help="The gas: container and balls.")],
+    plot: Annotated[
+        Path | None, shared("plot", help="Draw the collisions, what the law predicts, and residuals.")
+    ] = None,
     as_json: Annotated[bool, shared("json", rich_help_panel=OUTPUT)] = False,
 ) -> None:
     """Infer restitution, friction and tangential restitution of a gas from tracks of its balls.
@@ -340,12 +349,13 @@ def fit_gas(
     require_library("scipy", "fit")
     from carom.fitting.free_balls import fit_gas as infer
 
-    _numbers(infer(file, scene), as_json)
+    _numbers(infer, file, scene, plot, as_json)
 
 
 def fit_air(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="Flights: columns t, ball, x, y, z, wx, wy, wz.")],
     scene: Annotated[Path, typer.Option(metavar="SCENE.toml", help="Its air, and its first ball: drag and lift.")],
+    plot: Annotated[Path | None, shared("plot", help="Draw how far the flights are from their paths.")] = None,
     as_json: Annotated[bool, shared("json", rich_help_panel=OUTPUT)] = False,
 ) -> None:
     """Fit drag and lift of a ball to flights with known spins.
@@ -355,25 +365,31 @@ def fit_air(
     from carom.cli.streams import say
     from carom.fitting.free_balls import fit_air as infer
 
-    found = infer(file, scene)
-    _numbers(found, as_json)
+    found = _numbers(infer, file, scene, plot, as_json)
     if not as_json:
         low, high = found.spin_ratios
         off = f"{1e3 * found.residual:.3g} mm from their paths"
         say(f"{counted(found.flights, 'flight')}, {off}; spin ratios {low:.2g} to {high:.2g}")
 
 
-def _numbers(found: Any, as_json: bool) -> None:
-    """Print the numbers of a fit with their error bars, and its notes."""
+def _numbers(infer: Any, file: Path, scene: Path, plot: Path | None, as_json: bool) -> Any:
+    """Infer numbers of balls in free motion, print them with error bars and notes, and draw what is left."""
     from carom.cli.streams import say, say_json, say_notes
+    from carom.errors import FaultList
     from carom.fitting.result import with_error_bar
 
+    faults = FaultList()
+    require_outputs(faults, {"--plot": plot})
+    faults.raise_if_any()
+    found = infer(file, scene)
     if as_json:
         say_json(found.to_dict())
-        return
-    say_notes(found.notes)
-    for name, one in found.estimates().items():
-        say(f"{name.replace('_', ' ')}  {with_error_bar(one)}")
+    else:
+        say_notes(found.notes)
+        for name, one in found.estimates().items():
+            say(f"{name.replace('_', ' ')}  {with_error_bar(one)}")
+    _draw(found, plot)
+    return found
 
 
 # ----------------------------------------------------------------------------------------------------
@@ -407,8 +423,8 @@ def design(
     with working("planning"):
         plan = plan_shots(file, **given, fine=plot is not None)
     if plot is not None:
-        from carom.plot.fit import plot_design
         from carom.plot.style import save
+        from carom.plot.sweeps import plot_design
 
         save(plot_design(plan), plot)
         wrote(plot)

@@ -361,7 +361,7 @@ def _rebounds(
     bends.sort(key=lambda one: one.before.end)
     pairs, beside = _pairs(bends, balls, flights, sigma, sides)
     used: set[int] = set()
-    rows: list[tuple[float, ...]] = []
+    rows: list[tuple[float, tuple[float, ...]]] = []  # with the times, by which they are sorted
     slow, spin_noise = 0, _spin_noise(balls, flights)
     for i, j, pair, one in sorted(pairs, key=lambda one: one[3].chi2):
         if used & {i, j}:
@@ -369,7 +369,7 @@ def _rebounds(
         used |= {i, j}
         row = _row(pair, one, sigma, spin_noise, [balls[bends[k].ball].radius for k in (i, j)], radius)
         slow += row is None
-        rows += [] if row is None else [row]
+        rows += [] if row is None else [(float(one.numbers[-1]), row)]
     missed = math.ceil(sum(i not in used and not near <= used for i, near in beside.items()) / 2)
     lost = (
         f"{counted(missed, 'collision')} of two balls, about, not used: other collisions are too near in time for straight"
@@ -385,7 +385,7 @@ def _rebounds(
             )
         )
     names = [name + side for side in ("_in", "_out") for name in ("v_n", "v_t", "spin")]
-    table = np.array(rows)
+    table = np.array([row for _time, row in sorted(rows)])
     given = dict(zip(names, table[:, :6].T, strict=True))
     given |= {f"sigma_{name}": column for name, column in zip(names, table[:, 6:12].T, strict=True)}
     extra = {f"covariance_{name}": column for name, column in zip(("v_n", "v_t"), table[:, 12:].T, strict=True)}
@@ -526,6 +526,8 @@ class GasFit(FittedValues):
     OWN = ("rows",)
     rows: int
     """Collisions found in the tracks."""
+    ranking: Ranking
+    """The fit of the contact to them as rebounds, in the order of time."""
 
 
 def fit_gas(file: str | Path | Any, scene: str | Path | GasScene) -> GasFit:
@@ -600,7 +602,7 @@ def _of_tracks(columns: Any, scene: GasScene, form: str) -> GasFit:
             notes.append(f"{name}: {one.value:.4g}, at the end of its range, has no error bar")
         else:
             values[name], errors[name] = float(one.value), float(one.stderr)
-    return GasFit(values, errors, len(table["v_n_in"]), notes=tuple(notes))
+    return GasFit(values, errors, len(table["v_n_in"]), ranking, notes=tuple(notes))
 
 
 def _sliding(table: Rebounds, estimates: Any, radius: float, kappa: float) -> int:
@@ -636,6 +638,9 @@ class AirFit(FittedValues):
     """The least and the largest of the flights, as they begin."""
     scene: Scene
     """The ball with these numbers."""
+    distances: Array
+    """(N,) of each flight, m, root mean square; and the quantities (N,) against which they may be plotted, by label."""
+    against: dict[str, Array]
 
 
 def fit_air(file: str | Path | Any, scene: str | Path | Scene) -> AirFit:
@@ -696,11 +701,14 @@ def fit_air(file: str | Path | Any, scene: str | Path | Scene) -> AirFit:
         notes.append(f"frames are {1e3 * worst:.3g} mm off: a flight with a bounce in it, or a law that does not hold")
     starts = [_start(one) for one in flights]
     ratios = [ball.radius * float(np.linalg.norm(w) / np.linalg.norm(v)) for _x, v, w in starts]
+    speeds = np.array([np.linalg.norm(v) for _x, v, _w in starts])
     return AirFit(
         dict(zip(paths, values.tolist(), strict=True)),
         dict(zip(paths, np.sqrt(np.diag(covariance)).tolist(), strict=True)),
         len(flights), float(np.sqrt(np.mean(np.square(far)))), (min(ratios), max(ratios)),
-        replaced(given, dict(zip(paths, values.tolist(), strict=True))), notes=tuple(notes),
+        replaced(given, dict(zip(paths, values.tolist(), strict=True))), far,
+        {"spin ratio": np.array(ratios), "speed, m/s": speeds, "flight": np.flatnonzero(good).astype(float) + 1},
+        notes=tuple(notes),
     )  # fmt: skip
 
 

@@ -171,6 +171,23 @@ class Fit:
         """Return the prediction (N, 3) for each row; rows without spin at the mean of its prior."""
         return predict_law(self.law, self.problem, self.numbers)
 
+    def residuals(self) -> Array:
+        """Return measured less predicted (N, 3), over error bars that hold those before the wall and the width of unmeasured spins.
+
+        Errors before the wall go through central differences of the law over the size of each.
+        """
+        problem, p = self.problem, self.numbers
+        mean, width = ((p[INDEX[name]] / problem.setting.radius) for name in ("spin_mean", "spin_width"))
+        spins = np.where(problem.unknown, mean * problem.x[:, 1], problem.x[:, 2])
+        x, variance = np.column_stack([problem.x[:, :2], spins]), np.nan_to_num(problem.vx).copy()
+        variance[problem.unknown, 2] = np.square(width * np.hypot(*x[problem.unknown, :2].T))
+        total = np.nan_to_num(problem.vy)
+        for k in range(3):
+            by = np.sqrt(variance[:, k, None]) * np.eye(3)[k]
+            here, there = (predict_law(self.law, replace(problem, x=x + one), p) for one in (by, -by))
+            total = total + np.nan_to_num(np.square((here - there) / 2))
+        return np.asarray((problem.y - self.predicted()) / np.sqrt(np.where(total > 0, total, 1.0)))
+
     def predict(self, before: Any) -> Prediction:
         """Return mean and covariance of the states after the wall, from the parameters' covariance and the fitted scatter.
 

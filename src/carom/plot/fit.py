@@ -1,20 +1,19 @@
-"""Figures and HTML reports of fits: to rebounds, whole tracks, whole shots; and the map of a plan of shots."""
+"""Figures and HTML reports of fits: to rebounds, whole tracks, whole shots, flights."""
 
 from __future__ import annotations
 
-import functools
 import html
 import io
 import math
 from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from carom.fitting.result import with_error_bar
-from carom.formatting import called_ball, counted
+from carom.formatting import called_ball
 from carom.laws.registry import law_styles
 from carom.plot.style import COLOURS, GREY, INK, literal, new_figure, style
 
@@ -22,26 +21,194 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from carom.fitting import Fit, Ranked, Ranking
-    from carom.fitting.design import Plan
+    from carom.fitting.free_balls import AirFit
     from carom.fitting.shots import FittedShot, ShotsFit, ShotsRanking
     from carom.fitting.tracks import TrackFit, TrackRanking
     from carom.tracks.video.reading import TrackedFilm
 
 
 SHOWN = 4  # laws in one picture
-NAMES = ("normal speed after", "speed along the wall after", "spin after")
+WIDTH = 5.4  # inches: letters are read on a phone, and from the last row
+NAMES = ("normal speed", "speed along wall", "spin")
+
+
+class ResidualPanels(NamedTuple):
+    """What a fit leaves of its data, against what the data were taken at: an axis for each, a line of panels for each output."""
+
+    title: str
+    against: dict[str, Any]
+    """(N,) by label: incidence, speed, order of the session."""
+    outputs: dict[str, dict[str, Any]]
+    """(N,) by law, the best first, by output."""
+    bars: bool = False
+    """Whether they are in error bars; else distances, mm."""
+
+
+def residuals_of_rows(ranking: Ranking) -> ResidualPanels:
+    """Return the residuals of the two best laws, in error bars."""
+    rows = ranking.best.problem.rebounds
+    gaps = {one.fit.law.name: one.fit.residuals() for one in ranking.ranked[:2]}
+    seen = [j for j in range(3) if np.isfinite(ranking.best.problem.y[:, j]).any()]
+    return ResidualPanels(
+        "Residuals: (measured - law) / error bar",
+        {
+            "incidence, degrees": np.degrees(np.abs(rows.angle_in)), "speed, m/s": np.hypot(rows["v_n_in"], rows["v_t_in"]),
+            "row": np.arange(len(rows)) + 1,
+        },
+        {NAMES[j]: {name: gap[:, j] for name, gap in gaps.items()} for j in seen}, True,
+    )  # fmt: skip
+
+
+def residuals_of_tracks(ranking: TrackRanking) -> ResidualPanels:
+    """Return the distances of the segments under the two best laws, mm."""
+    segments = ranking.best.frames.segments
+    before = [np.searchsorted(one.time, one.contacts[0]) - 1 for one in segments]
+    v = np.array([(one.position[k] - one.position[0]) / one.time[k] for one, k in zip(segments, before, strict=True)])
+    v = np.where([[one.walls[0] in ("bottom", "top")] for one in segments], v[:, ::-1], v)  # (normal, along)
+    return ResidualPanels(
+        "Distance from track to law, of each segment",
+        {
+            "incidence, degrees": np.degrees(np.arctan2(*np.abs(v.T[::-1]))), "speed, m/s": np.hypot(*v.T),
+            "segment": np.arange(len(v)) + 1,
+        },
+        {"RMS, mm": {fit.law.name: np.array([1e3 * fit.rms([n]) for n in range(len(v))]) for fit in ranking.fits[:2]}},
+    )  # fmt: skip
+
+
+def residuals_of_shots(fits: Sequence[ShotsFit]) -> ResidualPanels:
+    """Return the distances of whole shots under some laws, mm; the incidence is that of the struck ball's first cushion."""
+    shots = fits[0].shots
+    found = {fit.law.name: np.array([1e3 * shot.rms for shot in fit.shots]) for fit in fits}
+    return ResidualPanels(
+        "Distance from film to law, of each shot",
+        {
+            "incidence, degrees": np.array([_first_incidence(shot) for shot in shots]),
+            "speed, m/s": np.array([np.linalg.norm(shot.velocity) for shot in shots]), "shot": np.arange(len(shots)) + 1,
+        },
+        {"RMS, mm": {name: far for name, far in found.items() if len(far) == len(shots)}},
+    )  # fmt: skip
+
+
+def _first_incidence(shot: FittedShot) -> float:
+    """Return the angle between the struck ball's path and the normal of the first cushion that it meets, degrees; NaN for none."""
+    from carom.fitting.shots.result import table_of
+
+    table, met = table_of(shot.scene), shot.simulate().events.of("wall", ball=0)
+    if not met:
+        return math.nan
+    side = np.array([table.length, table.width]) / 2 - np.abs(met[0].position[:2] - table.center)
+    v = np.abs(np.asarray(met[0].before.velocity)[:2])
+    return math.degrees(math.atan2(*(v if side[0] > side[1] else v[::-1])))
+
+
+def residuals_of_flights(fit: AirFit) -> ResidualPanels:
+    """Return the distances of flights from their paths, mm."""
+    return ResidualPanels(
+        "Distance from flight to path", dict(fit.against), {"RMS, mm": {"flight": 1e3 * fit.distances}}
+    )
+
+
+def _residual_panel(axes: Any, found: ResidualPanels, label: str, output: str) -> None:
+    """Plot the residuals of one output against one quantity: filled dots of the best law, open ones of the next."""
+    x, series = found.against[label], found.outputs[output]
+    look = law_styles(list(series))
+    if found.bars:
+        axes.axhspan(-2, 2, color="#eeeeee", zorder=0)
+        axes.axhline(0, color=GREY, lw=0.6)
+    for k, (name, y) in enumerate(series.items()):
+        colour = look[name][0]
+        face = {"color": colour} if k == 0 else {"mec": colour, "mfc": "none", "mew": 0.7}
+        axes.plot(
+            x,
+            y,
+            "o",
+            ms=3.5 if len(x) < 50 else 2.5 if len(x) < 300 else 1.2,
+            label=literal(name),
+            zorder=3 - k,
+            **face,
+        )
+    every = np.concatenate(list(series.values()))
+    if not found.bars and np.nanmax(every) > 10 * np.nanmin(every):
+        _in_mm(axes)
+    elif not found.bars:
+        axes.set_ylim(0, 1.1 * np.nanmax(every))
+    axes.locator_params(axis="x", nbins=4, integer=bool((np.asarray(x) % 1 == 0).all()))
+    axes.set(xlabel=label)
+
+
+def _varied(found: ResidualPanels) -> list[str]:
+    """Return the quantities that were varied; the order, if none was."""
+    steady = [label for label, x in found.against.items() if not np.nanstd(x) > 1e-9 * np.nanmax(np.abs(x))]
+    return [label for label in found.against if label not in steady] or list(found.against)[-1:]
+
+
+def _residual_grid(figure: Any, found: ResidualPanels, height: float) -> None:
+    """Plot residuals, a line of panels for each output."""
+    shown = _varied(found)
+    panels = figure.subplots(len(found.outputs), len(shown), squeeze=False, sharex="col", sharey="row")
+    for line, output in zip(panels, found.outputs, strict=True):
+        for axes, label in zip(line, shown, strict=True):
+            _residual_panel(axes, found, label, output)
+            axes.label_outer()
+        line[0].set_ylabel(output)
+    compared = len(next(iter(found.outputs.values()))) > 1
+    head = 0.5 if compared else 0.32
+    figure.subplots_adjust(left=0.12, right=0.98, top=1 - head / height, bottom=0.46 / height, wspace=0.1, hspace=0.12)
+    figure.text(0.01, 1 - 0.05 / height, found.title, va="top", fontsize=9)
+    if compared:
+        figure.legend(
+            *panels[0, 0].get_legend_handles_labels(), loc="upper left", ncols=2, frameon=False,
+            bbox_to_anchor=(0.0, 1 - 0.18 / height), borderaxespad=0.0, handletextpad=0.2, columnspacing=1.0,
+        )  # fmt: skip
+
+
+def _residual_height(found: ResidualPanels) -> float:
+    """Return the height of a grid of residuals, inches."""
+    return 0.96 + 1.25 * len(found.outputs)
+
+
+def residual_parts(found: ResidualPanels) -> list[str]:
+    """Return residuals for a page: drawings beside each other, or below each other on a narrow one."""
+    parts = [f"<h2>{found.title}</h2>"]
+    for output in found.outputs:
+        drawings = []
+        for label in _varied(found):
+
+            def draw(axes: Any, label: str = label, output: str = output) -> None:
+                _residual_panel(axes, found, label, output)
+                axes.set_ylabel(output)
+
+            drawings.append(panel(draw, 2.7, 1.9, left=0.21, right=0.97, top=0.95, bottom=0.26))
+        parts.append(beside(drawings, "beside three"))
+    laws = list(next(iter(found.outputs.values())))
+    said = f"Filled: {laws[0]}" + (f"; open: {laws[1]}" if len(laws) > 1 else "")
+    return [*parts, f"<p>{html.escape(said)}{'; grey: two error bars.' if found.bars else '.'}</p>"]
 
 
 def plot_fit(ranking: Ranking) -> Figure:
-    """Plot weights, normal speeds and the motion along the wall, measured and predicted by the best laws (a Matplotlib Figure)."""
+    """Plot what was measured beside the best laws, and residuals against incidence, speed and order (a Matplotlib Figure)."""
+    found = residuals_of_rows(ranking)
+    height = _residual_height(found)
     with style():
-        figure = new_figure(9.6, 3.5)
-        left, middle, right = figure.subplots(1, 3, gridspec_kw={"width_ratios": [0.8, 1, 1.35]})
-        _weights(left, ranking)
-        _normal(middle, ranking)
-        _along(right, ranking, ranking.ranked[:SHOWN])
-        right.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=7, frameon=False, markerscale=2)
-        figure.tight_layout(w_pad=2.0)
+        figure = new_figure(WIDTH, 2.5 + height)
+        upper, lower = figure.subfigures(2, 1, squeeze=False, height_ratios=[2.5, height]).flat
+        _measured(upper.subplots(), ranking)
+        upper.subplots_adjust(left=0.12, right=0.68, top=0.96, bottom=0.2)
+        spins = "at the mean spin" if ranking.best.problem.unknown.any() else None
+        upper.axes[0].legend(
+            loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False, markerscale=1.6, title=spins, handletextpad=0.2
+        )
+        _residual_grid(lower, found, height)
+    return figure
+
+
+def plot_flights(fit: AirFit) -> Figure:
+    """Plot the distances of flights from their paths against spin, speed and order (a Matplotlib Figure)."""
+    found = residuals_of_flights(fit)
+    height = _residual_height(found)
+    with style():
+        figure = new_figure(WIDTH, height)
+        _residual_grid(figure, found, height)
     return figure
 
 
@@ -49,20 +216,9 @@ def _look(ranking: Ranking) -> dict[str, tuple[str, Any]]:
     return law_styles([one.fit.law.name for one in ranking.ranked])
 
 
-def _weights(axes: Any, ranking: Ranking) -> None:
-    look = _look(ranking)
-    names = [one.fit.law.name for one in ranking.ranked][::-1]
-    axes.barh(names, [one.weight for one in ranking.ranked][::-1], color=[look[name][0] for name in names], height=0.6)
-    for i, one in enumerate(ranking.ranked[::-1]):
-        if one.weight < 0.6:
-            text = f"{one.weight:.2g}" if one.weight >= 1e-3 else "< 0.001"
-            axes.text(one.weight + 0.02, i, text, va="center", fontsize=7, color=GREY)
-    axes.set(xlim=(0, 1.05), title="weight of each law", xticks=(0, 0.5, 1))
-    axes.tick_params(axis="y", length=0)
-
-
-def _bars(fit: Fit, name: str) -> Any:
-    return fit.problem.rebounds.sigma.get(name)
+def _measured(axes: Any, ranking: Ranking) -> None:
+    """Plot what was measured, and the best laws: the motion along the wall, or of balls that came straight the restitution."""
+    (_along if ranking.best.problem.rebounds["v_t_in"].any() else _normal)(axes, ranking, ranking.ranked[:SHOWN])
 
 
 def _points(axes: Any, x: Any, y: Any, xerr: Any = None, yerr: Any = None) -> None:
@@ -81,21 +237,22 @@ def _outliers(axes: Any, ranking: Ranking, x: Any, y: Any, label: str = "") -> N
         axes.plot(x[rows], y[rows], "o", ms=9, mfc="none", mec="#D55E00", mew=1.2, label=label or "_", zorder=3)
 
 
-def _normal(axes: Any, ranking: Ranking) -> None:
-    best = ranking.best
-    rebounds = best.problem.rebounds
-    v, out = rebounds["v_n_in"], rebounds["v_n_out"]
-    _points(axes, v, out, _bars(best, "v_n_in"), _bars(best, "v_n_out"))
-    _outliers(axes, ranking, v, out, "outlier")
-    predicted = best.predicted()[:, 0]
-    order = np.argsort(v)
-    axes.plot(
-        v[order], predicted[order], ".", ms=3, color=_look(ranking)[best.law.name][0], label=best.law.name, zorder=2
-    )
-    top = float(np.nanmax(np.concatenate([v, out]))) * 1.05
-    axes.plot((0, top), (0, top), color=GREY, lw=0.6, ls=":")
-    axes.set(xlim=(0, top), ylim=(0, top), xlabel="normal speed before, m/s", ylabel="after, m/s", title="normal speed")
-    axes.legend(loc="upper left", fontsize=7, frameon=False)
+def _normal(axes: Any, ranking: Ranking, shown: Sequence[Ranked[Fit]]) -> None:
+    """Plot the ratio of normal speeds over the speed before, measured and predicted by some laws."""
+    rebounds = ranking.best.problem.rebounds
+    v, bars = rebounds["v_n_in"], rebounds.sigma.get("v_n_out")
+    _points(axes, v, rebounds["v_n_out"] / v, rebounds.sigma.get("v_n_in"), None if bars is None else bars / v)
+    _outliers(axes, ranking, v, rebounds["v_n_out"] / v, "outlier")
+    for one in shown:
+        axes.plot(
+            v,
+            one.fit.predicted()[:, 0] / v,
+            ".",
+            ms=3,
+            color=_look(ranking)[one.fit.law.name][0],
+            label=one.fit.law.name,
+        )
+    axes.set(xlabel="normal speed before, m/s", ylabel="normal speed after / before")
 
 
 def _along(axes: Any, ranking: Ranking, shown: Sequence[Ranked[Fit]]) -> None:
@@ -113,7 +270,7 @@ def _along(axes: Any, ranking: Ranking, shown: Sequence[Ranked[Fit]]) -> None:
 
         x = (rebounds["v_t_in"] - a * rebounds["spin_in"]) / v
         sign = np.where(x < 0, -1.0, 1.0)
-        words = ("slip before / normal speed", "slip after / normal speed before", "along the wall")
+        words = ("slip before / normal speed", "slip after / normal speed before")
         xerr = yerr = None
     elif not seen[:, :2].all(axis=1).any():
         # no angle of reflection: the one that was measured
@@ -125,7 +282,7 @@ def _along(axes: Any, ranking: Ranking, shown: Sequence[Ranked[Fit]]) -> None:
         x = rebounds["v_t_in"] / v
         sign = np.where(x < 0, -1.0, 1.0)
         after = "speed along the wall" if seen[:, 1].any() else "radius times spin"
-        words = ("speed along the wall before / normal speed", f"{after} after / normal speed before", "along the wall")
+        words = ("speed along the wall before / normal speed", f"{after} after / normal speed before")
         xerr = yerr = None
     else:
 
@@ -134,17 +291,15 @@ def _along(axes: Any, ranking: Ranking, shown: Sequence[Ranked[Fit]]) -> None:
 
         x = np.degrees(rebounds.angle_in)
         sign = np.where(x < 0, -1.0, 1.0)
-        words = ("incidence, degrees", "reflection, degrees", "angles from the wall's normal")
+        words = ("incidence, degrees", "reflection, degrees")
         xerr = _angle_error(best, "in")
         yerr = _angle_error(best, "out")
     measured = np.stack([rebounds["v_n_out"], rebounds["v_t_out"], _spin_out(rebounds)], axis=-1)
     _points(axes, x * sign, place(measured) * sign, xerr, yerr)
     _outliers(axes, ranking, x * sign, place(measured) * sign)
     order = np.argsort(x * sign)
-    unknown = bool(best.problem.unknown.any())
     for one in shown:
-        ink, _dash = look[one.fit.law.name]
-        name = f"{one.fit.law.name} (mean sidespin)" if unknown else one.fit.law.name
+        (ink, _dash), name = look[one.fit.law.name], one.fit.law.name
         axes.plot(
             (x * sign)[order], (place(one.fit.predicted()) * sign)[order], ".", ms=2.5, color=ink, label=name, zorder=2
         )
@@ -156,7 +311,7 @@ def _along(axes: Any, ranking: Ranking, shown: Sequence[Ranked[Fit]]) -> None:
         axes.set_ylim(bottom=max(axes.get_ylim()[0], -top), top=min(axes.get_ylim()[1], max(top, 20)))
     else:
         axes.axhline(0, color=GREY, lw=0.6, ls=":")
-    axes.set(xlabel=words[0], ylabel=words[1], title=words[2])
+    axes.set(xlabel=words[0], ylabel=words[1])
 
 
 def _angle_error(fit: Fit, side: str) -> Any:
@@ -173,40 +328,6 @@ def _spin_out(rebounds: Any) -> Any:
     return rebounds["spin_out" if rebounds.kind == "planar" else "spin_z_out"]
 
 
-def _residuals(ranking: Ranking) -> list[str]:
-    """Return the residuals of the two best laws, in error bars, against incidence, speed and the order of the rows (HTML)."""
-    parts = []
-    for one in ranking.ranked[:2]:
-        problem, ink = one.fit.problem, _look(ranking)[one.fit.law.name][0]
-        gap = (problem.y - one.fit.predicted()) / np.sqrt(problem.vy)
-        speed = np.hypot(problem.rebounds["v_n_in"], problem.rebounds["v_t_in"])
-        against = {
-            "incidence, degrees": np.degrees(problem.rebounds.angle_in), "speed, m/s": speed, "row": np.arange(len(gap)) + 1,
-        }  # fmt: skip
-        parts += [f"<h3>{html.escape(one.fit.law.name)}</h3>"]
-        for j in range(3):
-            if not np.isfinite(problem.y[:, j]).any():
-                continue
-
-            def draw(axes: Any, j: int = j, label: str = "", x: Any = None, gap: Any = gap, ink: Any = ink) -> None:
-                axes.axhspan(-2, 2, color="#eeeeee", zorder=0)
-                axes.axhline(0, color=GREY, lw=0.6)
-                axes.plot(x, gap[:, j], "o", ms=3 if len(x) < 300 else 1, color=ink, alpha=0.8)
-                axes.set(xlabel=label, ylabel=f"{NAMES[j]}:\nmeasured - law, error bars")
-                axes.xaxis.get_major_locator().set_params(integer=label == "row")
-
-            parts.append(
-                beside(
-                    [
-                        panel(functools.partial(draw, label=label, x=x), 3.4, 2.3, **MARGINS)
-                        for label, x in against.items()
-                    ],
-                    "beside three",
-                )
-            )
-    return parts
-
-
 def svg(figure: Any) -> str:
     """Return a figure as SVG for a page."""
     buffer = io.StringIO()
@@ -216,7 +337,7 @@ def svg(figure: Any) -> str:
     return text[text.index("<svg") :]
 
 
-MARGINS = {"left": 0.19, "right": 0.97, "top": 0.9, "bottom": 0.22}  # of a panel with axes
+MARGINS = {"left": 0.13, "right": 0.97, "top": 0.97, "bottom": 0.16}  # of a panel with axes
 
 
 def panel(draw: Callable[[Any], None], width: float, height: float, **margins: float) -> str:
@@ -287,16 +408,17 @@ def table_of_laws(
     return f'<div class="wide"><table class="laws"><tr>{head}</tr>{"".join(rows)}</table></div>'
 
 
-def _estimate(estimate: Any) -> str:
-    return html.escape(with_error_bar(estimate, interval=True))
-
-
 def _laws(ranking: Ranking) -> str:
     least_bic = min(one.fit.bic for one in ranking.ranked)
 
     def cells(one: Ranked[Fit]) -> tuple[str, ...]:
         fit = one.fit
-        numbers = "<br>".join(f"{html.escape(n)} {_estimate(e)}" for n, e in fit.estimates.items()) or "none"
+        numbers = (
+            "<br>".join(
+                f"{html.escape(n)} {html.escape(with_error_bar(e, interval=True))}" for n, e in fit.estimates.items()
+            )
+            or "none"
+        )
         if fit.contact_scatter is not None:
             numbers += "<br>" + fit.scatter_in_words
         elif fit.scatter:
@@ -356,15 +478,15 @@ def write_report(ranking: Ranking, path: str | Path, films: Sequence[TrackedFilm
     setting, best = ranking.best.problem.setting, ranking.best
     ball = f" Ball of radius {setting.radius * 1e3:.4g} mm, moment of inertia {setting.kappa:.4g} m a²{_table(best)}."
 
-    def along(axes: Any) -> None:
-        _along(axes, ranking, ranking.ranked[:SHOWN])
-        axes.legend(loc="best", fontsize=7, frameon=False, markerscale=2)
+    def measured(axes: Any) -> None:
+        _measured(axes, ranking)
+        axes.legend(loc="best", frameon=False, markerscale=1.6)
 
     parts = [
         f"<p>{len(best.problem.x)} rebounds ({best.law.kind}), {best.problem.count} measurements after the wall."
         f"{ball if best.problem.rebounds['v_t_in'].any() else ''}</p>",
-        beside([panel(lambda axes: _normal(axes, ranking), 4.5, 3.4, **MARGINS), panel(along, 4.5, 3.4, **MARGINS)]),
-        "<h2>The laws, best first</h2>", _laws(ranking), "<h2>Residuals of the two best laws</h2>", *_residuals(ranking),
+        beside([panel(measured, 3.9, 2.9, **MARGINS)]),
+        "<h2>The laws, best first</h2>", _laws(ranking), *residual_parts(residuals_of_rows(ranking)),
         listed("Outliers under the best law", [f"{o.row}: chi² {o.chi2:.1f}; {o.why}" for o in ranking.outliers]),
     ]  # fmt: skip
     footer = (
@@ -377,95 +499,45 @@ def write_report(ranking: Ranking, path: str | Path, films: Sequence[TrackedFilm
     return write_page(ranking, path, source, "Which law is right for {}?", parts, footer, films)
 
 
-def plot_design(plan: Plan) -> Figure:
-    """Plot what one shot gains before the plan over angle and speed, and over spin where spins vary, with the numbered shots."""
-    fine = plan.fine_axes is not None and plan.fine_gain is not None
-    angles, speeds, spins = plan.fine_axes if fine else plan.axes  # type: ignore[misc]
-    found: Any = plan.fine_gain if fine else plan.gain
-    gained = "2 log odds of one shot, " + ("before the plan" if fine else "after the plan")
-    with style():
-        panels = [(speeds, "speed, m/s", found.max(axis=2), "speed")]
-        if len(spins) > 1:
-            panels.append((spins, "spin before, rad/s", found.max(axis=1), "spin"))
-        figure = new_figure(4.8 * len(panels) + 0.6, 3.8)
-        for axes, (values, label, gain, name) in zip(
-            figure.subplots(1, len(panels), squeeze=False)[0], panels, strict=True
-        ):
-            is_map = len(values) > 1 and len(angles) > 1
-            if is_map:
-                drawn = axes.contourf(angles, values, gain.T, levels=12, cmap="viridis")
-                bar = figure.colorbar(drawn, ax=axes, pad=0.03)
-                bar.set_label(gained)
-                bar.outline.set_visible(False)
-            else:
-                axes.plot(angles, gain.max(axis=1), color=INK)
-                axes.set(ylim=(0, None))
-            for number, shot in enumerate(plan.shots, 1):
-                at = getattr(shot, name) if is_map else float(np.interp(shot.angle_deg, angles, gain.max(axis=1)))
-                axes.plot(shot.angle_deg, at, "o", ms=12, mfc="white", mec=INK, mew=1, zorder=3 + number, label="_shot")
-                axes.text(
-                    shot.angle_deg, at, str(number), ha="center", va="center_baseline", fontsize=8, zorder=3 + number
-                )
-            # the best shots often are at the border of the map: leave room for their circles
-            axes.margins(0.05, 0.07)
-            axes.use_sticky_edges = False
-            axes.autoscale_view()
-            axes.set(xlabel="angle of incidence, degrees from the wall's normal", ylabel=label if is_map else gained)
-        more = "more " if plan.filmed is not None else ""
-        shots = "shot" if plan.count == 1 else "shots"
-        need = f"{plan.count} {more}{shots} for {plan.odds:g} to 1" if plan.count else "no more shots are needed"
-        if plan.count is None:
-            need = "no number of shots suffices"
-        figure.suptitle(f"{plan.laws[0]} (true) against {plan.laws[1]}: {need}", fontsize=9, color=INK)
-        each = [
-            f"{k}: {counted(shot.repeat, 'shot')} at {shot.angle_deg:.4g}\N{DEGREE SIGN}, {shot.speed:.4g} m/s"
-            for k, shot in enumerate(plan.shots, 1)
-        ]
-        figure.text(0.01, 0.01, ";  ".join(each), fontsize=7, color=GREY, va="bottom", wrap=True)
-        figure.tight_layout(rect=(0, 0.03, 1, 1))
-    return figure
-
-
 # ----------------------------------------------------------------------------------------------------
 # Figures of whole tracks and their simulations, and the HTML report.
 
 
-WIDTH = 8.2  # inches
-SHOTS, MORE = 6, 12  # largest number of shots drawn from above, and that for wide tables, of which more rows fit
+FARTHEST = 4  # shots that are drawn from above
 
 
 def plot_tracks(ranking: TrackRanking) -> Figure:
-    """Plot shots from above, tracked and simulated, distances by shot and law, and over time. Returns a Matplotlib Figure."""
-    best = ranking.best
+    """Plot the farthest shots from above, tracked and simulated, the distances of all, and over time (a Matplotlib Figure)."""
+    best, found = ranking.best, residuals_of_tracks(ranking)
     shots = list(dict.fromkeys(one.group for one in best.frames.segments))
+    shots.sort(key=lambda shot: -best.rms([n for n, one in enumerate(best.frames.segments) if one.group == shot]))
+    shown = shots[:FARTHEST]
     size = np.ptp(np.concatenate([one.position for one in best.frames.segments]), axis=0)
-    shown = shots[: MORE if size[0] > 1.5 * size[1] else SHOTS]
-    names = list(dict.fromkeys(one.name for one in best.frames.segments))
-    columns = min(4 if len(shown) > SHOTS else 3, len(shown))
-    rows = -(-len(shown) // columns)
-    above = rows * min(3.0, 0.3 + WIDTH / columns * float(size[1] / size[0])) + 0.3  # inches
+    columns = min(2 if size[0] > size[1] else FARTHEST, len(shown))
+    rows, wide = -(-len(shown) // columns), WIDTH / columns
+    above, height = rows * min(2.6, 0.25 + wide * float(size[1] / size[0])) + 0.35, _residual_height(found)  # inches
     with style():
-        figure = new_figure(WIDTH, above + 3.1)
-        upper, lower = figure.subfigures(2, 1, squeeze=False, height_ratios=[above, 3.1]).flat
+        figure = new_figure(WIDTH, above + height + 2.0)
+        upper, middle, lower = figure.subfigures(3, 1, squeeze=False, height_ratios=[above, height, 2.0]).flat
         panels = upper.subplots(rows, columns, squeeze=False)
         for axes in panels.flat[len(shown) :]:
             axes.set_axis_off()
         for axes, shot in zip(panels.flat, shown, strict=False):
-            _from_above(axes, best, shot, names)
+            _from_above(axes, best, shot)
         upper.subplots_adjust(left=0.01, right=0.99, top=1 - 0.5 / above, bottom=0.01, wspace=0.06, hspace=0.28)
-        more = f", {len(shown)} of {len(shots)} shots" if len(shots) > len(shown) else ""
-        upper.suptitle(f"Tracked (dots) and simulated by {literal(best.law.name)} (lines){more}", fontsize=9)
-        left, right = lower.subplots(1, 2)
-        _by_shot(left, ranking)
-        _over_time(right, best)
-        lower.subplots_adjust(left=0.08, right=0.98, top=0.9, bottom=0.16, wspace=0.24)
+        far = f", the farthest of {len(shots)} shots" if len(shots) > len(shown) else ""
+        upper.suptitle(f"Tracked (dots) and {literal(best.law.name)} (lines){far}", fontsize=9)
+        _residual_grid(middle, found, height)
+        _track_distances(lower.subplots(), best)
+        lower.subplots_adjust(left=0.12, right=0.98, top=0.9, bottom=0.22)
     return figure
 
 
-def _from_above(axes: Any, fit: TrackFit, shot: str, names: list[str]) -> None:
+def _from_above(axes: Any, fit: TrackFit, shot: str) -> None:
     """Plot one shot: all its segments, and the lines on which the ball's centre turns."""
     at = {**fit.model.held, **fit.numbers}
     which = [n for n, one in enumerate(fit.frames.segments) if one.group == shot]
+    names = list(dict.fromkeys(one.name for one in fit.frames.segments))
     every = np.concatenate([one.position for one in fit.frames.segments])
     low, high = every.min(axis=0), every.max(axis=0)
     for name, value in at.items():
@@ -492,45 +564,33 @@ def _from_above(axes: Any, fit: TrackFit, shot: str, names: list[str]) -> None:
     axes.set_title(f"{literal(shot or 'track')}: {1e3 * fit.rms(which):.2g} mm", fontsize=8)
 
 
-def _by_shot(axes: Any, ranking: TrackRanking) -> None:
-    """Plot the cumulative distribution of the shots' distances for each law."""
-    fits = ranking.fits[: SHOWN + 2]
-    look = law_styles([fit.law.name for fit in fits])
-    rows = ranking.best.frames.groups
-    for fit in fits:
-        size = np.sort([1e3 * fit.rms(which) for which in rows])
-        colour, dashes = look[fit.law.name]
-        share = np.arange(1, len(size) + 1)
-        axes.plot(
-            size, share, color=colour, ls=dashes, marker="o", ms=2.5 if len(size) > 8 else 4, lw=1, label=fit.law.name
-        )
-    axes.axvline(1e3 * ranking.best.noise * np.sqrt(2), color=GREY, lw=0.8, ls=":")
-    axes.set(xscale="log", xlabel="RMS distance of a shot, mm (dotted: noise)", ylabel="shots that are nearer")
-    axes.set_ylim(0, len(rows) * 1.04)
-    axes.set_title("Distance from track to simulation", fontsize=9)
-    axes.legend(fontsize=7, frameon=False, loc="lower right")
-
-
-def _over_time(axes: Any, fit: TrackFit) -> None:
-    """Plot the distances of the best law since the first contact: a line per track, of more than a few tracks the shares."""
+def _track_distances(axes: Any, fit: TrackFit) -> None:
+    """Plot the distances of tracks since the first contact."""
     gaps = [1e3 * np.hypot(*fit.gap[n, : int(c)].T) for n, c in enumerate(fit.frames.count)]
     times = [one.time[: len(gap)] - one.contacts[0] for one, gap in zip(fit.frames.segments, gaps, strict=True)]
+    _over_time(axes, times, gaps)
+    axes.axvline(0, color=GREY, lw=0.8, ls=":")
+    axes.set(xlabel="time since the first contact, s", ylabel=f"{fit.law.name}: distance, mm")
+
+
+def _over_time(axes: Any, times: Sequence[Any], gaps: Sequence[Any]) -> None:
+    """Plot distances, mm, over time: a line for each track or shot, of more than a few the shares; and the median."""
     if len(gaps) <= len(COLOURS):
         for time, gap in zip(times, gaps, strict=True):
             axes.plot(time, gap, color=INK, lw=0.5, alpha=0.5)
     since, every = np.concatenate(times), np.concatenate(gaps)
-    bins = [(a, b, every[(since >= a) & (since < b)]) for a, b in pairwise(np.linspace(since.min(), since.max(), 25))]
-    middles = [(a + b) / 2 for a, b, some in bins if len(some) >= 10]
-    if middles:
-        shares = np.array([np.percentile(some, (10, 25, 50, 75, 90)) for *_, some in bins if len(some) >= 10]).T
+    edges = np.linspace(since.min(), since.max(), 25)
+    bins = [((a + b) / 2, every[(since >= a) & (since < b)]) for a, b in pairwise(edges)]
+    bins = [(middle, some) for middle, some in bins if len(some) >= 10]
+    if bins:
+        middles = [middle for middle, _some in bins]
+        shares = np.array([np.percentile(some, (10, 25, 50, 75, 90)) for _middle, some in bins]).T
         if len(gaps) > len(COLOURS):
             axes.fill_between(middles, shares[0], shares[4], color=INK, alpha=0.12, lw=0, label="80 % of frames")
             axes.fill_between(middles, shares[1], shares[3], color=INK, alpha=0.25, lw=0, label="50 %")
         axes.plot(middles, shares[2], color="#D55E00", lw=1.8, label="median")
-        axes.legend(fontsize=7, frameon=False, loc="upper left")
-    axes.axvline(0, color=GREY, lw=0.8, ls=":")
-    axes.set(yscale="log", xlabel="time since the first contact, s", ylabel="distance, mm")
-    axes.set_title(f"Over time, {fit.law.name}", fontsize=9)
+        axes.legend(frameon=False, loc="best")
+    _in_mm(axes)
 
 
 def _laws_of_tracks(ranking: TrackRanking) -> str:
@@ -543,6 +603,24 @@ def _laws_of_tracks(ranking: TrackRanking) -> str:
     return table_of_laws(ranking, ("chi² / dof", "median RMS, mm", "RMS, mm"), cells)
 
 
+def _track_drawings(fit: TrackFit) -> list[str]:
+    """Return the drawings of tracks for a page: the farthest shots from above, and the distances over time."""
+    rows = fit.frames.groups
+    far = sorted(rows, key=lambda which: -fit.rms(which))[:FARTHEST]
+    small = [
+        panel(
+            lambda axes, shot=fit.frames.segments[which[0]].group: _from_above(axes, fit, shot),  # type: ignore[misc]
+            2.15, 1.9, left=0.02, right=0.98, top=0.88, bottom=0.02,
+        )
+        for which in far
+    ]  # fmt: skip
+    over = panel(lambda axes: _track_distances(axes, fit), 4.5, 2.8, **MARGINS)
+    said = f"Tracked (dots) and {fit.law.name} (lines)" + f", the farthest of {len(rows)} shots" * (
+        len(rows) > len(far)
+    )
+    return [f"<p>{html.escape(said)}:</p>", beside(small, "beside small"), beside([over])]
+
+
 def write_track_report(ranking: TrackRanking, source: str, path: str | Path) -> Path:
     """Write the HTML report atomically: verdict, figure, table, unconstrained parameters."""
     best, tracks = ranking.best, ranking.best.frames.segments
@@ -551,7 +629,8 @@ def write_track_report(ranking: TrackRanking, source: str, path: str | Path) -> 
     parts = [
         f"<p>{len(tracks)} track segments, {contacts} contacts, {int(best.frames.count.sum()):,} frames; each segment is simulated"
         f" from its own start. Ball of radius {ball}.</p>",
-        svg(plot_tracks(ranking)), "<h2>The laws, best first</h2>", _laws_of_tracks(ranking),
+*_track_drawings(best), "<h2>The laws, best first</h2>", _laws_of_tracks(ranking),
+        *residual_parts(residuals_of_tracks(ranking)),
     ]  # fmt: skip
     footer = f"{ranking.aicc_note} wall_left, ...: position at which the ball's centre is reflected, m."
     return write_page(ranking, path, source, "Which law follows {}?", parts, footer)
@@ -560,18 +639,16 @@ def write_track_report(ranking: TrackRanking, source: str, path: str | Path) -> 
 # ----------------------------------------------------------------------------------------------------
 # Figures of fits to whole shots: film and model on each other, distances over time, all shots on one page; the HTML report.
 
-COLUMNS = 5  # of small multiples
-LEAST_WIDTH = 5.2  # inches, that the legend of small multiples needs
-ORDER = (
+COLUMNS = 3  # of small multiples
+ORDER = [
     "struck",
     "second",
     "third",
     "fourth",
     "fifth",
     "sixth",
-)  # balls of a shot: by the cue, and in the order of the film
+]  # balls of a shot: by the cue, and in the order of the film
 LEAST_MM = 0.1  # of a distance that is drawn
-SHOT_MARGINS = {"left": 0.13, "right": 0.98, "top": 0.9, "bottom": 0.18}  # of a panel with axes
 DOTS = 120  # of a ball's path
 
 
@@ -594,13 +671,20 @@ def plot_shot(shot: FittedShot) -> Figure:
     return figure
 
 
-def plot_shots(fit: ShotsFit) -> Figure:
-    """Plot all shots as small multiples, film (dots) and model (lines), with their distances. Returns a Matplotlib Figure."""
+def plot_shots(fit: ShotsFit, *others: ShotsFit) -> Figure:
+    """Plot all shots as small multiples, film (dots) and model (lines), and their distances against incidence, speed, order, also
+    under another law. Returns a Matplotlib Figure."""
     columns = min(COLUMNS, len(fit.shots))
     rows = -(-len(fit.shots) // columns)
-    height = 1.3 * rows + 1.0
+    found = residuals_of_shots([fit, *others[:1]])
+    height, below = 1.1 * rows + 1.0, _residual_height(found) if len(fit.shots) > 1 else 0.0
     with style():
-        figure = new_figure(max(2.15 * columns + 0.3, LEAST_WIDTH), height)
+        whole = new_figure(WIDTH, height + below)
+        figure, *rest = whole.subfigures(
+            1 + (below > 0), 1, squeeze=False, height_ratios=[height, *[below] * (below > 0)]
+        ).flat
+        for one in rest:
+            _residual_grid(one, found, below)
         panels = figure.subplots(rows, columns, squeeze=False)
         for axes in panels.flat[len(fit.shots) :]:
             axes.set_axis_off()
@@ -611,13 +695,19 @@ def plot_shots(fit: ShotsFit) -> Figure:
             handles=balls, loc="lower center", ncols=6, fontsize=7.5, frameon=False, bbox_to_anchor=(0.5, 0.18 / height)
         )
         figure.legend(
-            handles=_marks(), loc="lower center", ncols=5, fontsize=7.5, frameon=False, bbox_to_anchor=(0.5, 0.0)
+            handles=_marks(),
+            loc="lower center",
+            ncols=5,
+            fontsize=7.5,
+            columnspacing=1.0,
+            frameon=False,
+            bbox_to_anchor=(0.5, 0.0),
         )
         figure.subplots_adjust(
             left=0.01, right=0.99, top=1 - 0.42 / height, bottom=0.45 / height, wspace=0.05, hspace=0.2
         )
         figure.suptitle(f"Film and {literal(fit.law.name)}, distance (rms) to rest", fontsize=9, y=1 - 0.05 / height)
-    return figure
+    return whole
 
 
 def most_balls(fit: ShotsFit) -> int:
@@ -663,29 +753,14 @@ def _marks() -> list[Any]:
 
 def _distances(axes: Any, fit: ShotsFit) -> None:
     """Plot the distances of all shots over time."""
-    for shot in fit.shots:
-        seen = shot.film.measured.any(axis=1)
-        far = 1e3 * np.sqrt(np.nanmean(np.square(shot.distance[seen]), axis=1))
-        axes.plot(shot.film.time[seen], np.maximum(far, LEAST_MM), lw=0.5, color=INK, alpha=0.4)
+    seen = [shot.film.measured.any(axis=1) for shot in fit.shots]
+    far = [
+        np.sqrt(np.nanmean(np.square(shot.distance[rows]), axis=1)) for shot, rows in zip(fit.shots, seen, strict=True)
+    ]
+    times = [shot.film.time[rows] for shot, rows in zip(fit.shots, seen, strict=True)]
+    _over_time(axes, times, [np.maximum(1e3 * one, LEAST_MM) for one in far])
     axes.axhline(1e3 * fit.noise * np.sqrt(2), color=GREY, lw=0.8, ls=":")
-    _in_mm(axes)
-    axes.set(xlabel="time, s (dotted: noise of the film)", ylabel="distance, mm")
-    axes.set_title("Distance from film to model, all shots", fontsize=9)
-
-
-def _by_horizon(axes: Any, fit: ShotsFit) -> None:
-    """Plot the distances of all shots by horizon, and their medians."""
-    from carom.fitting.shots.result import HORIZONS
-
-    places = [name for name in HORIZONS if len(fit.horizon(name))]
-    for k, name in enumerate(places):
-        far = np.maximum(1e3 * fit.horizon(name), LEAST_MM)
-        spread = np.linspace(-0.2, 0.2, len(far)) if len(far) > 1 else np.zeros(1)
-        axes.plot(k + spread, np.sort(far), "o", ms=2.5, color=COLOURS[0], alpha=0.7)
-        axes.plot([k - 0.3, k + 0.3], [np.median(far)] * 2, color=COLOURS[1], lw=1.5)
-    _in_mm(axes)
-    axes.set(xticks=range(len(places)), xticklabels=places, ylabel="distance (rms), mm")
-    axes.set_title("From the start to (line: median of the shots)", fontsize=9)
+    axes.set(xlabel="time, s (dotted: noise of the film)", ylabel="distance of all shots, mm")
 
 
 def _all_shots(fit: ShotsFit) -> list[str]:
@@ -694,11 +769,8 @@ def _all_shots(fit: ShotsFit) -> list[str]:
         panel(lambda axes, one=one: _small(axes, one), 2.15, 1.3, left=0.02, right=0.98, top=0.88, bottom=0.02)  # type: ignore[misc]
         for one in fit.shots
     ]
-    curves = [
-        panel(lambda axes: _distances(axes, fit), 4.5, 3.0, **SHOT_MARGINS),
-        panel(lambda axes: _by_horizon(axes, fit), 4.5, 3.0, **SHOT_MARGINS),
-    ]
-    return [beside(small, "beside small") if len(small) > 1 else "", beside(curves)]
+    over = panel(lambda axes: _distances(axes, fit), 3.9, 2.6, **MARGINS)
+    return [beside(small, "beside small") if len(small) > 1 else "", beside([over])]
 
 
 def _shot_above(axes: Any, shot: FittedShot, *, marks: bool = False, size: float = 1.0) -> None:
@@ -802,9 +874,7 @@ def _shot(shot: FittedShot) -> str:
 
     said = f"{html.escape(shot.name)}: {1e3 * shot.rms:.3g} mm{'' if shot.followed else ', not followed'}"
     whole = panel(above, 4.6, 2.6, left=0.01, right=0.99, top=0.99, bottom=0.12)
-    return f"<h3>{said}</h3>" + beside(
-        [whole, panel(lambda axes: _shot_over_time(axes, shot), 4.4, 2.6, **SHOT_MARGINS)]
-    )
+    return f"<h3>{said}</h3>" + beside([whole, panel(lambda axes: _shot_over_time(axes, shot), 4.4, 2.6, **MARGINS)])
 
 
 def _legend_of_marks() -> str:
@@ -820,6 +890,7 @@ def write_shots_report(ranking: ShotsRanking, source: str, path: str | Path) -> 
     best = ranking.best
     parts = [
         *(f"<p>{html.escape(line)}</p>" for line in best.describe()), *_all_shots(best),
+        *residual_parts(residuals_of_shots([one.fit for one in ranking.ranked[:2]])),
         "<h2>The laws, best first</h2>", _laws_of_shots(ranking), "<h2>The table</h2>", _numbers(ranking),
         "<h2>The shots, the farthest from the film first</h2>",
         _legend_of_marks(), *map(_shot, sorted(best.shots, key=lambda one: -one.rms)),

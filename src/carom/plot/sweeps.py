@@ -1,4 +1,4 @@
-"""Maps of sweeps: an outcome over one or two dimensions, with small multiples for a third."""
+"""Maps of sweeps: an outcome over one or two dimensions, with small multiples for a third; and of a plan of shots."""
 
 from __future__ import annotations
 
@@ -11,12 +11,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from carom.errors import CaromError, Fault, did_you_mean
-from carom.formatting import format_number
-from carom.plot.style import INK, drawn, literal, new_figure, require_matplotlib, style
+from carom.formatting import counted, format_number
+from carom.plot.style import GREY, INK, drawn, literal, new_figure, require_matplotlib, style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from carom.fitting.design import Plan
     from carom.sweeps.aiming import Windows
 
 MOST_PANELS = 16
@@ -359,3 +360,52 @@ def plot_windows(found: Windows, file: str | os.PathLike[str] | None = None) -> 
         return figure
 
     return drawn(draw, file)
+
+
+def plot_design(plan: Plan) -> Figure:
+    """Plot what one shot gains before the plan over angle and speed, and over spin where spins vary, with the numbered shots."""
+    fine = plan.fine_axes is not None and plan.fine_gain is not None
+    angles, speeds, spins = plan.fine_axes if fine else plan.axes  # type: ignore[misc]
+    found: Any = plan.fine_gain if fine else plan.gain
+    gained = "2 log odds of one shot, " + ("before the plan" if fine else "after the plan")
+    with style():
+        panels = [(speeds, "speed, m/s", found.max(axis=2), "speed")]
+        if len(spins) > 1:
+            panels.append((spins, "spin before, rad/s", found.max(axis=1), "spin"))
+        figure = new_figure(4.8 * len(panels) + 0.6, 3.8)
+        for axes, (values, label, gain, name) in zip(
+            figure.subplots(1, len(panels), squeeze=False)[0], panels, strict=True
+        ):
+            is_map = len(values) > 1 and len(angles) > 1
+            if is_map:
+                drawn = axes.contourf(angles, values, gain.T, levels=12, cmap="viridis")
+                bar = figure.colorbar(drawn, ax=axes, pad=0.03)
+                bar.set_label(gained)
+                bar.outline.set_visible(False)
+            else:
+                axes.plot(angles, gain.max(axis=1), color=INK)
+                axes.set(ylim=(0, None))
+            for number, shot in enumerate(plan.shots, 1):
+                at = getattr(shot, name) if is_map else float(np.interp(shot.angle_deg, angles, gain.max(axis=1)))
+                axes.plot(shot.angle_deg, at, "o", ms=12, mfc="white", mec=INK, mew=1, zorder=3 + number, label="_shot")
+                axes.text(
+                    shot.angle_deg, at, str(number), ha="center", va="center_baseline", fontsize=8, zorder=3 + number
+                )
+            # the best shots often are at the border of the map: leave room for their circles
+            axes.margins(0.05, 0.07)
+            axes.use_sticky_edges = False
+            axes.autoscale_view()
+            axes.set(xlabel="angle of incidence, degrees from the wall's normal", ylabel=label if is_map else gained)
+        more = "more " if plan.filmed is not None else ""
+        shots = "shot" if plan.count == 1 else "shots"
+        need = f"{plan.count} {more}{shots} for {plan.odds:g} to 1" if plan.count else "no more shots are needed"
+        if plan.count is None:
+            need = "no number of shots suffices"
+        figure.suptitle(f"{plan.laws[0]} (true) against {plan.laws[1]}: {need}", fontsize=9, color=INK)
+        each = [
+            f"{k}: {counted(shot.repeat, 'shot')} at {shot.angle_deg:.4g}\N{DEGREE SIGN}, {shot.speed:.4g} m/s"
+            for k, shot in enumerate(plan.shots, 1)
+        ]
+        figure.text(0.01, 0.01, ";  ".join(each), fontsize=7, color=GREY, va="bottom", wrap=True)
+        figure.tight_layout(rect=(0, 0.03, 1, 1))
+    return figure
