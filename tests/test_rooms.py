@@ -257,7 +257,7 @@ CAPS = {
     "billiards": 5572,
     "tracks": 9393,
     "simulation": 6445,
-    "core": 5740,
+    "core": 5735,
     "laws": 4969,
     "scene": 4873,
     "cli": 4174,

@@ -104,16 +104,6 @@ MAX_EMPTY_CELLS = 1_000_000  # a flight through this many periodic cells counts 
 
 # ----------------------------------------------------------------------------------------------------
 # Find the next piece of the boundary that a flying ball meets, and the wall's normal there.
-#
-# A single ball needs no event queue: its next event is the nearest of the table's pieces. All pieces bound the ball's centre.
-#
-# Where no force acts across the walls, the flight is met as a straight line: linear for a face, quadratic for a circle, a sphere,
-# an
-# ellipse. Under a force across walls it is a parabola; its roots, of degree 2 (faces) or 4 (curved pieces), are those of
-# :mod:`carom.core.roots`, which find the first of them, and a crossing outside the ends of a piece is skipped for the
-# next
-# one. Smooth curves, with a table of ``panels``, are in :mod:`carom.core.geometry.curve`. In a magnetic field flights are arcs of
-# circles, in quarters of which u = tan(angle/2) goes from 0 to 1.
 
 
 NEVER = math.inf

@@ -136,8 +136,6 @@ def _reflect(a: float, kappa: float, s: Any) -> int:
 
 # ----------------------------------------------------------------------------------------------------
 # Follow one ball from bounce to bounce: fly to the nearest piece of the boundary, apply the law, record the state.
-#
-# The impact is the contact kernel of :mod:`carom.core.contact`, as everywhere in carom.
 
 
 # What an orbit goes on from: time, displacement of its periodic cell (2), bounces, energy, position in the cell, velocity, spin.

@@ -133,14 +133,7 @@ def section_piece(name: str, loop: list[Piece], inside: bool, ball: float) -> Se
 
 
 # ----------------------------------------------------------------------------------------------------
-# Surfaces on which a ball rolls: pipe, cylinder of any section, bowl, dome, torus, ellipsoid, plate, hole; by distance and
-# normal.
-#
-# A surface is one smooth piece or several that join with a common normal. A piece of your own is a class with three methods:
-#
-# distance(x)        from the surface to the place x of the ball's centre, positive on the ball's side
-# normal(x)          the gradient of the distance: from the contact point to the centre
-# turn(x, n, v)      the rate of change of the normal while the centre moves with v: the Hessian of the distance times v
+# Surfaces on which a ball rolls: pipe, cylinder of any section, bowl, dome, torus, ellipsoid, plate, hole; by distance and normal.
 
 
 NEWTON, CLOSE = 60, 4e-16

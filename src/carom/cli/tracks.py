@@ -295,8 +295,6 @@ def tell_pairs(console: Console, films: Sequence[tuple[str, Sequence[PairContact
 
 # ----------------------------------------------------------------------------------------------------
 # ``carom tracks show``: summary of a track file, and velocities before and after each contact with a wall.
-#
-# ``carom tracks example``: films to try it with.
 
 
 TABLES = (".csv", ".txt", ".parquet", ".pq")

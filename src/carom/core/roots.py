@@ -210,18 +210,6 @@ def root_bound(c: Numbers, most: float) -> float:
 
 # ----------------------------------------------------------------------------------------------------
 # Find the first hit of a gap polynomial, to the last digits.
-#
-# ``g(s) = c0 + c1 s + ...`` is the gap between a ball and what it may hit, s the time since the ball's last event. A hit is
-# the smallest s in [0, T] at which g <= 0 while g decreases:
-#
-# - g comes from above zero and crosses it (touching it without crossing is no hit);
-# - g(0) <= 0 and g'(0) < -tol: s = 0;
-# - g(0) <= 0 and not approaching: nothing, until g has been above zero and comes down; or until g, never having been above
-# zero, turns down again (the stable rule of Bannerman, Strobl, Formella and Poeschel, arXiv:1211.6718).
-#
-# The way: Bernstein coefficients settle most cases (no root, or one). The others are walked from turn to turn of g, which
-# are the roots of g' on the monotone pieces between the roots of g'', and so on. A sign that plain arithmetic leaves open is
-# decided in compensated arithmetic, so that a pair of roots that is there is found, and one that is not is not.
 
 
 # ruff: noqa: RUF005  (tuples are joined with +: Numba does not compile a star in a loop)

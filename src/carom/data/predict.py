@@ -202,9 +202,6 @@ def _columns(plan: TablePlan, answer: Answer, rows: NDArray[np.intp], notes: Not
 
 # ----------------------------------------------------------------------------------------------------
 # Predicted rebounds for a table of incoming states, one per row: the outgoing state is added as new columns.
-#
-# The table is processed in chunks of rows, so that ten million rows need no more memory than a hundred thousand. Names of columns
-# are in :mod:`carom.data.headers` and in the guide, "Predict a table".
 
 
 # So many rows without an answer are listed; the note column has them all.

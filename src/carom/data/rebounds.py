@@ -124,15 +124,6 @@ def _difference_error(before: Array, sigma: Mapping[str, Array], covariance: Arr
 
 # ----------------------------------------------------------------------------------------------------
 # Measured rebounds: one row per contact, velocity and spin before and after it, with error bars.
-#
-# Two kinds. A **planar** bounce, of a ball in flight say: ``v_n_in, v_t_in, spin_in, v_n_out, v_t_out, spin_out``, where ``spin``
-# is about the axis for which the slip at the contact is v_t - a spin. A ball on a **table**: ``v_n_in, v_t_in, spin_z_in,
-# v_n_out, v_t_out, spin_z_out, stage``, where stage is when the ball was measured after the contact: ``after_wall``, as it leaves
-# the wall, or ``rolling``, once it rolls again; before the contact it rolls. v_n is positive toward the wall before and away from
-# it after. SI: m/s and rad/s. What was not measured (a spin before the contact, anything after it) is NaN: an empty cell, or no
-# column. Every number may have an error bar, one standard deviation, in a column ``sigma_...``.
-#
-# In a file the columns may be in any order and in other units (``v_n_in_mm_s``, ``spin_out [rpm]``).
 
 
 Kind = Literal["planar", "table"]

@@ -138,11 +138,6 @@ class Jump:
 
 # ----------------------------------------------------------------------------------------------------
 # Follow one rough contact through its impact, as a function of the normal impulse p: slip, reversal, stick, jam.
-#
-# In the plane the velocities are piecewise linear in p (Routh, *Dynamics of a System of Rigid Bodies*, 1905, arts. 180
-# to 203) and the answer is exact for exact numbers. In space the slip may swerve (Keller, J. Appl. Mech. 53, 1986, 1);
-# there the hodograph is integrated. Newton's, Poisson's and Stronge's (Proc. R. Soc. A 431, 1990, 169) rules end the
-# impact.
 
 
 Number = Any

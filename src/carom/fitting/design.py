@@ -346,14 +346,6 @@ class ShotSearch:
 
 # ----------------------------------------------------------------------------------------------------
 # Design of experiments: which shots discriminate between two laws best, and how many are needed.
-#
-# Atkinson & Fedorov, Biometrika 62, 57 (1975): assume that one law is true and fit the other to the shots planned so far; the
-# next shot is the one for which the fitted law is off by most error bars. The sum of these squares, the noncentrality lambda of
-# the other law's chi^2, is the expected value of 2 log odds, apart from the penalty for the number of parameters:
-#
-# E(AIC of the other - AIC of the true) = lambda + k_other - k_true.
-#
-# Shots already filmed count as measured. For a shot whose spin will not be measured, the mean over possible spins is used.
 
 
 FINER = 4  # steps of the picture's map per step of the grid of shots

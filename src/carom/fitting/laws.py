@@ -419,8 +419,6 @@ def table_law(code: int, form: int, stage: int, x: Vec, a: float, p: Any, known:
 
 # ----------------------------------------------------------------------------------------------------
 # Laws that can be fitted: their contact model, free and fixed parameters, and how the engine simulates them.
-#
-# They are made from the descriptors in carom.laws; a :class:`FittedLaw` holds everything that fits need to know about a law.
 
 
 @dataclass(frozen=True)

@@ -152,12 +152,6 @@ def smooth_parameter(fit: Any, parameter: str, variable: str, width: float) -> S
 
 # ----------------------------------------------------------------------------------------------------
 # A law whose parameters are smooth functions of the impact, with scatter that may grow with the speed and have heavy tails.
-#
-# On top of a law with its forms (:mod:`carom.fitting.model`) a parameter may be a penalised B-spline of v_n, slip, slip/v_n or
-# speed (Eilers & Marx, Statist. Sci. 11, 89 (1996); SciPy's basis): its second differences are normal with a width that held-out
-# rows choose. The error of a rebound has the covariance S = error bars + J var(x) J' + scatter^2 (speed/v0)^(2 h), and is normal,
-# Student's t, or exponential on two sides (Montaine et al., arXiv 1104.0049). All numbers are fitted together, by maximum
-# likelihood with the penalty: the deviance is log det S + rho(c), c = r' S^-1 r. Spins before the wall have to be measured.
 
 
 STEP = 1e-4  # of a number: of numerical derivatives

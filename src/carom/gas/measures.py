@@ -285,9 +285,6 @@ def _pair_histogram(
 
 # ----------------------------------------------------------------------------------------------------
 # Measures of a gas: velocity distributions, pair correlation, diffusion, temperatures over time.
-#
-# :class:`Measures` samples a gas and returns means over its samples. What is counted at every collision (rates, energies,
-# pressure) is in :func:`carom.gas.channels` and :class:`carom.gas.GasRun`.
 
 
 BIN_WIDTH, BINS = 0.1, 120  # of the components, in standard deviations

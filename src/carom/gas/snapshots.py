@@ -213,12 +213,6 @@ def require_npz_size(path: Path, headers: Mapping[str, ArrayHeader]) -> None:
 
 # ----------------------------------------------------------------------------------------------------
 # Snapshots: gases written frame by frame, and initial states read from CSV, NPZ and GSD files.
-#
-# GSD files follow HOOMD's schema, which the field's viewers open (OVITO, freud, HOOMD itself): the box is centred on 0 (of discs
-# Lz = 0 and 2 dimensions), positions and velocities are in single precision, ``step`` is the number of collisions, ``image``
-# counts the periods crossed. The spin w is in ``angmom``, the quaternion 2 q (0, S), with the orientation q and the angular
-# momentum S = I w about the body's axes. A gas does not track orientations, so q is 1. The time is the logged ``carom/time``. The
-# chunks are written one by one with GSD's file layer: its writer of frames keeps several copies of all balls.
 
 
 Array = NDArray[np.float64]

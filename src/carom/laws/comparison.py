@@ -96,9 +96,6 @@ def _way(meeting: Meeting, final: State) -> Iterator[str]:
 
 # ----------------------------------------------------------------------------------------------------
 # Compare the predictions of laws for one incoming ball, and say which laws are admissible and why others are not.
-#
-# :func:`incoming` makes a :class:`~carom.laws.law.Meeting` from a speed, an angle and a spin; :func:`compare` evaluates every
-# law; :mod:`carom.laws.comparison` describes a prediction in sentences. All of it runs as plain Python, so nothing is compiled.
 
 
 Thing = TypeVar("Thing")

@@ -218,10 +218,6 @@ def angle_from(normal: Array, state: State, *, incoming: bool = False) -> Number
 
 # ----------------------------------------------------------------------------------------------------
 # From the wall to rolling: the flight, the landings, and whether the ball rolls before it meets the wall again.
-#
-# Every impulse of the floor acts at the floor's contact point, so the angular momentum about that point (more precisely its
-# two components (37) along the floor, and omega_z) is conserved. However the ball lands, bounces and slides, its final rolling
-# state is (39) of the state in which it left the wall. It remains to determine whether the ball reaches it.
 
 
 # Whether a ball that left the wall comes to roll, or why not; the texts are WHY[code] of carom.laws.landing.

@@ -236,9 +236,6 @@ DRIVES_INTO_FLOOR = Rule(
 
 # ----------------------------------------------------------------------------------------------------
 # Descriptor of a law of impact: its card, its kernel, its prediction, and what scenes, billiards and fits need to know.
-#
-# A law is one file of this package that ends with ``LAW = Law(...)``, or with ``wall_law(CARD, kernel)`` if the kernel of the
-# wall defines it completely. All other modules read the descriptor; none of them refers to a law by name.
 
 
 Array = NDArray[np.float64]

@@ -60,10 +60,6 @@ def _name(frame: FrameType) -> str:
 
 # ----------------------------------------------------------------------------------------------------
 # Wrong arguments of public functions and methods: a CaromError that names function, argument, expectation and what came.
-#
-# What is right is not looked at, so that a call costs nothing more than one of Python's. Only where a call raises something other
-# than a CaromError are its arguments compared with the annotations of its signature. An exception of the caller's own (of a
-# callback, a law) goes on as it is, and so does a warning that was made an error.
 
 
 LAWS = frozenset(

@@ -381,9 +381,6 @@ def share_momentum(balls: Any, count: int) -> None:
 
 # ----------------------------------------------------------------------------------------------------
 # The integration of contacts that overlap in time: forces of balls and walls, in small steps, until all contacts have opened.
-#
-# Steps are those of the five-stage method of order four of M. H. Carpenter & C. A. Kennedy, NASA TM-109112 (1994), which keeps
-# one change beside the state. It writes to fields of the balls' records, so that nothing is allocated.
 
 
 STEPS, LADDER = 20, 0.875  # steps in a contact's duration, at least; the ratio of one possible step to the next

@@ -206,11 +206,7 @@ def note_event(
 
 
 # ----------------------------------------------------------------------------------------------------
-# The event loop: take the earliest event, resolve it, predict what comes next. There is no time step.
-#
-# Each ball has its own clock, the time of its last event, and one predicted event. Where that has become invalid (the other ball
-# of the pair met something first) it is predicted anew. Of events at one instant, the ball that has had the fewest at its place
-# comes first, then the one with the lower number, so that the same input gives the same bits on every run.
+# The event loop: take the earliest event, resolve it, predict what comes next.
 
 
 # How a call of ``run`` ends, apart from the refusals of contacts: DONE (no more events before the end), the log is full (call

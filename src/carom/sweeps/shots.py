@@ -130,10 +130,6 @@ def _set_motion(ball: SceneBall, given: dict[tuple[str | int, ...], Array], rows
 
 # ----------------------------------------------------------------------------------------------------
 # Sweeps over a scene: the runs of many scenes that differ in some numbers, each bit for bit what ``carom.simulate`` gives.
-#
-# A number of a scene ends in the records that the event loop reads. Where, is found by making the scene with a few of its values:
-# if the records hold the number itself (friction, restitution, gravity), they are filled for all points at once; if anything else
-# changes with it (a wall's place, a law), the scene is made anew for every value.
 
 
 Columns = dict[str, Array]

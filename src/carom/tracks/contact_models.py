@@ -306,14 +306,6 @@ def _fill_contact(theta: Any, since: float, k: float, t: Any, places: Any, slope
 
 # ----------------------------------------------------------------------------------------------------
 # Models of a contact on a table: the ball slides or rolls before it, and slides, then rolls after it.
-#
-# There is Coulomb friction while the ball slides and constant resistance while it rolls (:mod:`carom.tracks.contact_models`). Each
-# model is fitted to the frames on both sides of the contact, in the frame of the wall (:mod:`carom.tracks.least_squares`).
-#
-# A ball that rolls into a wall and touches it at its centre is lifted by the wall's friction, and hops before it slides. Seen
-# from above, a hop of duration T is hardly distinguishable from a start that is faster by mu g T / 2: frames show long hops, not
-# short ones. So each contact is fitted without a hop and with one, and all contacts with a wall decide
-# (:mod:`carom.tracks.contact`).
 
 
 Free = NDArray[np.bool_]

@@ -270,11 +270,6 @@ def _whitened(columns: Array, time: Array, interval: float) -> tuple[Array, Arra
 
 # ----------------------------------------------------------------------------------------------------
 # Least squares for one contact: the motions before and after it are fitted together and meet at the wall.
-#
-# Vectors are in the frame of the wall: the first component is the distance from the wall along its normal, the second runs
-# along the wall, counter-clockwise from the normal. The time of the contact is a parameter and lies between frames. The
-# minimisers are SciPy's (the extra ``carom[fit]``); error bars are computed from the Jacobian at the solution, with the noise as
-# given or as estimated from the residuals.
 
 
 Model = Callable[[Array], Array]

@@ -192,15 +192,21 @@ def call_compiled(function: Callable[..., Any], provide: Callable[[], Callable[.
     """
     from numba.extending import overload
 
+    options = {**KERNEL_OPTIONS, **linked_only(cache_folder())}
+    overload(function, jit_options=options)(call_of(function, provide, True))
+
+
+def call_of(function: Callable[..., Any], provide: Callable[[], Callable[..., Any]], plain: bool) -> Callable[..., Any]:
+    """Return what Numba's ``overload`` takes: a call of ``provide()`` for plain numbers, or else for numbers with derivatives."""
     # Numba wants the arguments by name, the same in both functions, and without annotations
     names = ", ".join(inspect.signature(function).parameters)
-    space: dict[str, Any] = {"provide": provide, "plain": plain_numbers}
+    space: dict[str, Any] = {"provide": provide, "is_plain": plain_numbers, "plain": plain}
     exec(
-        f"def typed({names}):\n    if not plain({names}):\n        return None\n    part = provide()\n"
+        f"def typed({names}):\n    if is_plain({names}) != plain:\n        return None\n    part = provide()\n"
         f"    def call({names}):\n        return part({names})\n    return call\n",
         space,
     )
-    overload(function, jit_options={**KERNEL_OPTIONS, **linked_only(cache_folder())})(space["typed"])
+    return space["typed"]  # type: ignore[no-any-return]
 
 
 def plain_numbers(*kinds: Any) -> bool:

@@ -487,16 +487,9 @@ def _power() -> None:
 
 def overload_for_duals(function: Callable[..., Any], instead: Callable[..., Any]) -> None:
     """Have compiled code call another kernel where ``function`` is given dual numbers."""
-    from carom.core.jit.compile import plain_numbers
+    from carom.core.jit.compile import call_of
 
-    names = ", ".join(inspect.signature(function).parameters)
-    space: dict[str, Any] = {"instead": instead, "plain": plain_numbers}
-    exec(
-        f"def typed({names}):\n    if plain({names}):\n        return None\n"
-        f"    def call({names}):\n        return instead({names})\n    return call\n",
-        space,
-    )
-    _overload(function, space["typed"])
+    _overload(function, call_of(function, lambda: instead, False))
 
 
 # ----------------------------------------------------------------------------------------------------

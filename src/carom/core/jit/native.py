@@ -437,13 +437,6 @@ def finished_code(code: Bitcode) -> bytes:
 
 # ----------------------------------------------------------------------------------------------------
 # Loops that lie ready in the package: nothing is compiled by Numba, which is not even imported, on a user's machine.
-#
-# `make native` has Numba type and lower every loop that carom.cli.doctor names, and keeps each as LLVM's bitcode, optimised, for
-# any processor (:mod:`carom.core.jit.build`). Here llvmlite alone finishes it for this processor, when it is first called,
-# in a fraction of a second; the machine code is kept in the user's cache, from where it is loaded in a millisecond.
-#
-# A loop is taken from the package only while its kernels are those of which it was built: by the hash of their files, or else by
-# the hash of what they do. Otherwise, and for arguments or machines that it is not for, Numba compiles it.
 
 
 FOLDER = Path(__file__).with_name("native")
@@ -453,7 +446,7 @@ SETTINGS = (
     "BOUNDSCHECK", "CPU_FEATURES", "CPU_NAME", "DEBUGINFO", "DISABLE_JIT", "LOOP_VECTORIZE", "OPT", "SLP_VECTORIZE",
 )  # fmt: skip
 # The modules of this room that decide how a kernel is lowered, beside the kernels.
-LOWERING = ("dual/*.py", "kernel.py", "link.py", "lowering.py", "calls.py")
+LOWERING = ("calls.py", "compile.py", "dual.py", "kernel.py", "lowering.py")
 
 
 class LoopSource(NamedTuple):
@@ -703,8 +696,7 @@ def _as_built() -> bool:
 
 @functools.cache
 def _lowering() -> str:
-    here = Path(__file__).parent
-    return module_hash(path for pattern in LOWERING for path in sorted(here.glob(pattern)))
+    return module_hash(Path(__file__).with_name(name) for name in LOWERING)
 
 
 def hash_of_code(function: Callable[..., Any], arguments: str) -> str:

@@ -216,15 +216,6 @@ def time_of_path(k: float, c: float, path: float, until: float) -> float:
 
 # ----------------------------------------------------------------------------------------------------
 # Motion of a ball between two events: every phase has an acceleration that is constant or decays exponentially: a closed form.
-#
-# In flight the force is constant. On the floor, with gravity along its normal: a sliding ball's slip keeps its direction and
-# shrinks at the rate mu g (1 + 1/kappa), so the friction is constant until the slip ends; a rolling ball is slowed at the
-# rate (c + d v) g, c the rolling resistance and d its rise with the speed, along its path; spin about the vertical fades at the
-# rate spin_friction g / (kappa a) + spin_damping |omega_z|, and while the ball rolls spin_drag v more.
-#
-# Sources: G. G. Coriolis, Théorie mathématique des effets du jeu de billard (1835), for sliding and the parabola; W. C.
-# Marlow, The Physics of Pocket Billiards (1995), for rolling resistance and pivoting; T. Pöschel, T. Schwager & N. V.
-# Brilliantov, Eur. Phys. J. B 10, 169 (1999), for a rolling resistance of a viscous surface that is proportional to the speed.
 
 
 # The phases; what people see is PHASES[code]. A bouncing ball hops infinitely often in a finite time (motion.bounces); one

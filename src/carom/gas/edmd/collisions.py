@@ -158,10 +158,6 @@ def earliest_across(
 
 # ----------------------------------------------------------------------------------------------------
 # Balls: free flight, prediction of the next cell crossing and the next collision, and the collision of two balls.
-#
-# Collision times follow Bannerman, Strobl, Formella & Poeschel, arXiv:1211.6718: balls that touch, or overlap by rounding,
-# collide now if they approach, and not at all if they separate. The contact is :mod:`carom.core.contact`; its energies are added
-# to totals.
 
 
 LANES = 4  # collision times computed at once

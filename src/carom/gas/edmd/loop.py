@@ -333,11 +333,6 @@ def prefetch_ahead(
 
 # ----------------------------------------------------------------------------------------------------
 # Event loop of a gas: event-driven molecular dynamics with a cell list and a calendar queue.
-#
-# One event per ball is planned: its earliest collision, or the crossing of its cell's border. A collision is stored with the ball
-# that predicted it; that is enough, for of two balls one was the last to be updated. A ball whose partner has collided with
-# another meanwhile predicts again when the planned time comes. Ties go to the ball with the lowest index, so the same start gives
-# the same bits.
 
 
 CACHED_BALLS = 10_000  # so many fit the processor's caches; of more, the next ones are prefetched
