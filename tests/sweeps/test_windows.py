@@ -11,12 +11,14 @@ from reference.commands import command, fails
 from sweeps.test_aim import bank
 
 import carom
+from carom.sweeps.aiming import Window
 
 
 def test_windows_of_a_direct_hit_and_of_a_bank_have_their_closed_forms() -> None:
     scene = carom.replaced(bank(), {"floor.friction": 0.0})  # (straight on after the wall)
     found = carom.aim_windows(scene, {"balls.0.velocity": (1.0, 2.0)}, {"hit": "red"}, speeds=3, directions=720)
     assert [one.outcome for one in found] == ["red"] * 6
+    assert sorted(one.shot for one in found) == ["1-cushion kick"] * 3 + ["direct"] * 3
     # the red ball, and its mirror image in the line that the centre turns round at
     for x, y in ((0.3, 0.9), (-1.24, 0.9)):
         middle, half = math.degrees(math.atan2(y, x)), math.degrees(math.asin(0.06 / math.hypot(x, y)))
@@ -60,6 +62,45 @@ def test_single_runs_on_either_side_of_the_edges() -> None:
         for inside, outside in ((one.low_deg + 1e-4, one.low_deg - 1e-4), (one.high_deg - 1e-4, one.high_deg + 1e-4)):
             assert pocket_of(scene, one.speed, inside) == one.outcome
             assert pocket_of(scene, one.speed, outside) != one.outcome
+
+
+def kind_of(scene: carom.Scene, window: Window, target: int) -> str:
+    """Return the kind of the shot just within a window, from what its one run says event by event."""
+    turned = math.radians(window.low_deg + min(1e-4, window.width_deg / 2))
+    velocity = (window.speed * math.cos(turned), window.speed * math.sin(turned), 0.0)
+    run = carom.simulate(carom.replaced(scene, {"balls.0.velocity": velocity}))
+    pocket = next(p for wall in scene.walls for p in wall.pockets if p.name == window.outcome)
+    first: dict[int, int] = {}
+    kick, bank, touched = 0, 0, 0
+    for event in run.events:
+        if event.kind == "pocketed" and event.ball == target:
+            break
+        if event.kind == "ball":
+            first.setdefault(event.ball, event.other)
+        kick += event.kind == "wall" and event.ball == 0 and 0 not in first
+        touched += event.kind == "wall" and event.ball == target
+        # a bank goes over a cushion that the pocket is not beside: those of its own only brush the ball
+        if event.kind == "wall" and event.ball == target:
+            x, y = event.position[:2]
+            bank = bank if min(abs(x - pocket.center[0]), abs(y - pocket.center[1])) < 0.1 else touched
+    parts = [] if first[0] == target else ["carom" if first[target] == 0 else "combination"]
+    parts += [f"{kick}-cushion kick"] if kick else []
+    parts += [f"{bank}-cushion bank"] if bank else []
+    return ", ".join(parts) or "direct"
+
+
+def test_kinds_of_shots_are_what_single_runs_say() -> None:
+    two = {"radius": 0.028575, "mass": 0.17, "position": (1.18, 0.58), "name": "two"}
+    three = pool().model_copy(update={"balls": (*pool().balls, carom.SceneBall(**two))})
+    seen = set()
+    for scene, target in ((pool(), 1), (three, 2)):
+        found = carom.aim_windows(
+            scene, {"balls.0.velocity": (4.8, 5.0)}, {"ball": target, "pocket": "any"}, speeds=1, directions=3600
+        )
+        for one in found:
+            assert kind_of(scene, one, target) == one.shot, one
+            seen |= set(one.shot.split(", "))
+    assert {"direct", "1-cushion kick", "1-cushion bank", "combination", "carom"} <= seen
 
 
 def test_the_command_prints_and_draws_them(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -25,7 +25,19 @@ from carom.simulation.contact_kinds import partner_names
 from carom.simulation.records import START, set_up
 from carom.simulation.simulate import run_starts, simulate
 from carom.sweeps.shots import start_states
-from carom.sweeps.targets import EVENTS, Outcomes, TargetEvent, find, is_reached, residuals, sizes, slopes, targets_of
+from carom.sweeps.targets import (
+    EVENTS,
+    Outcomes,
+    TargetEvent,
+    find,
+    is_reached,
+    residuals,
+    shot_codes,
+    shot_of,
+    sizes,
+    slopes,
+    targets_of,
+)  # fmt: skip
 
 if TYPE_CHECKING:
     from carom.simulation.trajectory import Trajectory
@@ -689,17 +701,17 @@ def _sequence(problem: AimProblem, run: Any) -> tuple[tuple[str, ...], float]:
 # Acceptance windows of a shot: the directions, at each speed, from which a target is reached.
 
 
-FOLLOWED_IN_WINDOWS = 40
-HALVINGS = 16  # of a step, until an edge is found
-MOST_RUNS = 1 << 24
-SHOWN = 12  # windows that the table has
+FOLLOWED_IN_WINDOWS, HALVINGS = 40, 16  # events of a shot; of a step, until an edge is found
+MOST_RUNS, SHOWN = 1 << 24, 12  # shots; windows that the table has
 
 
 class Window(NamedTuple):
     """Directions between which every shot of the grid reaches the target."""
 
     outcome: str
-    """The pocket, or what else reaches the target."""
+    """The pocket, or the balls that are hit."""
+    shot: str
+    """Which way: "direct", "1-cushion kick" (before the first ball), "2-cushion bank" (after it), "carom", "combination"."""
     speed: float
     """m/s."""
     low_deg: float
@@ -738,27 +750,18 @@ class Windows(Sequence[Window]):
     def table(self) -> Listing:
         """Return the widest windows."""
         rows = [
-            [
-                one.outcome,
-                *(format_number(x, 5) for x in (one.speed, one.low_deg, one.high_deg)),
-                format_number(one.width_deg),
-            ]
+            [one.outcome, one.shot, *(format_number(x, 5) for x in one[2:]), format_number(one.width_deg)]
             for one in self.windows[:SHOWN]
         ]
         some = f", the widest {len(rows)} shown" if len(rows) < len(self) else ""
         said = f"{counted(len(self), 'window')} in {self.runs:,} shots{some}; a window below {self.step_deg:g}° may be missed."
-        return Listing(["target", "speed m/s", "from °", "to °", "width °"], rows, said)
+        return Listing(["target", "shot", "speed m/s", "from °", "to °", "width °"], rows, said)
 
     def as_dict(self) -> dict[str, Any]:
         """Return all of it as plain numbers and texts."""
         each = [{**one._asdict(), "width_deg": one.width_deg} for one in self.windows]
-        return {
-            "speeds": list(self.speeds),
-            "range_deg": list(self.range_deg),
-            "step_deg": self.step_deg,
-            "runs": self.runs,
-            "windows": each,
-        }
+        grid = {"speeds": list(self.speeds), "range_deg": list(self.range_deg), "step_deg": self.step_deg}
+        return {**grid, "runs": self.runs, "windows": each}
 
     def __repr__(self) -> str:
         """Return the table as text."""
@@ -788,7 +791,7 @@ def aim_windows(
     free : path, or a mapping of it to the range (low, high) of the speed, m/s
         ``balls.0.velocity`` or ``balls.0.strike``, as :func:`carom.aim` takes them.
     reach : mapping, or several
-        The target, as :func:`carom.aim` takes it. For ``"pocket": "any"`` each pocket has windows of its own.
+        The target, as :func:`carom.aim` takes it. Each pocket, and each kind of shot (direct, kick, bank), has windows of its own.
     speeds, directions : int
         Of the grid: speeds from the lowest to the highest, and directions round the circle.
     progress : callable(done, total, text), optional
@@ -807,8 +810,8 @@ def aim_windows(
     >>> balls = [carom.SceneBall(radius=0.03, mass=0.2, position=(x, 0)) for x in (0, 0.6)]
     >>> scene = carom.Scene(floor=carom.Floor(friction=0.2, rolling_resistance=0.01), balls=balls, run=carom.Run(duration=3))
     >>> found = carom.aim_windows(scene, {"balls.0.velocity": (1.0, 2.0)}, {"hit": 1}, speeds=2, directions=360)
-    >>> found[0].outcome, round(found[0].width_deg, 3)  # 2 asin(2 a/d) = 11.478
-    ('ball 1', 11.478)
+    >>> found[0].outcome, found[0].shot, round(found[0].width_deg, 3)  # 2 asin(2 a/d) = 11.478
+    ('ball 1', 'direct', 11.478)
     """
     require_type("aim_windows", "scene", scene, Scene)
     faults = FaultList("aim_windows")
@@ -823,52 +826,47 @@ def aim_windows(
         faults.add("free", "one ball's velocity or strike: a speed and a direction", f"{free!r:.60}")
     faults.raise_if_any()
     problem = AimProblem(scene, unknowns, targets)
-    step = 360.0 / directions
+    step, low_deg = 360.0 / directions, float(problem.low[1])
     grid = np.linspace(problem.low[0], problem.high[0], speeds)
-    around = problem.low[1] + step * np.arange(directions)
+    around: Array = low_deg + step * np.arange(directions, dtype=float)
     runs = _Labels(problem, speeds * directions, progress)
     points = np.stack(np.broadcast_arrays(grid[:, None], around), axis=-1)
     label = runs.of(points.reshape(-1, 2)).reshape(speeds, directions)
     row, first = np.nonzero(label != np.roll(label, -1, axis=1))
-    edges = runs.edges(grid[row], around[first], step, label[row, first])
+    ends = runs.ends(grid[row], around[first], step, label[row, first])
+    begins = runs.ends(grid[row], around[first] + step, -step, label[row, (first + 1) % directions])
     found = [
-        Window(runs.names[code], float(grid[i]), low, high)
+        Window(*runs.name(code), float(grid[i]), low, high)
         for i in range(speeds)
-        for code, low, high in _spans(label[i], first[row == i], edges[row == i], float(problem.low[1]))
+        for code, low, high in _spans(
+            label[i], first[row == i], begins[row == i], ends[row == i], float(problem.low[1])
+        )
     ]
-    found.sort(key=lambda one: (-one.width_deg, one.outcome, one.speed))
-    return Windows(
-        tuple(found), tuple(grid.tolist()), (float(problem.low[1]), float(problem.low[1]) + 360.0), step, runs.done
-    )
+    found.sort(key=lambda one: (-one.width_deg, one.outcome, one.shot, one.speed))
+    return Windows(tuple(found), tuple(grid.tolist()), (low_deg, low_deg + 360.0), step, runs.done)
 
 
-def _spans(
-    label: NDArray[np.int64], first: NDArray[np.int64], edges: NDArray[np.float64], low: float
-) -> Iterator[tuple[int, float, float]]:
-    """Yield code, low and high of each window at one speed; ``first``: the direction before each edge."""
+def _spans(label: NDArray[np.int64], first: NDArray[np.int64], begins: Array, ends: Array, low: float) -> Iterator[Any]:
+    """Yield code, low and high of each window at one speed; ``first``: the direction before each begin, and end."""
     if len(first) == 0:
         if label[0] >= 0:
             yield int(label[0]), low, low + 360.0
         return
-    for before, after, k in zip(edges, np.roll(edges, -1), first, strict=True):
+    for begin, end, k in zip(begins, np.roll(ends, -1), first, strict=True):
         code = int(label[(k + 1) % len(label)])
         if code >= 0:
-            start = before - 360.0 * math.floor((before - low) / 360.0)
-            yield code, float(start), float(start + (after - before) % 360.0)
+            start = begin - 360.0 * math.floor((begin - low) / 360.0)
+            yield code, float(start), float(start + (end - begin) % 360.0)
 
 
 class _Labels:
-    """Which target shots reach: a number by shot, -1 for none."""
+    """Which target shots reach, and by which kind of shot: a number by shot, -1 for none."""
 
     def __init__(self, problem: AimProblem, total: int, progress: Progress | None) -> None:
         self.problem, self.total, self.progress, self.done = problem, total, progress, 0
-        pockets = [target for target in problem.targets if target.kind == "pocket"]
-        self.pocket = pockets[0] if pockets else None
-        target = problem.targets[0]
-        other = (
-            " and ".join(problem.scene.ball_names[k] for k in target.others) if target.kind == "hit" else "the place"
-        )
-        self.names: Sequence[str] = problem.scene.pocket_names if self.pocket is not None else (other,)
+        with_event = [target for target in problem.targets if target.kind != "point"]
+        self.target = min(with_event, key=lambda one: one.kind != "pocket", default=None)
+        self.shot = int(path_match(problem.scene, problem.unknowns[0].path).places[0][1])
 
     def of(self, x: NDArray[np.float64]) -> NDArray[np.int64]:
         """Return the numbers (N,) of starts (N, 2)."""
@@ -876,22 +874,26 @@ class _Labels:
         for part in np.array_split(np.arange(len(x)), math.ceil(len(x) * FOLLOWED_IN_WINDOWS / ROWS_AT_ONCE)):
             _size, reached, rows, done = self.problem.run_many(x[part], FOLLOWED_IN_WINDOWS)
             code = np.zeros(len(part), np.int64)
-            if self.pocket is not None:
-                its = rows[:, self.problem.targets.index(self.pocket)]
-                code = done.log["other"][np.arange(len(part)), its].astype(np.int64)
+            if self.target is not None:
+                its = rows[:, self.problem.targets.index(self.target)]
+                code = shot_codes(self.target, self.shot, done.log, its)
             found[part] = np.where(reached, code, -1)
             self.done += len(part)
             if self.progress is not None:
                 self.progress(min(self.done, self.total), self.total, "shots")
         return found
 
-    def edges(
-        self, speed: NDArray[np.float64], angle: NDArray[np.float64], step: float, label: NDArray[np.int64]
-    ) -> NDArray[np.float64]:
-        """Return the directions between ``angle`` and the next one at which a label ends, by bisection."""
-        low, width = angle.copy(), step
-        for _ in range(HALVINGS if len(angle) else 0):
+    def name(self, code: int) -> tuple[str, str]:
+        """Return the target that is reached, and the kind of shot, of a number."""
+        return ("the place", "") if self.target is None else shot_of(self.target, self.problem.scene, code)
+
+    def ends(self, speed: Array, angle: Array, step: float, label: NDArray[np.int64]) -> Array:
+        """Return where a label that shots have at ``angle`` (N,) ends before ``angle + step``, by bisection; NaN of none (-1)."""
+        some, found, width = label >= 0, np.full(len(angle), np.nan), step
+        at = angle[some]
+        for _ in range(HALVINGS if some.any() else 0):
             width /= 2
-            same = self.of(np.stack([speed, low + width], axis=1)) == label
-            low = np.where(same, low + width, low)
-        return low + width / 2
+            same = self.of(np.stack([speed[some], at + width], axis=1)) == label[some]
+            at = np.where(same, at + width, at)
+        found[some] = at + width / 2
+        return found

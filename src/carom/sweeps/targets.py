@@ -231,6 +231,57 @@ def find(target: TargetEvent, log: NDArray[np.void]) -> NDArray[np.int64]:
     return np.where(row < far, row, -1)
 
 
+OVER = (
+    "",
+    "carom",
+    "combination",
+)  # a carom: the shot ball strikes another one before the target's; a combination: that one does
+IN_LINE = 2.0  # a cushion touched within so many radii of the pocket's centre, across, is the pocket's own: no bank
+MOST_CUSHIONS = 63  # that are counted
+CODES = (1 << 16, len(OVER), MOST_CUSHIONS + 1, MOST_CUSHIONS + 1)  # pockets, OVER, cushions before and after
+
+
+def shot_codes(target: TargetEvent, shot: int, log: NDArray[np.void], rows: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Return numbers (N,) of the pocket and the kind of shot by which the ball ``shot`` came to the target in ``rows`` (N,)."""
+    columns, row, n = np.arange(log.shape[1]), np.maximum(rows, 0), np.arange(len(log))
+    ball, other, before = log["ball"], log["other"], columns < row[:, None]
+    wall, meets = np.isin(log["kind"], WALLS) & before, np.isin(log["kind"], MEETINGS) & before
+    pocket = over = np.zeros(len(log), np.int64)
+    kick = bank = np.zeros_like(wall)
+    if target.kind == "hit":
+        kick = wall & (ball == target.ball)
+    else:
+        pocket = other[n, row]
+        apart = np.abs(log["x"][..., :2] - target.centers[pocket % len(target.centers)][:, None]).min(axis=2)
+        bank = wall & (ball == target.ball)
+        other_cushions = bank & (apart > IN_LINE * target.windows[0])
+        last = np.where(other_cushions, columns, -1).max(axis=1, initial=-1)
+        bank &= columns <= last[:, None]
+
+    def first_meeting(k: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """Return the rows (N,) of the first meetings of ball k, and the balls that it meets there."""
+        its = meets & ((ball == k) | (other == k))
+        at = np.where(its.any(axis=1), its.argmax(axis=1), row)
+        return at, np.where(ball[n, at] == k, other[n, at], ball[n, at])
+
+    if target.kind == "pocket" and shot != target.ball:
+        at, struck = first_meeting(shot)
+        over = np.where(struck == target.ball, 0, np.where(first_meeting(target.ball)[1] == shot, 1, 2))
+        kick = wall & (ball == shot) & (columns < at[:, None])
+    counts = (np.minimum(one.sum(axis=1), MOST_CUSHIONS) for one in (kick, bank))
+    return np.asarray(np.ravel_multi_index((pocket, over, *counts), CODES))
+
+
+def shot_of(target: TargetEvent, scene: Scene, code: int) -> tuple[str, str]:
+    """Return the names of a number of :func:`shot_codes`: the pocket, or the balls that are hit; and the kind of shot."""
+    pocket, over, kick, bank = map(int, np.unravel_index(code, CODES))
+    is_hit = target.kind == "hit"
+    outcome = " and ".join(scene.ball_names[k] for k in target.others) if is_hit else scene.pocket_names[pocket]
+    before = f"{kick}-cushion" if is_hit and len(target.others) > 1 else f"{kick}-cushion kick"
+    parts = [OVER[over], before if kick else "", f"{bank}-cushion bank" if bank else ""]
+    return outcome, ", ".join(part for part in parts if part) or "direct"
+
+
 def residuals(target: TargetEvent, done: Outcomes, rows: NDArray[np.int64]) -> Array:
     """Return by what N runs miss a target, as shares of what is allowed: (N, R); infinite where they do not come to it.
 
