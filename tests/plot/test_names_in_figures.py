@@ -86,7 +86,7 @@ def whole_tracks(_folder: Path) -> Any:
     )
     with style():
         figure = new_figure(3, 3)
-        _from_above(figure.subplots(), fit, NAME, [NAME])
+        _from_above(figure.subplots(), fit, NAME)
     return figure
 
 
