@@ -224,3 +224,16 @@ def test_lists_say_what_they_may_leave_out(capsys):
     assert "No periodic orbit" in printed
     assert "--itinerary AB,ABC seeks" in told
     assert "--itinerary" not in command(capsys, "orbit", "discs", "--itinerary", "AB", "--starts", "5")[2]
+
+
+def test_a_near_miss_beside_a_joint_is_no_orbit() -> None:
+    """In a stadium a ball that bounces up and down beside a joint comes back to within the cube of its distance from it."""
+    found = billiards.periodic_orbits(billiards.stadium(2.0, 1.0), 2, starts=300)
+    assert len(found) >= 2
+    for one in found:
+        assert one.error < 1e-12
+        begin = one.orbit.position[-1], one.orbit.velocity[-1], float(one.orbit.spin[-1])
+        again = billiards.orbit(billiards.stadium(2.0, 1.0), begin, 200)
+        # (of a hyperbolic orbit rounding grows by its multiplier at every period)
+        periods = 4 if one.stability == "hyperbolic" else 100
+        assert np.linalg.norm(again.position[2 * periods - 1] - begin[0]) < 1e-9

@@ -403,9 +403,23 @@ def _distinct(shell: EnergyShell, y: Array, p: int) -> list[PeriodicOrbit]:
                     break
         else:
             described = described or describe_periodic(shell, y[k], p)
-            if not (described.multiple and least_period(shell, run.folded[k], bounces[k], equal=MOVE) != p):
+            # an orbit that is known badly may be one of fewer bounces, or may only seem to close, beside a joint of two pieces
+            fewer = described.multiple and least_period(shell, run.folded[k], bounces[k], equal=MOVE) != p
+            if not fewer and not _near_joint(shell, run.piece[k], run.folded[k], described.error):
                 kept.append((described, int(k), key))
     return [one for one, _shown, _family in kept]
+
+
+def _near_joint(shell: EnergyShell, piece: NDArray[np.int64], x: Array, error: float) -> bool:
+    """Return whether normal or curvature jump within the error of one of the bounces, on pieces (p) at positions (p, 2)."""
+    shape, reach = shell.setup.shape, error * shell.size
+    s = shape.coordinate(piece, x)
+    sides = [shape.place(s + way * reach) for way in (-1.0, 1.0)]
+    (bend, n), (other, m) = ((np.abs(shape.curvatures(k, at)), n[:, :2]) for k, at, n in sides)
+    # a smooth wall turns by its curvature times the length, and its curvature changes little
+    jump = np.abs(bend - other) > (bend + other) / 10 + 100 * error / shell.size
+    corner = np.linalg.norm(n - m, axis=1) > 3 * reach * np.maximum(bend, other) + 1e-9
+    return bool((jump | corner).any())
 
 
 def third_and_trace(shell: EnergyShell, matrix: Array) -> tuple[float, float]:
