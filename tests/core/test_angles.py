@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from carom.core.geometry.circles import direction
+from carom.core.geometry.circles import direction, directions
 
 PI = Fraction(314159265358979323846264338327950288419716939937510582097494459, 10**62)
 
@@ -42,3 +42,9 @@ def test_an_angle_beyond_all_measure_is_some_direction() -> None:
     for degrees in (1e22, -1e100, 1e16 + 2):
         c, s = direction(degrees)
         assert c * c + s * s == pytest.approx(1, abs=1e-15)
+
+
+def test_angles_of_an_array_have_the_same_bits() -> None:
+    random = np.random.default_rng(1)
+    angles = np.concatenate([random.uniform(-720, 720, 20_000), np.arange(-720.0, 721.0, 15.0), [1e300, -0.0, 5e-324]])
+    assert directions(angles).tobytes() == np.array([direction(float(one)) for one in angles]).tobytes()

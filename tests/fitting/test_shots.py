@@ -120,7 +120,9 @@ def test_pictures_say_what_is_drawn(ranking, tmp_path):
     assert [text.count(f"<h3>{shot.name}: ") for shot in ranking.best.shots] == [1, 1]
     # small multiples, distances over time and against incidence, speed, shot, the legend, and two of each shot
     assert text.count("<svg") == 2 + 1 + 3 + 1 + 2 * 2
-    against = {axes.get_xlabel(): axes.lines[0].get_ydata() for axes in plot_shots(ranking.best).axes if axes.get_xlabel()}
+    against = {
+        axes.get_xlabel(): axes.lines[0].get_ydata() for axes in plot_shots(ranking.best).axes if axes.get_xlabel()
+    }
     assert list(against) == ["incidence, degrees", "speed, m/s", "shot"]
     assert against["shot"] == pytest.approx([1e3 * shot.rms for shot in ranking.best.shots])
     assert "<td>walls.0.restitution</td>" in text

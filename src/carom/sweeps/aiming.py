@@ -24,6 +24,7 @@ from carom.scene.toml import path_match, replaced
 from carom.simulation.contact_kinds import partner_names
 from carom.simulation.records import START, set_up
 from carom.simulation.simulate import run_starts, simulate
+from carom.sweeps.draws import polar_rows
 from carom.sweeps.shots import start_states
 from carom.sweeps.targets import (
     EVENTS,
@@ -172,8 +173,7 @@ def columns_at(unknowns: Sequence[Unknown], x: Array) -> dict[str, Array]:
     """Return the columns (N,) or (N, k) of the paths, for unknowns (N, U)."""
     found: dict[str, Array] = {}
     for s, a in _polar(unknowns):
-        turned = np.array([direction(float(angle)) for angle in x[:, a]])
-        found[unknowns[s].path] = np.stack([x[:, s] * turned[:, 0], x[:, s] * turned[:, 1], 0 * x[:, s]], axis=1)
+        found[unknowns[s].path] = polar_rows(x[:, s], x[:, a])
     for k, one in enumerate(unknowns):
         if one.path in found:
             continue
@@ -313,7 +313,7 @@ class AimProblem:
     def run_one(self, x: Array) -> tuple[Any, Signature, list[int]]:
         """Run a start; return the run, the sequence of its events up to the last target, and the rows of the targets."""
         run = simulate(replaced(self.scene, values_at(self.unknowns, x)))
-        log = Outcomes.of_run(run).log
+        log = Outcomes.of_run(run, self.targets).log
         found = [int(find(target, log)[0]) for target in self.targets]
         return run, signature(codes_of(log)[0], self.targets, found), found
 
@@ -338,7 +338,7 @@ class AimProblem:
 
     def missed(self, run: Any, found: list[int]) -> list[Array]:
         """Return a run's miss of each target, (R,) as shares of what is allowed."""
-        done = Outcomes.of_run(run)
+        done = Outcomes.of_run(run, self.targets)
         return [residuals(target, done, np.array([row]))[0] for target, row in zip(self.targets, found, strict=True)]
 
     def reaches(self, run: Any, found: list[int]) -> bool:

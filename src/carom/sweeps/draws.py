@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.geometry.circles import direction
+from carom.core.geometry.circles import directions
 from carom.core.random import normals, uniform
 
 Array = NDArray[np.float64]
@@ -51,6 +51,5 @@ def normal_draws(seed: int, key: int, first: int, count: int, mean: float, devia
 
 def polar_rows(speed: Array, angle: Array) -> Array:
     """Return (count, 3) vectors in the plane z = 0, of a length and an angle in degrees, the same bits on every machine."""
-    angles, which = np.unique(angle, return_inverse=True)
-    cosines = np.array([direction(float(one)) for one in angles])[which.reshape(-1)]
-    return np.stack([speed * cosines[:, 0], speed * cosines[:, 1], np.zeros(len(speed))], axis=1)
+    x, y = directions(angle).T
+    return np.stack([speed * x, speed * y, np.zeros(len(speed))], axis=1)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from pydantic import BeforeValidator
 
 from carom.bodies import Ball, State, Surface, kinetic_energy
-from carom.core.geometry.circles import direction
+from carom.core.geometry.circles import directions
 from carom.errors import CaromError
 from carom.laws.landing import angle_from
 from carom.laws.law import Law, Meeting
@@ -206,8 +206,7 @@ def _meeting(case: ImpactCase, given: Columns, count: int) -> Meeting:
         value = given.get(name, getattr(case, name))
         return np.broadcast_to(np.asarray(value, dtype=float), (count,))
 
-    angles, which = np.unique(get("angle"), return_inverse=True)
-    turned = np.array([direction(float(angle)) for angle in angles])[which.reshape(-1)]
+    turned = directions(get("angle"))
     x, y = -get("speed") * turned[:, 0], get("speed") * turned[:, 1]
     radius = get("radius")
     # (27)

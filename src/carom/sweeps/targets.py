@@ -11,7 +11,7 @@ shot that counts as a success.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from numbers import Integral
 from typing import Annotated, Any, Literal, NamedTuple
 
@@ -198,11 +198,13 @@ class Outcomes(NamedTuple):
     """(N, B): the balls' phases at the end."""
 
     @classmethod
-    def of_run(cls, run: Any) -> Outcomes:
-        """Return the outcome of one run: N = 1."""
-        log = run.log[np.isin(run.log["kind"], EVENTS)]
+    def of_run(cls, run: Any, targets: Sequence[TargetEvent]) -> Outcomes:
+        """Return the outcome of one run, N = 1; where the balls are at the end only if a target asks for it."""
+        log = run.log[np.isin(run.log["kind"], EVENTS)][None, :]
+        if all(target.kind != "point" for target in targets):
+            return cls(log, np.empty((1, 0, 3)), np.empty((1, 0), np.int64))
         phase = np.array([PHASES.index(name) for name in run.final_phase])
-        return cls(log[None, :], run.final.position[None, :], phase[None, :])
+        return cls(log, run.final.position[None, :], phase[None, :])
 
 
 def find(target: TargetEvent, log: NDArray[np.void]) -> NDArray[np.int64]:

@@ -17,6 +17,9 @@ import functools
 import math
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from carom.core.jit.calls import address_of, answer_at, python_address
 from carom.core.jit.kernel import Vec, cross, dot, kernel
 from carom.core.roots import hit4, hit8, next_hit8, two_prod
@@ -303,15 +306,8 @@ def _whole_turns_less(degrees: float) -> float:
 
 
 @kernel
-def direction(degrees: float) -> tuple[float, float]:
-    """Return (cos, sin) of an angle in degrees.
-
-    >>> direction(90.0), direction(-180.0), direction(30.0)[1]
-    ((0.0, 1.0), (-1.0, 0.0), 0.5)
-    """
-    turn = _whole_turns_less(degrees)
-    quarters = math.floor(turn / 90 + 0.5)
-    rest = turn - 90 * quarters
+def _cosine_and_sine(rest: Any) -> tuple[Any, Any]:
+    """Return both of -45 to 45 degrees."""
     x, y = two_prod(rest, DEGREE)
     y += rest * DEGREE_REST
     z = x * x
@@ -322,13 +318,39 @@ def direction(degrees: float) -> tuple[float, float]:
     r = z * (C1 + z * (C2 + z * C3)) + w * w * (C4 + z * (C5 + z * C6))
     half = 0.5 * z
     w = 1.0 - half
-    c = w + (((1.0 - w) - half) + (z * r - x * y))
+    return w + (((1.0 - w) - half) + (z * r - x * y)), s
+
+
+@kernel
+def direction(degrees: float) -> tuple[float, float]:
+    """Return (cos, sin) of an angle in degrees.
+
+    >>> direction(90.0), direction(-180.0), direction(30.0)[1]
+    ((0.0, 1.0), (-1.0, 0.0), 0.5)
+    """
+    turn = _whole_turns_less(degrees)
+    quarters = math.floor(turn / 90 + 0.5)
+    c, s = _cosine_and_sine(turn - 90 * quarters)
     k = quarters % 4
     if k == 0:
         return (c, s)
     if k == 1:
         return (0.0 - s, c)
     return (0.0 - c, 0.0 - s) if k == 2 else (s, 0.0 - c)
+
+
+def directions(degrees: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return (cos, sin), (N, 2), of angles (N,) in degrees, with the bits of :func:`direction`.
+
+    >>> directions(np.array([90.0, -180.0]))
+    array([[ 0.,  1.],
+           [-1.,  0.]])
+    """
+    turn = np.fmod(degrees + 0.0, 360.0)  # (of -0 as of 0)
+    quarters = np.floor(turn / 90 + 0.5)
+    c, s = _cosine_and_sine(turn - 90 * quarters)
+    k = quarters.astype(int) % 4
+    return np.stack([np.choose(k, (c, 0.0 - s, 0.0 - c, s)), np.choose(k, (s, c, 0.0 - s, 0.0 - c))], axis=-1)
 
 
 @kernel
