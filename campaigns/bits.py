@@ -646,7 +646,7 @@ ORBITS: dict[str, tuple[str, ...]] = {
     "circle, rolling": ("circle", "--law=rolling", *HERE, "--spin=0.5"),
     "ellipse, mirror": ("ellipse:half_axes=[1.3,0.7]", "--law=mirror", *HERE),
     "ellipse, wide ball, force": ("ellipse:half_axes=[1.2,0.5]", "--bounds=surface", "--ball-radius=0.35",
-                                  "--acceleration=0,-2", "--corners=pass", *HERE, "--spin=0.7"),
+                                  "--acceleration=0,-2", "--at-corner=pass", *HERE, "--spin=0.7"),
     "stadium, rough": ("stadium", *ROUGH_LAW, *HERE, "--spin=0.5"),
     "stadium, contact": ("stadium", "--law=contact", "--restitution=0.9", "--friction=0.2", *HERE, "--spin=0.5"),
     "sinai, no-slip": ("sinai:radius=0.3", "--seed=1", "--lyapunov"),

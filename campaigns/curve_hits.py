@@ -96,7 +96,7 @@ def met_by_orbit(name: str, x: np.ndarray, v: np.ndarray, g: np.ndarray) -> tupl
     """Return times (N) and places (N, 2) of the first bounces in a billiard; NaN where there is none."""
     made, ball = table(name)
     made = billiards.under(made, g) if g.any() else made
-    found = billiards.orbit(made, (x, v, 0.0), 1, ball=ball, law="mirror", corners="pass")
+    found = billiards.orbit(made, (x, v, 0.0), 1, ball=ball, law="mirror", at_corner="pass")
     # (a flight of less than rounding leaves no bounce: it grazes)
     return np.where(found.count == 0, np.nan, found.t[:, 0]), found.position[:, 0]
 

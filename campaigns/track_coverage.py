@@ -48,7 +48,7 @@ def pulls(
     numbers = range(seed, seed + count)
     for number in progress(numbers, kind, console=Console(stderr=True), transient=True) if show else numbers:
         rng = np.random.default_rng(number)
-        flies, sliding = kind.startswith("flight"), kind.endswith("(--sliding)")
+        flies, sliding = kind.startswith("flight"), kind.endswith("(--keep-sliding)")
         run = bounce(rng) if flies else shot(rng, "sliding" in kind)
         axes = (0, 2) if flies else (0, 1)
         told = truth(run, axes)
@@ -80,7 +80,7 @@ def pulls(
 def kinds() -> dict[str, Camera]:
     """Cameras above a table and beside a floor, and balls that slide at first."""
     found = dict(CAMERAS)
-    for name in ("sliding at first, 120 fps", "sliding at first, 50 fps", "sliding at first, 120 fps (--sliding)"):
+    for name in ("sliding at first, 120 fps", "sliding at first, 50 fps", "sliding at first, 120 fps (--keep-sliding)"):
         found[name] = Camera(120 if "120" in name else 50, 3e-4)
     return found | {
         "flight, 30 fps": Camera(30, 1e-3),

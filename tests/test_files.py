@@ -180,6 +180,11 @@ main()
     [
         (["fit", "kharaz2001"], f"carom: fit: needs SciPy, which is not installed; run: {install_command('fit')}"),
         (
+            ["fit", "none.csv"],
+            "carom: none.csv: expected a file, got: No such file or directory\n"
+            f"carom: fit: needs SciPy, which is not installed; run: {install_command('fit')}",
+        ),
+        (
             ["compare", "--plot", "a.svg"],
             f"carom: --plot: needs Matplotlib, which is not installed; run: {install_command('plot')}",
         ),
@@ -191,7 +196,7 @@ main()
 )
 def test_the_base_install_names_the_extra(words: list[str], said: str, tmp_path: Path, forked: Forked) -> None:
     code, out, err = forked(tmp_path, "-c", BASE.replace("WORDS", repr(words)))
-    assert (code, out, err.splitlines()) == (2, "", [said])
+    assert (code, out, err.splitlines()) == (2, "", said.splitlines())
 
 
 def test_pictures_need_no_scipy(tmp_path: Path, forked: Forked) -> None:

@@ -1,6 +1,6 @@
 """Rebounds of real three-cushion shots: every cushion contact of every ball that can be measured, with error bars.
 
-    python docs/dev/real_rebounds.py carom_tracks_50hz.csv --out rebounds.csv [--stage both] [--sliding]
+    python docs/dev/real_rebounds.py carom_tracks_50hz.csv --out rebounds.csv [--stage both] [--keep-sliding]
 
 The tracks are your own copy: rows shot, ball, t_s, x_long_m, y_short_m, three balls from above, no spin. Prints how many
 contacts there are, how many are measured and why others are not, what the cloth does, how the rebounds scatter, and what a
@@ -94,11 +94,13 @@ def main() -> None:
     parser.add_argument("tracks", type=Path)
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--stage", choices=("best", "after_wall", "rolling", "both"), default="both")
-    parser.add_argument("--sliding", action="store_true", help="also balls that still slide when they meet the wall")
+    parser.add_argument(
+        "--keep-sliding", action="store_true", help="also balls that still slide when they meet the wall"
+    )
     given = parser.parse_args()
     measured = measured_of(given.tracks)
-    report(measured, given.sliding)
-    table = to_rebounds(measured, given.stage, sliding=given.sliding)
+    report(measured, given.keep_sliding)
+    table = to_rebounds(measured, given.stage, keep_sliding=given.keep_sliding)
     table.save(given.out)
     counts = Counter([] if table.stage is None else table.stage.tolist())
     print(f"{given.out}: {len(table)} rows ({', '.join(f'{count} {stage}' for stage, count in counts.items())})")

@@ -28,7 +28,7 @@ def portraits(law: str, orbits: int = 60, bounces: int = 1500) -> Any:
         for k, text in enumerate(ROOMS):
             room = billiards.table(text)
             begin = billiards.starts(room, orbits, seed=k, law=law)
-            found = billiards.orbit(room, begin, bounces, law=law, corners="pass")
+            found = billiards.orbit(room, begin, bounces, law=law, at_corner="pass")
             shape = room.wall()
             length = shape.lengths.sum()
             above, below = axes[2 * (k // 5), k % 5], axes[2 * (k // 5) + 1, k % 5]

@@ -69,7 +69,7 @@ def test_first_hits_are_those_of_brute_force(name: str, pull: float) -> None:
     # from inside, upright and nearly so
     x, v = np.concatenate([x, np.zeros((20, 2))]), np.concatenate([v, np.zeros((20, 2))])
     x[n:], v[n:, 0], v[n:, 1] = (0.02, 0.03), np.where(np.arange(20) % 2, 0.0, 1e-9), np.linspace(-1.5, 1.5, 20)
-    found = billiards.orbit(table, (x, v, 0.0), 1, ball=ball, law="mirror", corners="pass")
+    found = billiards.orbit(table, (x, v, 0.0), 1, ball=ball, law="mirror", at_corner="pass")
     assert (found.count == 1).all()
     expected = first_crossings(curve, a, x, v, np.array([0.0, -pull]), np.full(len(x), np.inf), after=1e-5)
     seen = np.isfinite(expected)  # (at the apex brute force sees nothing)
@@ -88,7 +88,7 @@ def test_a_start_on_the_wall_to_the_rounding_of_its_place_meets_the_wall_again()
     x = y + a * n
     x, n = x[depth(curve, x) > a - 1e-13], n[depth(curve, x) > a - 1e-13]
     v = 0.3 * (0.02 * n + np.stack([-n[:, 1], n[:, 0]], axis=1))
-    found = billiards.orbit(table, (x, v, 0.0), 1, ball=carom.Disc(a or 1.0, 1.0), law="mirror", corners="pass")
+    found = billiards.orbit(table, (x, v, 0.0), 1, ball=carom.Disc(a or 1.0, 1.0), law="mirror", at_corner="pass")
     assert len(x) > 300
     assert (found.count == 1).all()
 

@@ -43,7 +43,7 @@ def test_meets_what_small_steps_meet(name, bounds):
     x = x[clearance(x) > inset + 0.01][:8]
     angle = rng.uniform(0, math.tau, len(x))
     v = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
-    found = billiards.orbit(table, (x, v, 0.0), 1, ball=carom.Disc(0.07, 1.0), corners="pass")
+    found = billiards.orbit(table, (x, v, 0.0), 1, ball=carom.Disc(0.07, 1.0), at_corner="pass")
     steps = np.arange(0, 15 if table.shape(0.0).cell else 4, 1e-3)
     for k in range(len(x)):
         out = first_outside(clearance, lambda t, k=k: x[k] + t[:, None] * v[k], steps, inset)
@@ -67,7 +67,7 @@ def test_meets_what_small_steps_meet(name, bounds):
 def test_never_outside_never_lost(table):
     """500 bounces of 60 orbits from the invariant measure: all made, on the wall, away from it, with their energy."""
     begin = billiards.starts(table, 60, 7)
-    found = billiards.orbit(table, begin, 500, corners="pass")
+    found = billiards.orbit(table, begin, 500, at_corner="pass")
     assert set(np.unique(found.ended)) == {"bounces"}
     gap = found.setup.shape.gap(found.folded)
     assert np.abs(gap).max() < 1e-9 * (1 + np.abs(found.position).max())
@@ -90,7 +90,7 @@ def test_never_outside_never_lost(table):
 def test_comes_back(table):
     """Reversed after 20 bounces every orbit finds its way back, as far as chaos lets 1e-16 be."""
     begin = billiards.starts(table, 200, 8)
-    found = billiards.orbit(table, begin, 20, corners="pass")
+    found = billiards.orbit(table, begin, 20, at_corner="pass")
     back, error = billiards.reverse(found)
     assert error.shape == (200, 20)
     assert np.median(error[:, :5].max(axis=-1)) < 1e-9
@@ -109,7 +109,7 @@ def test_comes_back(table):
 def test_compiled_as_python(table):
     """The loop as Python gives the compiled loop's bits."""
     begin = billiards.starts(table, 1, 3)
-    found = billiards.orbit(table, begin, 70, corners="pass")
+    found = billiards.orbit(table, begin, 70, at_corner="pass")
     setup = orbit_setup(table, None, "no-slip", None, "pass")
     rows, _shape = start_rows(setup, begin)
     kept, piece, last = np.full((70, 6), np.nan), np.zeros(70, np.int32), np.zeros(10)
@@ -162,16 +162,16 @@ def test_no_slip_bounce_is_the_contact_kernel(v, w, n, kappa):
 )
 def test_laws_agree_where_they_are_the_same(table):
     begin = billiards.starts(table, 10, 2)
-    one = billiards.orbit(table, begin, 40, corners="pass")
-    two = billiards.orbit(table, begin, 40, law="contact", surface=carom.Surface(1, math.inf, 1), corners="pass")
+    one = billiards.orbit(table, begin, 40, at_corner="pass")
+    two = billiards.orbit(table, begin, 40, law="contact", surface=carom.Surface(1, math.inf, 1), at_corner="pass")
     np.testing.assert_array_equal(one.position, two.position)
 
     def mine(v, w, n, a, kappa, e, mu, beta):
         un = v[0] * n[0] + v[1] * n[1] + v[2] * n[2]
         return (v[0] - 2 * un * n[0], v[1] - 2 * un * n[1], v[2] - 2 * un * n[2]), w
 
-    own = billiards.orbit(table, begin, 40, law=mine, corners="pass")
-    mirror = billiards.orbit(table, begin, 40, law="mirror", corners="pass")
+    own = billiards.orbit(table, begin, 40, law=mine, at_corner="pass")
+    mirror = billiards.orbit(table, begin, 40, law="mirror", at_corner="pass")
     np.testing.assert_allclose(own.position[:, :10], mirror.position[:, :10], atol=1e-9)
     np.testing.assert_array_equal(mirror.spin[:, -1], begin.spin)
 
@@ -215,7 +215,7 @@ def test_corners():
     found = billiards.orbit(square, ((0.0, 0.0), (1.0, 1.0), 0.0), 10)
     assert (str(found.ended), found.count) == ("corner", 0)
     assert np.isnan(found.t).all()
-    through = billiards.orbit(square, ((0.0, 0.0), (1.0, 1.0), 0.0), 10, law="mirror", corners="pass")
+    through = billiards.orbit(square, ((0.0, 0.0), (1.0, 1.0), 0.0), 10, law="mirror", at_corner="pass")
     assert through.count == 10
     np.testing.assert_allclose(through.velocity[1], [-1, -1], atol=1e-12)
     # where two sides are one, or the centre goes round a vertex, there is no corner

@@ -50,7 +50,7 @@ def test_meets_what_small_steps_meet(name, bounds):
     x = x[clearance(x) > inset + 0.01][:12]
     angle = rng.uniform(0, math.tau, len(x))
     v = np.stack([np.cos(angle), np.sin(angle)], axis=-1) * rng.uniform(0.2, 2, len(x))[:, None]
-    found = billiards.orbit(table, (x, v, 0.0), 1, ball=carom.Disc(0.07, 1.0), corners="pass")
+    found = billiards.orbit(table, (x, v, 0.0), 1, ball=carom.Disc(0.07, 1.0), at_corner="pass")
     steps = np.arange(0, 5, 1e-3)
 
     def at(k, t):

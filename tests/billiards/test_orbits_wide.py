@@ -94,7 +94,7 @@ def test_into_the_corner(sign, pull):
     assert (ended.ended, ended.count) == ("corner", 0)
     reach = abs(WIDE.shape(0.35).place(0.0)[1][0])
     assert abs(ended.last[1]) == pytest.approx(reach, rel=1e-13)
-    went = billiards.orbit(table, begin, 2, ball=BALL, law="mirror", corners="pass")
+    went = billiards.orbit(table, begin, 2, ball=BALL, law="mirror", at_corner="pass")
     assert sorted(went.piece.tolist()) == [0, 1]
     assert went.t[1] == pytest.approx(went.t[0], abs=1e-13)
     # two mirrors one after the other turn the velocity by twice the angle between them

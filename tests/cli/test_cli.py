@@ -51,7 +51,7 @@ def test_every_option_reaches_the_library() -> None:
 
 
 def test_only_the_laws_asked_for() -> None:
-    result = runner.invoke(app, ["compare", "--json", "--law", "two-step", "--law", "mirror"])
+    result = runner.invoke(app, ["compare", "--json", "--laws", "two-step", "--laws", "mirror"])
     assert [row["law"] for row in json.loads(result.stdout)["laws"]] == ["two-step", "mirror"]
 
 
@@ -108,7 +108,7 @@ def test_an_output_without_ticks() -> None:
 
 
 def test_a_process_fails_with_code_2_and_only_standard_error(carom_command: Any) -> None:
-    result = carom_command("compare", "--angle", "95", "--radius", "0", "--law", "twostep", "--json")
+    result = carom_command("compare", "--angle", "95", "--radius", "0", "--laws", "twostep", "--json")
     assert result.returncode == 2
     assert result.stdout == ""
     lines = result.stderr.splitlines()

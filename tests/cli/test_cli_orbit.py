@@ -336,7 +336,7 @@ BAD = [
     (["circle", "--seed", "-1"], "seed: expected an integer >= 0, got -1"),
     (["circle", "--orbits", "100000000000"], "starts: count: expected no more than 10,000,000, which fill 4 GB"),
     (["circle", "--bounds", "center"], "did you mean 'centre'?"),
-    (["circle", "--corners", "stop"], "corners: expected 'end' or 'pass', got 'stop'"),
+    (["circle", "--at-corner", "stop"], "--at-corner: expected 'end' or 'pass', got 'stop'"),
     (["wedge"], "give an acceleration towards the vertex (of a wedge such as -9.81,0), or --position and --velocity"),
     (["polygon:points=0,0 1,x 2,2"], "polygon: points[1][1]: expected a length in m, got 'x'"),
     (

@@ -378,7 +378,7 @@ def test_a_length_may_have_a_unit_on_every_command(
     shot_file: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for words in (
-        ("compare", "--law", "maw,no-slip", "--speed", "150cm/s", "--spin-z", "60rpm"),
+        ("compare", "--laws", "maw,no-slip", "--speed", "150cm/s", "--spin-z", "60rpm"),
         ("tracks", "show", str(shot_file)),
     ):
         said = []

@@ -173,7 +173,7 @@ def test_names_of_columns_and_laws(tmp_path: Path, capsys: pytest.CaptureFixture
         f"from carom import Card, wall_law\n"
         f"law = wall_law(Card({EVIL!r}, {EVIL!r}, (), '', '', ''), lambda v, w, n, a, kappa, e, mu, beta: (v, w))\n"
     )
-    code, out, err = command(capsys, "compare", "--law", f"{law}:law", "--law", "mirror")
+    code, out, err = command(capsys, "compare", "--laws", f"{law}:law", "--laws", "mirror")
     assert code == 0
     assert "red[/b]" in clean(out)
 

@@ -41,10 +41,14 @@ def test_an_assumed_height_is_noted(
     assert ("--contact-height is not given: assumed to be 1" in " ".join(err.split())) is said
 
 
-def test_a_chi2_that_is_seldom_so_large_is_not_as_expected() -> None:
-    words = [Adequacy(p, np.nan, "", False, 1.0).in_words() for p in (0.4, 0.002)]
+def test_a_law_that_fits_poorly_is_said_to() -> None:
+    words = [
+        Adequacy(p, q, "v_t on spin", False, 1.0).in_words("contact")
+        for p, q in ((0.4, 0.3), (0.002, 0.3), (0.4, 0.0012))
+    ]
     assert words == [
-        "its chi^2 is as expected (p = 0.4)", "its chi^2 is large, but not large enough to reject it (p = 0.002)",
+        "its chi^2 is as expected (p = 0.4)", "contact fits poorly: its chi^2 is large (p = 0.002)",
+        "contact fits poorly: its residuals depend on what came before (v_t on spin, p = 0.0012)",
     ]  # fmt: skip
 
 

@@ -349,6 +349,8 @@ def test_the_command_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
     assert 1 <= len(rows) <= 2
     assert "note: the figure has" not in done.stderr
     assert {"speed", "angle", "success", "spread_m", "sequence"} <= set(rows[0])
+    refused = CliRunner().invoke(app, ["aim", str(file), "--hit", "white,red"])
+    assert str(refused.exception) == "--hit: expected a ball, got 'white,red'; several are --hit white --hit red"
 
 
 def struck_pair(name: str) -> str:

@@ -318,7 +318,7 @@ def test_tables_by_stage(tmp_path: Path) -> None:
     again = read_rebounds(best.save(tmp_path / "out.csv"))
     np.testing.assert_array_equal(again["v_n_out"], best["v_n_out"])
     np.testing.assert_array_equal(again["sigma_v_n_out"], best["sigma_v_n_out"])
-    more = to_rebounds(measured, "rolling", sliding=True)
+    more = to_rebounds(measured, "rolling", keep_sliding=True)
     assert len(more) >= len(to_rebounds(measured, "rolling"))
     assert set(more.stage if more.stage is not None else []) == {"rolling"}
 
@@ -334,7 +334,7 @@ def test_a_ball_that_still_slides_is_kept_only_if_asked() -> None:
             before = run.at(one.fit["t"] - 0.01)
             v, w = np.asarray(before.velocity)[0], np.asarray(before.spin)[0]
             slip = np.hypot(v[0] - RADIUS * w[1], v[1] + RADIUS * w[0])
-            rolls, slides = usable_stages(one, "after_wall"), usable_stages(one, "after_wall", sliding=True)
+            rolls, slides = usable_stages(one, "after_wall"), usable_stages(one, "after_wall", keep_sliding=True)
             if slip > 0.2:
                 assert not rolls[0]
                 kept += bool(slides[0])

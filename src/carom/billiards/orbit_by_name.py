@@ -82,7 +82,7 @@ def orbit(
     restitution: float | None = None,
     friction: float | None = None,
     tangential_restitution: float | None = None,
-    corners: str = "end",
+    at_corner: str = "end",
     position: ArrayLike | None = None,
     velocity: ArrayLike | None = None,
     spin: ArrayLike | None = None,
@@ -125,7 +125,7 @@ def orbit(
         Friction coefficient; inf: never slips. Default: inf.
     tangential_restitution : float, optional
         Tangential restitution, -1 to 1: 0 stops the slip, 1 reverses it. Default: 0.
-    corners : "end" or "pass"
+    at_corner : "end" or "pass"
         At a corner: end the orbit, or pass (one side, then the other).
     position : array (..., d), optional
         Of the centre at the beginning: x,y or x,y,z; m. Default: sampled.
@@ -222,7 +222,7 @@ def _checked(
     restitution: float | None = None,
     friction: float | None = None,
     tangential_restitution: float | None = None,
-    corners: str = "end",
+    at_corner: str = "end",
     position: Any = None,
     velocity: Any = None,
     spin: Any = None,
@@ -256,7 +256,7 @@ def _checked(
     if together:
         if made is None:
             faults.attempt(law_of, law, surface)
-        elif (setup := faults.attempt(orbit_setup, made, ball, law, surface, corners)) is not None:
+        elif (setup := faults.attempt(orbit_setup, made, ball, law, surface, at_corner)) is not None:
             if reverse:
                 faults.attempt(require_reversible, setup)
             if start is not None:

@@ -190,7 +190,7 @@ def orbit(
     ball: Ball | None = None,
     law: Any = "no-slip",
     surface: Surface | None = None,
-    corners: str = "end",
+    at_corner: str = "end",
     progress: Progress | None = None,
 ) -> Orbit:
     """Follow one ball, or many at once on all cores, for a number of bounces; results do not depend on the number of threads.
@@ -212,7 +212,7 @@ def orbit(
         (v, w, n, a, kappa, e, mu, beta) -> (v, w).
     surface : Surface, optional
         Restitution, friction and tangential restitution of law "contact"; restitution of "mirror".
-    corners : "end" or "pass"
+    at_corner : "end" or "pass"
         At a corner (within 1e-12 of the table's size) the map is undefined and the orbit ends. "pass": the ball meets the two
         sides one after the other, the one with the lower index first.
     progress : callable(done, total, text), optional
@@ -233,11 +233,11 @@ def orbit(
     --------
     >>> from carom import billiards
     >>> table = billiards.rectangle(2.0, 1.0)
-    >>> found = billiards.orbit(table, ((0.0, 0.0), (1.0, 0.5), 0.0), bounces=4, law="mirror", corners="pass")
+    >>> found = billiards.orbit(table, ((0.0, 0.0), (1.0, 0.5), 0.0), bounces=4, law="mirror", at_corner="pass")
     >>> found.t
     array([1., 1., 3., 3.])
     """
-    return orbit_from_setup(orbit_setup(table, ball, law, surface, corners), start, bounces, progress)
+    return orbit_from_setup(orbit_setup(table, ball, law, surface, at_corner), start, bounces, progress)
 
 
 def orbit_from_setup(setup: OrbitSetup, start: Any, bounces: int, progress: Progress | None = None) -> Orbit:
@@ -281,14 +281,14 @@ def final(
     ball: Ball | None = None,
     law: Any = "no-slip",
     surface: Surface | None = None,
-    corners: str = "end",
+    at_corner: str = "end",
     progress: Progress | None = None,
 ) -> tuple[Start, Array, Any, Any]:
     """Follow orbits as :func:`orbit` does, without keeping the bounces.
 
     Parameters
     ----------
-    table, start, bounces, ball, law, surface, corners, progress
+    table, start, bounces, ball, law, surface, at_corner, progress
         As for :func:`orbit`, which raises the same errors.
 
     Returns
@@ -304,7 +304,7 @@ def final(
     >>> float(t), int(count), billiards.ENDS[int(ending)]
     (1999.0, 1000, 'bounces')
     """
-    setup = orbit_setup(table, ball, law, surface, corners)
+    setup = orbit_setup(table, ball, law, surface, at_corner)
     rows, shape = start_rows(setup, start)
     bounces = require_integer("bounces", bounces)
     width = 6 if setup.planar else 10

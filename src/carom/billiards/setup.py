@@ -130,7 +130,7 @@ def default_ball(table: Table) -> Ball:
     return Disc(radius, 1.0) if table.dimension == 2 else Ball(radius, 1.0)
 
 
-def orbit_setup(table: Table, ball: Ball | None, law: Any, surface: Surface | None, corners: str) -> OrbitSetup:
+def orbit_setup(table: Table, ball: Ball | None, law: Any, surface: Surface | None, at_corner: str) -> OrbitSetup:
     """Validate a table, a ball and a law together and return them with the BILLIARD record; CaromError, one line per problem."""
     if not isinstance(table, Table):
         raise CaromError(
@@ -149,8 +149,8 @@ def orbit_setup(table: Table, ball: Ball | None, law: Any, surface: Surface | No
         ball = default_ball(table)
     elif ball.planar != (table.dimension == 2) and not (table.dimension == 2 and ball.kappa <= 2 / 3):
         faults.add("ball", "a carom.Ball, because the table lies in space", "a carom.Disc")
-    if corners not in ("end", "pass"):
-        faults.add("corners", "'end' or 'pass'", repr(corners))
+    if at_corner not in ("end", "pass"):
+        faults.add("at_corner", "'end' or 'pass'", repr(at_corner))
     faults.raise_if_any()
     chosen, name = law_of(law, surface)
     response = response_of(chosen)
@@ -165,7 +165,7 @@ def orbit_setup(table: Table, ball: Ball | None, law: Any, surface: Surface | No
         )
     shape = table.shape(float(ball.radius))
     world, pieces = shape.arrays()
-    world["planar"], world["corners"], world["law"] = table.dimension == 2, corners == "end", response
+    world["planar"], world["corners"], world["law"] = table.dimension == 2, at_corner == "end", response
     world["a"], world["kappa"], world["e"], world["mu"], world["beta"] = ball.radius, ball.kappa, e, mu, beta
     world["acceleration"], world["magnetic_field"] = table.acceleration, table.magnetic_field
     world["flight"] = ARC if table.magnetic_field else PARABOLA if shape.crossed_by(table.acceleration) else STRAIGHT

@@ -23,7 +23,7 @@ MIN_WIDTH_WITH_SPIN = 116  # columns of the terminal from which the table has ro
 def compare(
     *,
     given: Given,
-    law: Annotated[
+    laws: Annotated[
         list[str] | None,
         option(OUTPUT, "Compare only these laws, or custom ones, my_law.py:law; may be repeated.", metavar="NAME,NAME"),
     ] = None,
@@ -41,16 +41,16 @@ def compare(
     # all errors at once, before anything is written
     found = given.faults
     require_outputs(found, {"--plot": plot})
-    names = [name for text in law or [] for name in comma_separated(text)]
-    if law and not names:
-        found.add("--law", "names of laws, NAME,NAME", "none", "omit the option to compare all laws")
-    laws = [found.attempt(find_law, with_own_laws(name)) for name in names] or None
+    names = [name for text in laws or [] for name in comma_separated(text)]
+    if laws and not names:
+        found.add("--laws", "names of laws, NAME,NAME", "none", "omit the option to compare all laws")
+    chosen = [found.attempt(find_law, with_own_laws(name)) for name in names] or None
     meeting = found.attempt(lambda: library.incoming(**given))
     found.raise_if_any()
     assert meeting is not None
     ball, speed = meeting.ball, math.hypot(*meeting.state.velocity[:2])
     say_notes(ball_notes("ball", ball.radius, ball.mass, speed, meeting.gravity))
-    comparison = library.compare(meeting, laws)
+    comparison = library.compare(meeting, chosen)
     if plot is not None:
         from carom import plot as pictures
 

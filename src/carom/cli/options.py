@@ -107,7 +107,7 @@ OPTIONS: dict[str, dict[str, Any]] = {
     "colour": {"metavar": "#RRGGBB"},
     "region": {"metavar": "X0,Y0,X1,Y1"},
     "corners": {"metavar": "X1,Y1,...,X4,Y4=2.84mx1.42m@37mm"},
-    "spin": {"flags": ("--spin",)},
+    "marks": {"flags": ("--marks",)},
     "start": {"flags": ("--from",)},
     "end": {"flags": ("--to",)},
     "kind": {"metavar": "planar|table"},

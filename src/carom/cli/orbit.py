@@ -263,7 +263,7 @@ TABLE, LAW, START = "Table", "Law", "Initial state"
 @of_library(
     "billiards.orbit_by_name:orbit",
     panels={
-        TABLE: "bounds acceleration magnetic_field", LAW: "law restitution friction tangential_restitution corners",
+        TABLE: "bounds acceleration magnetic_field", LAW: "law restitution friction tangential_restitution at_corner",
         START: "position velocity spin orbits seed", OUTPUT: "lyapunov reverse periodic itinerary starts",
     },
 )  # fmt: skip

@@ -10,7 +10,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.options import OUTPUT, option, parse_pair, quantity, require_outputs, shared, write_new, wrote
+from carom.cli.options import (
+    OUTPUT,
+    comma_separated,
+    option,
+    parse_pair,
+    quantity,
+    require_outputs,
+    shared,
+    write_new,
+    wrote,
+)
 from carom.cli.parameters import Given, of_library
 from carom.cli.streams import note, say, say_json, say_notes
 from carom.errors import CaromError
@@ -98,6 +108,9 @@ def aim(
         "within": within,
         "speed": speed,
     }
+    for one in hit or () if made is not None else ():
+        if len(names := comma_separated(one)) > 1 and one not in made.ball_names:
+            found.add("--hit", "a ball", repr(one), f"several are {' '.join(f'--hit {name}' for name in names)}")
     struck = [i for i, one in enumerate(made.balls) if one.strike is not None] if made is not None else []
     usual = f"balls.{struck[0]}.strike" if struck else "balls.0.velocity"
     ranges = found.attempt(_ranges, free or [usual])

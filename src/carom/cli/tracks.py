@@ -38,7 +38,7 @@ MAX_DECIMALS = 6  # a micrometre per second
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 
 
-def facts(found: TrackFile, measured: Measured, stage: str, sliding: bool) -> dict[str, Any]:
+def facts(found: TrackFile, measured: Measured, stage: str, keep_sliding: bool) -> dict[str, Any]:
     """Return the content of --json."""
     return {
         "file": str(found.path),
@@ -58,17 +58,17 @@ def facts(found: TrackFile, measured: Measured, stage: str, sliding: bool) -> di
         "walls": [{"name": one.name, "point": one.point, "normal": one.normal, "clamped": one.clamped, "found": one.found}
                   for one in measured.walls],
         "floor": {name: {"value": value, "stderr": error} for name, (value, error) in measured.floor.items()},
-        "contacts": [_contact(one, stage, sliding) for one in measured.contacts],
+        "contacts": [_contact(one, stage, keep_sliding) for one in measured.contacts],
         "notes": [*found.notes, *measured.notes],
     }  # fmt: skip
 
 
-def _contact(one: TrackContact, stage: str, sliding: bool) -> dict[str, Any]:
+def _contact(one: TrackContact, stage: str, keep_sliding: bool) -> dict[str, Any]:
     from carom.tracks.films import usable_stages
     from carom.tracks.least_squares import OUTPUTS
     from carom.tracks.plausibility import impossible
 
-    stages, why = usable_stages(one, stage, sliding)  # type: ignore[arg-type]
+    stages, why = usable_stages(one, stage, keep_sliding)  # type: ignore[arg-type]
     found: dict[str, Any] = {"group": one.group, "track": one.track, "wall": one.wall.name, "t": json_value(one.time),
              "frames_before": one.before, "frames_after": one.after, "stages": stages, "why_not": why,
              "impossible": impossible(one)}  # fmt: skip
@@ -129,7 +129,7 @@ def _label(*names: str) -> str:
     return " ".join(filter(None, names))
 
 
-def tell_contacts(console: Console, films: Sequence[tuple[str, Measured]], stage: str, sliding: bool) -> None:
+def tell_contacts(console: Console, films: Sequence[tuple[str, Measured]], stage: str, keep_sliding: bool) -> None:
     """Print the contacts of some films, each with its name (empty for a single film), and why the others were not measured."""
     from carom.tracks.films import usable_stages
     from carom.tracks.plausibility import impossible
@@ -144,7 +144,7 @@ def tell_contacts(console: Console, films: Sequence[tuple[str, Measured]], stage
             *(called_ball(track.name) for track in measured.tracks),
         ]
         for one in measured.contacts:
-            stages, why = usable_stages(one, stage, sliding)  # type: ignore[arg-type]
+            stages, why = usable_stages(one, stage, keep_sliding)  # type: ignore[arg-type]
             if not stages:
                 whys.append(_without_names(why, names))
             for name in stages:
@@ -318,8 +318,8 @@ def show(
     plot: Annotated[Path | None, shared("plot")] = None,
     json_: Annotated[bool, shared("json")] = False,
     stage: Annotated[str, typer.Option(help="Stage of balls on a table: best, after_wall, rolling or both.")] = "best",
-    sliding: Annotated[
-        bool, typer.Option("--sliding", help="Keep balls that are still sliding when they meet the wall.")
+    keep_sliding: Annotated[
+        bool, typer.Option("--keep-sliding", help="Keep balls that are still sliding when they meet the wall.")
     ] = False,
     balls: Annotated[
         bool, option(FILE, "Measure balls that strike balls at rest, not balls at walls.", "--balls")
@@ -346,7 +346,7 @@ def show(
     names, found, measured = films.names, films.files, films.measured
     written = None
     lacking = FaultList()
-    table = lacking.attempt(films.rebounds, stage, sliding=sliding, balls=balls)
+    table = lacking.attempt(films.rebounds, stage, keep_sliding=keep_sliding, balls=balls)
     if out is not None:
         if table is None:
             _notes(console, names, found, measured, None)
@@ -358,14 +358,14 @@ def show(
 
         save(plot_tracks(measured[0]), plot)
     if json_:
-        each = [facts(film, one, stage, sliding) for film, one in zip(found, measured, strict=True)]
+        each = [facts(film, one, stage, keep_sliding) for film, one in zip(found, measured, strict=True)]
         if balls:
             each = [
                 one | {"ball_contacts": [*map(pair_facts, met)]} for one, met in zip(each, films.pairs, strict=True)
             ]
         say_json(each[0] if len(each) == 1 else {"films": each})
     else:
-        _tell(films, stage, sliding, balls)
+        _tell(films, stage, keep_sliding, balls)
     _notes(console, names, found, measured, table)
     if written:
         console.print(f"{counted(written[1], 'rebound')} in the table")
@@ -375,7 +375,7 @@ def show(
 
 
 @of_library(
-    "tracks.video.film:track_film", without=("path", "picture_height"), panels={FILM: "balls scale rate gravity spin"}
+    "tracks.video.film:track_film", without=("path", "picture_height"), panels={FILM: "balls scale rate gravity marks"}
 )
 def track(
     film: Annotated[
@@ -453,7 +453,7 @@ def example(
     err().print(f"written: {paths[0]} to {paths[-1].name}", soft_wrap=True)
 
 
-def _tell(films: MeasuredFilms, stage: str, sliding: bool, balls: bool) -> None:
+def _tell(films: MeasuredFilms, stage: str, keep_sliding: bool, balls: bool) -> None:
     """Print a table of each film, and one of all contacts."""
     for name, film, one in zip(films.names, films.files, films.measured, strict=True):
         if name:
@@ -462,7 +462,7 @@ def _tell(films: MeasuredFilms, stage: str, sliding: bool, balls: bool) -> None:
     if balls:
         tell_pairs(stdout(), list(zip(films.names, films.pairs, strict=True)))
     else:
-        tell_contacts(stdout(), list(zip(films.names, films.measured, strict=True)), stage, sliding)
+        tell_contacts(stdout(), list(zip(films.names, films.measured, strict=True)), stage, keep_sliding)
 
 
 def _notes(

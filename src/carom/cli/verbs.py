@@ -11,12 +11,13 @@ import sys
 import textwrap
 from dataclasses import fields, is_dataclass, replace
 from difflib import get_close_matches
+from pathlib import Path
 from typing import Any
 
 import typer
 from typer.core import TyperCommand, TyperGroup
 
-from carom.errors import CaromError, Fault, did_you_mean, near_name, shortened_list
+from carom.errors import CaromError, Fault, MissingLibraryError, did_you_mean, near_name, shortened_list
 
 PARAMETER = re.compile(r"(?:(carom(?: [a-z]+)+) )?`(\w+)(?:=([^`]*))?`")  # maybe after the verb that has it
 TEXTS = ("verdict", "sentence", "notes")  # fields of results
@@ -168,7 +169,17 @@ class _Word:
     def invoke(self, context: Any) -> Any:
         """Run the verb; texts of the library name its options from here on."""
         begin(context)
-        return super().invoke(context)  # type: ignore[misc]
+        try:
+            return super().invoke(context)  # type: ignore[misc]
+        except MissingLibraryError as error:  # (a file that is not there is to be mended first)
+            given = [context.params.get(one.name) for one in self.params if one.param_type_name == "argument"]  # type: ignore[attr-defined]
+            files = [file for one in given for file in (one if isinstance(one, list | tuple) else [one])]
+            lost = [file for file in files if isinstance(file, Path) and file.suffix and not file.exists()]
+            if not lost:
+                raise
+            raise CaromError(
+                *(f"{file}: expected a file, got: No such file or directory" for file in lost), *error.records
+            ) from None
 
     def format_help(self, context: Any, formatter: Any) -> None:
         """Write the help in lines of the terminal's width: names, and their texts beside or below them."""

@@ -40,7 +40,7 @@ from carom.fitting.model import (
     form_starts,
     model_of,
 )
-from carom.fitting.result import Estimate, Fit, refit, working_model
+from carom.fitting.result import Estimate, Fit, refit, scaled, working_model
 from carom.fitting.rows import Problem
 from carom.fitting.spin_chains import EVERYWHERE, Minimum, chain_information, cross_kinks
 
@@ -370,7 +370,12 @@ def fit_at(
     done = _identified(fit, information)
     if problem.spins is not None and "friction" in done.untold:
         done = _identified(fit, with_profiled_friction(done, information, extra))
-    return done if problem.spins is None else with_marginal_errors(done, extra)
+    done = done if problem.spins is None else with_marginal_errors(done, extra)
+    for name in () if best is edge else [name for name, one in done.estimates.items() if one.stderr]:
+        # (the data hardly say whether a row slides: the others' error bars reach to where they are if one does)
+        moved = float((edge.p - best.p)[model.places[name]])
+        done = scaled(done, name, math.hypot(1.0, moved / (done.estimates[name].stderr or math.inf)))
+    return done
 
 
 def _beyond_edge(model: FitModel, best: Place) -> Place:

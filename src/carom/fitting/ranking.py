@@ -711,7 +711,7 @@ def _verdict(best: Fit, evidence: Evidence, few: bool, found: Adequacy, covers: 
             narrow=" and ".join(filter(None, (covers.narrow, held_back))),
         )  # fmt: skip
         said += f"; {held_back}" if held_back and held_back not in said else ""
-        said += "" if first else f"; {found.in_words()}"
+        said += "" if first else f"; {found.in_words(best.law.name)}"
     said = first + said if first else said[0].upper() + said[1:]
     return f"{said}. This is for contacts like these: {covers.in_words()}."
 

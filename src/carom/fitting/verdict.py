@@ -216,19 +216,19 @@ class Adequacy:
             "residual_pattern": self.pattern or None,
         }
 
-    def in_words(self) -> str:
-        """Return the tests that the law passes, in words."""
-        chi2 = f"its chi^2 is as expected (p = {self.chi2_probability:.2g})"
-        if self.chi2_probability < SELDOM:
-            chi2 = f"its chi^2 is large, but not large enough to reject it (p = {self.chi2_probability:.2g})"
-        if not math.isnan(self.chi2_probability):
-            return chi2
+    def in_words(self, law: str) -> str:
+        """Return the tests that a law passes, in words, or fails by less than rejects it."""
+        poor, chi2, pattern = f"{law} fits poorly", self.chi2_probability, self.pattern_probability
+        if chi2 < SELDOM:
+            return f"{poor}: its chi^2 is large (p = {chi2:.2g})"
+        if pattern < SELDOM:
+            return f"{poor}: its residuals depend on what came before ({self.pattern}, p = {pattern:.2g})"
+        if not math.isnan(chi2):
+            return f"its chi^2 is as expected (p = {chi2:.2g})"
         why = "with heavy tails" if self.heavy else "with a fitted scatter" if self.scattered else "without error bars"
-        if math.isnan(self.pattern_probability):
+        if math.isnan(pattern):
             return f"its goodness of fit cannot be tested {why}"
-        return (
-            f"its residuals show no pattern (p = {self.pattern_probability:.2g}); {why} no other test of it is possible"
-        )
+        return f"its residuals show no pattern (p = {pattern:.2g}); {why} no other test of it is possible"
 
 
 @dataclass(frozen=True)

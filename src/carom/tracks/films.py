@@ -39,7 +39,7 @@ Stage = Literal["best", "after_wall", "rolling", "both"]
 FLOOR = (("floor friction", "mu_g", "cloth"), ("rolling resistance", "c_g", "rolling"))
 
 
-def usable_stages(one: TrackContact, stage: Stage, sliding: bool = False) -> tuple[list[str], str]:
+def usable_stages(one: TrackContact, stage: Stage, keep_sliding: bool = False) -> tuple[list[str], str]:
     """Return the stages of a contact that go into a table of rebounds, and the reason if there is none.
 
     Parameters
@@ -48,7 +48,7 @@ def usable_stages(one: TrackContact, stage: Stage, sliding: bool = False) -> tup
         From :func:`carom.tracks.measure`.
     stage : "best", "after_wall", "rolling" or "both"
         As in :func:`to_rebounds`.
-    sliding : bool
+    keep_sliding : bool
         Whether to keep balls that still slide when they meet the wall.
 
     Returns
@@ -68,7 +68,7 @@ def usable_stages(one: TrackContact, stage: Stage, sliding: bool = False) -> tup
     if one.fit is None:
         return [], one.why
     slip = sliding_reason(one)
-    if slip and not sliding:
+    if slip and not keep_sliding:
         return [], slip
     if one.planar:
         why = one.why_not("after_wall")
@@ -89,10 +89,10 @@ def sliding_reason(one: TrackContact) -> str:
     error = float(np.hypot(one.fit.error("un_in"), one.fit.error("ut_in")))
     if size < max(2 * error, 0.01):
         return ""
-    return "it still slides when it meets the wall; rebounds on a table are of rolling balls (`sliding` keeps it)"
+    return "it still slides when it meets the wall; rebounds on a table are of rolling balls (`keep_sliding` keeps it)"
 
 
-def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = False) -> Rebounds:
+def to_rebounds(measured: Measured, stage: Stage = "best", *, keep_sliding: bool = False) -> Rebounds:
     """Make a table of rebounds from measured contacts: planar in flight, else of a ball on a table.
 
     Parameters
@@ -102,7 +102,7 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
     stage : "best", "after_wall", "rolling" or "both"
         Of a ball on a table: as it leaves the wall, once it rolls again, the first of these that the track determines (the
         second, if it may hop off the wall), or both as two rows, which are not independent.
-    sliding : bool
+    keep_sliding : bool
         Whether to keep balls that still slide when they meet the wall; the columns slip_n_in, slip_t_in are their slip.
 
     Returns
@@ -138,10 +138,10 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
     for number, one in enumerate(measured.contacts):
         bounces[one.group, one.track] += 1
         numbers = {"contact": number + 1, "bounce": bounces[one.group, one.track]}
-        for name in usable_stages(one, stage, sliding)[0]:
+        for name in usable_stages(one, stage, keep_sliding)[0]:
             rows.append(_row(one, numbers, name, spin) | _floor(one, name, measured) | _air(one, measured))  # noqa: PERF401
     if not rows:
-        raise CaromError(_nothing(measured, stage, sliding))
+        raise CaromError(_nothing(measured, stage, keep_sliding))
     speeds = [f"{side}_{which}" for which in ("in", "out") for side in ("v_n", "v_t", spin)]
     columns = {name: np.array([row[name] for row in rows]) for name in speeds}
     columns |= {f"sigma_{name}": np.array([row[f"sigma_{name}"] for row in rows]) for name in speeds}
@@ -258,7 +258,7 @@ def _spin_source(one: TrackContact) -> str:
     return "sliding (fitted)" if sliding_reason(one) else "rolling (inferred)"
 
 
-def _nothing(measured: Measured, stage: Stage, sliding: bool) -> str:
+def _nothing(measured: Measured, stage: Stage, keep_sliding: bool) -> str:
     if not measured.contacts:
         walls = ", ".join(wall.name for wall in measured.walls) or "none"
         return (
@@ -267,7 +267,7 @@ def _nothing(measured: Measured, stage: Stage, sliding: bool) -> str:
         )
     whys: dict[str, int] = {}
     for one in measured.contacts:
-        why = usable_stages(one, stage, sliding)[1]
+        why = usable_stages(one, stage, keep_sliding)[1]
         whys[why] = whys.get(why, 0) + 1
     most = max(whys, key=lambda why: whys[why])
     count = len(measured.contacts)
@@ -395,7 +395,7 @@ def air_together(films: Sequence[Measured]) -> tuple[list[Measured], list[str]]:
 
 # Of carom.track_film
 FILM_ARGUMENTS = (
-    "balls", "length", "readout", "ball", "colour", "region", "corners", "picture_height", "spin", "start", "end",
+    "balls", "length", "readout", "ball", "colour", "region", "corners", "picture_height", "marks", "start", "end",
 )  # fmt: skip
 START_BYTES = 4096  # in which the header of a table shows
 REBOUND_COLUMNS = (
@@ -444,7 +444,7 @@ class MeasuredFilms:
         """The contacts of balls with each other in each film, as :func:`carom.tracks.measure_pairs` returns them."""
         return tuple(measure_pairs(one) for one in self.measured)
 
-    def tables(self, stage: Stage = "best", *, sliding: bool = False, balls: bool = False) -> dict[str, Rebounds]:
+    def tables(self, stage: Stage = "best", *, keep_sliding: bool = False, balls: bool = False) -> dict[str, Rebounds]:
         """Return the rebounds of each film that has some, by its name. Raises CaromError, with a line per film, if none has."""
         faults = FaultList()
         tables: dict[str, Rebounds] = {}
@@ -452,13 +452,15 @@ class MeasuredFilms:
         for name, one, met in zip(self.names, self.measured, pairs, strict=True):
             with collected(faults):
                 tables[name] = (
-                    pair_rebounds(met, one.radius or 0.0) if balls else to_rebounds(one, stage, sliding=sliding)
+                    pair_rebounds(met, one.radius or 0.0)
+                    if balls
+                    else to_rebounds(one, stage, keep_sliding=keep_sliding)
                 )
         if not tables:
             faults.raise_if_any()
         return tables
 
-    def rebounds(self, stage: Stage = "best", *, sliding: bool = False, balls: bool = False) -> Rebounds:
+    def rebounds(self, stage: Stage = "best", *, keep_sliding: bool = False, balls: bool = False) -> Rebounds:
         """Return the rebounds of all films as one table, as :func:`carom.tracks.to_rebounds` does, with the notes of all steps; of
         several films, with a column film.
 
@@ -467,7 +469,7 @@ class MeasuredFilms:
         """
         notes, count = self.notes, len(self.files)
         with noting(notes):
-            tables = self.tables(stage, sliding=sliding, balls=balls)
+            tables = self.tables(stage, keep_sliding=keep_sliding, balls=balls)
             rebounds = combined_rebounds(tables) if count > 1 else next(iter(tables.values()))
         notes.append(f"{counted(len(rebounds), 'rebound')} measured (carom tracks shows them)")
         if count > len(tables):

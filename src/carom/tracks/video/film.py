@@ -427,7 +427,7 @@ def track_film(
     region: str | None = None,
     corners: str | None = None,
     picture_height: float | None = None,
-    spin: bool = False,
+    marks: bool = False,
     start: float | None = None,
     end: float | None = None,
     gravity: float = GRAVITY,
@@ -462,7 +462,7 @@ def track_film(
         x1,y1,x2,y2,x3,y3,x4,y4=2.84mx1.42m@37mm, the first side from the first corner to the second; needs ``radius``.
     picture_height : float, optional
         Height of the picture in the scene, m; with ``readout``, for files of other programs.
-    spin : bool
+    marks : bool
         Measure the spin from marks on the ball.
     start : float, optional
         Begin at this time of the film, s.
@@ -529,7 +529,7 @@ def track_film(
     found = _record(
         file, ground, times, places, costs, optics, (scale, length, radius, readout, gravity), asked, lags, notes
     )
-    return with_spins(found) if spin else found
+    return with_spins(found) if marks else found
 
 
 class SeveralBallsError(CaromError):
