@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from reference import synthetic_bounces
 from reference.exploring import tried
 
 import carom
@@ -553,3 +554,15 @@ def test_a_row_far_off_keeps_its_answer_where_errors_before_the_wall_are_none():
     finer = evaluate(having(rows, spins=SpinGrid(sigma_grid(641), False)), along).deviance
     assert few.max() < 1e7
     assert np.abs(few / finer - 1)[finer > 100].max() < 0.02
+
+
+def test_error_bars_beside_a_friction_that_is_withdrawn_reach_to_where_a_row_slides() -> None:
+    (law,), setting = laws_named(["sliding"], "planar", True)[0], synthetic_bounces.SETTING
+    rows = make_rebounds("planar", synthetic_bounces.bounces(532, 40, 0.03, 2.0, True))
+    fit = fit_law(law, make_problem(rows, setting)[0])
+    assert fit.estimates["friction"].value is None
+    there = fit_law(law, make_problem(rows, replace(setting, fixed={"friction": fit.edge}))[0])
+    for name in ("spin_mean", "spin_width"):
+        here, beyond = fit.estimates[name], there.estimates[name]
+        assert abs(there.numbers[INDEX[name]] - fit.numbers[INDEX[name]]) < 1.02 * here.stderr, name
+        assert here.stderr > 1.1 * beyond.stderr, name

@@ -298,6 +298,15 @@ def predict_law(law: FittedLaw, problem: Problem, p: Array) -> Array:
     return predictions(law.kind, model.likelihood().rows, x, p) - moved[:, 3:]
 
 
+def predictions_beside(law: FittedLaw, problem: Problem, p: Array, size: Array) -> list[tuple[Array, Array]]:
+    """Return the predictions (N, 3) with v_n, v_t and spin before the wall larger and smaller by ``size`` (N, 3)."""
+    steps = [size[:, o, None] * np.eye(3)[o] for o in range(3)]
+    up, down = (
+        [predict_law(law, replace(problem, x=problem.x + sign * step), p) for step in steps] for sign in (1, -1)
+    )
+    return list(zip(up, down, strict=True))
+
+
 # ----------------------------------------------------------------------------------------------------
 # Starting values of a restitution that depends on the speed, from the measured ratios of normal speeds.
 #

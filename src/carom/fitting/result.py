@@ -25,7 +25,7 @@ from carom.fitting.laws import (
     of_impact,
 )
 from carom.fitting.likelihood import TabulatedLaw
-from carom.fitting.model import STEPS, FitModel, feels_spins, model_of, predict_law
+from carom.fitting.model import STEPS, FitModel, feels_spins, model_of, predict_law, predictions_beside
 from carom.fitting.rows import Problem, forms_of
 from carom.fitting.varying import Prediction, impacts, parameter_at, predictive_of
 from carom.formatting import json_value
@@ -179,13 +179,11 @@ class Fit:
         problem, p = self.problem, self.numbers
         mean, width = ((p[INDEX[name]] / problem.setting.radius) for name in ("spin_mean", "spin_width"))
         spins = np.where(problem.unknown, mean * problem.x[:, 1], problem.x[:, 2])
-        x, variance = np.column_stack([problem.x[:, :2], spins]), np.nan_to_num(problem.vx).copy()
-        variance[problem.unknown, 2] = np.square(width * np.hypot(*x[problem.unknown, :2].T))
-        total = np.nan_to_num(problem.vy)
-        for k in range(3):
-            by = np.sqrt(variance[:, k, None]) * np.eye(3)[k]
-            here, there = (predict_law(self.law, replace(problem, x=x + one), p) for one in (by, -by))
-            total = total + np.nan_to_num(np.square((here - there) / 2))
+        filled = replace(problem, x=np.column_stack([problem.x[:, :2], spins]))
+        size = np.sqrt(np.nan_to_num(problem.vx))
+        size[problem.unknown, 2] = width * np.hypot(*filled.x[problem.unknown, :2].T)
+        changes = [(up - down) / 2 for up, down in predictions_beside(self.law, filled, p, size)]
+        total = np.nan_to_num(problem.vy + np.square(np.nan_to_num(changes)).sum(axis=0))
         return np.asarray((problem.y - self.predicted()) / np.sqrt(np.where(total > 0, total, 1.0)))
 
     def predict(self, before: Any) -> Prediction:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from carom.fitting.evidence import DECIDED, LEANS, UNLIKELY
 from carom.fitting.fit import STUDENT_NU, fit_law, place_near
 from carom.fitting.laws import ALONG
-from carom.fitting.model import feels_spins, model_of, predict_law
+from carom.fitting.model import feels_spins, model_of, predict_law, predictions_beside
 from carom.fitting.result import Fit, rows_of_fit
 from carom.fitting.rows import Problem
 from carom.formatting import json_value
@@ -146,9 +146,7 @@ def kinked_rows_warning(fit: Fit) -> str:
         return ""
     here = fit.predicted()
     wide, turn = problem.vy.copy(), np.zeros(problem.y.shape)
-    for o in range(3):
-        step = np.sqrt(problem.vx[:, o])[:, None] * np.eye(3)[o]
-        up, down = (predict_law(fit.law, replace(problem, x=problem.x + sign * step), p) for sign in (1, -1))
+    for up, down in predictions_beside(fit.law, problem, p, np.sqrt(problem.vx)):
         wide += np.square((up - down) / 2)
         turn = np.maximum(turn, np.abs(up + down - 2 * here))
     seen = np.isfinite(problem.y)
