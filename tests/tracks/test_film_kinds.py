@@ -158,3 +158,21 @@ def test_a_ball_that_falls_within_an_exposure_is_where_it_is_in_the_middle_of_it
            (optics, optics._replace(fall=(0.0, 0.0)))]  # fmt: skip
     assert abs(off[0]) < 0.15
     assert off[1] > 0.8
+
+
+def test_a_place_is_not_that_of_the_pixels_it_was_sought_in() -> None:
+    # (a shaded ball, blurred by two radii: a band of pixels that is 2 px off gives a place that is off to the same side)
+    y, x = np.mgrid[0:120, 0:64].astype(float)
+    light, cover = np.zeros((120, 64)), np.zeros((120, 64))
+    for one in 58.0 + 40 * ((np.arange(400) + 0.5) / 400 - 0.5):
+        away = np.hypot(x - 31.5, y - one)
+        part = 1 / (1 + np.exp(-2.5 * (15 - away)))
+        shade = 0.3 + 0.7 * np.clip(np.sqrt(np.clip(1 - (away / 15) ** 2, 0, 1)) - 0.7 * (y - one) / 15, 0, None)
+        light, cover = light + part * shade * 200**2.2 / 400, cover + part / 400
+    seen = (((1 - cover) * 60**2.2 + light) ** (1 / 2.2) + 16.5).astype(np.uint8)
+    colour, behind = np.full((60, 32), 128, np.uint8), np.full((120, 64), 76, np.uint8)
+    patch = Patch(0, (0, 0), (seen, colour, colour), (behind, colour, colour))
+    optics = Optics(15.0, 0.7, 0.02, (1.5, 1.0, 1.0))
+    found = [fit_outline(patch, np.array([31.5, start]), np.array([0.0, 2000.0]), optics, coarse=False).place[1] for start in
+             (56.0, 58.0, 60.0)]  # fmt: skip
+    assert np.ptp(found) < 0.05

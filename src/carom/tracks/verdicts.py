@@ -209,10 +209,7 @@ def film_findings(path: FilmPath) -> tuple[list[Finding], str]:
     if path.moves:
         return found, f"the camera moves: {path.moves}"
     if r < LEAST_RADIUS or path.seen < WHOLE_RIM:
-        return (
-            found,
-            f"the ball is too small, or hidden in part (radius {r:.3g} px, {100 * path.seen:.0f} % of its rim seen)",
-        )
+        return found, f"the ball is too small, or hidden in part (radius {r:.3g} px, {path.seen:.0%} of its rim seen)"
     step = np.hypot(*np.diff(x, axis=0).T)
     beside = np.minimum(np.roll(step, 1), np.roll(step, -1))[1:-1]
     if np.mean((step[1:-1] < 0.2 * beside) & (beside > 0.1 * r)) > REPEATED:

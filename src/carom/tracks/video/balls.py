@@ -9,9 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.tracks.video.reading import Array, Bytes, FilmFile, Frame
+from carom.tracks.video.reading import Array, Bytes, FilmFile, Mask
 
-Mask = NDArray[np.bool_]
 SAMPLES, MOST_SAMPLE_BYTES = 32, 250e6  # frames of the background
 MANY_KEYS = 24  # frames stored whole, from which the background is taken from these alone
 LEAST_LEVELS = (7.0, 4.0, 4.0)  # by which a pixel of a plane differs from the background, at least
@@ -336,11 +335,11 @@ class Region(NamedTuple):
         return Region(self.x[which], self.y[which], self.tone[which], self.still[which], self.shade[which], self.cut)
 
 
-def find_regions(frame: Frame, ground: Background, inside: Mask | None = None) -> tuple[list[Region], float]:
-    """Return the regions of a frame that differ from the background, the largest first, and the share of it that does."""
+def find_regions(halves: Sequence[Bytes], ground: Background, inside: Mask | None = None) -> tuple[list[Region], float]:
+    """Return the regions of a frame (y at half the size, u, v) that differ from the background, the largest first, and the share
+    of it that does."""
     from scipy.ndimage import binary_fill_holes, find_objects, label
 
-    halves = (half_size(frame.y), frame.u, frame.v)
     changed, darker = np.zeros(halves[0].shape, bool), np.zeros(halves[0].shape, bool)
     for k, (one, still, limit, texture) in enumerate(
         zip(halves, (ground.half, *ground.planes[1:]), ground.limits, ground.texture, strict=True)

@@ -28,6 +28,7 @@ CHROMA_BLUR = 1.3  # px, of colour planes, beside that of the lens
 PLACES = 25  # of the exposure, at most
 OUTLIER = 2.0  # times the usual misfit of a plane
 STEPS = 10
+BANDS, NEAR = 3, 0.2  # of an outline, at most; px from where it was sought, of a last one
 BLOCK = 256  # pixels
 GAMMA, BLACK, WHITE = 2.2, 16.0, 219.0  # of brightness as stored; levels: of black, and from there to white
 LEAST_SLOPE = 0.15  # of light over brightness, by which noise is multiplied
@@ -159,6 +160,8 @@ def _covered(pixels: _Pixels, p: Array, speed: Array, optics: Optics, names: str
     dx = (dx - along * rows[0] - turn * rows[1] - lag * row * speed[0])[None, :] - part * exposure * (speed[0] + u) / 2
     dy = (dy - along * rows[1] + turn * rows[0] - lag * row * speed[1])[None, :] - part * exposure * (speed[1] + v) / 2
     distance = np.maximum(np.sqrt(dx * dx + dy * dy), 1e-9)
+    # (from place to place the rim is swept, too)
+    sigma = np.sqrt(sigma**2 + ((dx * speed[0] + dy * speed[1]) / distance * (exposure / count)) ** 2 / 12)
     z = (radius - distance) / sigma
     density = np.exp(-0.5 * z * z) / (np.sqrt(2 * np.pi) * sigma)
     out = density / distance
@@ -166,7 +169,7 @@ def _covered(pixels: _Pixels, p: Array, speed: Array, optics: Optics, names: str
         "x": lambda: (out * dx).mean(axis=0),
         "y": lambda: (out * dy).mean(axis=0),
         "r": lambda: density.mean(axis=0),
-        "s": lambda: -(density * z).mean(axis=0) * psf / sigma,
+        "s": lambda: -(density * z / sigma).mean(axis=0) * psf,
         "e": lambda: (out * (dx * u + dy * v) * part).mean(axis=0),
         "q": lambda: (out * (dx * speed[0] + dy * speed[1])).mean(axis=0) * row,
         "b": lambda: (out * (dx * rows[0] + dy * rows[1])).mean(axis=0) * 1e3 * row,
@@ -242,13 +245,17 @@ def fit_outline(
         pixels = _band(patch, p[:2], speed * optics.exposure, optics.radius, wide, wide, optics)
         p = _descended(pixels, p, v, "xy", 1, 3, optics)[0] if len(pixels.x) >= LEAST_PIXELS else p
         p[3] = optics.psf
-    pixels = _rim(patch, *(like or (p[:2], speed * optics.exposure)), optics)
-    if len(pixels.x) < LEAST_PIXELS:
-        return Outline(p[:2].copy(), optics.radius, np.inf, 0.0, 0.0)
-    p, residual, differ = _descended(pixels, p, v, free, order or _order(optics), STEPS, optics)
-    away = pixels.seen - pixels.ground
-    scaled = (residual * pixels.weight) ** 2
-    share = 1 - float(scaled.sum() / max(float(((away * pixels.weight) ** 2).sum()), 1e-9))
+    for _ in range(1 if like else BANDS):
+        # (pixels of a band beside the ball give a place that is off)
+        at = p[:2].copy()
+        pixels = _rim(patch, *(like or (at, speed * optics.exposure)), optics)
+        if len(pixels.x) < LEAST_PIXELS:
+            return Outline(at, optics.radius, np.inf, 0.0, 0.0)
+        p, residual, differ = _descended(pixels, p, v, free, order or _order(optics), STEPS, optics)
+        if float(np.hypot(*(p[:2] - at))) < NEAR:
+            break
+    scaled, away = (residual * pixels.weight) ** 2, ((pixels.seen - pixels.ground) * pixels.weight) ** 2
+    share = 1 - float(scaled.sum() / max(float(away.sum()), 1e-9))
     angle = np.arctan2(pixels.y - p[1], pixels.x - p[0])
     sector = np.floor((angle / (2 * np.pi) + 0.5) * SECTORS).astype(int) % SECTORS
     strong = np.bincount(sector, np.abs(differ) * pixels.weight, SECTORS)

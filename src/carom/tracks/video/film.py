@@ -81,6 +81,7 @@ GROWS = 0.03  # of the radius, that is said
 FAST, SLOW = 0.2, 0.3  # radii from frame to frame, and of the largest speed: a ball whose blur tells the exposure
 HELD, DEEP = 0.95, 0.8  # of the radius and of the misfit, what is left of both where a deep shadow was part of the disc
 LONGEST, STRETCHED = 1.2, 0.7  # of the time from frame to frame, an exposure; of the radius, a blur that says so
+AS_SEEN = 1.05  # of the time from frame to frame: an exposure at most, which light makes longer
 LONG_EXPOSURE = 0.5  # of the time from frame to frame
 
 
@@ -226,7 +227,7 @@ def _candidate(
     optics, _errors, places = found
     long = optics.exposure > LONGEST * interval
     stretched = long and optics.exposure * _median(quick[fast]) > STRETCHED * optics.radius
-    optics = optics._replace(exposure=min(optics.exposure, interval))
+    optics = optics._replace(exposure=min(optics.exposure, AS_SEEN * interval))
     slow = sorted(
         ((patch, at, speed) for (patch, _at, speed), at in zip(good, places, strict=True)),
         key=lambda one: np.hypot(*one[2]),
@@ -405,8 +406,8 @@ def _fit_chunk(
             tried += [fit_outline(patch, *one, at, coarse=False, like=same) for one in near]
             best = min(range(len(tried)), key=lambda i: tried[i].cost)
             if near or not np.isfinite(costs[k]) or tried[best].cost < costs[k] or not bad:
-                keep(k, tried[best])
                 speed[k] = (starts + near)[best][1]
+                keep(k, fit_outline(patch, tried[best].place, speed[k], at, coarse=False) if same else tried[best])
     return {
         k: (one, *look_closer(by_frame[k], one, speed[k], optics._replace(radius=radii[k])))
         for k, one in found.items() if np.isfinite(one.cost)
@@ -542,8 +543,7 @@ def likeliest_ball(path: FilePath, error: CaromError, **given: Any) -> FilmPath:
     ``given``: ``rate``, ``start``, ``end``, ``region`` of :func:`track_film`. Raises ``error`` where nothing moves that may be a
     ball, for cuts, and where several are as likely.
     """
-    names = ("start", "end", "region", "rate")
-    start, end, region, rate = (given.get(name) for name in names)
+    start, end, region, rate = (given.get(name) for name in ("start", "end", "region", "rate"))
     asked = check_arguments(1, None, None, None, None, rate, (), None, region, None, start, end)
     file, ground, stamps, paths, moves = _linked(path, (start, end), None, asked, lambda _done, _text: None)
     # (of several balls none is judged: they meet one another)
@@ -558,9 +558,9 @@ def likeliest_ball(path: FilePath, error: CaromError, **given: Any) -> FilmPath:
     for k, blob in zip(ball.path.frames, ball.path.blobs, strict=True):
         if blob.fill > ELLIPSE and not blob.cut:
             outlines[k] = blob.radius, *blob.stretch
-    places = (
-        _dense(ball.path, len(times), times) if moves else _followed(file, ground, ball, times, lambda _done: None)[0]
-    )
+    places = _dense(ball.path, len(times), times)
+    if not moves:
+        places = _followed(file, ground, ball, times, lambda _done: None)[0]
     corner = ((file.width - 1) / 2, (file.height - 1) / 2)
     return FilmPath(times, places, ball.optics.radius, ball.seen, outlines, corner, moves)
 
@@ -612,7 +612,9 @@ def _by_rows(
         lags.append((value, float(np.hypot(times_error * error, LAG_SHARE * value))))
         seen = ball.optics._replace(lag=optics.lag if value > 3 * error else 0.0)
         exposure = fit_optics(its, seen, "rse", steps=4)[0].exposure
-        found.append(ball._replace(optics=seen._replace(exposure=min(exposure, float(np.median(np.diff(times)))))))
+        found.append(
+            ball._replace(optics=seen._replace(exposure=min(exposure, AS_SEEN * float(np.median(np.diff(times))))))
+        )
     return found, lags
 
 
@@ -640,8 +642,9 @@ def _linked(
     for frame in file.frames():
         stamps.append(frame.stamp)
         if low <= frame.stamp <= high or not np.isfinite(frame.stamp):
-            regions, share = find_regions(frame, ground, inside)
-            shift, same = movement(half_size(frame.y), ground)
+            halves = half_size(frame.y), frame.u, frame.v
+            regions, share = find_regions(halves, ground, inside)
+            shift, same = movement(halves[0], ground)
             linker.add(frame.number, regions if same > SAME else [])
             shares.append(share if same > SAME else 1.0)
             shifts.append(shift)
@@ -671,7 +674,8 @@ def _chosen(
     refused, some = functools.partial(Fault, f"{file.path}"), counted(balls, "ball")
     likely = likely_paths(paths, LEAST_FRAMES)
     if asked.colour is not None:
-        likely = [one for one in likely if np.abs(_rgb(file, one) - asked.colour).max() < 70]
+        tones = [file.matrix @ [*np.median([blob.colour for blob in one.blobs], axis=0), 1.0] for one in likely]
+        likely = [one for one, tone in zip(likely, tones, strict=True) if np.abs(tone - asked.colour).max() < 70]
     if asked.seeds:
         named = [joined(_nearest(f"{file.path}", paths, times, seed), likely) for seed in asked.seeds]
         found = _usual_optics(file, ground, named, times)
@@ -704,10 +708,6 @@ def _one_ball(one: Path, other: Path) -> bool:
     return len(joined(other, [one]).frames) > len(other.frames)
 
 
-def _rgb(file: FilmFile, path: Path) -> Array:
-    return np.asarray(file.matrix @ [*np.median([one.colour for one in path.blobs], axis=0), 1.0])
-
-
 def _nearest(where: str, paths: Sequence[Path], times: Array, seed: tuple[float, ...]) -> Path:
     """Return the path that passes nearest to a place (px) at a time."""
     x, y, t = seed
@@ -728,10 +728,8 @@ def _nearest(where: str, paths: Sequence[Path], times: Array, seed: tuple[float,
 
 def _said(one: Candidate, times: Array) -> str:
     k = len(one.path.frames) // 2
-    blob, t = one.path.blobs[k], times[one.path.frames[k]]
-    return (
-        f"r = {one.optics.radius:.3g} px in {counted(len(one.path.frames), 'frame')}, {blob.x:.0f},{blob.y:.0f}@{t:.3g}"
-    )
+    place = f"{one.path.blobs[k].x:.0f},{one.path.blobs[k].y:.0f}@{times[one.path.frames[k]]:.3g}"
+    return f"r = {one.optics.radius:.3g} px in {counted(len(one.path.frames), 'frame')}, {place}"
 
 
 def _what_moves(found: Sequence[Candidate], likely: Sequence[Path], times: Array, count: int) -> str:

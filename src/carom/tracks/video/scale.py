@@ -13,9 +13,8 @@ from numpy.typing import NDArray
 from carom.core.units import parse_quantity
 from carom.errors import CaromError, Fault, FaultList
 from carom.formatting import counted
+from carom.tracks.video.reading import Array, Mask
 
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 NUMBER = r"-?\d+(?:\.\d*)?"
 LEAST_FLIGHT = 6  # frames
 SHARP_TURN, TURN_SHARE = 8.0, 0.12  # times the usual change of velocity in a frame, and of the largest speed: a contact
