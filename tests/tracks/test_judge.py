@@ -161,6 +161,16 @@ def test_contacts_of_two_balls(after: Any, laws: set[str], noise: float) -> None
         assert one.balls == ("a", "b")
 
 
+@pytest.mark.parametrize("noise", [0.0, 2e-5])
+def test_contacts_far_from_each_other_at_the_same_time_are_each_judged_alone(noise: float) -> None:
+    """What one pair loses of its momentum another one gains, a metre beside it."""
+    one = two_balls(after=((0.1, 0, 0), (0.7, 0, 0)), noise=noise)
+    two = two_balls(after=((0.3, 0, 0), (0.9, 0, 0)), noise=noise, seed=2)
+    two |= {"ball": [name + name for name in two["ball"]], "y": [y + 1 for y in two["y"]]}
+    found = judge({name: one[name] + two[name] for name in one}, radius=R, mass=M)
+    assert sorted(one.balls for one in found.of("momentum")) == [("a", "b"), ("aa", "bb")]
+
+
 @pytest.mark.parametrize("gaps", [False, True])
 @pytest.mark.parametrize("decimals", [2, 3, 4, 6])
 def test_rounded_times_hide_nothing(decimals: int, gaps: bool) -> None:
