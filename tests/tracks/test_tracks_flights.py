@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from pathlib import Path
 
@@ -13,7 +14,7 @@ from reference.thrown_ball import film, thrown
 from carom.fitting.shared_errors import shared_errors
 from carom.tracks import Measured, Settings, Track, measure, to_rebounds
 from carom.tracks.events import wall_through
-from carom.tracks.flights import flight_path
+from carom.tracks.flights import fit_flight, flight_path
 
 GRAVITY = 9.81
 TENNIS, TABLE_TENNIS = 0.0195, 0.126  # 1/m: half of 1.2 kg/m^3, drag coefficient and area, by the mass
@@ -198,3 +199,16 @@ def test_a_contact_between_two_frames_is_no_bounce_elsewhere(height: float) -> N
     found = measure([Track("ball", t, place)], Settings(radius=0.033, view="side"))
     assert not [note for note in found.notes if "away from the wall" in note]
     assert len(found.measured) == 2
+
+
+def test_frames_of_heights_alone_have_as_many_degrees_of_freedom_as_they_scatter_by() -> None:
+    random, time, noise = np.random.default_rng(3), np.arange(12) / 120.0, 2e-4
+    found = []
+    for near in random.uniform(0.045, 0.055, 150):
+        s = time - near
+        height = np.where(s < 0, -2.0, 1.6) * s - 9.80665 * s**2 / 2 + noise * random.normal(size=len(time))
+        places = np.stack([height, np.zeros_like(height)], axis=1)
+        fit = fit_flight(time, places, near, noise, np.array([-9.80665, 0.0]), 0.5, 0.0)
+        found.append((fit.chi2, fit.dof))
+    chi2, dof = np.array(found).sum(axis=0)
+    assert chi2 == pytest.approx(dof, abs=3 * math.sqrt(2 * dof))
