@@ -255,7 +255,7 @@ CAPS = {
     "fitting": 10661,
     "gas": 6945,
     "billiards": 5581,
-    "tracks": 9394,
+    "tracks": 9381,
     "simulation": 6445,
     "core": 5745,
     "laws": 4969,

@@ -156,13 +156,10 @@ def parse_length(text: str) -> tuple[Array, float]:
     >>> points.tolist(), length
     ([[100.0, 600.0], [900.0, 600.0]], 0.8)
     """
-    found = re.fullmatch(",".join([rf"\s*({NUMBER})\s*"] * 4) + r"=\s*(.+)", text)
-    wanted = "two points in px and their distance, x1,y1,x2,y2=1m"
-    if found is None:
-        raise CaromError(Fault("`length`", "", wanted, repr(text)))
-    points, metres = np.array([float(one) for one in found.groups()[:4]]).reshape(2, 2), _metres(found[5])
-    if not 0 < metres < 1e4 or not np.hypot(*(points[1] - points[0])) > 0:
-        raise CaromError(Fault("`length`", "", wanted, repr(text)))
+    ends, _equals, long = text.partition("=")
+    points, metres = np.array(_numbers(4, ends)).reshape(-1, 2), _metres(long)
+    if not (len(points) and 0 < metres < 1e4 and np.hypot(*(points[1] - points[0])) > 0):
+        raise CaromError(Fault("`length`", "", "two points in px and their distance, x1,y1,x2,y2=1m", repr(text)))
     return points, metres
 
 
@@ -196,12 +193,9 @@ def parse_corners(text: str) -> Corners:
     ((2.84, 1.42), 0.037)
     """
     wanted = "four corners in px, sides and height, x1,y1,x2,y2,x3,y3,x4,y4=2.84mx1.42m@37mm"
-    pattern = ",".join([rf"\s*({NUMBER})\s*"] * 8) + r"=\s*([\d.]+\s*[a-z]*?)\s*x\s*([\d.]+\s*[a-z]*)\s*@\s*(.+)"
-    found = re.fullmatch(pattern, text)
-    if found is None:
-        raise CaromError(Fault("`corners`", "", wanted, repr(text)))
-    points = np.array([float(one) for one in found.groups()[:8]]).reshape(4, 2)
-    long, wide, height = (_metres(one) for one in found.groups()[8:])
+    at, _equals, sizes = text.partition("=")
+    points, found = np.array(_numbers(8, at)).reshape(-1, 2), re.fullmatch(r"(.+)x(.+)@(.+)", sizes)
+    long, wide, height = (_metres(one) for one in found.groups()) if found else (np.nan,) * 3
     side = np.roll(points, -1, axis=0) - points
     turns = side[:, 0] * np.roll(side, -1, axis=0)[:, 1] - side[:, 1] * np.roll(side, -1, axis=0)[:, 0]
     if not (0 < long < 1e3 and 0 < wide < 1e3 and abs(height) < 1 and abs(np.sign(turns).sum()) == 4):
@@ -305,9 +299,7 @@ def check_arguments(
         faults.add("`scale`", "metres per pixel, above 0, or gravity", repr(scale))
     if length is not None:
         faults.attempt(parse_length, length)
-    seeds = [
-        _numbers(rf"({NUMBER}),({NUMBER})@({NUMBER})s?", one) for one in ([ball] if isinstance(ball, str) else ball)
-    ]
+    seeds = [_numbers(3, one, "@", "s?") for one in ([ball] if isinstance(ball, str) else ball)]
     if () in seeds:
         faults.add("`ball`", "a place and a time, x,y@t (px, s)", repr(ball))
     elif seeds and len(seeds) != balls:
@@ -315,7 +307,7 @@ def check_arguments(
     tone = re.fullmatch(r"#[0-9a-fA-F]{6}", colour or "")
     if colour is not None and tone is None:
         faults.add("`colour`", "red, green, blue as in '#e0b020'", repr(colour))
-    part = _numbers(",".join([f"({NUMBER})"] * 4), region or "")
+    part = _numbers(4, region or "")
     if region is not None and not (part and part[2] > part[0] and part[3] > part[1]):
         faults.add("`region`", "x0,y0,x1,y1 in px, x0 < x1 and y0 < y1", repr(region))
     table = None if corners is None else faults.attempt(parse_corners, corners)
@@ -327,8 +319,9 @@ def check_arguments(
     )
 
 
-def _numbers(pattern: str, text: str) -> tuple[float, ...]:
-    """Return the numbers of a text of that form; none of another one."""
+def _numbers(count: int, text: str, last: str = ",", end: str = "") -> tuple[float, ...]:
+    """Return the numbers of a text, with commas between and another sign before the last one; none of another text."""
+    pattern = ",".join([f"({NUMBER})"] * (count - 1)) + f"{last}({NUMBER}){end}"
     found = re.fullmatch(pattern, re.sub(r"\s", "", text))
     return tuple(float(one) for one in found.groups()) if found else ()
 

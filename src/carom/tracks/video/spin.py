@@ -65,31 +65,22 @@ def flight_spins(film: TrackedFilm, ball: str) -> list[FlightSpin]:
     return [_of_flight(film, pattern, ball, first, last) for first, *_rest, last in flights_of(film.times, place, good)]
 
 
-def spin_columns(film: TrackedFilm, flights: Sequence[FlightSpin]) -> tuple[Array, Array, list[str]]:
-    """Return the spin about the line of sight in each frame (F,) with its error bar (F,), NaN where it is not known, and notes."""
-    spin, sigma = np.full((2, len(film.times)), np.nan)
-    notes = []
-    for one in flights:
-        span = f"spin from {film.times[one.first]:.3f} to {film.times[one.last]:.3f} s"
-        if one.why:
-            notes.append(f"{span}: {one.why}")
-            continue
-        rows = slice(one.first, one.last + 1)
-        spin[rows], sigma[rows] = one.spin[2], one.error[2]
-        x, y = (f"{w:.3g} ± {e:.2g}" for w, e in zip(one.spin[:2], one.error[:2], strict=True))
-        notes.append(f"{span}: about the axes of the picture {x} (right) and {y} (up) rad/s")
-    return spin, sigma, notes
-
-
 def with_spins(film: TrackedFilm) -> TrackedFilm:
     """Return a film whose tracks have the spin about the line of sight, where marks on the balls show it; notes say more."""
     tracks, notes = [], list(film.notes)
     for track in film.tracks:
         assert track.frame is not None
-        rows = track.frame.astype(int)
-        spin, sigma, said = spin_columns(film, flight_spins(film, track.name))
-        tracks.append(replace(track, spin=spin[rows], sigma_spin=sigma[rows]))
-        notes += [f"{track.name}, {one}" for one in said]
+        spin, sigma = np.full((2, len(film.times)), np.nan)
+        for one in flight_spins(film, track.name):
+            said = one.why
+            if not said:
+                rows = slice(one.first, one.last + 1)
+                spin[rows], sigma[rows] = one.spin[2], one.error[2]
+                x, y = (f"{w:.3g} ± {e:.2g}" for w, e in zip(one.spin[:2], one.error[:2], strict=True))
+                said = f"about the axes of the picture {x} (right) and {y} (up) rad/s"
+            notes.append(f"{track.name}, spin from {film.times[one.first]:.3f} to {film.times[one.last]:.3f} s: {said}")
+        seen = track.frame.astype(int)
+        tracks.append(replace(track, spin=spin[seen], sigma_spin=sigma[seen]))
     return replace(film, tracks=tuple(tracks), notes=tuple(notes))
 
 
