@@ -47,7 +47,8 @@ class ResidualPanels(NamedTuple):
 def residuals_of_rows(ranking: Ranking) -> ResidualPanels:
     """Return the residuals of the two best laws, in error bars."""
     rows = ranking.best.problem.rebounds
-    gaps = {one.fit.law.name: one.fit.residuals() for one in ranking.ranked[:2]}
+    side = np.where(rows["v_t_in"] < 0, -1.0, 1.0)[:, None] ** [0, 1, 1]  # (contacts from both sides are mirror images)
+    gaps = {one.fit.law.name: side * one.fit.residuals() for one in ranking.ranked[:2]}
     seen = [j for j in range(3) if np.isfinite(ranking.best.problem.y[:, j]).any()]
     return ResidualPanels(
         "Residuals: (measured - law) / error bar",
@@ -180,8 +181,7 @@ def residual_parts(found: ResidualPanels) -> list[str]:
 
             drawings.append(panel(draw, 2.7, 1.9, left=0.21, right=0.97, top=0.95, bottom=0.26))
         parts.append(beside(drawings, "beside three"))
-    laws = list(next(iter(found.outputs.values())))
-    said = f"Filled: {laws[0]}" + (f"; open: {laws[1]}" if len(laws) > 1 else "")
+    said = "Filled: " + "; open: ".join(next(iter(found.outputs.values())))
     return [*parts, f"<p>{html.escape(said)}{'; grey: two error bars.' if found.bars else '.'}</p>"]
 
 
@@ -610,7 +610,7 @@ def _track_drawings(fit: TrackFit) -> list[str]:
     small = [
         panel(
             lambda axes, shot=fit.frames.segments[which[0]].group: _from_above(axes, fit, shot),  # type: ignore[misc]
-            2.15, 1.9, left=0.02, right=0.98, top=0.88, bottom=0.02,
+            1.7, 1.5, left=0.02, right=0.98, top=0.88, bottom=0.02,
         )
         for which in far
     ]  # fmt: skip
@@ -766,7 +766,7 @@ def _distances(axes: Any, fit: ShotsFit) -> None:
 def _all_shots(fit: ShotsFit) -> list[str]:
     """Return the drawings of all shots: small multiples, if there are several, and their distances."""
     small = [
-        panel(lambda axes, one=one: _small(axes, one), 2.15, 1.3, left=0.02, right=0.98, top=0.88, bottom=0.02)  # type: ignore[misc]
+        panel(lambda axes, one=one: _small(axes, one), 1.7, 1.05, left=0.02, right=0.98, top=0.86, bottom=0.02)  # type: ignore[misc]
         for one in fit.shots
     ]
     over = panel(lambda axes: _distances(axes, fit), 3.9, 2.6, **MARGINS)
