@@ -911,7 +911,7 @@ FITS = {
     "tt_rackets": ("fit", "tt_rackets", "--where", "racket=01_inverted", *SETTLED),
     "a film, its contacts": ("fit", "film.csv", "--radius=0.03075", "--laws=two-step,contact", "--bootstrap=0",
                              "--json"),
-    "a film, whole": ("fit", "pair.csv", "--whole", "--radius=0.03075", "--laws=two-step", "--cushions=1",
+    "a film, whole": ("fit", "pair.csv", "--whole", "--radius=0.03075", "--laws=two-step", "--contacts=1",
                       "--noise=0.3mm",
                       "--json"),
     "design in flight": ("design", "--laws=maw,contact", "--radius=0.02", "--inertia=hollow", "--sigma-v=0.15",

@@ -49,7 +49,7 @@ FUNCTIONS = (
 )  # fmt: skip
 # Scenes' parts, and arguments that are no quantities: files, choices, counts, and how to run.
 _CHOICES = (
-    "after air angles_deg ball_contact balls bootstrap bound bounds by center chained corner_pockets cue cushions down duration "
+    "after air angles_deg ball_contact balls bootstrap bound bounds by center chained corner_pockets cue contacts down duration "
     "every_contact file files film fine fit fix fixed floor floor_contact form format forms hard hops kind law laws max_events "
     "name odds out overlap preset profiles progress rack rate robust rolling run say scale scatter seed "
     "shape side_pockets sides shot slides sliding speeds spin_prior spins stage strict strike suffix table truth view wall "

@@ -44,7 +44,7 @@ def main() -> None:
         task = bar.add_task("", total=1.0)
         measured = measure(read_tracks(given.tracks).tracks, Settings(radius=RADIUS, view="above"))
         ranking = fit_tracks(
-            measured, Setting(radius=RADIUS, contact_height=NOSE / RADIUS, cushions=given.cushions), given.laws.split(","),
+            measured, Setting(radius=RADIUS, contact_height=NOSE / RADIUS, contacts=given.cushions), given.laws.split(","),
             progress=lambda done, _total, what: bar.update(task, completed=done, description=what),
         )  # fmt: skip
     if given.picture:

@@ -305,9 +305,9 @@ def test_settings_of_fits_that_are_no_numbers(value):
     assert len(text.splitlines()) == 9
     refused(lambda: require_settings(Setting(radius=0.02, fit=3, fixed=3, bounds=3)), "fit: ", "fixed: ", "bounds: ")
     refused(lambda: require_settings(value), "fit: setting: expected a Setting")
-    given = dict.fromkeys(("kappa", "noise", "cushions", "spin_width"), value)
+    given = dict.fromkeys(("kappa", "noise", "contacts", "spin_width"), value)
     assert (
-        len(refused(lambda: require_settings(Setting(radius=value, **given), whole=True), "cushions: ").splitlines())
+        len(refused(lambda: require_settings(Setting(radius=value, **given), whole=True), "contacts: ").splitlines())
         == 5
     )
 

@@ -295,8 +295,8 @@ def test_fit_tells_misspelt_laws_with_all_other_faults(here, monkeypatch, capsys
     assert (code, out) == (2, "")
     said = [line.removeprefix("carom: ").split(": expected")[0] for line in err.splitlines()]
     assert said == ["--inertia", "--laws", "--laws", "--view", "--kind", "--stage", "--bootstrap", "--radius", "no.csv"]
-    code, out, err = run(monkeypatch, capsys, "fit", "no.csv", "--whole", "--laws", "slidng,stronge", "--cushions", "0")
-    assert [line.split()[1] for line in err.splitlines()] == ["--laws:", "--radius:", "--cushions:"]
+    code, out, err = run(monkeypatch, capsys, "fit", "no.csv", "--whole", "--laws", "slidng,stronge", "--contacts", "0")
+    assert [line.split()[1] for line in err.splitlines()] == ["--laws:", "--radius:", "--contacts:"]
     assert "slidng" in err
     assert "'stronge'" not in err
 
@@ -308,7 +308,7 @@ def test_fit_tells_misspelt_laws_with_all_other_faults(here, monkeypatch, capsys
         (("--report", "bounces.csv"), "--report bounces.csv: expected a name that ends with .html"),
         (("--contact-height", "1.3"), "--contact-height: expected rebounds of a ball on a table"),
         (("--roll", "0.5"), "--roll: expected rebounds of a ball on a table"),
-        (("--cushions", "2"), "--cushions: expected --whole as well"),
+        (("--contacts", "2"), "--contacts: expected --whole as well"),
         (("--whole", "--sigma-v", "0.1"), "--sigma-v: expected no --whole"),
         (("--whole", "--seed", "0"), "--seed: expected no --whole"),
         (("--whole", "--robust"), "--robust: expected no --whole"),

@@ -53,7 +53,7 @@ def ranking() -> TrackRanking:
 
 # (what is not asked about is held, or each of these takes four times as long)
 SPRINGY = replace(
-    SETTING, cushions=2, after=0.6, fixed={"restitution": 0.85, "rolling_resistance": 0.008, "floor_friction": 0.2}
+    SETTING, contacts=2, after=0.6, fixed={"restitution": 0.85, "rolling_resistance": 0.008, "floor_friction": 0.2}
 )
 
 
@@ -282,7 +282,7 @@ def test_from_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert [one["shot"] for one in facts["tracks"]] == ["shot 0", "shot 1"]
     assert facts["noise_given"] is True
     text = page.read_text()
-    assert text.count("<svg") == 1
+    assert text.count("<svg") == 2 + 1 + 3  # shots from above, distances over time and against incidence, speed, segment
     assert "two-step" in text
     words = (*words[:4], "--laws", "mirror", "--noise", "0.3mm", "--where", "shot=shot 1")
     code, told, _notes = command(capsys, "fit", *words)
@@ -309,8 +309,8 @@ def test_films_of_one_camera_are_fitted_together(tmp_path: Path, capsys: pytest.
 @pytest.mark.parametrize(
     ("words", "expected"),
     [
-        (("--noise", "small", "--cushions", "0", "--restitution", "line", "--view", "side"),
-         ["--noise: expected a length", "--restitution: expected one of", "--cushions: expected", "--view: expected above"]),
+        (("--noise", "small", "--contacts", "0", "--restitution", "line", "--view", "side"),
+         ["--noise: expected a length", "--restitution: expected one of", "--contacts: expected", "--view: expected above"]),
         (("--where", "shot=9"), ["--where shot: expected one of its values (shot 0"]),
         (("--laws", "mav"), ["did you mean 'maw'"]),
         (("--radius", "-1"), ["radius: expected a ball's radius in m"]),
@@ -391,7 +391,7 @@ def test_a_friction_that_is_hardly_told_is_sought_in_its_range() -> None:
 
 
 def test_a_fit_that_does_not_follow_says_so() -> None:
-    setting = replace(SETTING, cushions=1, fixed={"restitution": 0.7, "friction": 0.18, "rolling_resistance": 0.008})
+    setting = replace(SETTING, contacts=1, fixed={"restitution": 0.7, "friction": 0.18, "rolling_resistance": 0.008})
     found = fit_tracks(measured(1, 2), setting, ["two-step"])
     assert not found.best.follows
     assert found.best.design_effect > 1
@@ -423,7 +423,7 @@ def test_a_cushion_that_is_no_single_number_widens_error_bars_and_is_named() -> 
         for n, e in enumerate(each.tolist())
         for track in film(rng, 1, restitution=e, seconds=1.5)
     ]
-    setting = replace(SETTING, noise=None, cushions=2, fixed={"rolling_resistance": 0.008, "floor_friction": 0.2})
+    setting = replace(SETTING, noise=None, contacts=2, fixed={"rolling_resistance": 0.008, "floor_friction": 0.2})
     found = fit_tracks(measure(tracks, Settings(radius=0.0, view="above", noise=NOISE)), setting, ["two-step"])
     fit, expected = found.best, float(np.std(each, ddof=1) / np.sqrt(len(each)))
     bar = fit.estimates["restitution"].stderr

@@ -206,7 +206,7 @@ LAWS = (
     " floor_restitution roll"
 )
 DATA = (
-    "format rate scale view balls down wall hard rolling_resistance gravity drag_per_metre window blind whole cushions shot"
+    "format rate scale view balls down wall hard rolling_resistance gravity drag_per_metre window blind whole contacts shot"
     " table noise"
 )
 

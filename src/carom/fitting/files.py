@@ -26,7 +26,7 @@ from carom.fitting.rows import FORM_PARAMETERS, Setting, require_error_bars, req
 from carom.fitting.shots.fit import fit_shots
 from carom.fitting.shots.result import FREE, ShotsRanking
 from carom.fitting.tracks.fit import TrackRanking, fit_tracks
-from carom.public.defaults import CUSHIONS
+from carom.public.defaults import CONTACTS
 from carom.public.progress import Progress
 from carom.scene.scene import Scene
 from carom.scene.toml import load_scene
@@ -50,7 +50,7 @@ OF_CONTACTS = (
     "sigma_v", "sigma_spin", "bootstrap", "profiles", "every_contact", "by", "kind", "stage", "seed", "robust",
     "forms", "scatter", "balls", "roll",
 )  # fmt: skip
-OF_FRAMES = ("noise", "cushions")
+OF_FRAMES = ("noise", "contacts")
 OF_SHOTS = (
     "files", "radius", "laws", "fit", "fix", "bound", "rate", "scale", "where", "seed", "shot", "table", "progress",
 )  # fmt: skip
@@ -86,7 +86,7 @@ def fit(
     balls: bool = False,
     film: Mapping[str, Any] | None = None,
     whole: bool = False,
-    cushions: int = CUSHIONS,
+    contacts: int = CONTACTS,
     shot: bool = False,
     table: str | Path | Scene | None = None,
     noise: float | None = None,
@@ -158,7 +158,7 @@ def fit(
         Further arguments of :func:`carom.measure_tracks` and :func:`carom.track_film`, such as ``{"down": True}``.
     whole : bool
         Fit whole tracks, each simulated from its own initial state, instead of contacts.
-    cushions : int
+    contacts : int
         With ``whole``: largest number of contacts followed per ball.
     shot : bool
         Fit whole shots from the stroke to rest, all balls and cushions (:func:`carom.fit_shots`); ``fit``, ``fix`` and ``bound``
@@ -294,7 +294,7 @@ def _checked(asked: SimpleNamespace) -> _Request:
         faults.add("`radius`", "the ball's radius in m", "none", "a table-tennis ball has `radius` 0.02")
     given = {"kappa": kappa} | {name: getattr(asked, name) for name in ("radius", "contact_height", "floor_friction")}
     ball = {"radius": 1.0} | (ours.setting if ours else {}) | {k: x for k, x in given.items() if x is not None}
-    of_whole: dict[str, Any] = {"noise": asked.noise, "cushions": asked.cushions} if asked.whole else {}
+    of_whole: dict[str, Any] = {"noise": asked.noise, "contacts": asked.contacts} if asked.whole else {}
     setting = Setting(
         **ball, **forms | dict.fromkeys(held, "constant"), floor_restitution=asked.floor_restitution, roll=asked.roll,
         **prior, fixed=fixed, bounds=bounds, fit=tuple(asked.fit), robust=asked.robust, scatter=asked.scatter or "",

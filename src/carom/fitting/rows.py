@@ -104,7 +104,7 @@ class Setting:
     (m/s), or none."""
     noise: float | None = None
     """Whole tracks: of one coordinate of one frame, m; None: estimated from each law's residuals."""
-    cushions: int = 3
+    contacts: int = 3
     """Whole tracks: largest number of contacts of a simulated track: each of them magnifies the errors made before."""
     after: float = 2.0
     """Whole tracks: time simulated after the last contact, s: later motion is dominated by slope and dirt of the table."""
@@ -141,7 +141,7 @@ def require_settings(setting: Setting, *, whole: bool = False, held: Collection[
         ("spin_width", lambda x: 0 < x <= MAX_SPIN, f"a width above 0, up to {MAX_SPIN:g} v/a"),
         ("spin_mean", lambda x: abs(x) <= MAX_SPIN, f"{-MAX_SPIN:g} to {MAX_SPIN:g} v_t/a"),
         ("noise", lambda x: 0 < x < 1, "a length above 0 (m)"),
-        ("cushions", lambda x: x >= 1, "a whole number of contacts, 1 or more"),
+        ("contacts", lambda x: x >= 1, "a whole number of contacts, 1 or more"),
     )
     for name, holds, expected in numbers:
         value = getattr(setting, name)

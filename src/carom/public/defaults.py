@@ -18,4 +18,4 @@ ANGLES_DEG, SPEEDS, SPINS = (5.0, 75.0), (1.0, 3.0), (0.0, 0.0)  # of shots to c
 SIGMA_V = 0.02  # m/s, the error bar of a speed
 ODDS = 20.0
 WINDOW = 0.5  # s, before and after a contact of a film
-CUSHIONS = 3  # contacts of a ball that are followed in a fit of whole tracks
+CONTACTS = 3  # contacts of a ball that are followed in a fit of whole tracks

@@ -557,7 +557,7 @@ def fit_tracks(
             "tracks: expected balls on a table, seen from above, got balls in flight; fit their rebounds instead"
         )
     require_settings(setting, whole=True)
-    found, notes = find_segments(measured, setting.cushions, setting.after)
+    found, notes = find_segments(measured, setting.contacts, setting.after)
     if not found:
         raise CaromError(
             "tracks: expected a ball that is seen before and after a wall, without another contact in between, got none"

@@ -226,7 +226,7 @@ class TrackSegment:
         return len(self.time) if every else int(np.searchsorted(self.time, self.contacts[contacts]))
 
 
-def find_segments(measured: Measured, cushions: int, after: float = np.inf) -> tuple[list[TrackSegment], list[str]]:
+def find_segments(measured: Measured, most: int, after: float = np.inf) -> tuple[list[TrackSegment], list[str]]:
     """Return all segments with a contact, and notes on those omitted."""
     found: list[TrackSegment] = []
     lost: dict[str, int] = {}
@@ -240,7 +240,7 @@ def find_segments(measured: Measured, cushions: int, after: float = np.inf) -> t
                 event for event in events if event.kind == "wall" and first.high <= event.low and event.high <= last.low
             ]
             inner.sort(key=lambda event: event.low)
-            one, why = _segment(track, first, last, inner, measured, times, cushions, after)
+            one, why = _segment(track, first, last, inner, measured, times, most, after)
             if one is not None:
                 found.append(one)
             elif why:
@@ -260,7 +260,7 @@ def _contact_times(measured: Measured) -> dict[tuple[str, str, float], float]:
 
 def _segment(
     track: Track, first: TrackEvent, last: TrackEvent, inner: list[TrackEvent], measured: Measured,
-    times: dict[tuple[str, str, float], float], cushions: int, seconds: float,
+    times: dict[tuple[str, str, float], float], most: int, seconds: float,
 ) -> tuple[TrackSegment | None, str]:  # fmt: skip
     """Return the frames from one event to another, through the walls between them; or why they cannot be used."""
     low, kind, ends = first.high, first.kind, last.kind
@@ -273,9 +273,9 @@ def _segment(
         inner = inner[1:]
     if not inner:
         return None, ""
-    if len(inner) > cushions:
-        high, ends = inner[cushions].low, "another contact"
-        inner = inner[:cushions]
+    if len(inner) > most:
+        high, ends = inner[most].low, "another contact"
+        inner = inner[:most]
     middles = np.array([times.get((track.group, track.name, e.low), (e.low + e.high) / 2) for e in inner])
     use = (track.time >= low) & (track.time <= min(high, middles[-1] + seconds))
     for t in middles:
