@@ -282,7 +282,8 @@ def test_from_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert [one["shot"] for one in facts["tracks"]] == ["shot 0", "shot 1"]
     assert facts["noise_given"] is True
     text = page.read_text()
-    assert text.count("<svg") == 2 + 1 + 3  # shots from above, distances over time and against incidence, speed, segment
+    # shots from above, distances over time and against incidence, speed, segment
+    assert text.count("<svg") == 2 + 1 + 3
     assert "two-step" in text
     words = (*words[:4], "--laws", "mirror", "--noise", "0.3mm", "--where", "shot=shot 1")
     code, told, _notes = command(capsys, "fit", *words)
