@@ -252,18 +252,18 @@ def test_a_module_that_is_run_ends_with_its_call() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10661,
+    "fitting": 10667,
     "gas": 6945,
     "billiards": 5581,
     "tracks": 9381,
-    "simulation": 6445,
+    "simulation": 6447,
     "core": 5745,
     "laws": 4969,
     "scene": 4873,
     "cli": 4203,
     "plot": 3629,
     "derive": 2983,
-    "sweeps": 3278,
+    "sweeps": 3279,
     "data": 2616,
     "interop": 1162,
     "explorer": 881,

@@ -286,8 +286,8 @@ class _Conversion:
     def _directions(self, alone: NDArray[np.bool_]) -> None:
         self.result.directions, self.result.planar = alone, True
         self.result.notes.append(
-            f"no speed after the wall is given in {alone.sum()} of {len(alone)} rows: v_t_out is in units of the speed after"
-            " there, the sine of the angle"
+            f"no speed after the wall is given in {alone.sum()} of {len(alone)} rows, which are read as contacts of a ball in"
+            " flight (of one on a table add its speed after): v_t_out is in units of the speed after, the sine of the angle"
         )
 
     def _speed_alone(self, side: str, speed: tuple[Array, Array], extra: Mapping[str, Any]) -> None:

@@ -37,7 +37,7 @@ from carom.fitting.fit import fit_law, none_above, own_information
 from carom.fitting.forms import FormChoice, choose_forms, may_mix, with_flexible_prior
 from carom.fitting.identify import with_bootstrap, with_estimate, with_profiles, with_shared
 from carom.fitting.laws import FORMS, NUMBERS, FittedLaw, laws_named
-from carom.fitting.model import SETTING_NUMBERS, STEPS, model_of, predict_law
+from carom.fitting.model import SETTING_NUMBERS, STEPS, feels_spins, model_of, predict_law
 from carom.fitting.result import Estimate, Fit, refit, rows_of_fit, scaled, with_error_bar
 from carom.fitting.rows import (
     Problem,
@@ -520,12 +520,18 @@ def _fits_of(
     said: list[str] = []
     for i, law in enumerate(chosen):
         tell(f"fit {law.name}", i / len(chosen) * FIT_SHARE)
-        fit = fit_law(law, problem)
-        if not math.isfinite(fit.aicc):  # (AICc divides by count - k - 1)
-            needed[law.name] = fit.k + 2
-            said.append(f"{law.name}: left out, {fit.k} parameters for {problem.count} measured numbers; measure more")
-            continue
-        fits.append(fit)
+        free = model_of(law, problem).free
+        mixture = problem.mixture if feels_spins(law, problem) else None
+        k = int((free < NUMBERS).sum() + problem.estimated.sum()) + (0 if mixture is None else mixture.parameters)
+        fit = None
+        if problem.count > k + 1:  # (AICc divides by count - k - 1)
+            fit = fit_law(law, problem)
+            k = fit.k
+        if fit is None or not math.isfinite(fit.aicc):
+            needed[law.name] = k + 2
+            said.append(f"{law.name}: left out, {k} parameters for {problem.count} measured numbers; measure more")
+        else:
+            fits.append(fit)
     if not fits and needed:
         name, rows = min(needed, key=needed.__getitem__), problem.rebounds
         straight = ", ".join(f"{e:.3f}" for e in rows["v_n_out"] / rows["v_n_in"] if not rows["v_t_in"].any())

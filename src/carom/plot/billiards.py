@@ -80,7 +80,7 @@ def plot_orbit(found: Orbit, which: Any = None) -> Figure:
         width, height = high - low
         tall = not setup.planar
         long = width / height > 1.9
-        size = (6.4, max(1.9, min(5.8, 5.2 * height / width + 0.9)))
+        size = (6.4, max(2.6, 5.2 * height / width + 1.5) if long else min(5.8, 5.2 * height / width + 0.9))
         figure = new_figure(8.4 if tall else size[0], 4.2 if tall else size[1])
         axes, *heights = figure.subplots(1, 1 + tall, squeeze=False)[0]
         draw_table(axes, setup, low, high)

@@ -281,8 +281,8 @@ def _along(axes: Any, ranking: Ranking, shown: Sequence[Ranked[Fit]]) -> None:
         v = rebounds["v_n_in"]
         x = rebounds["v_t_in"] / v
         sign = np.where(x < 0, -1.0, 1.0)
-        after = "speed along the wall" if seen[:, 1].any() else "radius times spin"
-        words = ("speed along the wall before / normal speed", f"{after} after / normal speed before")
+        after = "along the wall" if seen[:, 1].any() else "radius times spin"
+        words = ("speed along the wall before / normal speed", f"{after} after / normal before")
         xerr = yerr = None
     else:
 

@@ -64,14 +64,16 @@ class BreakStatistics:
 
     def describe(self) -> str:
         """Return the figures in a sentence or two."""
-        down = [self.names[i] for i in self.pocketed]
+        names = [f"ball {name}" if name.isdigit() else name for name in self.names]
+        down = [names[i] for i in self.pocketed]
         far = (
             "" if np.isnan(self.distance) else f"; on average {format_length(self.distance)} from its centre at the end"
         )
         return (
             f"The break: {counted(self.fast, 'ball')} faster than 1 m/s when the rack has opened, median"
-            f" {format_number(self.median)} m/s; the fastest, {self.names[self.fastest]}, at"
-            f" {format_number(float(self.speeds[self.fastest]))} m/s has {100 * self.share:.0f} % of the energy{far};"
+            f" {format_number(self.median)} m/s; the fastest, {names[self.fastest]}, at"
+            f" {format_number(float(self.speeds[self.fastest]))} m/s has {100 * self.share:.0f} % of the balls' translational"
+            f" energy{far};"
             f" {f'pocketed: {listed(down)}' if down else 'none is pocketed'}."
         )
 

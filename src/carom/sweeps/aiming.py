@@ -540,11 +540,12 @@ def aim(
             refined.append(found)
     draws = np.random.default_rng(seed).normal(size=(DRAWS, len(unknowns)))
     say("the player's errors")
-    made = _judged(problem, refined, draws)
-    if not made:
+    if not (made := _judged(problem, refined, draws)):
         advice = "free more numbers, widen their ranges, or try more starts"
         if moving := int(sweep.moves.sum()):
             advice += f"; in {moving:,} of them the ball still moves when the run ends: a longer run.duration"
+        if reached := int(sweep.reached.sum()):
+            advice = f"{reached:,} do, each by events of its own, as in a break: aim without a rack"
         raise CaromError(f"aim: reach: expected a target that some of {starts:,} starts come near, got none; {advice}")
     return Aims(made[:solutions], unknowns, targets)
 
