@@ -130,6 +130,7 @@ def every_bounce(found: Orbit) -> list[Any]:
 
 def print_orbit(facts: dict[str, Any], found: OrbitResult) -> None:
     """Print the results as tables."""
+    from carom.billiards.setup import needs_surface
     from carom.cli.console import out
 
     console = out()
@@ -140,9 +141,10 @@ def print_orbit(facts: dict[str, Any], found: OrbitResult) -> None:
         if k not in ("name", "bounds")
     )
     rows.append(("table", f"{facts['table']['name']}: {sizes}; bounds the {facts['table']['bounds']}"))
-    rows.append(
-        ("ball", f"kappa {facts['ball']['kappa']:.6g}, radius {facts['ball']['radius']:.6g} m; law {facts['law']}")
-    )
+    law, wall = facts["law"], found.setup.world[0]
+    if needs_surface(law):
+        law += f" with restitution {wall['e']:g}, friction {wall['mu']:g}, tangential restitution {wall['beta']:g}"
+    rows.append(("ball", f"kappa {facts['ball']['kappa']:.6g}, radius {facts['ball']['radius']:.6g} m; law {law}"))
     reasons = {REASONS[name]: count for name, count in facts["ended"].items()}
     ends = ", ".join(f"{count} {name}" if facts["orbits"] > 1 else name for name, count in reasons.items())
     rows.append(

@@ -29,7 +29,6 @@ from carom.errors import (
     CaromError,
     Fault,
     FaultList,
-    did_you_mean,
     near_name,
     require_type,
 )
@@ -208,14 +207,14 @@ def _form(
         meant = ("velocity_x", "v_n_in", "speed", "incidence_deg")
         near = next(filter(None, (near_name(name, headers) for name in meant)), "")
         expected = f"an incoming state, {'; or '.join(FORMS)}; got {', '.join(map(repr, headers)) or 'none'}"
-        faults.add("columns", expected, "", f"did you mean {near!r}?" if near else "")
+        faults.add("columns", expected, "", f"rename {near!r}" if near else "")
     return "angle"
 
 
 def _missing(name: str, form: str, headers: list[str]) -> Fault:
-    meant = did_you_mean(name, [header for header in headers if parse_header(header) is None])
-    had = f"the table has {', '.join(map(repr, headers))}"
-    return Fault("", f"column {name!r}", f"this column for the {form} form", "none", meant or had)
+    near = near_name(name, [header for header in headers if parse_header(header) is None])
+    advice = f"rename {near!r}" if near else f"the table has {', '.join(map(repr, headers))}"
+    return Fault("", f"column {name!r}", f"this column for the {form} form", "none", advice)
 
 
 def _near_misses(headers: list[str], wanted: list[str], columns: Columns) -> list[str]:

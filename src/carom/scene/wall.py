@@ -17,7 +17,7 @@ from pydantic_core.core_schema import ValidationInfo
 
 from carom.core.jit.kernel import kernel
 from carom.core.motion.phases import CONSTANT
-from carom.errors import CaromError, shown, suggestion
+from carom.errors import CaromError, did_you_mean, shown
 from carom.laws.law import CONTACT_WALL, Law
 from carom.laws.registry import FORBIDDEN, find_law, law_for_pairs, laws, laws_of_pairs
 from carom.public.defaults import LIKE_SOLIDS
@@ -102,7 +102,7 @@ def _one_of(known: list[str], value: Any, info: ValidationInfo) -> str | Law:
         raise refused(expected, shown(value), "carom.wall_law(card, function) makes a law of a function")
     if value not in known:
         if ".py" not in value:
-            raise refused(expected, shown(value), suggestion(value, known))
+            raise refused(expected, shown(value), did_you_mean(value, known))
         return permitted_law(value, info)
     return value
 
