@@ -263,7 +263,7 @@ CAPS = {
     "cli": 4205,
     "plot": 3629,
     "derive": 2983,
-    "sweeps": 3279,
+    "sweeps": 3284,
     "data": 2615,
     "interop": 1162,
     "explorer": 881,

@@ -390,3 +390,10 @@ def test_a_pocket_of_another_name_is_refused_with_the_nearest() -> None:
 def test_a_speed_below_zero_is_one_clear_line() -> None:
     with pytest.raises(carom.CaromError, match=r"aim: reach: speed: expected a number > 0, got -1"):
         carom.aim(bank(), ["balls.0.velocity"], {"hit": 1, "speed": -1})
+
+
+def test_a_place_beside_the_table_is_refused_before_anything_is_run() -> None:
+    with pytest.raises(
+        carom.CaromError, match=r"point: expected a place on the table, 2.54 m by 1.27 m around \(0.0, 0.0\)"
+    ):
+        carom.aim(pool_pair(), ["balls.0.velocity"], {"point": (1.3, 0.0)}, starts=64)

@@ -24,6 +24,7 @@ from carom.core.motion.phases import HELD, PHASES, PIVOTING, REST
 from carom.errors import CaromError, Fault, FaultList, did_you_mean, shown
 from carom.scene.scene import Scene
 from carom.scene.schema import Model, Number, Place, Size, refused
+from carom.scene.shapes.table import Table
 from carom.scene.toml import ball_index
 from carom.simulation.records import BALL, IN_CLUSTER, MEETINGS, POCKETED_EVENT, WALLS
 
@@ -158,6 +159,10 @@ def _event_of(scene: Scene, target: Target, where: str) -> TargetEvent:
     point, none, speed = target.point or (0.0, 0.0), np.zeros((0, 2)), target.speed
     more = () if speed is None else (target.speed_within or speed / 10,)
     if target.point is not None:
+        halves = [(wall, (wall.length / 2, wall.width / 2)) for wall in scene.walls if isinstance(wall, Table)]
+        if halves and not any(np.all(np.abs(np.subtract(point, wall.center)) < half) for wall, half in halves):
+            size = f"{halves[0][0].length:g} m by {halves[0][0].width:g} m around {halves[0][0].center}"
+            raise CaromError(Fault(where, "point", f"a place on the table, {size}", f"{point}"))
         return TargetEvent("point", ball, (), 0, point, (target.within or radius,) * 2, none)
     if target.pocket is not None:
         wanted = [k for k, pocket in enumerate(pockets) if target.pocket in ("any", pocket.name)]
