@@ -762,7 +762,7 @@ def _outline_notes(chosen: Sequence[Candidate], times: Array) -> list[str]:
         blur = float(np.nanmax(np.hypot(*speed.T))) * one.optics.exposure
         notes.append(
             f"exposure of {1e3 * one.optics.exposure:.3g} ms of {1e3 * interval:.3g} ms from frame to frame: a blur of up to"
-            f" {blur:.0f} px; frames whose exposure holds a contact are left out. 1/500 s would give more"
+            f" {blur:.0f} px; frames whose exposure holds a contact, or is beside it, are left out. 1/500 s would give more"
         )
     return notes
 
@@ -797,7 +797,7 @@ def _record(
             f" out, at t = {', '.join(f'{t:.4g}' for t in times[flagged][:8])}{' ...' if flagged.sum() > 8 else ''} s"
         )
     if held:
-        notes.append(f"{counted(held, 'frame')} whose exposure holds a contact left out")
+        notes.append(f"{counted(held, 'frame')} whose exposure holds a contact, or is beside it, left out")
     noise = max(position_noise(times[good], place[good], float(np.median(np.diff(times)))) for place, good in
                 ((places[name], used[name]) for name in places))  # fmt: skip
     if noise > UNSTEADY * optics.radius:

@@ -26,6 +26,7 @@ DRAG = 0.05  # 1/m: standard deviation of the prior of the air's drag
 RADIUS = 0.02  # of the scale by the ball's radius, which light and shadow change
 FIELD, FIELD_DOUBT = 0.8, 0.3  # focal length of a usual camera, in sides of its picture; and by which factor it differs
 MOST_CORNERS = 8.0  # px, of the corners of a table
+HELD = 1.1  # exposures from a contact: what a frame shows of the ball, or of its velocity, is that of both sides
 DIFFERENT = 0.03  # of two scales, which is said
 
 
@@ -400,16 +401,18 @@ def sides(k: int, rows: NDArray[np.intp], times: Array, places: Array) -> list[A
 
 
 def contacts_within(times: Array, places: Array, exposure: float) -> Mask:
-    """Return the frames (F,) whose exposure, s, holds a contact that moves the middle of the blurred ball: places (F, 2), px."""
+    """Return the frames (F,) whose exposure, s, holds a contact that moves the middle of the blurred ball, or ends beside it.
+
+    ``places``: (F, 2), px.
+    """
     found = np.zeros(len(times), bool)
     rows = np.flatnonzero(np.isfinite(places[:, 0]))
-    turns = turning(times, places)
-    near = np.flatnonzero(np.convolve(turns, np.ones(3), "same") > 0)
+    near = np.flatnonzero(np.convolve(turning(times, places), np.ones(3), "same") > 0)
     for k in near.tolist():
         fits = sides(k, rows, times, places)
         if len(fits) == 2:
             change = fits[1][1] - fits[0][1]
             size = float(np.hypot(*change))
             when = float((fits[0][2] - fits[1][2]) @ change) / max(size**2, 1e-12)
-            found[k] = abs(when) < 0.55 * exposure and size * exposure > 1.6
+            found[k] = abs(when) < HELD * exposure and size * exposure > 1.6
     return found
