@@ -255,7 +255,7 @@ CAPS = {
     "fitting": 10667,
     "gas": 6945,
     "billiards": 5581,
-    "tracks": 9381,
+    "tracks": 9383,
     "simulation": 6447,
     "core": 5745,
     "laws": 4969,
