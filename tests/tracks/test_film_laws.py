@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from reference.judged_runs import FILM_KINDS, film_of
 
+from carom.cli.judge import _show
 from carom.tracks.verdicts import FilmPath, by_film_laws
 
 
@@ -33,8 +34,12 @@ def test_a_ball_that_hangs_or_trembles_or_is_none_is_found(wrong: str, size: flo
     assert 0 <= blamed[0].scores[law] < 1
 
 
-def test_what_cannot_be_judged_is_said() -> None:
+def test_what_cannot_be_judged_is_said(capsys: pytest.CaptureFixture[str]) -> None:
     path = film_of("clean", 1)
+    _show(by_film_laws(path, "no scale"))
+    assert "noise of a coordinate 0." in capsys.readouterr().out
+    _show(by_film_laws(path._replace(seen=0.8), "no scale"))
+    assert "noise of a coordinate" not in capsys.readouterr().out
     for other, said in (
         (path._replace(seen=0.8), "hidden in part"),
         (path._replace(radius=5.0), "too small"),

@@ -64,4 +64,4 @@ def _show(found: Judgement) -> None:
             said = f"{worst.time:.4g} s, {' and '.join(worst.balls)}: {worst.text} ({errors} errors)"
         rows.append((law, f"{found.checked[law]:,}", f"{len(found.of(law)):,}", said))
     out().table(Listing(("law", "checked", "violated", "the clearest violation"), rows), grid=True, fold=True)
-    out().print("\n" + f"noise of a coordinate {found.noise:.2g} {found.unit}\n" * (found.noise > 0) + found.verdict)
+    out().print("\n" + f"noise of a coordinate {found.noise:.2g} {found.unit}\n" * bool(found.noise) + found.verdict)
