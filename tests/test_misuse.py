@@ -176,7 +176,7 @@ def right() -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
         "Events.of": (run.events.of, {"ball": 0}),
         "load_scene": (carom.load_scene, {"path": "none.toml", "allow_own_laws": False}),
         "load_trajectory": (carom.load_trajectory, {"path": "none.parquet", "allow_own_laws": False}),
-        "orbit": (billiards.orbit, {"table": table, "start": start, "bounces": 5, "law": "no-slip", "corners": "end"}),
+        "orbit": (billiards.orbit, {"table": table, "start": start, "bounces": 5, "law": "no-slip", "at_corner": "end"}),
         "lyapunov": (billiards.lyapunov, {"table": table, "start": start, "bounces": 50, "law": "no-slip", "blocks": 5}),
         "tangent_map": (billiards.tangent_map, {"table": table, "start": start, "bounces": 2}),
         "starts": (billiards.starts, {"table": table, "count": 3, "seed": 1}),

@@ -186,8 +186,16 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
     ],
     "whole shots": a_whole_shot,
     "parts of longer fits and runs": lambda: [
-        GasFit({"restitution": 0.9}, {"restitution": 0.01}, 30),
-        AirFit({"balls.0.drag": 0.5}, {"balls.0.drag": 0.01}, 30, 4e-3, (0.2, 1.0), carom.load_scene("carom")),
+        AirFit(
+            {"balls.0.drag": 0.5},
+            {"balls.0.drag": 0.01},
+            30,
+            4e-3,
+            (0.2, 1.0),
+            carom.load_scene("carom"),
+            np.ones(30),
+            {"speed": np.ones(30)},
+        ),
         gas.TransportCoefficients(*3 * [gas.Coefficient(0.2, 0.01, np.ones(3), np.ones(3))]),
         gas.enskog(0.1),
         gas.LayerProfiles(*2 * [LayerAverages("z", *7 * [np.ones(3)])]),
@@ -262,6 +270,7 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
     "fits": lambda: [
         ranking := fitting.fit_laws(rebounds(), fitting.Setting(radius=0.02), ["sticking", "mirror"], bootstrap=0),
         ranking.predict([[6.0, 1.0, 0.0]]),
+        GasFit({"restitution": 0.9}, {"restitution": 0.01}, 30, ranking),
         fitting.Setting(0.03),
         fitting.RankingsBy("surface"),
         fitting.Outlier("line 7", 3.0, "far"),
