@@ -117,12 +117,10 @@ def aim(
     if found or made is None or ranges is None:
         raise CaromError(*found)
     from carom.cli.console import out, working
-    from carom.scene.openings import scene_notes
+    from carom.scene.openings import rolling_notes, scene_notes
 
     if not quiet:
-        say_notes(scene_notes(made))
-        if made.floor is not None and made.floor.rolling_resistance == 0:
-            note("note: floor.rolling_resistance is 0: balls roll until run.duration; cloth has 0.005 to 0.015")
+        say_notes(scene_notes(made) + rolling_notes(made))
     from carom.sweeps.aiming import aim as solve
     from carom.sweeps.aiming import aim_windows
 

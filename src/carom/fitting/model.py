@@ -238,6 +238,11 @@ def feels_spins(law: FittedLaw, problem: Problem) -> bool:
     return not law.frictionless or bool(np.isfinite(problem.y[problem.unknown, 2]).any())
 
 
+def prior_parameters(law: FittedLaw, problem: Problem) -> int:
+    """Return the number of adjusted parameters of a mixture of spins, where the law depends on unmeasured ones."""
+    return problem.mixture.parameters if problem.mixture is not None and feels_spins(law, problem) else 0
+
+
 def _matters(name: str, law: FittedLaw) -> bool:
     """Return whether a law depends on a requested parameter."""
     return law.feels_floor if name == "floor_friction" else law.kind == "table" or name == "kappa"

@@ -37,7 +37,7 @@ from carom.fitting.fit import fit_law, none_above, own_information
 from carom.fitting.forms import FormChoice, choose_forms, may_mix, with_flexible_prior
 from carom.fitting.identify import with_bootstrap, with_estimate, with_profiles, with_shared
 from carom.fitting.laws import FORMS, NUMBERS, FittedLaw, laws_named
-from carom.fitting.model import SETTING_NUMBERS, STEPS, feels_spins, model_of, predict_law
+from carom.fitting.model import SETTING_NUMBERS, STEPS, model_of, predict_law, prior_parameters
 from carom.fitting.result import Estimate, Fit, refit, rows_of_fit, scaled, with_error_bar
 from carom.fitting.rows import (
     Problem,
@@ -520,10 +520,8 @@ def _fits_of(
     said: list[str] = []
     for i, law in enumerate(chosen):
         tell(f"fit {law.name}", i / len(chosen) * FIT_SHARE)
-        free = model_of(law, problem).free
-        mixture = problem.mixture if feels_spins(law, problem) else None
-        k = int((free < NUMBERS).sum() + problem.estimated.sum()) + (0 if mixture is None else mixture.parameters)
-        fit = None
+        own = int((model_of(law, problem).free < NUMBERS).sum() + problem.estimated.sum())
+        k, fit = own + prior_parameters(law, problem), None
         if problem.count > k + 1:  # (AICc divides by count - k - 1)
             fit = fit_law(law, problem)
             k = fit.k

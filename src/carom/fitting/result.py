@@ -25,7 +25,7 @@ from carom.fitting.laws import (
     of_impact,
 )
 from carom.fitting.likelihood import TabulatedLaw
-from carom.fitting.model import STEPS, FitModel, feels_spins, model_of, predict_law, predictions_beside
+from carom.fitting.model import STEPS, FitModel, model_of, predict_law, predictions_beside, prior_parameters
 from carom.fitting.rows import Problem, forms_of
 from carom.fitting.varying import Prediction, impacts, parameter_at, predictive_of
 from carom.formatting import json_value
@@ -123,13 +123,7 @@ class Fit:
     @property
     def k(self) -> int:
         """Number of adjusted parameters, with the parameters of a mixture of spins."""
-        return len(self.names) + len(self.scatter) + self.prior_parameters
-
-    @property
-    def prior_parameters(self) -> int:
-        """Number of adjusted parameters of a mixture of spins, where the law depends on unmeasured ones."""
-        mixture = self.problem.mixture
-        return mixture.parameters if mixture is not None and feels_spins(self.law, self.problem) else 0
+        return len(self.names) + len(self.scatter) + prior_parameters(self.law, self.problem)
 
     @property
     def aicc(self) -> float:
@@ -288,7 +282,7 @@ class Fit:
     def as_dict(self) -> dict[str, Any]:
         """Return the fit for JSON."""
         found = common_dict(self)
-        mixture = self.problem.mixture if self.prior_parameters else None
+        mixture = self.problem.mixture if prior_parameters(self.law, self.problem) else None
         if mixture is not None:
             for name in ("spin_mean", "spin_width"):
                 found["parameters"][name] = {

@@ -69,6 +69,13 @@ def scene_notes(scene: Scene) -> list[str]:
     return units + bounce_notes(scene)
 
 
+def rolling_notes(scene: Scene) -> list[str]:
+    """Return a line where balls roll on without an end, which a search for shots would wait for."""
+    if scene.floor is None or scene.floor.rolling_resistance != 0:
+        return []
+    return ["floor.rolling_resistance is 0: balls roll until run.duration; cloth has 0.005 to 0.015"]
+
+
 # ----------------------------------------------------------------------------------------------------
 # Scenes of real tables: the text of a scene file with the numbers of a table, and balls as they lie when a game begins.
 
