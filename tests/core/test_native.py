@@ -21,7 +21,7 @@ import numpy as np
 import pytest
 from reference.forking import forking
 
-from carom.core.jit import build, native
+from carom.core.jit import build, cache, native
 from carom.core.jit import native as machine_code
 from carom.core.jit.build import NativeBuild
 from carom.core.jit.compile import array_of, njit, signature
@@ -53,6 +53,7 @@ def test_the_packages_loops_are_of_todays_kernels() -> None:
         for name, codes in index["loops"].items()
         for one in codes
         if native.hash_of_code(_function(name), native.arguments_text(one, dtypes)) != one["hash"]
+        or native.hash_of_kernel_files(_function(name)) != one["files"]  # (else a first call takes half a second more)
     ]
     assert changed == [], (
         "kernels have changed since these loops were built: make native, and commit src/carom/core/jit/native"
@@ -320,19 +321,26 @@ def test_a_loop_that_makes_an_array_is_refused_when_it_is_built() -> None:
 def test_the_hash_is_of_the_code_and_of_the_arguments(monkeypatch: pytest.MonkeyPatch) -> None:
     for function in (_scaled, _rows):
         monkeypatch.setattr(function, "__module__", "carom.test")
-    before = native.hash_of_code(_rows, "a")
-    assert native.hash_of_code(_rows, "a") == before
+    before, files = native.hash_of_code(_rows, "a"), native.hash_of_kernel_files(_rows)
+    assert (native.hash_of_code(_rows, "a"), native.hash_of_kernel_files(_rows)) == (before, files)
     assert native.hash_of_code(_rows, "b") != before
+    with monkeypatch.context() as edited:  # a comment: other files, the same code
+        edited.setattr(cache, "file_hash", lambda file: f"edited {file}")
+        cache._file_and_names.cache_clear()
+        assert native.hash_of_code(_rows, "a") == before
+        assert native.hash_of_kernel_files(_rows) != files
+    cache._file_and_names.cache_clear()
     monkeypatch.setitem(globals(), "SCALE", 2.0)
     assert native.hash_of_code(_rows, "a") != before
+    assert native.hash_of_kernel_files(_rows) != files
 
 
 def test_a_changed_loop_is_numbas(monkeypatch: pytest.MonkeyPatch) -> None:
     from carom.simulation.motion import state_rows
 
     code = native._index()["loops"]["carom.simulation.motion:state_rows"][0]
-    monkeypatch.setattr(native, "_as_built", lambda: False)
-    monkeypatch.setattr(native, "_known_hashes", functools.cache(lambda: (Path(os.devnull) / "none", {})))
+    assert native._is_current(state_rows, {**code, "hash": "0" * 16})  # (its files are as they were)
+    code = {**code, "files": ""}
     assert native._is_current(state_rows, code)
     assert not native._is_current(state_rows, {**code, "hash": "0" * 16})
 

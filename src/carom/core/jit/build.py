@@ -97,13 +97,15 @@ class NativeBuild:
         }
         self.bitcode[name] = described.pop("bitcode")
         described["hash"] = native.hash_of_code(source.function, native.arguments_text(described, self.dtypes))
+        described["files"] = native.hash_of_kernel_files(source.function)
         codes.append(NativeCode(described, self.dtypes, lambda: self.bitcode[name]))
         return codes[-1]
 
-    def note_use(self, key: str, code: NativeCode) -> None:
-        """Note that a job needs this code: what none needs any more is not kept."""
+    def note_use(self, key: str, code: NativeCode, function: Callable[..., Any]) -> None:
+        """Note that a job needs this code of a function: what none needs any more is not kept."""
         codes = self.made.setdefault(key, [])
         if code not in codes:
+            code.described["files"] = native.hash_of_kernel_files(function)
             codes.append(code)
 
     def _described(self, kind: Any) -> Any:
@@ -144,8 +146,10 @@ class NativeBuild:
         for path in FOLDER.glob("*.bc.xz"):
             if path.name.removesuffix(".bc.xz") not in names:
                 path.unlink()
+        if self._files != _hash_of_files():  # (edited while it was built)
+            for one in itertools.chain(*loops.values()):
+                one["files"] = ""
         index = {
-            "files": self._files if done and self._files == _hash_of_files() else "",
             "built_with": _versions(),
             "dtypes": [dtype_text(one) for one in self.dtypes],
             "loops": dict(sorted(loops.items())),
@@ -162,7 +166,7 @@ class BuiltLoop(NativeLoop):
         self._build, self._key, self._dispatchers = build, key, list[Any]()
         if current:
             if source.plain is not None or source.signature is not None:
-                build.note_use(key, current[0])
+                build.note_use(key, current[0], source.function)
             return
         if source.plain is not None:
             from numba import types
@@ -182,7 +186,7 @@ class BuiltLoop(NativeLoop):
         from numba.core.errors import NumbaError
 
         if (found := self.code_for(arguments)) is not None:
-            self._build.note_use(self._key, found[0])
+            self._build.note_use(self._key, found[0], self.source.function)
             return found[0].call(arguments, found[1])
         if self.source.signature is not None:
             raise TypeError(f"{self._key}: expected arguments of its signature, got others")

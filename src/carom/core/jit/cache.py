@@ -23,7 +23,6 @@ import numpy as np
 KEPT_SECONDS = 30 * 86_400.0
 MARK_SECONDS = 86_400.0  # a use is marked at most once a day, and that often is looked for what is no longer used
 NAME = re.compile(r"[0-9a-f]{16}")  # of a version's folder: no other folder is touched
-SOURCES = "sources-*.json"  # hashes of loops, one file for each state of the sources
 # Rooms that hold no compiled code: what changes there leaves compiled loops as they are.
 PLAIN_ROOMS = {"cli", "data", "derive", "explorer", "plot", "public"}
 
@@ -53,10 +52,10 @@ def use_folder(folder: Path) -> None:
             return
         folder.mkdir(parents=True, exist_ok=True)
         os.utime(folder)
-        for path in (*version_folders(folder.parent), *folder.parent.glob(SOURCES)):
+        for path in version_folders(folder.parent):
             with contextlib.suppress(OSError):  # (another process removes it at this moment)
                 if now - path.stat().st_mtime > KEPT_SECONDS:
-                    shutil.rmtree(path) if path.is_dir() else path.unlink()
+                    shutil.rmtree(path)
 
 
 def version_folders(base: Path) -> list[Path]:
@@ -106,15 +105,17 @@ def kernel_hash(
     functions: Iterable[Callable[..., Any]],
     *more: str,
     instead: Mapping[Callable[..., Any], Callable[..., Any]] | None = None,
+    by_file: bool = False,
 ) -> str:
     """Return 16 hexadecimal digits: of the code and the constants of functions, and of further texts.
 
     Followed are functions of carom and their global numbers, tuples and arrays; of other modules' functions the names count.
-    ``instead``: functions in whose place others may be compiled, which are followed as well.
+    ``instead``: functions in whose place others may be compiled, which are followed as well. ``by_file``: the whole file of a
+    function counts for its code, which needs no reading of Python (a hundred times quicker), and comments count, too.
     """
     found: dict[str, str] = {}
     for function in functions:
-        _collect(function, found, instead or {})
+        _collect(function, found, instead or {}, _file_and_names if by_file else _written)
     digest = hashlib.sha256()
     for name in sorted(found):
         digest.update(f"{name} {found[name]}\n".encode())
@@ -132,12 +133,17 @@ def name_with_values(function: Callable[..., Any]) -> str:
     )
 
 
-def _collect(function: Any, found: dict[str, str], instead: Mapping[Callable[..., Any], Callable[..., Any]]) -> None:
+def _collect(
+    function: Any,
+    found: dict[str, str],
+    instead: Mapping[Callable[..., Any], Callable[..., Any]],
+    written: Callable[[types.CodeType], tuple[str, list[str]]],
+) -> None:
     held = inspect.getclosurevars(function).nonlocals if function.__closure__ else {}
     name = name_with_values(function)
     if name in found:
         return
-    found[name], used = _written(function.__code__)
+    found[name], used = written(function.__code__)
     for key in used:
         value = held.get(key, function.__globals__.get(key))
         if isinstance(value, functools._lru_cache_wrapper):
@@ -146,7 +152,7 @@ def _collect(function: Any, found: dict[str, str], instead: Mapping[Callable[...
         if isinstance(value, types.FunctionType):
             for one in (value, instead.get(value)):
                 if one is not None and one.__module__.startswith("carom."):
-                    _collect(one, found, instead)
+                    _collect(one, found, instead, written)
         elif isinstance(value, np.ndarray):
             found[f"{function.__module__}.{key}"] = (
                 f"{value.dtype} {value.shape} {hashlib.sha256(value.tobytes()).hexdigest()}"
@@ -162,6 +168,22 @@ def _written(code: types.CodeType) -> tuple[str, list[str]]:
     body = node.body[1:] if ast.get_docstring(node) is not None else node.body
     used = {one.id for part in body for one in ast.walk(part) if isinstance(one, ast.Name)}
     return repr([_shape(node.args), *map(_shape, body)]), sorted(used)
+
+
+@functools.cache
+def _file_and_names(code: types.CodeType) -> tuple[str, list[str]]:
+    """Return the hash of a function's file, and the names in its bytecode: attributes' names, too, which do no harm."""
+    names = {*code.co_names, *code.co_freevars}
+    for inner in code.co_consts:
+        if isinstance(inner, types.CodeType):
+            names.update(_file_and_names(inner)[1])
+    return file_hash(code.co_filename), sorted(names)
+
+
+@functools.cache
+def file_hash(file: str | Path) -> str:
+    """Return the hash of a file's content."""
+    return hashlib.sha256(Path(file).read_bytes()).hexdigest()
 
 
 def module_hash(paths: Iterable[Path]) -> str:

@@ -5,7 +5,8 @@ processor (:mod:`carom.core.jit.build`). Here llvmlite alone finishes it for thi
 fraction of a second; the machine code is kept in the user's cache, from where it is loaded in a millisecond.
 
 A loop is taken from the package only while its kernels are those of which it was built: by the hash of their files, or else by the
-hash of what they do. Otherwise, and for arguments or machines that it is not for, Numba compiles it.
+hash of what they do (half a second of reading Python). Otherwise, and for arguments or machines that it is not for, Numba compiles
+it.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from carom.core.jit.cache import cache_base, hash_of_files, kernel_hash, module_hash, name_with_values, use_folder
+from carom.core.jit.cache import cache_base, file_hash, kernel_hash, module_hash, name_with_values, use_folder
 from carom.core.jit.kernel import DERIVED
 from carom.core.jit.threads import call_in_parts, thread_count
 
@@ -686,15 +687,6 @@ def _dtypes() -> list[Any]:
 
 
 @functools.cache
-def _files() -> str:
-    return hash_of_files(Path(__file__).parents[2])
-
-
-def _as_built() -> bool:
-    return bool(_index()["files"] == _files())
-
-
-@functools.cache
 def _lowering() -> str:
     return module_hash(Path(__file__).with_name(name) for name in LOWERING)
 
@@ -704,34 +696,18 @@ def hash_of_code(function: Callable[..., Any], arguments: str) -> str:
     return kernel_hash([function], arguments, _lowering(), instead=DERIVED)
 
 
-@functools.cache
-def _known_hashes() -> tuple[Path, dict[str, str]]:
-    """Return the file of hashes in the cache, one for each state of the sources, and its content.
-
-    (Not in the folder of what Numba compiles: to know that one takes half a second, where nothing is compiled for nothing.)
-    """
-    path = cache_base() / f"sources-{_files()}.json"
-    try:
-        return path, json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return path, {}
+def hash_of_kernel_files(function: Callable[..., Any]) -> str:
+    """Return the hash of the files that hold a loop's kernels, and of those that lower them: quick, another for any edit."""
+    lowering = [file_hash(Path(__file__).with_name(name)) for name in LOWERING]
+    return kernel_hash([function], *lowering, instead=DERIVED, by_file=True)
 
 
 def _is_current(function: Callable[..., Any], described: dict[str, Any]) -> bool:
     """Return whether a loop's kernels are as they were when its code was built."""
-    if _as_built():
-        return True
-    path, known = _known_hashes()
-    arguments = arguments_text(described, _dtypes())
-    key = f"{name_with_values(function)} {hashlib.sha256(arguments.encode()).hexdigest()[:16]}"
-    if key not in known:
-        known[key] = hash_of_code(function, arguments)
-        with contextlib.suppress(OSError):
-            part = path.with_name(f"{path.stem}.{os.getpid()}.json")
-            part.parent.mkdir(parents=True, exist_ok=True)
-            part.write_text(json.dumps(known), encoding="utf-8")
-            part.replace(path)
-    return bool(known[key] == described["hash"])
+    return bool(
+        described["files"] == hash_of_kernel_files(function)
+        or described["hash"] == hash_of_code(function, arguments_text(described, _dtypes()))
+    )
 
 
 def arguments_text(described: dict[str, Any], dtypes: Sequence[Any]) -> str:
@@ -774,8 +750,7 @@ def describe_loops() -> str:
     why = why_not_shipped()
     if why:
         return f"compiled here: {why}"
-    changed = "" if _as_built() else "; those whose code has changed since they were built are compiled here"
-    return f"{len(_index()['loops'])} lie ready in the package{changed}"
+    return f"{len(_index()['loops'])} lie ready in the package"
 
 
 def _bitcode(name: str) -> bytes:
