@@ -233,14 +233,11 @@ def _classes(plane: Bytes) -> Bytes:
 
 def _coded(differ: Bytes, texture: Bytes) -> Bytes:
     """Return by which a pixel of each class (n,) differs where only the codec's error is seen, which is larger in texture."""
-    some, kind = differ[::3, ::3].ravel(), texture[::3, ::3].ravel()
-    found = np.zeros(CODED[0])
-    for k in range(CODED[0]):
-        part = some[kind == k]
-        if len(part):
-            rank = int(CODED[1] * len(part))
-            found[k] = CODED[2] * float(np.partition(part, rank)[rank])
-    return np.minimum(found, 250).astype(np.uint8)
+    some = (256 * texture[::3, ::3].astype(np.intp) + differ[::3, ::3]).ravel()
+    counts = np.bincount(some, minlength=256 * CODED[0]).reshape(-1, 256).cumsum(axis=1)
+    total = counts[:, -1:]
+    found = CODED[2] * (counts <= (CODED[1] * total).astype(int)).sum(axis=1, where=total > 0)
+    return np.asarray(np.minimum(found, 250), np.uint8)
 
 
 def _median(stack: Bytes) -> Bytes:
@@ -348,7 +345,8 @@ def find_regions(halves: Sequence[Bytes], ground: Background, inside: Mask | Non
         drift = int(np.median(one[::8, ::8].astype(np.int16) - still[::8, ::8]))
         level = np.clip(still.astype(np.int16) + drift, 0, 255).astype(np.uint8) if drift else still
         off = _differ(one, level)
-        differs = off > np.maximum(limit, _coded(off, texture)[texture])
+        differs = off > limit
+        differs[differs] = off[differs] > _coded(off, texture)[texture[differs]]
         changed |= differs
         if k == 0:
             darker = differs & (one < level)
@@ -362,7 +360,7 @@ def find_regions(halves: Sequence[Bytes], ground: Background, inside: Mask | Non
     if not len(rows):
         return [], share
     labels, _count = label(opened[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1], np.ones((3, 3)))
-    sizes, boxes, found = np.bincount(labels.ravel()), find_objects(labels), []
+    sizes, boxes, found = np.bincount(labels[labels > 0]), find_objects(labels), []
     for k in np.argsort(-sizes[1:])[:MOST_BLOBS]:
         if sizes[k + 1] < LEAST_AREA:
             break

@@ -89,7 +89,7 @@ class Outline(NamedTuple):
 
 @dataclass
 class _Pixels:
-    """Pixels of the band, of all planes in turn."""
+    """Pixels of the band, of all planes in turn; those of v lie where those of u do."""
 
     x: Array
     y: Array
@@ -134,8 +134,8 @@ def _band(
 
 
 def _covered(pixels: _Pixels, p: Array, speed: Array, optics: Optics, names: str) -> tuple[Array, Array, Array, Array]:
-    """Return the covered part A (N,) of pixels, its derivatives (K, N) by the parameters named, and directions and distances (N,),
-    px, of pixels from the ball's middle and its rim.
+    """Return the covered part A (N,) of pixels of y and u, its derivatives (K, N) by the parameters named, and their directions
+    and distances (N,), px, from the ball's middle and its rim.
 
     Parameters: x, y, r (radius), s (psf), px; e (exposure), ms; q (lag), us per px; and what light makes of the outline, so that it
     is not taken for lag: it is longer along the rows' direction by b, and by c times the square of the speed, and askew by d.
@@ -144,41 +144,42 @@ def _covered(pixels: _Pixels, p: Array, speed: Array, optics: Optics, names: str
     from scipy.special import ndtr
 
     x, y, radius, psf, exposure, lag, long, more, skew = p
-    rows = optics.rows
-    sigma = np.sqrt(psf**2 + pixels.blur)
+    rows, some = optics.rows, pixels.planes[1].stop
+    sigma = psf**2 + pixels.blur[:some]
     count = int(np.clip(np.ceil(exposure * np.hypot(*speed) / max(psf, 0.5)), 1, PLACES))
     part = ((np.arange(count) + 0.5) / count - 0.5)[:, None]
     # (speeds within the exposure)
     u, v = (speed[k] + part * (exposure * 1e-6 * optics.fall[k]) for k in (0, 1))
-    dx, dy = pixels.x - x, pixels.y - y
+    dx, dy = pixels.x[:some] - x, pixels.y[:some] - y
     row = 1e-3 * (dx * rows[0] + dy * rows[1])
     middle = dx + 1j * dy
     # (a row that is read later sees the ball further on)
     fast = (speed[0] * rows[0] + speed[1] * rows[1]) ** 2
     along = 1e3 * row * (long + more * fast)
     turn = 1e3 * row * skew
-    dx = (dx - along * rows[0] - turn * rows[1] - lag * row * speed[0])[None, :] - part * exposure * (speed[0] + u) / 2
-    dy = (dy - along * rows[1] + turn * rows[0] - lag * row * speed[1])[None, :] - part * exposure * (speed[1] + v) / 2
+    dx = dx - along * rows[0] - turn * rows[1] - lag * row * speed[0] - part * exposure * (speed[0] + u) / 2
+    dy = dy - along * rows[1] + turn * rows[0] - lag * row * speed[1] - part * exposure * (speed[1] + v) / 2
     distance = np.maximum(np.sqrt(dx * dx + dy * dy), 1e-9)
     # (from place to place the rim is swept, too)
-    sigma = np.sqrt(sigma**2 + ((dx * speed[0] + dy * speed[1]) / distance * (exposure / count)) ** 2 / 12)
+    wide = exposure / count / np.sqrt(12) * speed
+    sigma = np.sqrt(sigma + ((dx * wide[0] + dy * wide[1]) / distance) ** 2)
     z = (radius - distance) / sigma
-    density = np.exp(-0.5 * z * z) / (np.sqrt(2 * np.pi) * sigma)
+    density = np.exp(-0.5 * z * z) / sigma * (1 / np.sqrt(2 * np.pi) / count)
     out = density / distance
     slopes: dict[str, Callable[[], Array]] = {
-        "x": lambda: (out * dx).mean(axis=0),
-        "y": lambda: (out * dy).mean(axis=0),
-        "r": lambda: density.mean(axis=0),
-        "s": lambda: -(density * z / sigma).mean(axis=0) * psf,
-        "e": lambda: (out * (dx * u + dy * v) * part).mean(axis=0),
-        "q": lambda: (out * (dx * speed[0] + dy * speed[1])).mean(axis=0) * row,
-        "b": lambda: (out * (dx * rows[0] + dy * rows[1])).mean(axis=0) * 1e3 * row,
+        "x": lambda: (out * dx).sum(axis=0),
+        "y": lambda: (out * dy).sum(axis=0),
+        "r": lambda: density.sum(axis=0),
+        "s": lambda: -(density * z / sigma).sum(axis=0) * psf,
+        "e": lambda: (out * (dx * u + dy * v) * part).sum(axis=0),
+        "q": lambda: (out * (dx * speed[0] + dy * speed[1])).sum(axis=0) * row,
+        "b": lambda: (out * (dx * rows[0] + dy * rows[1])).sum(axis=0) * 1e3 * row,
         "c": lambda: slopes["b"]() * fast,
-        "d": lambda: (out * (dx * rows[1] - dy * rows[0])).mean(axis=0) * 1e3 * row,
-        "2": lambda: density.mean(axis=0) * (around**2).real,
-        "3": lambda: density.mean(axis=0) * (around**2).imag,
-        "4": lambda: density.mean(axis=0) * (around**3).real,
-        "5": lambda: density.mean(axis=0) * (around**3).imag,
+        "d": lambda: (out * (dx * rows[1] - dy * rows[0])).sum(axis=0) * 1e3 * row,
+        "2": lambda: density.sum(axis=0) * (around**2).real,
+        "3": lambda: density.sum(axis=0) * (around**2).imag,
+        "4": lambda: density.sum(axis=0) * (around**3).real,
+        "5": lambda: density.sum(axis=0) * (around**3).imag,
     }
     around = middle / np.maximum(np.abs(middle), 1e-9)
     beyond = np.maximum(distance.min(axis=0) - radius, 0.0)
@@ -195,29 +196,31 @@ def _residuals(
 ) -> tuple[Array, Array, Array]:
     """Return residuals (N,), their projected derivatives (K, N), and by how much ball and ground differ (N,); all in levels."""
     cover, slope, turn, beyond = _covered(pixels, p, speed, optics, names)
-    orders = order, SHADOW_ORDER[optics.deep]
-    powers = np.cumprod(np.broadcast_to(turn, (max(orders), len(turn))), axis=0)
+    orders, powers = (order, SHADOW_ORDER[optics.deep]), [turn]
+    while len(powers) < max(orders):
+        powers.append(powers[-1] * turn)
     ball, shadow = (
-        np.concatenate([np.ones((1, len(turn))), powers[:most].real, powers[:most].imag]) for most in orders
+        np.stack([np.ones(len(turn)), *(one.real for one in powers[:most]), *(one.imag for one in powers[:most])])
+        for most in orders
     )
     if optics.deep:
         shadow = np.concatenate([shadow, shadow * np.exp(-beyond / (FALL * p[2]))])
-    shadow = shadow * (pixels.ground + 1.0)
-    columns = np.concatenate([cover * ball, (1 - cover) * shadow])
-    target = pixels.seen - (1 - cover) * pixels.ground
-    residual, differ, projected = np.empty_like(target), np.empty_like(target), np.empty_like(slope)
-    count = len(ball)
-    prior = np.zeros(len(columns))
-    for part in pixels.planes:
-        x, w = columns[:, part], weight[part]
-        prior[1:count], prior[count:] = RIDGE * w.sum(), SHADOW**-2
-        wx = x * w
-        normal = np.linalg.inv(_product(wx, x) + np.diag(prior + 1e-9))
-        known = normal @ (wx @ target[part])
-        differ[part] = known[:count] @ ball[:, part] - known[count:] @ shadow[:, part] - pixels.ground[part]
-        derivative = differ[part] * slope[:, part]
-        residual[part] = target[part] - known @ x
-        projected[:, part] = derivative - _product(derivative, wx) @ normal @ x
+    count, root, (bright, tint, _tint) = len(ball), np.sqrt(weight), pixels.planes
+    residual, differ, projected = np.empty_like(weight), np.empty_like(weight), np.empty((len(slope), len(weight)))
+    prior = np.full(count + len(shadow), SHADOW**-2 + 1e-9)
+    prior[0] = 1e-9
+    for part, at in zip(pixels.planes, (bright, tint, tint), strict=True):
+        ground, veil, w = pixels.ground[part], 1 - cover[at], root[part]
+        x, seen = np.empty((len(prior), len(w))), w * (pixels.seen[part] - veil * ground)
+        np.multiply(ball[:, at], cover[at] * w, out=x[:count])
+        np.multiply(shadow[:, at], w * veil * (ground + 1), out=x[count:])
+        prior[1:count] = RIDGE * weight[part].sum() + 1e-9
+        normal = np.linalg.inv(_product(x, x) + np.diag(prior))
+        known = normal @ (x @ seen)
+        differ[part] = known[:count] @ ball[:, at] - (ground + 1) * (known[count:] @ shadow[:, at]) - ground
+        derivative = w * differ[part] * slope[:, at]
+        residual[part] = (seen - known @ x) / w
+        projected[:, part] = (derivative - _product(derivative, x) @ normal @ x) / w
     return residual, projected, differ
 
 
@@ -260,9 +263,8 @@ def fit_outline(
     sector = np.floor((angle / (2 * np.pi) + 0.5) * SECTORS).astype(int) % SECTORS
     strong = np.bincount(sector, np.abs(differ) * pixels.weight, SECTORS)
     seen = float((strong > 4.0 * np.maximum(np.bincount(sector, minlength=SECTORS), 1)).mean())
-    if seen < LEAST_SEEN:
-        return Outline(p[:2].copy(), float(p[2]), np.inf, share, seen)
-    return Outline(p[:2].copy(), float(p[2]), float(scaled.mean()), share, seen)
+    cost = float(scaled.mean()) if seen >= LEAST_SEEN else np.inf
+    return Outline(p[:2].copy(), float(p[2]), cost, share, seen)
 
 
 def look_closer(patch: Patch, outline: Outline, speed: Array, optics: Optics) -> tuple[Array, Array]:
