@@ -201,7 +201,7 @@ def test_the_restitution_of_each_contact_is_shown(
         code, out, _err = command(capsys, "tracks", "show", str(file))
         assert code == 0
         assert ("out/in" in out) is shown
-        rows = [line for line in out.splitlines() if "bottom " in line]
+        rows = [line for line in out.splitlines() if line.startswith(("ball bottom ", "bottom "))]
         assert len(rows) == 3
         assert rows[0].startswith("bottom" if width == "75" else "ball bottom")
         assert max(len(row.rstrip()) for row in rows) <= int(width)

@@ -235,7 +235,10 @@ def test_many_films_make_one_table(
         alone.append(read_rebounds(out))
     np.testing.assert_array_equal(table["v_n_out"], np.concatenate([one["v_n_out"] for one in alone]))
     np.testing.assert_array_equal(table["sigma_v_n_in"], np.concatenate([one["sigma_v_n_in"] for one in alone]))
-    assert f"film2: {files[0]}" in told
+    named = [line.split()[0] for line in told.partition("Velocities")[0].splitlines() if "positions," in line]
+    assert named == ["film2", "film5", "straight"]
+    assert "filmed from  the side" in told  # (which they have in common is said once)
+    assert told.count("the side") == 1
     assert "straight: no wall found" in notes
     code, told, _notes = run(capsys, monkeypatch, *names, "--json", "--view", "side")
     assert [Path(film["file"]).name for film in json.loads(told)["films"]] == ["film2.csv", "film5.csv", "straight.csv"]
@@ -329,7 +332,7 @@ def test_no_number_is_cut_off_without_noise(
         code, told, _notes = run(capsys, monkeypatch, str(file), "--view", "side", "--noise", "1e-12")
         assert code == 0
         assert "…" not in told
-        assert "a ball with a long name: 60 positions" in told
+        assert "a ball with a long name  60 positions" in told
         assert row in told
         assert "1.600000(0)" in told
         assert "0.800000(0)" in told

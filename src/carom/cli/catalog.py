@@ -50,7 +50,7 @@ def _table(cards: list[Card]) -> None:
         name = f"{card.name}\nalso of pairs" if card.name in laws_of_pairs() else card.name
         valid = card.valid.split(". ", maxsplit=1)[0].removesuffix(".")
         rows += [(name, card.summary, f"{valid}."), ("", "", "")]
-    stdout().table(Listing(("law", "model", "valid for"), rows[:-1]), fold=True)
+    stdout().table(Listing(("law", "model", "valid for"), rows[:-1]), fold=(1, 2))
     stdout().print("Assumptions, range of validity and source of one law: carom laws NAME")
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -51,16 +51,16 @@ class TextConsole(Console):
             self.width = width
 
     def table(
-        self, listing: Listing, styles: Mapping[int, str] | None = None, *, grid: bool = False, fold: bool = False
+        self, listing: Listing, styles: Mapping[int, str] | None = None, grid: bool = False, fold: Sequence[int] = ()
     ) -> None:
-        """Print a table of text; ``styles`` by row; ``grid``: without a line below the heads; ``fold``: words in lines."""
+        """Print a table of text; ``styles`` by row; ``grid``: no line below the heads; ``fold``: columns broken into lines."""
         table = Table(
             box=None if grid else box.SIMPLE_HEAD, padding=(0, 1, 0, 0 if grid else 1), pad_edge=False,
             header_style="dim" if grid else "bold",
         )  # fmt: skip
         place: Any = "bottom" if any("\n" in head for head in listing.heads) else "top"
-        for head, side in zip(listing.heads, listing.sides, strict=True):
-            table.add_column(head, justify=side, overflow="fold", vertical=place, no_wrap=not fold)
+        for k, (head, side) in enumerate(zip(listing.heads, listing.sides, strict=True)):
+            table.add_column(head, justify=side, overflow="fold", vertical=place, no_wrap=k not in fold)
         for k, row in enumerate(listing.rows):
             table.add_row(*row, style=(styles or {}).get(k))
         if not grid and self.measure(table, options=self.options.update(width=WIDEST)).maximum > self.width:

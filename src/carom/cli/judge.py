@@ -63,5 +63,5 @@ def _show(found: Judgement) -> None:
             errors = "more than 1000" if worst.sigmas > 1000 else format_number(worst.sigmas, 2)
             said = f"{worst.time:.4g} s, {' and '.join(worst.balls)}: {worst.text} ({errors} errors)"
         rows.append((law, f"{found.checked[law]:,}", f"{len(found.of(law)):,}", said))
-    out().table(Listing(("law", "checked", "violated", "the clearest violation"), rows), grid=True, fold=True)
+    out().table(Listing(("law", "checked", "violated", "the clearest violation"), rows), grid=True, fold=(0, 3))
     out().print("\n" + f"noise of a coordinate {found.noise:.2g} {found.unit}\n" * bool(found.noise) + found.verdict)

@@ -83,7 +83,7 @@ def _table(rows: list[tuple[Entry, EquationVerdict]]) -> None:
         styles[len(listed)] = _STYLE[verdict.status]
         listed.append((entry.id, verdict.status, entry.title, paper.as_record(entry, verdict)["note"]))
     console = out()
-    console.table(Listing(("", "verdict", "subject", "note"), listed), styles, fold=True)
+    console.table(Listing(("", "verdict", "subject", "note"), listed), styles, fold=(1, 2, 3))
     total = ", ".join(f"{count} {name}" for name, count in counts.items())
     console.print(
         f"{sum(counts.values())} equations and statements: {total}. All steps of one: carom derive --equation 31"

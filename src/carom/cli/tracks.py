@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from collections import Counter
@@ -20,7 +21,7 @@ from carom.cli.options import FILM, FLOOR, option, require_outputs, shared, wrot
 from carom.cli.parameters import Given, of_library
 from carom.cli.streams import say_json
 from carom.errors import CaromError, FaultList, shortened_list
-from carom.formatting import Listing, called_ball, counted, format_length, format_number, json_value
+from carom.formatting import Listing, called_ball, counted, format_length, json_value
 
 if TYPE_CHECKING:
     from carom.cli.console import TextConsole as Console
@@ -92,25 +93,22 @@ def _place_of(wall: WallLine) -> str:
     return f"through ({x:.4f}, {y:.4f}) m, {math.degrees(math.atan2(abs(n[0]), abs(n[1]))):.3g}° from the x axis"
 
 
-def tell(console: Console, found: TrackFile, measured: Measured) -> None:
-    """Print the summary of a file."""
+def _summary(file: TrackFile, measured: Measured) -> dict[str, str]:
+    """Return what is said of a file, by its heads."""
     from carom.tracks.read import FORMATS
 
-    rows = [("format", FORMATS[found.format].title if found.format in FORMATS else "film, tracked by carom")]
-    rows += [("track", _track_line(track)) for track in found.tracks[:MAX_TRACKS]]
-    if len(found.tracks) > MAX_TRACKS:
-        rows.append(("", f"and {counted(len(found.tracks) - MAX_TRACKS, 'more track')}"))
-    rate = f"{1 / measured.interval:.5g} frames per second" if measured.interval > 0 else "frame rate unknown"
+    rows = {"format": FORMATS[file.format].title if file.format in FORMATS else "film, tracked by carom"}
+    rows |= {_label(track.group, track.name): _track_line(track) for track in file.tracks[:MAX_TRACKS]}
+    if len(file.tracks) > MAX_TRACKS:
+        rows["tracks"] = f"{counted(len(file.tracks) - MAX_TRACKS, 'more')}"
     steps = [f"{axis} to {format_length(x)}" for axis, x in zip("xy", measured.step, strict=True) if x]
     rounded = f"; the file rounds {' and '.join(steps)}" if steps else ""
-    noise = f"{format_length(measured.noise)} {'(given)' if measured.noise_given else '(estimated)'}{rounded}"
-    view = "above: a ball on a table" if measured.view == "above" else "the side: a ball in flight"
-    rows += [("camera", rate), ("noise", noise), ("filmed from", view)]
+    rows["camera"] = f"{1 / measured.interval:.5g} frames per second" if measured.interval > 0 else "frame rate unknown"
+    rows[f"noise {'(given)' if measured.noise_given else '(estimated)'}"] = format_length(measured.noise) + rounded
+    rows["filmed from"] = "above: a ball on a table" if measured.view == "above" else "the side: a ball in flight"
     for wall in measured.walls:
-        rows.append(("wall", f"{wall.name}: {_place_of(wall)}{', positions clamped to it' if wall.clamped else ''}"))
-    for name, (value, error) in measured.floor.items():
-        rows.append((name, f"{format_number(value)} ± {format_number(error, 1)}"))
-    console.facts(rows)
+        rows[f"wall {wall.name}"] = f"{_place_of(wall)}{', positions clamped to it' if wall.clamped else ''}"
+    return rows | {name: uncertain(*found) for name, found in measured.floor.items()}
 
 
 def _track_line(track: Any) -> str:
@@ -119,10 +117,8 @@ def _track_line(track: Any) -> str:
     seen = track.select(track.seen)
     gaps = int((~track.seen).sum())
     spans = " × ".join(format_length(float(x)) for x in np.ptp(seen.position, axis=0)) if len(seen) else "nothing"
-    return (
-        f"{_label(track.group, track.name)}: {counted(len(seen), 'position')}{f', {gaps:,} missing' if gaps else ''},"
-        f" {np.ptp(track.time):.3g} s, {spans}"
-    )
+    missing = f", {gaps:,} missing" if gaps else ""
+    return f"{counted(len(seen), 'position')}{missing}, {np.ptp(track.time):.3g} s, {spans}"
 
 
 def _label(*names: str) -> str:
@@ -454,11 +450,15 @@ def example(
 
 
 def _tell(films: MeasuredFilms, stage: str, keep_sliding: bool, balls: bool) -> None:
-    """Print a table of each film, and one of all contacts."""
-    for name, film, one in zip(films.names, films.files, films.measured, strict=True):
-        if name:
-            stdout().print(f"{name}: {film.path}", style="bold", soft_wrap=True)
-        tell(stdout(), film, one)
+    """Print what all films have in common, a table of the films, and one of all contacts."""
+    told = [_summary(film, one) for film, one in zip(films.files, films.measured, strict=True)]
+    common = {head: text for head, text in told[0].items() if all(one.get(head) == text for one in told)}
+    stdout().facts(common.items())
+    if len(told) > 1:
+        heads = [head for head in dict.fromkeys(itertools.chain(*told)) if head not in common]
+        rows = [[name, *(one.get(head, "") for head in heads)] for name, one in zip(films.names, told, strict=True)]
+        shown = [*heads[:1], *(head.replace(" ", "\n") for head in heads[1:])]
+        stdout().table(Listing(["film", *shown], rows), grid=True, fold=(1,))
     if balls:
         tell_pairs(stdout(), list(zip(films.names, films.pairs, strict=True)))
     else:
