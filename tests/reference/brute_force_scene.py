@@ -420,6 +420,8 @@ def _judge(  # noqa: PLR0911
     room = np.zeros((7, 3))
     x, v, w, y, u, q, n = ([0.0, 0.0, 0.0] for _ in range(7))
     pull = math.sqrt(world.force[0] ** 2 + world.force[1] ** 2 + world.force[2] ** 2)
+    # (contacts of two balls end sooner)
+    lasts = max([1e-3, *(wall.contact_time for wall in run.scene.walls)])
     t, row = 0.0, count
     while True:
         until = log[row].t if row < len(log) else run.end
@@ -444,9 +446,12 @@ def _judge(  # noqa: PLR0911
         # what the rounding of the time changes
         rub = world.floor_mu * (1 + 1 / kappa) if world.floor_mu < math.inf else 0.0
         late = 1e-15 * t * (pull + world.g * (rub + world.resistance + world.spin_friction / kappa))
+        together = _is_in_cluster(log, row) or _is_in_cluster(log, row + (2 if r.kind == BALL else 1))
         if r.kind != SETTLED:
+            # (after contacts that overlap in time a ball is on the way on which it leaves them: their times are the scene's)
             far = abs(x[0]) + abs(x[1]) + abs(x[2])
-            if _differ(x, r.x, CLOSE * a + 1e-14 * far):
+            moved = lasts * max(speed, _pace(r.v, r.w, a)) if together else 0.0
+            if _differ(x, r.x, moved + CLOSE * a + 1e-14 * far):
                 out[0], out[1] = 11, row
                 return
             if r.kind != HELD_EVENT and _differ(v, r.v_before, CLOSE * speed + late):
@@ -573,7 +578,6 @@ def _judge(  # noqa: PLR0911
             before, after = _energy(r.v_before, r.w_before, m, kappa, a), _energy(r.v, r.w, m, kappa, a)
             # (what rounding took of a ball's energy is given back, that of its height too)
             height = m * abs(world.force[0] * x[0] + world.force[1] * x[1] + world.force[2] * x[2])
-            together = r.kind == IN_CLUSTER or _is_in_cluster(log, row + 1)
             if after > before * (1 + 1e-12) + 1e-15 * height and not together:
                 out[0], out[1], out[2] = 16, row, after / before - 1
                 return
