@@ -64,6 +64,10 @@ SLIDE_GAIN = (
 )
 SLIDE_SHARES = (0.15, 0.7)  # of full slip at the start: a small part of it, or most of it
 SIDESPINS = 17  # number of sidespins that are tried
+SLIPS, BEST_SPINS = (
+    (0.0, 0.7, 1.5, 2.5),
+    3,
+)  # slips along the motion, in speeds, beside which they are tried; and those then fitted
 FOLLOWING_STEPS = 5  # of the rest of a start after a sidespin has been changed
 TURNS = 4  # rounds in which sidespins are tried again and all parameters are fitted
 SPIN_WIDTH, SLIP_WIDTH = (
@@ -183,18 +187,18 @@ def fit_windows(
         part = _with_scatter(model, part, starts, q, numbers, noise)
         numbers, settled = descend(model, part, starts, q, numbers, partial(tell, contacts / (most + 1)), exact=False)
         q = settled.q
-    return finish(model, frames, starts, q, numbers, least_noise, partial(tell, 0.95))
+    return finish(model, frames, starts, q, numbers, least_noise, partial(tell, 0.95), slips=True)
 
 
 def finish(
     model: TrackModel, frames: SegmentArrays, starts: Starts, q: Array, numbers: dict[str, float], least_noise: float,
-    tell: Callable[[], None],
+    tell: Callable[[], None], slips: bool = False,
 ) -> SearchEnd:  # fmt: skip
-    """Descend to the nearest minimum, in turn trying sidespins again and fitting all parameters."""
+    """Descend to the nearest minimum, in turn trying sidespins (and ``slips``) again and fitting all parameters."""
     noise = np.full(len(q), model.setting.noise or least_noise)
     least = math.inf
     for _ in range(TURNS):
-        q = with_best_sidespins(model, frames, starts, q, numbers)
+        q = with_best_sidespins(model, frames, starts, q, numbers, slips)
         frames = _with_scatter(model, frames, starts, q, numbers, noise)
         numbers, settled = descend(model, frames, starts, q, numbers, tell)
         q = settled.q
@@ -244,16 +248,29 @@ def _sidespins(q: Array, setting: Setting) -> Array:
 
 
 def with_best_sidespins(
-    model: TrackModel, frames: SegmentArrays, starts: Starts, q: Array, numbers: Mapping[str, float]
-) -> Array:
-    """Return starts with the sidespin that fits these frames best: the current one, or another that lowers the deviance."""
+    model: TrackModel, frames: SegmentArrays, starts: Starts, q: Array, numbers: Mapping[str, float], slips: bool = False
+) -> Array:  # fmt: skip
+    """Return starts with the sidespin that fits these frames best: the current one, or another that lowers the deviance.
+
+    ``slips``: beside other slips, too. A ball that slides until its contact shows its slip only after it, so that the frames before
+    it do not lead from one slip to another.
+    """
     table = model.table(numbers)
     so_far = settle(table, frames, starts, q)
-    tried = _sidespins(so_far.q, model.setting)
-    other = so_far.q.copy()
-    other[:, SIDESPIN] = tried[np.arange(len(q)), np.argmin(scan(table, frames, so_far.q, tried), axis=1)]
-    again = settle(table, frames, starts, other)
-    return np.where((again.cost < so_far.cost)[:, None], again.q, so_far.q)
+    best, cost = so_far.q.copy(), so_far.cost.copy()
+    for share in (None, *SLIPS * slips):
+        rows = np.arange(len(q)) if share is None else np.flatnonzero(starts.free[:, SLIP].all(axis=1))
+        begin, some = so_far.q[rows], (frames.pick(rows), starts.pick(rows))
+        if share is not None:
+            begin[:, SLIP] = share * begin[:, VELOCITY]
+        tried = _sidespins(begin, model.setting) * (1 + slips)
+        order = np.argsort(scan(table, some[0], begin, tried), axis=1)
+        for k in range(BEST_SPINS if slips else 1):
+            begin[:, SIDESPIN] = tried[np.arange(len(rows)), order[:, k]]
+            again = settle(table, *some, begin)
+            better = again.cost < cost[rows]
+            best[rows[better]], cost[rows[better]] = again.q[better], again.cost[better]
+    return best
 
 
 def _evaluated(
@@ -317,6 +334,10 @@ def fit_track_law(
         if other.fit.deviance < best.fit.deviance:
             best = other
     best, others = _across_kinks(model, best._replace(fit=replace(best.fit, model=model)), noise)
+    if not best.fit.follows:
+        end = best.fit
+        last = finish(model, end.frames, end.starts, end.q, end.numbers, noise, lambda: None, slips=True)
+        best = min(best, last, key=lambda one: one.fit.deviance)
     fit = with_errors(*best)
     return _with_friction_profile(fit, others) if fit.follows or fit.design_effect > 1 else fit
 

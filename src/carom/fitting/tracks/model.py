@@ -44,6 +44,7 @@ from carom.simulation.simulate import simulate
 from carom.simulation.trajectory import Trajectory
 from carom.tracks.events import TrackEvent, WallLine
 from carom.tracks.measurement import Measured
+from carom.tracks.plausibility import unlisted_turns
 from carom.tracks.track import Track
 
 FAR = 100.0  # m: distance of sides of the table that no ball of the film meets
@@ -191,7 +192,7 @@ FRAMES_BEFORE, FRAMES_AFTER = 4, 5  # at least
 CLEARANCE = 0.004  # m from every wall, where a simulation starts
 MIN_SPEED = 0.1  # m/s at the start
 # Events after which a ball may slide; after others this is determined from the frames
-SLIDING_STARTS = ("onset", "ball", "wall")
+SLIDING_STARTS = ("onset", "ball", "wall", "turn")
 
 
 @dataclass(frozen=True, eq=False)
@@ -212,8 +213,6 @@ class TrackSegment:
     """(c,) their names."""
     slides: bool
     """Whether it has just been set in motion, so that it may slide."""
-    ends: str
-    """Cause of its end: ball, gap, end, another contact."""
 
     @property
     def label(self) -> str:
@@ -227,13 +226,18 @@ class TrackSegment:
 
 
 def find_segments(measured: Measured, most: int, after: float = np.inf) -> tuple[list[TrackSegment], list[str]]:
-    """Return all segments with a contact, and notes on those omitted."""
+    """Return all segments with a contact, and notes on those omitted.
+
+    A bounce away from the walls ends a segment, as a contact with a ball does: often it is one that the tracker did not show.
+    """
     found: list[TrackSegment] = []
     lost: dict[str, int] = {}
     times = _contact_times(measured)
     for track in measured.tracks:
         events = measured.events[track.group, track.name]
         edges = [event for event in events if event.kind != "wall"]
+        for turn in unlisted_turns([track], measured.events, measured.interval):
+            edges.append(replace(turn, low=turn.low - measured.interval, high=turn.high + measured.interval))
         edges.sort(key=lambda event: (event.low, event.high))
         for first, last in pairwise(edges):
             inner = [
@@ -263,8 +267,7 @@ def _segment(
     times: dict[tuple[str, str, float], float], most: int, seconds: float,
 ) -> tuple[TrackSegment | None, str]:  # fmt: skip
     """Return the frames from one event to another, through the walls between them; or why they cannot be used."""
-    low, kind, ends = first.high, first.kind, last.kind
-    high = last.low
+    low, kind, high = first.high, first.kind, last.low
     while inner:
         before = int(((track.time >= low) & (track.time < inner[0].low - measured.blind[0])).sum())
         if before >= FRAMES_BEFORE:
@@ -274,7 +277,7 @@ def _segment(
     if not inner:
         return None, ""
     if len(inner) > most:
-        high, ends = inner[most].low, "another contact"
+        high = inner[most].low
         inner = inner[:most]
     middles = np.array([times.get((track.group, track.name, e.low), (e.low + e.high) / 2) for e in inner])
     use = (track.time >= low) & (track.time <= min(high, middles[-1] + seconds))
@@ -294,9 +297,7 @@ def _segment(
         return None, f"slower than {MIN_SPEED} m/s at the start"
     met = tuple(e.what for e in inner)
     return (
-        TrackSegment(
-            track.group, track.name, t - t[0], float(t[0]), x, middles - t[0], met, kind in SLIDING_STARTS, ends
-        ),
+        TrackSegment(track.group, track.name, t - t[0], float(t[0]), x, middles - t[0], met, kind in SLIDING_STARTS),
         "",
     )
 
