@@ -22,20 +22,23 @@ from carom.fitting.laws import FITTED, FORMS
 from carom.fitting.rows import Setting
 from carom.fitting.table_numbers import TableNumbers, balls_of, states_by
 from carom.fitting.tracks import TrackFit, TrackRanking, fit_tracks
+from carom.fitting.tracks.fit import with_best_sidespins
 from carom.fitting.tracks.model import (
     SIDESPIN,
     START,
     SegmentArrays,
+    Starts,
     balls_by_start,
     find_segments,
     gaps,
+    settle,
     shared_slope,
     track_models,
 )
 from carom.scene.shapes import Table
 from carom.simulation.records import set_up
 from carom.simulation.sensitivity.sensitivity import states_at
-from carom.tracks import Measured, Settings, measure
+from carom.tracks import Measured, Settings, Track, measure
 
 NOISE = 3e-4
 SETTING = Setting(radius=RADIUS, noise=NOISE)
@@ -255,6 +258,50 @@ def test_stretches_end_after_so_many_contacts() -> None:
         for stretch in found:
             assert stretch.frames_until(0) >= 4
             assert (np.diff(stretch.time) > 0).all()
+
+
+def test_a_stretch_ends_where_the_ball_turns_away_from_all_walls() -> None:
+    """As at a contact with a ball that the tracker did not show: no law of the wall explains the path after it."""
+    straight = measured(1, 3)
+    one = find_segments(straight, 1)[0][0]
+    track = next(track for track in straight.tracks if track.group == one.group)
+    at = int(np.searchsorted(track.time, one.since + (one.contacts[0] + one.time[-1]) / 2))
+    bent = track.position.copy()
+    c, s = np.cos(2.0), np.sin(2.0)
+    bent[at:] = bent[at] + (bent[at:] - bent[at]) @ np.array([[c, s], [-s, c]])
+    turned = replace(straight, tracks=(replace(track, position=bent),))
+    for stretch in find_segments(turned, 3)[0]:
+        assert not stretch.since < track.time[at] < stretch.since + stretch.time[-1]
+    assert any(
+        stretch.since < track.time[at] < stretch.since + stretch.time[-1] for stretch in find_segments(straight, 3)[0]
+    )
+
+
+def test_starts_are_sought_beside_other_slips() -> None:
+    """A ball with backspin that slides until the wall: the frames before it are those of any slip, the ones after it are not."""
+    wall = Table(length=2.84, width=1.42, center=(1.42, 0.71), restitution=0.85, friction=0.18)
+    floor = carom.Floor(friction=0.2, rolling_resistance=0.008)
+    ball = carom.SceneBall(
+        radius=RADIUS, mass=0.2, position=(1.5, 0.5), velocity=(3.0, 0.6), spin=(0.9 / RADIUS, -4.5 / RADIUS, 0.0)
+    )
+    run = carom.simulate(
+        carom.Scene(floor=floor, walls=[wall], balls=[ball], run=carom.Run(duration=1.2, law="two-step"))
+    )
+    t = np.arange(0, 1.2, 1 / 60)
+    x = np.asarray(run.at(t).position)[:, 0, :2] + np.random.default_rng(1).normal(0, NOISE, (len(t), 2))
+    seen = measure([Track("1", t, x)], Settings(radius=0.0, view="above", noise=NOISE))
+    frames = SegmentArrays.of(find_segments(seen, 1)[0], NOISE)
+    model = track_models(["two-step"], SETTING, seen.walls, {})[0][0]
+    numbers = {**TRUTH, "wall_right": 2.84 - RADIUS}
+    starts = Starts(np.ones((1, 7), bool), np.full((1, 7), 1e-2), np.ones((1, 7)))
+
+    def cost(slip: float, **how: bool) -> float:
+        q = np.array([[*x[0], 3.0, 0.6, 3.0 * slip, 0.6 * slip, 0.0]])
+        best = with_best_sidespins(model, frames, starts, q, numbers, **how)
+        return float(settle(model.table(numbers), frames, starts, best).cost[0])
+
+    assert cost(0.7, slips=True) == pytest.approx(cost(2.5), rel=1e-3)
+    assert cost(0.7) > 5 * cost(2.5)
 
 
 @pytest.mark.slow

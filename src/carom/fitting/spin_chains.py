@@ -171,19 +171,20 @@ def observed_information(
 def cross_kinks(
     best: Best, friction: Callable[[Best], float], deviance: Callable[[Best], float],
     explore: Callable[[Best, list[float], list[float]], Best], astray: Callable[[Best], bool] = lambda _best: False,
+    chi2: Callable[[Best], float] | None = None,
 ) -> Best:  # fmt: skip
     """Continue a search beyond kinks of the deviance, where contacts change between sliding and sticking.
 
     A descent can end at the bottom of one. So the friction is held at other values, near ones and, first and for a fit that is
     ``astray``, widely spread ones, while all else is fitted, and the most promising are freed (``explore``), until there is no
-    further gain.
+    further gain. ``chi2``: what the gain is measured by, where the deviance contains the logarithms of scatters.
     """
     for turn in range(ROUNDS):
         here = friction(best)
         found = explore(best, [share * here for share in NEARBY], list(EVERYWHERE) if turn == 0 or astray(best) else [])
         gained = deviance(best) - deviance(found)
         best = found if gained > 0 else best
-        if gained < max(0.5, 1e-3 * abs(deviance(best))):
+        if gained < max(0.5, 1e-3 * abs((chi2 or deviance)(best))):
             break
     return best
 

@@ -32,6 +32,7 @@ from carom.fitting.tracks.model import (
     MISFIT_AS_NOISE,
     SIDESPIN,
     SLIP,
+    START_STEPS,
     VELOCITY,
     WALL_RANGE,
     BestStarts,
@@ -64,10 +65,8 @@ SLIDE_GAIN = (
 )
 SLIDE_SHARES = (0.15, 0.7)  # of full slip at the start: a small part of it, or most of it
 SIDESPINS = 17  # number of sidespins that are tried
-SLIPS, BEST_SPINS = (
-    (0.0, 0.7, 1.5, 2.5),
-    3,
-)  # slips along the motion, in speeds, beside which they are tried; and those then fitted
+SLIPS = (0.0, 0.7, 1.5, 2.5)  # along the motion, in speeds: slips beside which sidespins are tried
+BEST_SPINS = 2  # of each slip: those whose starts are then fitted
 FOLLOWING_STEPS = 5  # of the rest of a start after a sidespin has been changed
 TURNS = 4  # rounds in which sidespins are tried again and all parameters are fitted
 SPIN_WIDTH, SLIP_WIDTH = (
@@ -204,7 +203,7 @@ def finish(
         q = settled.q
         frames = _with_scatter(model, frames, starts, q, numbers, noise)
         deviance = float(settled.cost.sum() + (4 * frames.count * np.log(frames.sigma)).sum())
-        if not deviance < least - max(1.0, 1e-4 * abs(least)):
+        if not deviance < least - max(1.0, 1e-3 * float(settled.cost.sum())):
             break
         least = deviance
     return _evaluated(model, frames, starts, numbers, settle(model.table(numbers), frames, starts, q), least_noise)
@@ -267,10 +266,10 @@ def with_best_sidespins(
         order = np.argsort(scan(table, some[0], begin, tried), axis=1)
         for k in range(BEST_SPINS if slips else 1):
             begin[:, SIDESPIN] = tried[np.arange(len(rows)), order[:, k]]
-            again = settle(table, *some, begin)
+            again = settle(table, *some, begin, FOLLOWING_STEPS if slips else START_STEPS)
             better = again.cost < cost[rows]
             best[rows[better]], cost[rows[better]] = again.q[better], again.cost[better]
-    return best
+    return settle(table, frames, starts, best).q if slips else best
 
 
 def _evaluated(
@@ -356,7 +355,9 @@ def _across_kinks(model: TrackModel, best: SearchEnd, noise: float) -> tuple[Sea
         held = [_hold(model, best, friction, best.numbers) for friction in nearby]
         held += [_hold(model, best, friction, best.numbers | walls) for friction in everywhere]
         freed = sorted(_other_minima(best, held) if best.follows else held, key=lambda one: one.chi2)[:FREED]
-        others = [finish(model, best.frames, best.starts, one.q, one.numbers, noise, lambda: None) for one in freed]
+        others = [
+            finish(model, best.frames, best.starts, one.q, one.numbers, noise, lambda: None, True) for one in freed
+        ]
         seen[:] = [(one.numbers["friction"], one.chi2) for one in held]
         # (by deviance: each has scatters, and so a chi^2, of its own)
         seen.extend((fit.numbers["friction"], best.chi2 + fit.deviance - best.deviance) for fit, _settled in others)
@@ -364,7 +365,7 @@ def _across_kinks(model: TrackModel, best: SearchEnd, noise: float) -> tuple[Sea
 
     best = cross_kinks(
         best, lambda end: end.fit.numbers["friction"], lambda end: end.fit.deviance, explore,
-        lambda end: not end.fit.follows,
+        lambda end: not end.fit.follows, lambda end: end.fit.chi2,
     )  # fmt: skip
     return best, seen
 

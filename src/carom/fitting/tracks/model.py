@@ -235,9 +235,9 @@ def find_segments(measured: Measured, most: int, after: float = np.inf) -> tuple
     times = _contact_times(measured)
     for track in measured.tracks:
         events = measured.events[track.group, track.name]
-        edges = [event for event in events if event.kind != "wall"]
-        for turn in unlisted_turns([track], measured.events, measured.interval):
-            edges.append(replace(turn, low=turn.low - measured.interval, high=turn.high + measured.interval))
+        turns, step = unlisted_turns([track], measured.events, measured.interval), measured.interval
+        edges = [replace(turn, low=turn.low - step, high=turn.high + step) for turn in turns]
+        edges += [event for event in events if event.kind != "wall"]
         edges.sort(key=lambda event: (event.low, event.high))
         for first, last in pairwise(edges):
             inner = [
