@@ -257,8 +257,9 @@ def with_best_sidespins(
     table = model.table(numbers)
     so_far = settle(table, frames, starts, q)
     best, cost = so_far.q.copy(), so_far.cost.copy()
-    for share in (None, *SLIPS * slips):
-        rows = np.arange(len(q)) if share is None else np.flatnonzero(starts.free[:, SLIP].all(axis=1))
+    sliding = np.flatnonzero(starts.free[:, SLIP].all(axis=1))
+    for share in (None, *SLIPS * (slips and len(sliding) > 0)):
+        rows = np.arange(len(q)) if share is None else sliding
         begin, some = so_far.q[rows], (frames.pick(rows), starts.pick(rows))
         if share is not None:
             begin[:, SLIP] = share * begin[:, VELOCITY]
