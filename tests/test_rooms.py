@@ -252,7 +252,7 @@ def test_a_module_that_is_run_ends_with_its_call() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10680,
+    "fitting": 10681,
     "gas": 6945,
     "billiards": 5581,
     "tracks": 9383,
