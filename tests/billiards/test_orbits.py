@@ -393,3 +393,25 @@ def test_the_slowest_ball_that_is_followed():
     assert billiards.orbit(billiards.circle(), ((0.0, 0.0), (0.0, 1e-100), 0.0), 2).velocity[-1, 1] != 0
     with pytest.raises(carom.CaromError, match="speeds and spins from 1e-100"):
         billiards.orbit(billiards.circle(), ((0.0, 0.0), (0.0, 0.99e-100), 0.0), 2)
+
+
+def test_a_ball_that_settles_on_an_arc_ends_where_rounding_would_go_on():
+    dissipative = carom.Surface(0.9, math.inf, 0.9)
+    found = billiards.orbit(
+        billiards.circle(), ((0.3, 0.2), (0.8, 0.5), 0.4), bounces=3000, law="contact", surface=dissipative
+    )
+    count = int(found.count)
+    assert found.ended == "grazed"
+    assert 100 < count < 3000
+    across = found.across[: count - 60]  # (the last ones are near the rounding of the normal)
+    np.testing.assert_allclose(across[1:] / across[:-1], 0.9, rtol=1e-3)
+    assert found.across[count - 1] < 1e-15 * np.hypot(*found.velocity[count - 1])
+    assert found.energy_drift < -0.1
+
+
+def test_orbits_that_lose_energy_are_not_regular():
+    start = billiards.starts(billiards.stadium(), 5, seed=1)
+    surface = carom.Surface(1.0, math.inf, 0.9)
+    found = billiards.orbit(billiards.stadium(), start, 300, law="contact", surface=surface)
+    assert (found.energy_drift < -1e-3).all()
+    assert not billiards.is_regular(found).any()

@@ -44,6 +44,14 @@ def relative(gas):
     return float(((v - v.mean(axis=0)) ** 2).sum()), len(v) * float((v.mean(axis=0) ** 2).sum())
 
 
+COLD = """
+container = {{shape = "periodic", size = [9.0, 9.0, 9.0]}}
+species = [{{name = "a", count = 60, radius = 0.5, mass = 1.0, temperature = 1.0}}]
+contacts = [{{between = ["a", "a"], restitution = 0.8, friction = inf, tangential_restitution = 0.3}}]
+run = {{max_events = 3000, from_time = {begin}, seed = 2}}
+"""
+
+
 def test_a_free_gas_cools_over_150_orders_of_magnitude(tmp_path):
     # without the drift taken out, the balls fly side by side from the 28,000th collision on, and never meet again
     (tmp_path / "cool.toml").write_text(SCENE)
@@ -215,3 +223,14 @@ def test_temperatures_of_gas_and_species_are_the_same_mean(tmp_path, text):
     own = sum(count[kind] * measures.temperature(kind)[0] for kind in count) / 50
     assert own == pytest.approx(between, rel=1e-12)
     assert own < measures.series["translational"].mean() / 3
+
+
+@pytest.mark.parametrize("begin", [1e3, 1e6, 1e12])
+def test_what_a_cold_gas_loses_is_summed_from_where_it_is_measured(tmp_path, begin):
+    path = tmp_path / "gas.toml"
+    path.write_text(COLD.format(begin=begin))
+    session = Session(load_gas(path))
+    session.run()
+    found = report(session)
+    assert 0 < found["energy_end"] < found["energy_start"] < 60
+    assert abs(found["energy_imbalance"]) < 1e-12

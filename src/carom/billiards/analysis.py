@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards.orbits import Orbit, orbit_from_setup, starts, state_of_rows
+from carom.billiards.orbits import CONSERVED, Orbit, orbit_from_setup, starts, state_of_rows
 from carom.billiards.setup import orbit_setup
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Numbers, Surface, holds_arrays
@@ -487,7 +487,7 @@ def is_regular(found: Orbit) -> NDArray[np.bool_]:
     """Return for each orbit whether it is regular rather than chaotic, by the digits to which both halves' averages agree.
 
     Orbits of which so few bounces do not tell are followed on, for up to 30,000: slow rotations about an island take long to show.
-    Those that ended early are not regular. Compare `lyapunov`, which takes longer.
+    Those that ended early are not regular, nor are those whose energy changes. Compare `lyapunov`, which takes longer.
     """
     digits, bounces = np.array(digits_of_averages(found)).ravel(), found.t.shape[-1]
     ends = found.last.reshape(-1, found.last.shape[-1])[:, 1:]
@@ -500,7 +500,8 @@ def is_regular(found: Orbit) -> NDArray[np.bool_]:
             start = state_of_rows(found.setup, ends[which], (len(which),))
             digits[which] = digits_of_averages(orbit_from_setup(found.setup, start, longer))
         bounces = longer
-    return np.asarray(digits > LIMIT).reshape(found.count.shape)
+    keeps = np.abs(np.ravel(found.energy_drift)) < CONSERVED
+    return np.asarray((digits > LIMIT) & keeps).reshape(found.count.shape)
 
 
 def _averages(values: Array) -> tuple[Array, Array]:

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
+CONSERVED = 1e-6  # a smaller relative change of the energy is rounding
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,6 +122,14 @@ class Orbit:
         ball = self.setup.ball
         found: Array = np.sqrt(self._rolls * (self.velocity**2).sum(-1) + ball.kappa * (ball.radius * spin) ** 2)
         return found
+
+    @property
+    def energy_drift(self) -> Array:
+        """(...): change of the energy from the first bounce to the last, as a share of the largest kinetic energy."""
+        table, square = self.setup.table, self.speed**2
+        energy = square - 2 * self.position @ np.array(table.acceleration[: table.dimension])
+        last = np.take_along_axis(energy, np.maximum(self.count, 1)[..., None] - 1, -1)[..., 0]
+        return np.asarray((last - energy[..., 0]) / np.fmax.reduce(square, axis=-1, initial=np.finfo(float).tiny))
 
     @property
     def _rolls(self) -> Numbers:

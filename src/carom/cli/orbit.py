@@ -51,13 +51,8 @@ def orbit_facts(found: OrbitResult) -> dict[str, Any]:
     }
     whole = made == found.t.shape[-1]
     if made.max(initial=0) > 0:
-        speed = np.atleast_2d(found.speed)
         facts["mean_time_between_bounces"] = float(np.nansum(found.last[..., 0]) / made.sum())
-        if found.setup.conservative:
-            fall = 2 * (found.position @ np.array(table.acceleration[: table.dimension])).reshape(speed.shape)
-            lost = speed**2 - fall
-            lost = lost[np.arange(len(made)), np.maximum(made, 1) - 1] - lost[:, 0]
-            facts["energy_drift"] = float(np.nanmax(np.abs(lost) / np.nanmax(speed**2, axis=1)))
+        facts["energy_drift"] = float(max(np.ravel(found.energy_drift), key=lambda x: np.nan_to_num(abs(x))))
     if whole.all() and found.t.shape[-1] > 1:
         periods = np.atleast_1d(billiards.period(found))
         names, counts = np.unique(periods, return_counts=True)
@@ -130,6 +125,7 @@ def every_bounce(found: Orbit) -> list[Any]:
 
 def print_orbit(facts: dict[str, Any], found: OrbitResult) -> None:
     """Print the results as tables."""
+    from carom.billiards.orbits import CONSERVED
     from carom.billiards.setup import needs_surface
     from carom.cli.console import out
 
@@ -153,7 +149,9 @@ def print_orbit(facts: dict[str, Any], found: OrbitResult) -> None:
     if facts.get("mean_time_between_bounces") is not None:
         rows.append(("mean time", f"{facts['mean_time_between_bounces']:.6g} s between bounces"))
     if facts["energy_drift"] is not None:
-        rows.append(("energy", f"conserved to {facts['energy_drift']:.1e}"))
+        change = facts["energy_drift"]
+        said = f"changes by {100 * change:+.4g} %" if abs(change) > CONSERVED else f"conserved to {abs(change):.1e}"
+        rows.append(("energy", said))
     if facts.get("periods"):
         shown = ", ".join(p if facts["orbits"] == 1 else f"{p} ({c})" for p, c in facts["periods"].items())
         rows.append(("period", shown))

@@ -268,11 +268,7 @@ class Gas:
 
     def saved(self) -> dict[str, tuple[int, Iterator[NDArray[Any]]]]:
         """Return the arrays of the :meth:`state`: of each its length, and copies block by block."""
-        own = {
-            "time": np.array([self._time]),
-            "names": np.array(self._names, dtype="U32"),
-            "groups": self.groups,
-        }
+        own = {"time": np.array([self._time]), "names": np.array(self._names, dtype="U32"), "groups": self.groups}
         return {name: engine.saved_blocks(self.arrays, name) for name in engine.STATE} | {
             name: (len(array), iter([array])) for name, array in own.items()
         }

@@ -187,7 +187,7 @@ def draw_table(axes: Any, setup: OrbitSetup, low: Array, high: Array) -> None:
         both.append((shape, {"color": GREY, **dashed}, {"fc": "none", "ec": GREY, **dashed}))
     for one, look, fill in both:
         for line in _outline(one, low, high):
-            axes.plot(*line.T, zorder=2, **look)
+            axes.plot(*line.T, zorder=2, snap=False, **look)
         for x, y, r, *_ in [*one.outside, *one.images]:
             from matplotlib.patches import Circle
 
