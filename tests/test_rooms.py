@@ -255,7 +255,7 @@ CAPS = {
     "fitting": 10681,
     "gas": 6943,
     "billiards": 5591,
-    "tracks": 9383,
+    "tracks": 9374,
     "simulation": 6447,
     "core": 5745,
     "laws": 4969,

@@ -82,12 +82,12 @@ def _plot_paths(axes: Any, measured: Measured) -> None:
     low, high = x.min(axis=0), x.max(axis=0)
     reach = float((high - low).max())
     for wall in measured.walls:
-        n = np.array(wall.normal)
-        along = np.array([-n[1], n[0]])
+        along = np.array([-wall.normal[1], wall.normal[0]])
         middle = np.array(wall.point) + along * (((low + high) / 2 - wall.point) @ along)
         half = abs((high - low) @ np.abs(along)) / 2 + 0.02 * reach
         ends = np.stack([middle - half * along, middle + half * along])
-        axes.plot(*ends.T, color=INK, lw=1.4, zorder=1)
+        label = "where the middle turns" if wall is measured.walls[0] else None
+        axes.plot(*ends.T, color=INK, lw=1.4, zorder=1, label=label)
     usable = [one for one in measured.contacts if one.fit is not None and usable_stages(one, "best", True)[0]]
     if usable:
         axes.plot(

@@ -72,9 +72,7 @@ def read_rows(
     notes += not_used(name for name in columns if name not in (*NUMBERS, *LABELS, *OF_FRAMES))
     known = _known_rows(faults, numbers, notes)
     if "z" not in numbers:
-        notes.append(
-            "no column z: read as seen from above, balls on the floor; carom tracks show reads films from the side"
-        )
+        notes.append("no column z: read as seen from above, balls on the floor; if y is a height, name that column z")
     if not {"wx", "wy", "wz"} <= set(numbers):
         notes.append("no columns wx, wy, wz: spins are unknown; a contact may add as much energy as rolling has")
     rows = _rows_of_balls(where, columns, numbers, known, radius, mass, notes)

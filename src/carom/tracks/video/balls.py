@@ -152,9 +152,9 @@ def sampled(film: FilmFile, keep: tuple[float, float]) -> list[tuple[Bytes, Byte
             count += 1
             if len(kept) >= 2 * most:
                 kept, stride = kept[::2], 2 * stride
-        if len(kept) >= MANY_KEYS or not keys:
-            return kept[:: -(-len(kept) // most)] if len(kept) > most else kept
-    raise AssertionError
+        if len(kept) >= MANY_KEYS:
+            break
+    return kept[:: max(-(-len(kept) // most), 1)]
 
 
 def find_background(samples: Sequence[tuple[Bytes, Bytes, Bytes]]) -> Background:
@@ -420,8 +420,6 @@ class Linker:
             off = np.hypot(*(at - place).T)
             size, tone = np.abs(np.log(radius / last.radius)), np.abs(tones - colour).max(axis=1)
             near = (off < reach) & ((size < ALIKE) | cut | last.cut) & (tone < COLOUR)
-            if not near.any():
-                continue
             part = np.clip((at - start) @ way / max(length**2, 1e-9), 0, 1)
             aside = (off + np.hypot(*(at - start - part[:, None] * way).T)) / 2
             if len(path.frames) == 1:  # (nothing is known of its way)
@@ -509,9 +507,8 @@ def joined(first: Path, others: Sequence[Path]) -> Path:
         apart = other.frames[0] > path.frames[-1] or other.frames[-1] < path.frames[0]
         far = np.abs(np.median([one.colour for one in other.blobs], axis=0) - tone).max()
         if other is not first and apart and abs(np.log(other.radius / first.radius)) < 0.2 and far < COLOUR / 2:
-            order = np.argsort([*path.frames, *other.frames], kind="stable")
-            frames, blobs = [*path.frames, *other.frames], [*path.blobs, *other.blobs]
-            path = Path([frames[k] for k in order], [blobs[k] for k in order])
+            parts = [path, other] if path.frames[-1] < other.frames[0] else [other, path]
+            path = Path([k for one in parts for k in one.frames], [blob for one in parts for blob in one.blobs])
     return path
 
 

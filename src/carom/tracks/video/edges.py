@@ -23,13 +23,14 @@ SHADOW = 1 / 30  # standard deviation of the shadow's prior, of the background
 SHADOW_ORDER = 1, 2  # of the shadow's series, and of one that is deep
 FALL = 0.3  # radii from the rim, over which a deep shadow falls off
 INSIDE = 2.8, 0.5, 0.1  # of the band: of the blur, px, of the radius
+EXPLAINED, MARKED, EVEN = (0.88, 0.92, 0.96), 0.62, 0.31  # of a ball's picture; of the usual band, and of the radius
 OUTSIDE = 0.35, 3.5, 7.0  # of the radius; least and most px
 CHROMA_BLUR = 1.3  # px, of colour planes, beside that of the lens
 PLACES = 25  # of the exposure, at most
 OUTLIER = 2.0  # times the usual misfit of a plane
 STEPS = 10
 BANDS, NEAR = 3, 0.2  # of an outline, at most; px from where it was sought, of a last one
-BLOCK = 256  # pixels
+BLOCK = 128  # pixels
 GAMMA, BLACK, WHITE = 2.2, 16.0, 219.0  # of brightness as stored; levels: of black, and from there to white
 LEAST_SLOPE = 0.15  # of light over brightness, by which noise is multiplied
 LEAST_WAY = 0.4  # px, in an exposure of the fastest
@@ -71,6 +72,8 @@ class Optics(NamedTuple):
     """Whether the ball has a deep shadow at its rim."""
     fall: Sequence[float] | Array = (0.0, 0.0)
     """px/s²: the usual acceleration of a ball, also within an exposure."""
+    share: float = 0.92
+    """Of the ball's picture, explained: one that has marks is seen nearer to its rim."""
 
 
 class Outline(NamedTuple):
@@ -300,7 +303,8 @@ def _light(plane: NDArray[Any]) -> Array:
 def _rim(patch: Patch, place: Array, way: Array, optics: Optics) -> _Pixels:
     """Return the pixels beside the edge, from which outlines are found."""
     beyond = float(np.clip(OUTSIDE[0] * optics.radius, *OUTSIDE[1:]))
-    depth = float(np.dot(INSIDE, (optics.psf, 1.0, optics.radius)))
+    usual = float(np.dot(INSIDE, (optics.psf, 1.0, optics.radius)))
+    depth = float(np.interp(optics.share, EXPLAINED, (MARKED * usual, usual, max(usual, EVEN * optics.radius))))
     return _band(patch, place, way, optics.radius, depth, beyond, optics)
 
 

@@ -225,19 +225,21 @@ def _candidate(
         if deep[0].radius < HELD * flat.radius and misfits[0] < DEEP * misfits[1]:
             found = deep
     optics, _errors, places = found
-    long = optics.exposure > LONGEST * interval
-    stretched = long and optics.exposure * _median(quick[fast]) > STRETCHED * optics.radius
-    optics = optics._replace(exposure=min(optics.exposure, AS_SEEN * interval))
-    slow = sorted(
-        ((patch, at, speed) for (patch, _at, speed), at in zip(good, places, strict=True)),
-        key=lambda one: np.hypot(*one[2]),
+    stretched = (
+        optics.exposure > LONGEST * interval and optics.exposure * _median(quick[fast]) > STRETCHED * optics.radius
     )
+    optics = optics._replace(exposure=min(optics.exposure, AS_SEEN * interval))
+    slow = [(patch, at, speed) for (patch, _at, speed), at in zip(good, places, strict=True)]
+    slow.sort(key=lambda one: float(np.hypot(*one[2])))
     optics = optics._replace(shift=_colour_shift(slow[:5], optics))
     last = [fit_outline(patch, one.place, speed, optics, free="xyr", coarse=False) for patch, one, speed in first]
-    radii = np.array([one.radius for one in last])
+    radii, share = np.array([one.radius for one in last]), float(np.median([one.share for one in last]))
+    optics = optics._replace(radius=float(np.median(radii)))
+    if optics.exposure * quick.max() < optics.radius:
+        optics = optics._replace(share=share)
     return Candidate(
-        path, optics._replace(radius=float(np.median(radii))), float(np.median([one.share for one in last])),
-        float(np.median([one.seen for one in last])), float(1.4826 * np.median(np.abs(radii / np.median(radii) - 1))),
+        path, optics, share, float(np.median([one.seen for one in last])),
+        float(1.4826 * np.median(np.abs(radii / np.median(radii) - 1))),
         np.array([[patch.frame, radius] for (patch, *_rest), radius in zip(some, radii, strict=True)]), stretched,
         np.median([one.place - (blob.x, blob.y) for one, (_patch, blob, _speed) in zip(last, some, strict=True)], axis=0),
     )  # fmt: skip
@@ -517,10 +519,7 @@ def track_film(
     names = ["ball"] if balls == 1 else [f"ball {k + 1}" for k in range(balls)]
     places, costs = {}, {}
     for k, (name, one) in enumerate(zip(names, chosen, strict=True)):
-
-        def said(done: int, k: int = k) -> None:
-            tell(0.3 + 0.7 * (k + done / len(times)) / balls, "outlines")
-
+        said = functools.partial(lambda k, done: tell(0.3 + 0.7 * (k + done / len(times)) / balls, "outlines"), k)
         places[name], costs[name] = _followed(file, ground, one, times, said)
         costs[name] /= max(_median(costs[name]), 1e-9)
     lags: list[tuple[float, float]] = []

@@ -30,7 +30,6 @@ STORED = ("yuv420p", "yuvj420p")  # pixel formats of which the planes are used a
 SUFFIXES = (".mp4", ".mov", ".m4v", ".webm", ".mkv", ".avi", ".mts", ".m2ts", ".3gp", ".mpg", ".mpeg", ".wmv", ".ogv")
 SIDE = 64, 16384  # px, least and largest
 EVEN = 0.02  # of a frame: stamps so near an even clock are of one
-MOST_FRAMES = 1_000_000
 STANDARDS = {1: (0.2126, 0.0722), 9: (0.2627, 0.0593)}  # weights of red and blue: BT.709, BT.2020; else BT.601
 FULL_RANGE = 2
 AROUND = 1.6  # radii that a crop shows around the middle of the ball
@@ -92,10 +91,6 @@ class FilmFile:
                 stamp = np.nan if picture.pts is None else float(picture.pts * picture.time_base)
                 yield Frame(number, stamp, *self._planes(picture))
                 number += 1
-                if number > MOST_FRAMES:
-                    raise CaromError(
-                        Fault(f"{self.path}", "", f"at most {MOST_FRAMES:,} frames", "more", "cut the film")
-                    )
 
     def _planes(self, picture: Any) -> list[Bytes]:
         stored = (self.width, self.height) if self.rotation % 2 == 0 else (self.height, self.width)
@@ -167,13 +162,12 @@ def _opened(path: Path) -> Iterator[tuple[Any, Any]]:
 def _decoded(path: Path, container: Any, stream: Any) -> Iterator[Any]:
     """Yield decoded pictures; a film that is cut off ends where it does."""
     av = import_optional("av", "films")
-    count = 0
+    picture = None
     try:
         for picture in container.decode(stream):
             yield picture
-            count += 1
     except av.error.FFmpegError as error:
-        if not count:
+        if picture is None:
             raise CaromError(Fault(f"{path}", "", "a film", f"{error.strerror or error}")) from None
 
 

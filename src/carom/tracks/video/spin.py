@@ -294,11 +294,8 @@ def _step(terms: Terms) -> Array:
 
 def _error(spin: Array, terms: Terms, frames: list[int]) -> Array:
     """Return the standard errors (3,): by leaving out one frame after the other, and 1.5 % for radius, centre and light."""
-    moves = []
-    for frame in frames:
-        rest = [term for term in terms if frame not in term[:2]]
-        if len(rest) > 1:
-            moves.append(_step(rest))
+    left = ([term for term in terms if frame not in term[:2]] for frame in frames)
+    moves = [_step(rest) for rest in left if len(rest) > 1]
     if len(moves) < 3:
         return np.full(3, np.nan)
     gap = np.array(moves) - np.mean(moves, axis=0)
