@@ -39,6 +39,8 @@ from carom.simulation.records import (
 )
 
 DEEP = 1e-9
+# Of their distance, balls that leave each other; of the radius, a ball and a wall after contacts that overlap in time.
+COMPRESSED, TOUCHES = 1e-3 + 1e-7, 2e-7
 LEAST = 2e-3  # of the radius: the shortest step, which passes over no more than 1e-6 radii of a graze
 CLOSE = 1e-9  # of the radius, for contact; and of the speeds, for states
 PLANE, SHEET, BLOCK, PILLAR, TUBE, SPHERE, HOLLOW, ARC, STADIUM, WEDGE, ROUND, SLEEVE, HOLE = range(13)
@@ -354,10 +356,10 @@ def _walk(
 ) -> None:
     """Nothing on the way: every ball from t to until, with a step that shrinks with the distance.
 
-    out = number of the first fault, row, size, -; steps taken. ``last`` has each ball's row that it follows, ``room`` (7, 3)
-    is for vectors: no array is made here, nor is more compiled than these many steps need.
+    out = number of the first fault, row, size, depth allowed in radii; steps taken. ``last`` has each ball's row that it follows,
+    ``room`` (7, 3) is for vectors: no array is made here, nor is more compiled than these many steps need.
     """
-    world = worlds[0]
+    world, deep = worlds[0], out[3]
     count = balls.shape[0]
     x, v, w, y, u, q, slip = room[0], room[1], room[2], room[3], room[4], room[5], room[6]
     pull = math.sqrt(world.force[0] ** 2 + world.force[1] ** 2 + world.force[2] ** 2)
@@ -379,11 +381,11 @@ def _walk(
                     out[0], out[1], out[2] = 20, row, gap / a
                     return
                 near = min(near, gap if stuff[k, 0] == HOLE else gap - a)
-            if near < -DEEP * a:
+            if near < -deep * a:
                 out[0], out[1], out[2] = 1, row, near / a
                 return
             if world.floor != 0:
-                if x[2] - a < -DEEP * a:
+                if x[2] - a < -deep * a:
                     out[0], out[1], out[2] = 2, row, x[2] / a - 1
                     return
                 if own.phase == FLIGHT:
@@ -395,7 +397,10 @@ def _walk(
                 _move(other, balls[k], world, at - other.t, y, u, q, slip)
                 far = math.sqrt((x[0] - y[0]) ** 2 + (x[1] - y[1]) ** 2 + (x[2] - y[2]) ** 2)
                 gap = far - a - balls[k].radius
-                if gap < -DEEP * min(a, balls[k].radius):
+                leave = 0.0
+                for c in range(3):
+                    leave += (x[c] - y[c]) * (v[c] - u[c])
+                if gap < (-COMPRESSED * (a + balls[k].radius) if leave > 0 else -deep * min(a, balls[k].radius)):
                     out[0], out[1], out[2] = 3, row, gap / a
                     return
                 speed = _pace(u, q, balls[k].radius) if other.phase != FLIGHT else _speed(u) + pull * (until - at)
@@ -428,7 +433,9 @@ def _judge(  # noqa: PLR0911
         if until < t:
             out[0], out[1] = 17, row
             return
-        walk(*arrays, last, t, until, row, room, out)
+        out[3] = TOUCHES if _is_in_cluster(log, row - 1) else max(out[3], DEEP)
+        if until > t or not (_is_in_cluster(log, row) or out[3] > DEEP):  # (a cluster's balls are moved at once)
+            walk(*arrays, last, t, until, row, room, out)
         if out[0]:
             return
         t = until
@@ -446,12 +453,18 @@ def _judge(  # noqa: PLR0911
         # what the rounding of the time changes
         rub = world.floor_mu * (1 + 1 / kappa) if world.floor_mu < math.inf else 0.0
         late = 1e-15 * t * (pull + world.g * (rub + world.resistance + world.spin_friction / kappa))
-        together = _is_in_cluster(log, row) or _is_in_cluster(log, row + (2 if r.kind == BALL else 1))
+        close = max(CLOSE, out[3])
+        mates = [r, log[row + 1]] if r.kind == BALL and row + 1 < len(log) else [r]
+        soon = any(
+            log[k].t <= t + lasts and log[k].ball in (one.ball for one in mates)
+            for k in range(row + len(mates), min(row + len(mates) + 4, len(log)))
+        )
+        together = _is_in_cluster(log, row) or _is_in_cluster(log, row + len(mates)) or (r.kind == BALL and soon)
         if r.kind != SETTLED:
             # (after contacts that overlap in time a ball is on the way on which it leaves them: their times are the scene's)
             far = abs(x[0]) + abs(x[1]) + abs(x[2])
             moved = lasts * max(speed, _pace(r.v, r.w, a)) if together else 0.0
-            if _differ(x, r.x, moved + CLOSE * a + 1e-14 * far):
+            if _differ(x, r.x, moved + close * a + 1e-14 * far):
                 out[0], out[1] = 11, row
                 return
             if r.kind != HELD_EVENT and _differ(v, r.v_before, CLOSE * speed + late):
@@ -470,7 +483,7 @@ def _judge(  # noqa: PLR0911
                     continue
                 near = _gap(piece, x[0], x[1], x[2]) - a
                 nearest = near if abs(near) < abs(nearest) else nearest
-                if abs(near) > CLOSE * a or code == 0:
+                if abs(near) > close * a or code == 0:
                     continue
                 for c in range(3):  # the normal, from the distance itself; good to 1e-4 where a face ends
                     d = 1e-4 * a
@@ -520,7 +533,7 @@ def _judge(  # noqa: PLR0911
                 out[0], out[1] = code, row
                 return
         elif r.kind == FLOOR:
-            if abs(x[2] - a) > CLOSE * a:
+            if abs(x[2] - a) > close * a:
                 out[0], out[1], out[2] = 6, row, x[2] / a - 1
                 return
             if not r.v_before[2] < 0:
@@ -544,7 +557,8 @@ def _judge(  # noqa: PLR0911
                 b = balls[k]
                 _move(other, b, world, t - other.t, y, u, q, n)
                 far = math.sqrt((x[0] - y[0]) ** 2 + (x[1] - y[1]) ** 2 + (x[2] - y[2]) ** 2)
-                if abs(far - a - b.radius) > CLOSE * min(a, b.radius):
+                low = COMPRESSED * (a + b.radius) if out[3] > DEEP else close * min(a, b.radius)
+                if not -low <= far - a - b.radius <= close * min(a, b.radius):
                     out[0], out[1], out[2] = 8, row, (far - a - b.radius) / a
                     return
                 for c in range(3):

@@ -289,9 +289,9 @@ def _is_room(world: Any, features: Any, balls: Any, touched: int, leap: float) -
                 is_beside = other.met in (NO_BALL, OUTSIDE)
                 y = state_after(world, other, t - other.clock)[0] if is_beside else vector(other.cx)
                 r, v, u = (x[0] - y[0], x[1] - y[1], x[2] - y[2]), one.cv, other.cv
-                reach = (1 - LEAST_DEPTH) * (one.radius + other.radius)
                 leaves = not is_beside and dot(r, (v[0] - u[0], v[1] - u[1], v[2] - u[2])) > 0
-                if dot(r, r) < reach * reach and not leaves:
+                reach = (1 - LEAST_DEPTH - (COMPRESSED if leaves else 0.0)) * (one.radius + other.radius)
+                if dot(r, r) < reach * reach:
                     return False
     return True
 
