@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from reference.brute_force_scene import judge, random_scene
 from reference.hertz_contacts import MASS, RADIUS, Case, contact_time, integrate, known, known_case, rack
 from scipy.spatial.distance import pdist
 
@@ -376,3 +377,9 @@ def test_drawn_layouts_with_gaps_and_double_strikes_keep_what_they_must(seed: in
     assert np.abs(v[:, :2].sum(axis=0) - before.sum(axis=0)).max() < 1e-12
     kept = (np.square(v).sum() + 0.4 * a * a * np.square(w).sum()) / np.square(before).sum()
     assert kept == pytest.approx(1, abs=1e-12) if e == 1 else kept < 1
+
+
+@pytest.mark.parametrize("seed", [8001436, 8019294, 8023716])
+def test_balls_that_a_wall_moves_apart_overlap_by_a_thousandth_at_most(seed: int) -> None:
+    """Random scenes in which a pair and a wall are in contact at once: judged by small steps, with distances of their own."""
+    assert judge(carom.simulate(random_scene(seed)))[0] == ""
