@@ -153,7 +153,7 @@ def test_what_the_command_says(tmp_path: Path, capsys: pytest.CaptureFixture[str
     code, out, err = command(capsys, "tracks", "show", str(file), "--drag-per-metre", "0")
     assert code == 0
     assert "3 contacts, 3 measured" in out
-    assert "bottom: through (" in out
+    assert re.search(r"wall bottom +through \(", out)
     assert re.search(r"\b(2.9\d|3|3.0\d)° from the x axis", out)
     assert re.search(r"the camera is rolled: gravity points (2.9|3.0)\d ± 0.0\d° to the right of straight down", err)
 
