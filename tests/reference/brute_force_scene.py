@@ -558,7 +558,7 @@ def _judge(  # noqa: PLR0911
                 _move(other, b, world, t - other.t, y, u, q, n)
                 far = math.sqrt((x[0] - y[0]) ** 2 + (x[1] - y[1]) ** 2 + (x[2] - y[2]) ** 2)
                 low = COMPRESSED * (a + b.radius) if out[3] > DEEP else close * min(a, b.radius)
-                if not -low <= far - a - b.radius <= close * min(a, b.radius):
+                if far - a - b.radius < -low or far - a - b.radius > close * min(a, b.radius):
                     out[0], out[1], out[2] = 8, row, (far - a - b.radius) / a
                     return
                 for c in range(3):
