@@ -86,7 +86,7 @@ def _plot_paths(axes: Any, measured: Measured) -> None:
         middle = np.array(wall.point) + along * (((low + high) / 2 - wall.point) @ along)
         half = abs((high - low) @ np.abs(along)) / 2 + 0.02 * reach
         ends = np.stack([middle - half * along, middle + half * along])
-        label = "where the middle turns" if wall is measured.walls[0] else None
+        label = "where the centre turns" if wall is measured.walls[0] else None
         axes.plot(*ends.T, color=INK, lw=1.4, zorder=1, label=label)
     usable = [one for one in measured.contacts if one.fit is not None and usable_stages(one, "best", True)[0]]
     if usable:
