@@ -255,7 +255,7 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
         billiards.cylinder(CIRCLE),
         billiards.sphere(),
         billiards.box(),
-        billiards.wedge(1.0),
+        billiards.wedge(60),
         billiards.ellipse(),
         billiards.stadium(),
         billiards.periodic_strip(),

@@ -115,7 +115,7 @@ def test_what_is_no_hole_is_one_line(hole: tuple[float, ...], said: str) -> None
 def test_a_sphere_has_no_holes_and_a_wedge_has_them_on_both_sides() -> None:
     with pytest.raises(carom.CaromError, match="got a sphere"):
         billiards.escape(billiards.sphere(), ((0, 0, 0), (1, 0, 0), (0, 0, 0)), holes=[(0.0, 0.1)])
-    wedge = billiards.wedge(1.0)
+    wedge = billiards.wedge(60)
     for y, hole in ((-1.0, (0.5, 3.0)), (1.0, (-3.0, -0.5))):
         found = billiards.escape(wedge, ((1.0, 0.0), (0.0, y), 0.0), holes=[hole], law="mirror")
         assert (int(found.bounces), bool(found.escaped)) == (1, True)

@@ -18,8 +18,8 @@ def test_names_and_tables_of_ones_own_agree() -> None:
     assert named.position.tobytes() == billiards.orbit(table, start, 40).position.tobytes()
     assert named.t.tobytes() == carom.orbit(table, 40, position=(0.2, 0.1), velocity=(0.8, 0.3), spin=0.5).t.tobytes()
     wedge = carom.orbit("wedge", 5, angle=60, position=(1.0, 0.0), velocity=(0.1, 1.0))
-    radians = billiards.orbit(billiards.wedge(np.radians(60)), billiards.Start((1.0, 0.0), (0.1, 1.0)), 5)
-    assert wedge.position.tobytes() == radians.position.tobytes()
+    made = billiards.orbit(billiards.wedge(60), billiards.Start((1.0, 0.0), (0.1, 1.0)), 5)
+    assert wedge.position.tobytes() == made.position.tobytes()
 
 
 def test_sampled_orbits_spectra_and_reversal() -> None:
@@ -54,6 +54,8 @@ def test_arrays_of_states_and_vertices() -> None:
             {"table": "stadium", "sides": 3},
             "stadium: sides: expected a field that is known here, got 'sides'; known are shape, straight",
         ),
+        ({"table": "circle", "kapa": 0.5}, "got 'kapa'; did you mean 'kappa'?"),
+        ({"table": billiards.circle(), "lyapunof": True}, "got 'lyapunof'; did you mean 'lyapunov'?"),
         ({"table": "circle", "position": (0, 0)}, "`velocity`: expected one together with `position`"),
         ({"table": "circle", "position": (0, 0, 1), "velocity": (1, 0)}, "`position`: expected two numbers"),
         ({"table": "circle", "friction": 0.1}, "`friction`: law no-slip does not use it; `law` contact does"),

@@ -229,7 +229,7 @@ def test_corners():
 
 
 def test_escapes_and_flies_free():
-    assert str(billiards.orbit(billiards.wedge(0.5), ((1.0, 0.0), (1.0, 0.0), 0.0), 5).ended) == "escaped"
+    assert str(billiards.orbit(billiards.wedge(30), ((1.0, 0.0), (1.0, 0.0), 0.0), 5).ended) == "escaped"
     assert str(billiards.orbit(billiards.sinai(0.2), ((0.0, 0.3), (1.0, 0.0), 0.0), 5).ended) == "free"
     assert {str(e) for e in ENDS} == {"bounces", "escaped", "corner", "grazed", "free"}
 
@@ -310,11 +310,11 @@ def test_lengths():
 
 
 def test_wedge_of_a_surface_is_a_wedge_of_the_centre():
-    inner = billiards.wedge(0.8, bounds="surface")
+    inner = billiards.wedge(45, bounds="surface")
     found = billiards.orbit(inner, ((1.5, 0.0), (0.0, 1.0), -2.0), 20, ball=carom.Disc(0.2, 1.0))
     shift = np.array([0.2 / math.sin(0.4), 0.0])
     moved = billiards.orbit(
-        billiards.wedge(0.8), (np.array([1.5, 0.0]) - shift, (0.0, 1.0), -2.0), 20, ball=carom.Disc(0.2, 1.0)
+        billiards.wedge(45), (np.array([1.5, 0.0]) - shift, (0.0, 1.0), -2.0), 20, ball=carom.Disc(0.2, 1.0)
     )
     np.testing.assert_allclose(found.position, moved.position + shift, atol=1e-12)
 
@@ -323,7 +323,7 @@ BAD = {
     "circle: radius": lambda: billiards.circle(0),
     "circle: bounds: expected 'centre' or 'surface'": lambda: billiards.circle(bounds="center"),
     "did you mean 'centre'": lambda: billiards.circle(bounds="center"),
-    "wedge: angle": lambda: billiards.wedge(4.0),
+    "wedge: angle": lambda: billiards.wedge(200),
     "regular: sides": lambda: billiards.regular(2),
     "sides that do not cross": lambda: billiards.polygon([(0, 0), (2, 2), (2, 0), (0, 1)]),
     "3 or more points": lambda: billiards.polygon([(0, 0), (1, 1)]),
@@ -355,10 +355,10 @@ BAD = {
     "which keeps none": lambda: billiards.orbit(billiards.circle(), ((0, 0), (0, 1), 0), 10**9),
     "expected a table": lambda: billiards.orbit("circle", ((0, 0), (0, 1), 0), 5),
     "centres within the cell": lambda: billiards.torus((1, 1), ((2, 0, 0.1),)),
-    "brings back every ball, got a wedge, whose walls": lambda: billiards.starts(billiards.wedge(1.0), 5),
-    "whose walls are infinite": lambda: billiards.starts(billiards.under(billiards.wedge(2.0), (-0.2, -1.0)), 5),
+    "brings back every ball, got a wedge, whose walls": lambda: billiards.starts(billiards.wedge(60), 5),
+    "whose walls are infinite": lambda: billiards.starts(billiards.under(billiards.wedge(115), (-0.2, -1.0)), 5),
     "with which a ball reaches a wall": lambda: billiards.starts(
-        billiards.under(billiards.wedge(1.0, bounds="surface"), (-1.0, 0.0)), 5, speed=0.1
+        billiards.under(billiards.wedge(60, bounds="surface"), (-1.0, 0.0)), 5, speed=0.1
     ),
     "a closed one": lambda: billiards.uniformity(billiards.strip(), 100),
     "a reversible one": lambda: billiards.reverse(

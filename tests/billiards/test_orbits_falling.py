@@ -21,12 +21,12 @@ TABLES = {
     "ellipse-surface": billiards.under(billiards.ellipse(bounds="surface"), FALL),
     "narrow ellipse": billiards.under(billiards.ellipse(1.1, 0.25, bounds="surface"), FALL),
     "tall narrow ellipse": billiards.under(billiards.ellipse(0.25, 1.1, bounds="surface"), FALL),
-    "wedge": billiards.under(billiards.wedge(1.2), (-1.0, 0.3)),
+    "wedge": billiards.under(billiards.wedge(70), (-1.0, 0.3)),
     "strip": billiards.under(billiards.strip(), FALL),
     "level strip": billiards.under(billiards.strip(), (0.0, -1.3)),
     "plates": billiards.under(billiards.plates(), (0.0, -1.3, 0.0)),
     "channel": billiards.cylinder(billiards.under(billiards.strip(), (0.0, -1.3)), 1.5),
-    "prism": billiards.cylinder(billiards.under(billiards.wedge(1.2, bounds="surface"), (-1.0, 0.3)), 1.5),
+    "prism": billiards.cylinder(billiards.under(billiards.wedge(70, bounds="surface"), (-1.0, 0.3)), 1.5),
     "L": billiards.under(billiards.polygon([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)], bounds="surface"), FALL),
     "stadium": billiards.under(billiards.stadium(), FALL),
     "sinai": billiards.under(billiards.sinai(), (0.02, -0.03)),
@@ -119,7 +119,7 @@ def test_up_and_down():
     assert found.t[0] == pytest.approx((3 - math.sqrt(5)) / 2)
     assert found.t[1] == pytest.approx(2 * found.t[0])
     # a force away from the only wall that is there: it leaves for good; towards the vertex it does not
-    away, to = (billiards.under(billiards.wedge(1.0), (g, 0.0)) for g in (1.0, -1.0))
+    away, to = (billiards.under(billiards.wedge(60), (g, 0.0)) for g in (1.0, -1.0))
     assert billiards.orbit(away, ((1, 0), (0.0, 0.1), 0.0), 50).ended == "escaped"
     assert billiards.orbit(to, ((1, 0), (0.0, 0.1), 0.0), 50).ended == "bounces"
 
@@ -167,8 +167,8 @@ def test_a_wedge_is_as_long_as_a_ball_gets():
     along = np.array([[math.cos(angle / 2), math.sin(angle / 2)], [math.cos(angle / 2), -math.sin(angle / 2)]])
     reach = -(speed**2) / (2 * along @ g)
     for power, table in (
-        (1.0, billiards.wedge(angle)),
-        (2.5, billiards.cylinder(billiards.under(billiards.wedge(angle), g))),
+        (1.0, billiards.wedge(math.degrees(angle))),
+        (2.5, billiards.cylinder(billiards.under(billiards.wedge(math.degrees(angle)), g))),
     ):
         table = billiards.under(table, g) if table.dimension == 2 else table  # noqa: PLW2901
         x = billiards.starts(table, 40_000, 6, speed=speed).position
@@ -190,7 +190,7 @@ def test_the_gravitational_wedge():
     begin = (np.tile([0.7, 0.0], (40, 1)), math.sqrt(0.6) * np.stack([np.cos(angle), np.sin(angle)], axis=1), 0.0)
 
     def greatest(half):
-        table = billiards.under(billiards.wedge(2 * math.radians(half)), (-1.0, 0.0))
+        table = billiards.under(billiards.wedge(2 * half), (-1.0, 0.0))
         return billiards.lyapunov(table, begin, 3000, law="mirror").per_bounce
 
     assert np.abs(greatest(45)).max() < 0.005
@@ -201,7 +201,7 @@ def test_the_gravitational_wedge():
     mixed = greatest(25)[:, 0]
     assert 5 < (mixed < 0.005).sum() < 20 < ((mixed > 0.2) & (mixed < 0.27)).sum()
     # between walls at a right angle the motion along each keeps its own part of the energy
-    square = billiards.under(billiards.wedge(math.pi / 2), (-1.0, 0.0))
+    square = billiards.under(billiards.wedge(90), (-1.0, 0.0))
     found = billiards.orbit(square, (begin[0], begin[1], 0.0), 2000, law="mirror")
     for n in (np.array([1, 1]) / math.sqrt(2), np.array([1, -1]) / math.sqrt(2)):
         part = (found.velocity @ n) ** 2 / 2 + found.position @ n / math.sqrt(2)

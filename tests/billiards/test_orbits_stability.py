@@ -34,7 +34,7 @@ TABLES = {
     ),
     "stadium, falling": billiards.under(billiards.stadium(), (0.3, -1.0)),
     "sinai, falling": billiards.under(billiards.sinai(), (0.3, -0.2)),
-    "wedge, falling": billiards.under(billiards.wedge(2.4), (-1.0, 0.1)),
+    "wedge, falling": billiards.under(billiards.wedge(140), (-1.0, 0.1)),
     "sphere, falling": billiards.under(billiards.sphere(), (0.3, 0.2, -1.0)),
     "cylinder with lids, falling": billiards.cylinder(
         billiards.under(billiards.ellipse(), (0.2, -0.5)), 2.0, acceleration=-1.0
@@ -225,7 +225,7 @@ def test_a_custom_law_has_exponents_periodic_orbits_and_manifolds():
 
 def test_what_meets_no_wall_has_no_derivative():
     with pytest.raises(carom.CaromError, match="orbits with at least one bounce"):
-        billiards.tangent_map(billiards.wedge(0.5), ((1, 0), (1, 0), 0.0))
+        billiards.tangent_map(billiards.wedge(30), ((1, 0), (1, 0), 0.0))
 
 
 # --- analysis -----------------------------------------------------------------------------------------------------------------
@@ -277,12 +277,12 @@ def test_escape_from_a_wedge():
     rng = np.random.default_rng(3)
     angle = 0.3
     start = (np.array([3.0, 0.0]) + 0.1 * rng.normal(size=(500, 2)), rng.normal(size=(500, 2)), 0.0)
-    gone = billiards.escape(billiards.wedge(angle), start, 100, law="mirror")
+    gone = billiards.escape(billiards.wedge(math.degrees(angle)), start, 100, law="mirror")
     assert gone.escaped.all()
     assert gone.bounces.max() <= math.ceil(math.pi / angle)
     assert gone.bounces.max() >= math.ceil(math.pi / angle) - 1
     # no-slip: some stay for good
-    stays = billiards.escape(billiards.wedge(angle), (start[0], start[1], rng.normal(size=500)), 2000)
+    stays = billiards.escape(billiards.wedge(math.degrees(angle)), (start[0], start[1], rng.normal(size=500)), 2000)
     assert 0.02 < (~stays.escaped).mean() < 0.98
 
 

@@ -115,7 +115,7 @@ def there_and_back(angle, kappa):
 @pytest.mark.parametrize("angle", [0.3, 1.0, 2.0, 3.0])
 def test_wedge_has_an_elliptic_orbit_of_period_two(angle, kappa):
     """Cox, Feres & Zhang: every corner below pi has one. Its multipliers are 1, 1 and exp(+-i rotation)."""
-    table, begin, ball = billiards.wedge(angle), there_and_back(angle, kappa), disc(kappa)
+    table, begin, ball = billiards.wedge(math.degrees(angle)), there_and_back(angle, kappa), disc(kappa)
     assert billiards.period(billiards.orbit(table, begin, 200, ball=ball)) == 2
     found = billiards.tangent_map(table, begin, 2, ball=ball)
     assert found.gap < 1e-12
@@ -148,11 +148,13 @@ def test_wedge_periods(n):
     begin = there_and_back(angle, kappa)
     rng = np.random.default_rng(3)
     start = (begin[0], begin[1] + 0.1 * rng.normal(size=(50, 2)), begin[2] + 0.1 * rng.normal(size=50))
-    found = billiards.orbit(billiards.wedge(angle), start, 400, ball=disc(kappa))
+    found = billiards.orbit(billiards.wedge(math.degrees(angle)), start, 400, ball=disc(kappa))
     stays = found.count == 400
     assert stays.sum() > 25
     periods = billiards.period(
-        billiards.orbit(billiards.wedge(angle), (start[0], start[1][stays], start[2][stays]), 400, ball=disc(kappa))
+        billiards.orbit(
+            billiards.wedge(math.degrees(angle)), (start[0], start[1][stays], start[2][stays]), 400, ball=disc(kappa)
+        )
     )
     assert set(periods) == {2 * n}
 
@@ -168,7 +170,9 @@ def test_least_period_12_needs_a_narrower_wedge(angle):
             continue
         begin = there_and_back(angle, kappa)
         start = (begin[0], np.add(begin[1], [[0.01, 0.02]]), [begin[2] + 0.01])
-        least[m] = billiards.period(billiards.orbit(billiards.wedge(angle), start, 400, ball=disc(kappa)))[0]
+        least[m] = billiards.period(
+            billiards.orbit(billiards.wedge(math.degrees(angle)), start, 400, ball=disc(kappa))
+        )[0]
     assert least == {1: 12, 2: 6, 3: 4, 4: 6}
 
 
@@ -178,7 +182,7 @@ def test_only_the_orbit_straight_across_a_wedge_is_periodic_where_the_rotation_i
     angle = 1.0
     begin = there_and_back(angle, kappa)
     start = (begin[0], np.add(begin[1], [[0, 0], [0.01, 0.02]]), np.add(begin[2], [0, 0.01]))
-    found = billiards.orbit(billiards.wedge(angle), start, 5_000, ball=disc(kappa))
+    found = billiards.orbit(billiards.wedge(math.degrees(angle)), start, 5_000, ball=disc(kappa))
     assert billiards.period(found).tolist() == [2, 0]
     p, v = found.position[1, 1:], found.velocity[1, 1:]
     momentum = np.abs(p[:, 0] * v[:, 1] - p[:, 1] * v[:, 0])

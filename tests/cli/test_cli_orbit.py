@@ -208,7 +208,7 @@ def drawn(figure: Any) -> None:
 
 @pytest.mark.parametrize(
     "table",
-    [billiards.sinai(bounds="surface"), billiards.periodic_strip(), billiards.strip(acceleration=0.4), billiards.wedge(0.7),
+    [billiards.sinai(bounds="surface"), billiards.periodic_strip(), billiards.strip(acceleration=0.4), billiards.wedge(40),
      billiards.sphere(), billiards.box(), billiards.cylinder(billiards.stadium(), acceleration=-9.81),
      billiards.ellipse(bounds="surface")],
     ids=str,
@@ -281,7 +281,7 @@ def test_portraits_have_a_title_a_legend_and_one_ink_for_chaotic_orbits() -> Non
     for figure in (plot_portrait(found), plot_boundary(found)):
         (axes,) = figure.axes
         assert axes.get_title() == (
-            "stadium, straight = 2, radius = 1; bounds the centre\nno-slip, $\\kappa$ = 0.5; 60 orbits of 1,500 bounces"
+            "stadium, straight = 2, radius = 1; boundary of the ball's centre\nno-slip, $\\kappa$ = 0.5; 60 orbits of 1,500 bounces"
         )
         (sea,) = [one for one in axes.collections if one.get_label() == "_sea"]
         islands = [one for one in axes.collections if one.get_label() == "_island"]
@@ -321,8 +321,17 @@ BAD = [
     (["circle", "--position", "1"], "--velocity: expected one together with --position, got none"),
     (["circle", "--position", "1", "--velocity", "1,0"], "--position: expected two numbers, such as 0.1,0.2, got '1'"),
     (["circle", "--position", "3,0", "--velocity", "1,0"], "2 outside"),
+    (
+        ["circle", "--position", "0,0", "--velocity", "1 m/s,0"],
+        "--velocity: expected two numbers, such as 0.1,0.2, got '1 m/s,0'",
+    ),
+    (["strip", "--acceleration", "g"], "--acceleration: expected a number, got 'g'"),
     (["circle", "--spin", "3"], "--spin: expected --position and --velocity with it"),
     (["circle", "--bounces", "0"], "bounces: expected an integer >= 1, got 0"),
+    (
+        ["circle", "--bounces", "100000000000"],
+        "which fill 4 GB, got 100,000,000,000, which take 5.2 TB; take fewer; in Python carom",
+    ),
     (["circle", "--orbits", "3", *START], "--orbits: expected 1 with --position, got 3"),
     (["circle", "--law", "noslip"], "did you mean 'no-slip'?"),
     (["circle", "--friction", "0.3"], "--friction: law no-slip does not use it"),

@@ -354,7 +354,12 @@ def energy_shell(table: Table, ball: Ball | None, law: Any, surface: Surface | N
         raise CaromError(Fault("periodic_orbits", "table", "a table in the plane", f"{table}"))
     lengths = setup.shape.lengths
     if not len(lengths) or not np.isfinite(lengths).all():
-        raise CaromError(Fault("periodic_orbits", "table", "a closed boundary", f"{table}, whose walls have no end"))
+        expected, advice = (
+            "a closed boundary, such as a polygon's",
+            "carom.billiards.tangent_map has the multipliers of an orbit",
+        )
+        got = f"{table}, whose walls have no end"
+        raise CaromError(Fault("periodic_orbits", "table", expected, got, f"in Python {advice} that is known"))
     if not (isinstance(speed, int | float | np.number) and 0 < speed < math.inf):
         raise CaromError(Fault("periodic_orbits", "speed", "a positive number", repr(speed)))
     return EnergyShell(setup, float(speed) ** 2)

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from os import PathLike
 from pathlib import Path
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,17 +16,17 @@ from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer, req
 from carom.billiards.orbits import reverse as backwards
 from carom.billiards.orbits import starts as sampled_starts
 from carom.billiards.periodic import PeriodicOrbits, periodic_orbits
-from carom.billiards.setup import OrbitSetup, Start, default_ball, law_of, needs_surface, orbit_setup, start_rows
+from carom.billiards.setup import Start, default_ball, law_of, needs_surface, orbit_setup, start_rows
 from carom.billiards.stability import Lyapunov, spectrum_of
 from carom.billiards.tables import Table, in_magnetic_field, under
 from carom.billiards.tables import table as table_of
 from carom.bodies import Ball, Disc, Surface
-from carom.errors import CaromError, FaultList
+from carom.errors import CaromError, FaultList, did_you_mean, near_name
 from carom.laws.law import Law
 from carom.public.defaults import BOUNCES, PERIODIC_STARTS
 from carom.public.other_rooms import saved_figure
 from carom.public.progress import Progress
-from carom.scene.figures import Figure
+from carom.scene.figures import FIGURES, Figure
 
 if TYPE_CHECKING:
     import matplotlib.figure
@@ -170,10 +171,7 @@ def orbit(
     >>> carom.orbit("circle", 100, orbits=3, seed=1, lyapunov=True).spectrum.per_bounce.shape
     (3, 4)
     """
-    left_out = ("lyapunov", "progress", "periodic", "itinerary", "starts", "sizes")
-    options = {name: value for name, value in locals().items() if name not in (*left_out, "left_out")} | sizes
-    setup: OrbitSetup
-    setup, start = _checked(**options)
+    setup, start = check_orbit(**{name: value for name, value in locals().items() if name != "sizes"}, **sizes)
     surface = _surface(law, restitution, friction, tangential_restitution)
     closed = None
     if periodic is not None or itinerary is not None:
@@ -197,67 +195,40 @@ def orbit(
     return OrbitResult(**parts, spectrum=spectrum, reversal_error=error, periodic=closed)
 
 
+OPTIONS: dict[str, Any] = orbit.__kwdefaults__ or {}
+
+
 def _spectrum(found: Orbit) -> Lyapunov:
     return spectrum_of(found.setup, found.start, found.t.shape[-1])
 
 
-def check_orbit(**options: Any) -> None:
-    """Raise CaromError, one line per problem, for arguments of :func:`orbit` that it would refuse before it begins.
+def check_orbit(table: Any, bounces: int = BOUNCES, **given: Any) -> tuple[Any, Start | None]:
+    """Return the validated OrbitSetup, and the initial state (None: to be sampled), of arguments of :func:`orbit`.
 
-    ``table=None``: a table whose faults are known already.
+    Raises CaromError, one line per problem. ``table=None``: a table whose faults are known already.
     """
-    _checked(**options)
-
-
-def _checked(
-    table: Any,
-    bounces: int = BOUNCES,
-    *,
-    bounds: str = "centre",
-    acceleration: Any = None,
-    magnetic_field: Any = None,
-    kappa: float | None = None,
-    ball_radius: float | None = None,
-    law: Any = "no-slip",
-    restitution: float | None = None,
-    friction: float | None = None,
-    tangential_restitution: float | None = None,
-    at_corner: str = "end",
-    position: Any = None,
-    velocity: Any = None,
-    spin: Any = None,
-    orbits: int = 1,
-    seed: int = 0,
-    reverse: bool = False,
-    **sizes: Any,
-) -> tuple[Any, Start | None]:
-    """Return the validated OrbitSetup: table, ball and law; and the initial state (None: to be sampled)."""
-    faults = FaultList()
-    made = (
-        None
-        if table is None
-        else faults.attempt(
-            _table,
-            table,
-            {name: x for name, x in sizes.items() if x is not None},
-            bounds,
-            acceleration,
-            magnetic_field,
-        )
-    )
+    faults, one = FaultList(), SimpleNamespace(**OPTIONS | given)
+    sizes = {name: value for name, value in given.items() if name not in OPTIONS and value is not None}
+    known = [*OPTIONS, *(name for kind in FIGURES.values() for name in kind.model_fields)]
+    for name in [name for name in sizes if near_name(name, known) in OPTIONS]:
+        faults.add(name, "an option or a size of the figure", f"{name!r}", did_you_mean(name, known))
+        del sizes[name]
+    made = None
+    if table is not None:
+        made = faults.attempt(_table, table, sizes, one.bounds, one.acceleration, one.magnetic_field)
     before = len(faults)
-    surface = faults.attempt(_surface, law, restitution, friction, tangential_restitution)
-    ball = None if made is None else faults.attempt(_ball, made, kappa, ball_radius)
+    surface = faults.attempt(_surface, one.law, one.restitution, one.friction, one.tangential_restitution)
+    ball = None if made is None else faults.attempt(_ball, made, one.kappa, one.ball_radius)
     together = len(faults) == before  # else each of these faults would be reported again below
     faults.attempt(require_integer, "bounces", bounces)
-    faults.attempt(require_integer, "seed", seed, 0)
-    start = None if made is None else faults.attempt(_start, made, position, velocity, spin, orbits)
+    faults.attempt(require_integer, "seed", one.seed, 0)
+    start = None if made is None else faults.attempt(_start, made, one.position, one.velocity, one.spin, one.orbits)
     setup = None
     if together:
         if made is None:
-            faults.attempt(law_of, law, surface)
-        elif (setup := faults.attempt(orbit_setup, made, ball, law, surface, at_corner)) is not None:
-            if reverse:
+            faults.attempt(law_of, one.law, surface)
+        elif (setup := faults.attempt(orbit_setup, made, ball, one.law, surface, one.at_corner)) is not None:
+            if one.reverse:
                 faults.attempt(require_reversible, setup)
             if start is not None:
                 faults.attempt(start_rows, setup, start)
@@ -277,7 +248,7 @@ def _table(table: Any, given: dict[str, Any], bounds: Any, acceleration: Any, ma
         return made
     axis = ALONG.get(made.name)
     if axis is not None and np.ndim(acceleration) == 0:
-        return under(made, [float(acceleration) if one else 0.0 for one in axis])
+        return under(made, [x * _vector("acceleration", acceleration, 1)[0] for x in axis])
     return under(made, _vector("acceleration", acceleration, made.dimension))
 
 

@@ -44,7 +44,7 @@ class Orbit:
     >>> from carom import billiards
     >>> found = billiards.orbit(billiards.circle(), ((0.0, 0.0), (1.0, 0.0), 0.0), bounces=3)
     >>> found
-    <Orbit: circle (radius 1.0; bounds the centre): no-slip, 3 bounces>
+    <Orbit: circle (radius 1.0; boundary of the ball's centre): no-slip, 3 bounces>
     >>> found.t, found.position[:, 0]
     (array([1., 3., 5.]), array([ 1., -1.,  1.]))
     """
@@ -255,8 +255,8 @@ def orbit_from_setup(setup: OrbitSetup, start: Any, bounces: int, progress: Prog
     bounces = require_integer("bounces", bounces)
     d = setup.table.dimension
     width = 6 if setup.planar else 10
-    advice = "use final(), which keeps none"
-    require_memory("orbit", "bounces", len(rows) * bounces, 2 * (8 * width + 4), advice, 2 * MAX_KEPT_BYTES)
+    advice = "take fewer; in Python carom.billiards.final keeps none of them"
+    require_memory("orbit", "bounces", len(rows) * bounces, 8 * width + 4, advice, MAX_KEPT_BYTES)
     kept = np.full((len(rows), bounces, width), np.nan)
     piece = np.full((len(rows), bounces), -1, np.int32)
     last, ends = _loop(setup, rows, bounces, kept, piece, progress)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from os import PathLike
@@ -33,7 +32,7 @@ class Table:
     >>> from carom import billiards
     >>> table = billiards.circle(2.0, bounds="surface")
     >>> print(table)
-    circle (radius 2.0; bounds the surface)
+    circle (radius 2.0; boundary of the ball's surface)
     >>> table.shape(0.5).lengths / (2 * 3.141592653589793)
     array([1.5])
     """
@@ -91,7 +90,7 @@ class Table:
         forces = [f"acceleration {list(g)}"] if any(g) else []
         forces += [f"magnetic field {self.magnetic_field:g}/s"] if self.magnetic_field else []
         sizes = ", ".join([*self.figure.phrases(), *forces])
-        return f"{self.name} ({sizes}; bounds the {self.bounds})"
+        return f"{self.name} ({sizes}; boundary of the ball's {self.bounds})"
 
 
 def table(
@@ -125,7 +124,7 @@ def table(
     --------
     >>> from carom import billiards
     >>> print(billiards.table("stadium:straight=3,radius=1", bounds="surface"))
-    stadium (straight 3.0, radius 1.0; bounds the surface)
+    stadium (straight 3.0, radius 1.0; boundary of the ball's surface)
     """
     faults = FaultList()
     if isinstance(what, Table) and not sizes:
@@ -159,7 +158,7 @@ def under(table: Table, acceleration: Sequence[float]) -> Table:
     --------
     >>> from carom import billiards
     >>> print(billiards.under(billiards.circle(), (0.0, -9.81)))
-    circle (radius 1.0, acceleration [0.0, -9.81]; bounds the centre)
+    circle (radius 1.0, acceleration [0.0, -9.81]; boundary of the ball's centre)
     """
     faults = FaultList("under")
     _require_table(faults, table)
@@ -196,7 +195,7 @@ def in_magnetic_field(table: Table, magnetic_field: float) -> Table:
     >>> from carom import billiards
     >>> table = billiards.in_magnetic_field(billiards.circle(), 2.0)
     >>> print(table)
-    circle (radius 1.0, magnetic field 2/s; bounds the centre)
+    circle (radius 1.0, magnetic field 2/s; boundary of the ball's centre)
     >>> found = billiards.orbit(table, ((1.0, 0.0), (-1.0, 0.0), 0.0), bounces=1, law="mirror")
     >>> found.position.round(9)
     array([[ 0.6, -0.8]])
@@ -271,7 +270,7 @@ def strip(width: float = 1.0, *, bounds: Bounds = "centre", acceleration: float 
     --------
     >>> from carom import billiards
     >>> print(billiards.strip(2.0))
-    strip (width 2.0; bounds the centre)
+    strip (width 2.0; boundary of the ball's centre)
     """
     return _along((1, 0, 0), acceleration, "strip", bounds, width=width)
 
@@ -281,7 +280,7 @@ def wedge(angle: float, *, bounds: Bounds = "centre") -> Table:
 
     Parameters
     ----------
-    angle : float, between the walls, 0 to pi, rad
+    angle : float, between the walls, degrees, above 0 and below 180
     bounds : "centre" or "surface" of the ball
 
     Returns
@@ -291,10 +290,10 @@ def wedge(angle: float, *, bounds: Bounds = "centre") -> Table:
     Examples
     --------
     >>> from carom import billiards
-    >>> print(billiards.wedge(1.0))
-    wedge (angle 57.29577951308232; bounds the centre)
+    >>> print(billiards.wedge(60))
+    wedge (angle 60.0; boundary of the ball's centre)
     """
-    return table("wedge", bounds=bounds, angle=math.degrees(angle))
+    return table("wedge", bounds=bounds, angle=angle)
 
 
 def polygon(vertices: ArrayLike, *, bounds: Bounds = "centre", name: str = "polygon") -> Table:
@@ -337,7 +336,7 @@ def regular(sides: int, radius: float = 1.0, *, bounds: Bounds = "centre") -> Ta
     --------
     >>> from carom import billiards
     >>> print(billiards.regular(5))
-    regular (sides 5, radius 1.0; bounds the centre)
+    regular (sides 5, radius 1.0; boundary of the ball's centre)
     """
     return table("regular", bounds=bounds, sides=sides, radius=radius)
 
@@ -358,7 +357,7 @@ def rectangle(width: float = 2.0, height: float = 1.0, *, bounds: Bounds = "cent
     --------
     >>> from carom import billiards
     >>> print(billiards.rectangle(2.0, 1.0))
-    rectangle (size [2.0, 1.0]; bounds the centre)
+    rectangle (size [2.0, 1.0]; boundary of the ball's centre)
     """
     return table("rectangle", bounds=bounds, size=(width, height))
 
@@ -379,7 +378,7 @@ def circle(radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
     --------
     >>> from carom import billiards
     >>> print(billiards.circle(1.5))
-    circle (radius 1.5; bounds the centre)
+    circle (radius 1.5; boundary of the ball's centre)
     """
     return table("circle", bounds=bounds, radius=radius)
 
@@ -451,7 +450,7 @@ def discs(obstacles: Circles | None = None, *, bounds: Bounds = "centre") -> Tab
     --------
     >>> from carom import billiards
     >>> print(billiards.discs([(0.0, 0.0, 1.0), (3.0, 0.0, 1.0)]))
-    discs (obstacles [[0.0, 0.0, 1.0], [3.0, 0.0, 1.0]]; bounds the centre)
+    discs (obstacles [[0.0, 0.0, 1.0], [3.0, 0.0, 1.0]]; boundary of the ball's centre)
     """
     sizes: dict[str, Any] = {} if obstacles is None else {"obstacles": obstacles}
     return table("discs", bounds=bounds, **sizes)
@@ -479,7 +478,7 @@ def torus(
     --------
     >>> from carom import billiards
     >>> print(billiards.torus((1.0, 1.0), [(0.0, 0.0, 0.4)]))
-    torus (size [1.0, 1.0], obstacles [[0.0, 0.0, 0.4]], periodic ['x', 'y']; bounds the centre)
+    torus (size [1.0, 1.0], obstacles [[0.0, 0.0, 0.4]], periodic ['x', 'y']; boundary of the ball's centre)
     """
     return replace(table("cell", bounds=bounds, size=cell, obstacles=scatterers), name="torus")
 
@@ -500,7 +499,7 @@ def sinai(radius: float = 0.3, side: float = 1.0, *, bounds: Bounds = "centre") 
     --------
     >>> from carom import billiards
     >>> print(billiards.sinai(0.3))
-    sinai (radius 0.3, side 1.0; bounds the centre)
+    sinai (radius 0.3, side 1.0; boundary of the ball's centre)
     """
     return table("sinai", bounds=bounds, radius=radius, side=side)
 
@@ -549,7 +548,7 @@ def sphere(radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
     --------
     >>> from carom import billiards
     >>> print(billiards.sphere(2.0))
-    sphere (radius 2.0; bounds the centre)
+    sphere (radius 2.0; boundary of the ball's centre)
     """
     return table("sphere", bounds=bounds, radius=radius)
 
@@ -571,7 +570,7 @@ def plates(distance: float = 1.0, *, bounds: Bounds = "centre", acceleration: Se
     --------
     >>> from carom import billiards
     >>> print(billiards.plates(1.0, acceleration=(0.0, -9.81)))
-    plates (distance 1.0, acceleration [0.0, 0.0, -9.81]; bounds the centre)
+    plates (distance 1.0, acceleration [0.0, 0.0, -9.81]; boundary of the ball's centre)
     """
     faults = FaultList("plates")
     g = checked_acceleration(faults, acceleration, 2)
@@ -601,7 +600,7 @@ def cylinder(section: Table | float = 1.0, height: float | None = None, *, accel
     --------
     >>> from carom import billiards
     >>> print(billiards.cylinder(1.0, height=2.0, acceleration=-9.81))
-    cylinder (radius 1.0, height 2.0, acceleration [0.0, 0.0, -9.81]; bounds the centre)
+    cylinder (radius 1.0, height 2.0, acceleration [0.0, 0.0, -9.81]; boundary of the ball's centre)
     """
     if isinstance(section, Table):
         over: dict[str, Any] = {"section": section.figure}
@@ -633,7 +632,7 @@ def box(size: Sequence[float] = (1.0, 1.0, 1.0), *, bounds: Bounds = "centre") -
     --------
     >>> from carom import billiards
     >>> print(billiards.box((1.0, 2.0, 3.0)))
-    box (size [1.0, 2.0, 3.0]; bounds the centre)
+    box (size [1.0, 2.0, 3.0]; boundary of the ball's centre)
     """
     return table("box", bounds=bounds, size=size)
 

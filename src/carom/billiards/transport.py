@@ -169,9 +169,8 @@ def escape(
     --------
     A wedge of 60 degrees, elastic and smooth, releases every ball after at most three bounces:
 
-    >>> import math
     >>> from carom import billiards
-    >>> found = billiards.escape(billiards.wedge(math.pi / 3), ((1.0, 0.0), (-1.0, 0.2), 0.0), law="mirror")
+    >>> found = billiards.escape(billiards.wedge(60), ((1.0, 0.0), (-1.0, 0.2), 0.0), law="mirror")
     >>> bool(found.escaped), int(found.bounces)
     (True, 3)
     """

@@ -136,7 +136,7 @@ def print_orbit(facts: dict[str, Any], found: OrbitResult) -> None:
         for k, v in facts["table"].items()
         if k not in ("name", "bounds")
     )
-    rows.append(("table", f"{facts['table']['name']}: {sizes}; bounds the {facts['table']['bounds']}"))
+    rows.append(("table", f"{facts['table']['name']}: {sizes}; boundary of the ball's {facts['table']['bounds']}"))
     law, wall = facts["law"], found.setup.world[0]
     if needs_surface(law):
         law += f" with restitution {wall['e']:g}, friction {wall['mu']:g}, tangential restitution {wall['beta']:g}"
@@ -311,8 +311,7 @@ def orbit(
         got = "both" if table else "neither"
         faults.append(Fault(advice=f"TABLE: expected a table such as circle, or --table FILE, got {got}"))
     if faults:
-        searched = ("lyapunov", "periodic", "itinerary", "starts")
-        faults.attempt(lambda: check_orbit(table=what, **{k: x for k, x in given.items() if k not in searched}))
+        faults.attempt(lambda: check_orbit(table=what, **given))
         raise CaromError(*faults)
     if lyapunov_plot is not None:
         given["lyapunov"] = True

@@ -199,7 +199,7 @@ def _read(name: str, one: Declared, value: Any) -> Any:  # noqa: PLR0911
     if kind.startswith("tuple"):
         return value if value in wanted.split("|") else _pair(flag, value, wanted)
     if kind.startswith(("ArrayLike", "Sequence[float]")):
-        return _numbers(flag, value)
+        return _numbers(value)
     if name in ("scale", "noise") and value != "gravity":
         return parse_length(name, value)
     if one.unit:
@@ -222,9 +222,9 @@ def _pair(flag: str, text: str, wanted: str) -> tuple[float, float]:
     raise CaromError(f"{flag}: expected LOW:HIGH, such as {such}, got {text!r}")
 
 
-def _numbers(flag: str, text: str) -> float | list[float]:
-    """Return the numbers between commas; a number where there is but one."""
+def _numbers(text: str) -> float | list[float] | str:
+    """Return the numbers between commas; a number where there is but one, and another text as it is, for the library to refuse."""
     with contextlib.suppress(ValueError):
         if found := [float(part) for part in text.replace(",", " ").split()]:
             return found[0] if len(found) == 1 and "," not in text else found
-    raise CaromError(f"{flag}: expected numbers, such as 0.1,0.2, got {text!r}")
+    return text

@@ -460,7 +460,7 @@ def _title(found: Orbit) -> str:
     count = int(np.size(found.count))
     orbits = f"{count:,} orbits" if count > 1 else "1 orbit"
     return (
-        f"{literal(', '.join([table.name, *sizes]))}; bounds the {table.bounds}\n{literal(found.setup.law)},"
+        f"{literal(', '.join([table.name, *sizes]))}; boundary of the ball's {table.bounds}\n{literal(found.setup.law)},"
         f" $\\kappa$ = {format_number(float(found.setup.ball.kappa), 4)}; {orbits} of {found.t.shape[-1]:,} bounces"
     )
 
@@ -469,7 +469,7 @@ def _legend(axes: Any, curves: NDArray[np.bool_], below: float) -> None:
     """Write what the inks mean, with the numbers of orbits, below the axes."""
     from matplotlib.lines import Line2D
 
-    inks = [(SEA, "others: not found to be on curves", int((~curves).sum()))]
+    inks = [(SEA, "others: no invariant curve detected", int((~curves).sum()))]
     inks.append((ORBITS[0], "islands: on smooth curves (any colour but grey)", int(curves.sum())))
     dots = [
         Line2D([], [], ls="", marker="o", ms=4, mew=0, color=ink, label=f"{words}  ({count:,})")
