@@ -92,7 +92,7 @@ def call_steps() -> None:
 
     def loop(most: int, slow: float) -> Callable[[], Any]:
         return fixed(
-            compiled_engine().run, (arrays.world, arrays.features, balls, log, slow, math.inf, most, arrays.users, ALL)
+            compiled_engine(), (arrays.world, arrays.features, balls, log, slow, math.inf, most, arrays.users, ALL)
         )
 
     nothing, whole = loop(0, 0.0), loop(2**62, -1.0)

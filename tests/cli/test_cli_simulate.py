@@ -494,7 +494,7 @@ def test_the_compiled_loop_is_found_in_the_package_or_in_the_cache(
         monkeypatch.setattr("carom.core.jit.compile.is_shipped", lambda _loop, shipped=shipped: shipped)
         assert compiled_before() is shipped
     (scenes / "empty" / "simulation").mkdir(parents=True)
-    (scenes / "empty" / "simulation" / "loop._one_end-1.py311.nbi").touch()
+    (scenes / "empty" / "simulation" / "loop._one_run-1.py311.nbi").touch()
     assert compiled_before()
 
 

@@ -140,7 +140,7 @@ def test_every_loop_with_a_signature_is_in_the_package() -> None:
     if native.why_not_shipped():
         pytest.skip("Numba compiles all loops")
     loops = [
-        *compiled_engine(), compiled.compiled_follow(), compiled.compiled_states(), near_misses.compiled_least_gaps(),
+        compiled_engine(), compiled.compiled_follow(), compiled.compiled_states(), near_misses.compiled_least_gaps(),
         run_many.compiled_many(), sensitivity.compiled_runs(),
         likelihood._evaluating(False), likelihood._evaluating(True), likelihood._predicting(),
     ]  # fmt: skip

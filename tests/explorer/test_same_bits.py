@@ -43,7 +43,7 @@ def followed(scene: carom.Scene, nudge: bool = False) -> tuple[int, np.ndarray]:
     log = np.zeros(2 * EVENTS + 4 * len(balls), LOG)
     most = min(EVENTS, scene.run.max_events or EVENTS)
     until = math.inf if scene.run.duration is None else scene.run.duration
-    run = compiled_engine().run
+    run = compiled_engine()
     status, _events, rows, *_rest = run(setup.world, setup.features, balls, log, -1.0, until, most, setup.users, ALL)
     return status, log[:rows]
 

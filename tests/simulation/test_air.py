@@ -119,7 +119,7 @@ def test_same_bits_as_compiled(seed: int) -> None:
     if seed in (4, 5):
         balls = [ball.model_copy(update={"drag": "smooth-sphere", "lift": "tennis"}) for ball in scene.balls]
         scene = api.Scene(**{name: getattr(scene, name) for name in ("air", "floor", "walls", "run")}, balls=balls)
-    expected = one_run(scene, compiled_engine().run, True)
+    expected = one_run(scene, compiled_engine(), True)
     assert one_run(scene, engine_loop.run_interpreted, False) == expected
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -434,35 +434,21 @@ def finish(world: Any, balls: Any, t: float) -> None:
 # Compile the event loop.
 
 
-class Engine(NamedTuple):
-    """The compiled loop."""
-
-    run: Callable[..., Any]
-    finish: Callable[..., Any]
-
-
-# What the loop and its end return, and what they take.
-ENGINE_END = (None, array_of(WORLD), array_of(BALLS), float)
+# What the loop returns and takes.
 ENGINE_RUN = (
     (int, int, int, int, float, float),
     *(array_of(kind) for kind in (WORLD, FEATURES, BALLS, LOG)), float, float, int, array_of(int), int,
 )  # fmt: skip
+# In place of the most events: none, but every ball is advanced to the time ``until``.
+ADVANCE = -1
 
 
 @functools.cache
-def compiled_engine() -> Engine:
+def compiled_engine() -> Callable[..., Any]:
     """Return the compiled event loop; from the second time on it is loaded from the cache."""
     needs = (register_calls, register_joint_impact)
     # (nothing is made in the loop: no counting of who holds an array)
-    return Engine(
-        njit(_one_run, signature(*ENGINE_RUN), needs, _nrt=False),
-        njit(_one_end, signature(*ENGINE_END), needs, _nrt=False),
-    )
-
-
-def plain_engine() -> Engine:
-    """Return the entries of the event loop as functions that are not compiled."""
-    return Engine(_one_run, _one_end)
+    return njit(_one_run, signature(*ENGINE_RUN), needs, _nrt=False)
 
 
 def is_loaded() -> bool:
@@ -477,20 +463,19 @@ _CALLED: dict[int, Callable[..., Any]] = {RIM: rim_entry, CURVE: arc_entry}
 def compiled_before(scene: Scene | None = None) -> bool:
     """Return whether the compiled loop is at hand (what is compiled last is), with what it calls at the features of a scene."""
     kinds = set() if scene is None else {feature.kind for wall in scene.walls for feature in wall.features()}
-    return is_cached(_one_end) and all(is_cached(entry) for kind, entry in _CALLED.items() if kind in kinds)
+    return is_cached(_one_run) and all(is_cached(entry) for kind, entry in _CALLED.items() if kind in kinds)
 
 
-# Entries, and nothing else: what is called from Python is compiled with other flags, and so would be all that it calls, which
+# An entry, and nothing else: what is called from Python is compiled with other flags, and so would be all that it calls, which
 # its kernels call too.
 # (One world, in an array: a single record takes 1.5 us to hand over, an array 0.1.)
 def _one_run(
     worlds: Any, features: Any, balls: Any, log: Any, slow: float, until: float, most: int, users: Any, keep: int
 ) -> Any:
+    if most == ADVANCE:
+        finish(worlds[0], balls, until)
+        return DONE, 0, 0, -1, slow, until
     return run(worlds[0], features, balls, log, slow, until, most, users, keep)
-
-
-def _one_end(worlds: Any, balls: Any, t: float) -> None:
-    finish(worlds[0], balls, t)
 
 
 # ----------------------------------------------------------------------------------------------------
@@ -581,7 +566,7 @@ class SceneLoop:
         arguments = (world, features, self.balls, log, slow, self.until, most, users, ALL)
         if self.interpreted:
             return functools.partial(run_interpreted, *arguments)
-        return fixed(compiled_engine().run, arguments)
+        return fixed(compiled_engine(), arguments)
 
     def run(self, scene: Scene, progress: Callable[[int, float], None] | None) -> RunLog:
         """Run the scene from its start (:func:`run_scene`)."""

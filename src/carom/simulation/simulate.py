@@ -32,7 +32,7 @@ from carom.scene.wall import law_name
 from carom.simulation.contact_kinds import ALL_REFUSALS, DONE, wall_normal
 from carom.simulation.files import kinetic_energy, many_events_table
 from carom.simulation.loop import (
-    ENGINE_END,
+    ADVANCE,
     ENGINE_RUN,
     FIRST_ROWS,
     LIMIT,
@@ -122,26 +122,25 @@ def _keep_rows(log: Any, rows: int, wanted: Any, counts: Any, kept: Any) -> None
 
 # What the loop returns and takes.
 LOOP = (
-    None, array_of(int), array_of(WORLD), array_of(FEATURES, 2), array_of(BALLS, 2), array_of(LOG, 2), array_of(float), float, int,
+    None, int, array_of(WORLD), array_of(FEATURES, 2), array_of(BALLS, 2), array_of(LOG, 2), array_of(float), float, int,
     int, array_of(int), int, array_of(int, 2), array_of(int, 2), array_of(LOG, 2), array_of(int, 2),
 )  # fmt: skip
 
 
-# The compiled event loop and its end, called through their addresses, once there are any: single runs, many runs and runs with
-# derivatives share the machine code of one engine.
+# The compiled event loop, called through its address, once there is one: single runs, many runs and runs with derivatives share
+# the machine code of one engine.
 _call_run: Any = None
-_call_finish: Any = None
 
 
 def _many(
-    functions: Any, worlds: Any, features: Any, balls: Any, logs: Any, slow: Any, until: float, most: int, share: int, users: Any,
+    engine: int, worlds: Any, features: Any, balls: Any, logs: Any, slow: Any, until: float, most: int, share: int, users: Any,
     keep: int, wanted: Any, counts: Any, kept: Any, ended: Any,
 ) -> None:  # fmt: skip
     """Continue every run of ``balls`` (N, B) by at most ``share`` events.
 
-    ``functions`` (2,): addresses of the event loop and of its end; ``worlds`` (1 or N,), ``features`` (1 or N, F): of all runs, or
-    of each; ``logs`` (T, rows): of each of T parts of the runs; ``counts`` (N, CODES + 1) and ``kept`` (N, W): :func:`_keep_rows`;
-    ``ended`` (N, 2): status and number of events. A run goes on while its status is LIMIT, with fewer than ``most`` events.
+    ``engine``: address of the event loop; ``worlds`` (1 or N,), ``features`` (1 or N, F): of all runs, or of each; ``logs``
+    (T, rows): of each of T parts of the runs; ``counts`` (N, CODES + 1) and ``kept`` (N, W): :func:`_keep_rows`; ``ended`` (N, 2):
+    status and number of events. A run goes on while its status is LIMIT, with fewer than ``most`` events.
     """
     total, parts = balls.shape[0], logs.shape[0]
     for part in prange(parts):
@@ -155,28 +154,30 @@ def _many(
                 many = rows_of_an_event(balls.shape[1], shape.shape[0], keep, log.shape[0])
                 step = min(left, log.shape[0] // many) if keep != 0 else left
                 status, events, rows, _ball, slow[n], last = _call_run(
-                    functions[0], (worlds[here : here + 1], shape, balls[n], log, slow[n], until, step, users, keep)
+                    engine, (worlds[here : here + 1], shape, balls[n], log, slow[n], until, step, users, keep)
                 )
                 _keep_rows(log, rows, wanted, counts[n], kept[n])
                 left -= events
                 ended[n, 0], ended[n, 1] = status, ended[n, 1] + events
                 if status != LIMIT or ended[n, 1] >= most:
                     end = until if until < math.inf and status in (DONE, QUIET) else last
-                    _call_finish(functions[1], (worlds[here : here + 1], balls[n], end))
+                    _call_run(
+                        engine, (worlds[here : here + 1], shape, balls[n], log, slow[n], end, ADVANCE, users, keep)
+                    )
 
 
 @functools.cache
 def _declare_calls() -> None:
     """Tell the compiler what the loop calls by address."""
-    global _call_run, _call_finish
-    _call_run, _call_finish = caller_of(*ENGINE_RUN), caller_of(*ENGINE_END)
+    global _call_run  # noqa: PLW0603
+    _call_run = caller_of(*ENGINE_RUN)
 
 
 @functools.cache
 def compiled_many() -> Callable[..., None]:
     """Return the compiled loop, which uses all cores."""
-    addresses = np.array([compiled_address(one) for one in compiled_engine()])
-    return functools.partial(njit(_many, signature(*LOOP), (_declare_calls,), parallel=True), addresses)
+    loop = njit(_many, signature(*LOOP), (_declare_calls,), parallel=True)
+    return functools.partial(loop, compiled_address(compiled_engine()))
 
 
 # ----------------------------------------------------------------------------------------------------

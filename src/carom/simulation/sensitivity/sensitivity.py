@@ -27,8 +27,8 @@ from carom.scene.scene import Scene
 from carom.scene.toml import replaced
 from carom.simulation.contact_kinds import ALL_REFUSALS, DONE
 from carom.simulation.loop import (
+    ADVANCE,
     ALL,
-    ENGINE_END,
     ENGINE_RUN,
     FULL,
     LIMIT,
@@ -204,7 +204,6 @@ ENDED = (DONE, QUIET, LIMIT)  # how a run ends that is followed to its end
 
 # The compiled functions, called through their addresses, once there are any.
 _call_run: Any = None
-_call_finish: Any = None
 _call_follow: Any = None
 _call_states: Any = None
 
@@ -352,7 +351,7 @@ def _many(
 ) -> None:  # fmt: skip
     """Run the starts (N, B) whose numbers are in ``which``: to the end, if it is kept, else to the last of their times.
 
-    ``time`` (N, T), or (1, T) for all, of which the first ``count`` (N,) are evaluated. ``functions`` (4,): addresses of what is
+    ``time`` (N, T), or (1, T) for all, of which the first ``count`` (N,) are evaluated. ``functions`` (3,): addresses of what is
     called.
     """
     log, balls, tables = room.log, room.balls, scene.worlds.shape[0]
@@ -381,13 +380,13 @@ def _many(
             if status == FULL:  # (run again with more rows)
                 continue
             if status in (DONE, QUIET, LIMIT):
-                _call_finish(functions[1], (worlds, kept.finals[n], end))
+                _call_run(functions[0], (worlds, features, kept.finals[n], log, -1.0, end, ADVANCE, scene.users, ALL))
         followed = room.balls_d.shape[0] > 0 and (count[n] > 0 or status in (DONE, QUIET, LIMIT))
         first = slopes.starts[n if slopes.starts.shape[0] > 1 else 0]
         if followed:
             _copy(first, room.balls_d, 0)
             graze = _call_follow(
-                functions[2],
+                functions[1],
                 (
                     worlds, slopes.world, features, slopes.features, starts[n], room.balls_d, balls, log[:rows], slopes.users,
                     end, room.passages, room.passages_d,
@@ -403,7 +402,7 @@ def _many(
             _rows_at(log, rows, k, own, many, room.rows)
         if followed and many > 0:
             _call_states(
-                functions[3],
+                functions[2],
                 (
                     worlds, slopes.world, starts[n], first, log[:rows], room.rows[:many], room.passages, room.passages_d,
                     own[:many], balls, room.balls_d, kept.states[n], kept.slopes[n],
@@ -417,15 +416,14 @@ def _many(
 @functools.cache
 def _declare_calls() -> None:
     """Tell the compiler what the loop calls by address."""
-    global _call_run, _call_finish, _call_follow, _call_states
-    _call_run, _call_finish = caller_of(*ENGINE_RUN), caller_of(*ENGINE_END)
-    _call_follow, _call_states = caller_of(*FOLLOW), caller_of(*STATES)
+    global _call_run, _call_follow, _call_states
+    _call_run, _call_follow, _call_states = caller_of(*ENGINE_RUN), caller_of(*FOLLOW), caller_of(*STATES)
 
 
 @functools.cache
 def compiled_runs() -> Callable[..., None]:
     """Return the compiled loop, for one thread."""
-    called = (*compiled_engine(), compiled_follow(), compiled_states())
+    called = (compiled_engine(), compiled_follow(), compiled_states())
     addresses, whole = np.array([compiled_address(one) for one in called]), array_of(int)
     loop = signature(
         None, whole, named_tuple_type(RunScene, array_of(WORLD), array_of(FEATURES), whole),
