@@ -256,7 +256,7 @@ CAPS = {
     "gas": 6943,
     "billiards": 5567,
     "tracks": 9374,
-    "simulation": 6447,
+    "simulation": 6440,
     "core": 5745,
     "laws": 4969,
     "scene": 4877,
