@@ -312,7 +312,7 @@ def test_lengths():
 def test_wedge_of_a_surface_is_a_wedge_of_the_centre():
     inner = billiards.wedge(45, bounds="surface")
     found = billiards.orbit(inner, ((1.5, 0.0), (0.0, 1.0), -2.0), 20, ball=carom.Disc(0.2, 1.0))
-    shift = np.array([0.2 / math.sin(0.4), 0.0])
+    shift = np.array([0.2 / math.sin(math.radians(22.5)), 0.0])
     moved = billiards.orbit(
         billiards.wedge(45), (np.array([1.5, 0.0]) - shift, (0.0, 1.0), -2.0), 20, ball=carom.Disc(0.2, 1.0)
     )
@@ -352,7 +352,7 @@ BAD = {
     "lies in space": lambda: billiards.orbit(
         billiards.sphere(), ((0, 0, 0), (0, 1, 0), (0, 0, 0)), 5, ball=carom.Disc()
     ),
-    "which keeps none": lambda: billiards.orbit(billiards.circle(), ((0, 0), (0, 1), 0), 10**9),
+    "billiards.final keeps none": lambda: billiards.orbit(billiards.circle(), ((0, 0), (0, 1), 0), 10**9),
     "expected a table": lambda: billiards.orbit("circle", ((0, 0), (0, 1), 0), 5),
     "centres within the cell": lambda: billiards.torus((1, 1), ((2, 0, 0.1),)),
     "brings back every ball, got a wedge, whose walls": lambda: billiards.starts(billiards.wedge(60), 5),
@@ -407,6 +407,30 @@ def test_a_ball_that_settles_on_an_arc_ends_where_rounding_would_go_on():
     np.testing.assert_allclose(across[1:] / across[:-1], 0.9, rtol=1e-3)
     assert found.across[count - 1] < 1e-15 * np.hypot(*found.velocity[count - 1])
     assert found.energy_drift < -0.1
+
+
+def unchanged(v, w, n, a, kappa, e, mu, beta):
+    return v, w
+
+
+def tripled(v, w, n, a, kappa, e, mu, beta):
+    u = v[0] * n[0] + v[1] * n[1] + v[2] * n[2]
+    return (v[0] - 2 * u * n[0], v[1] - 2 * u * n[1], v[2] - 2 * u * n[2]), (3 * w[0], 3 * w[1], 3 * w[2])
+
+
+@pytest.mark.parametrize(
+    ("law", "table", "note"),
+    [
+        (unchanged, billiards.strip(), "leaves the ball moving into the wall: first at bounce 1, with the velocity (1, 0.1) m/s"),
+        (unchanged, billiards.sinai(), "leaves the ball moving into the wall: first at bounce 1, with the velocity (1, 0.1) m/s"),
+        (tripled, billiards.circle(), "creates energy: first at bounce 1, 2 J"),
+    ],
+)  # fmt: skip
+def test_a_custom_law_that_is_wrong_is_noted_with_its_first_bounce(law, table, note, recwarn):
+    found = billiards.orbit(table, ((0.35, 0.01), (1.0, 0.1), 1.0), 900, law=law)
+    assert [one.partition(";")[0] for one in found.notes] == [f"law {law.__name__} {note}"]
+    found.energy_drift  # noqa: B018
+    assert not recwarn.list
 
 
 def test_orbits_that_lose_energy_are_not_regular():

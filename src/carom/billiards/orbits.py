@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.billiards.boundary import Boundary, Face
-from carom.billiards.intersections import DONE, ENDING, ENDS, PARABOLA, POSITION, TIME
+from carom.billiards.intersections import DONE, ENDING, ENDS, GRAZED, PARABOLA, POSITION, TIME
 from carom.billiards.loop import LANES, MEMORY, STATE, compiled_many, iterate_one
 from carom.billiards.setup import OrbitSetup, Start, needs_surface, orbit_setup, start_rows
 from carom.billiards.tables import Table
@@ -22,6 +22,7 @@ from carom.core.jit.threads import Pace
 from carom.core.random import added
 from carom.errors import CaromError, Fault
 from carom.files import require_memory
+from carom.formatting import counted, format_number
 from carom.public.other_rooms import saved_figure
 from carom.public.progress import Progress
 
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 CONSERVED = 1e-6  # a smaller relative change of the energy is rounding
+INTO_THE_WALL = 1e-9  # of the table's size, by which a ball comes nearer to the wall on a millionth of that size
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,18 +120,49 @@ class Orbit:
     @functools.cached_property
     def speed(self) -> Array:
         """(..., B): sqrt(2 energy / m), the kinetic energy including the spin's."""
-        spin = self.spin if self.setup.planar else np.linalg.norm(self.spin, axis=-1)
         ball = self.setup.ball
-        found: Array = np.sqrt(self._rolls * (self.velocity**2).sum(-1) + ball.kappa * (ball.radius * spin) ** 2)
+        with np.errstate(over="ignore"):  # (a law that creates energy soon has no number for it)
+            spin = self.spin if self.setup.planar else np.linalg.norm(self.spin, axis=-1)
+            found: Array = np.sqrt(self._rolls * (self.velocity**2).sum(-1) + ball.kappa * (ball.radius * spin) ** 2)
         return found
 
     @property
     def energy_drift(self) -> Array:
         """(...): change of the energy from the first bounce to the last, as a share of the largest kinetic energy."""
-        table, square = self.setup.table, self.speed**2
-        energy = square - 2 * self.position @ np.array(table.acceleration[: table.dimension])
-        last = np.take_along_axis(energy, np.maximum(self.count, 1)[..., None] - 1, -1)[..., 0]
-        return np.asarray((last - energy[..., 0]) / np.fmax.reduce(square, axis=-1, initial=np.finfo(float).tiny))
+        last = np.take_along_axis(self._energy, np.maximum(self.count, 1)[..., None] - 1, -1)[..., 0]
+        most = np.fmax.reduce(self.speed**2, axis=-1, initial=np.finfo(float).tiny)
+        with np.errstate(invalid="ignore"):
+            return np.asarray((last - self._energy[..., 0]) / most)
+
+    @property
+    def notes(self) -> list[str]:
+        """A line where the law created energy, and one where a custom law left a ball moving into the wall."""
+        setup, axis, counts = self.setup, np.ndim(self.count), np.ravel(self.count)
+        if setup.conservative:
+            return []
+        notes, where = [], "bounce {1:,}" + " of orbit {0:,}" * (len(counts) > 1)
+        begin: dict[str, Any] = {name: np.expand_dims(one, axis) for name, one in vars(self.start).items()}
+        x, v, size = self.last.reshape(-1, 10)[:, POSITION], self.last.reshape(-1, 10)[:, 4:7], setup.shape.size
+        with np.errstate(invalid="ignore"):
+            gained = np.diff(self._energy, prepend=replace(self, **begin)._energy).reshape(len(counts), -1)
+            created = gained > CONSERVED * self.speed.reshape(gained.shape) ** 2
+            ahead = x + CONSERVED * size * v / np.abs(v).max(axis=-1, keepdims=True)
+        if created.any():
+            first, in_all = np.argwhere(created)[0], counted(int(created.sum()), "bounce")
+            what = f"{where.format(*first + 1)}, {format_number(setup.ball.mass * gained[tuple(first)] / 2)} J"
+            notes.append(f"law {setup.law} creates energy: first at {what}; {in_all} in all")
+        nearer = setup.shape.gap(x) - setup.shape.gap(ahead) > INTO_THE_WALL * size
+        for one in np.flatnonzero(nearer & (np.ravel(self.ending) == GRAZED))[:1]:
+            what = f"leaves the ball moving into the wall: first at {where.format(one + 1, counts[one] + 1)}"
+            got = ", ".join(map(format_number, v[one, : setup.table.dimension]))
+            notes.append(f"law {setup.law} {what}, with the velocity ({got}) m/s; expected n . v > 0 after it")
+        return notes
+
+    @property
+    def _energy(self) -> Array:
+        """(..., B): twice the energy per mass, with that of the force."""
+        table = self.setup.table
+        return self.speed**2 - 2 * self.position @ np.array(table.acceleration[: table.dimension])  # type: ignore[no-any-return]
 
     @property
     def _rolls(self) -> Numbers:
@@ -151,10 +184,8 @@ class Orbit:
         """Return the path of one orbit, (M, d): from the start through its bounces, with ``points`` points per flight."""
         d = self.setup.table.dimension
         k = int(self.count[which])
-        first = np.broadcast_to(np.asarray(self.start.position, float), (*self.count.shape, d))[which]
-        v0 = np.broadcast_to(np.asarray(self.start.velocity, float), (*self.count.shape, d))[which]
-        x = np.concatenate([first[None], self.position[which][:k]])
-        v = np.concatenate([v0[None], self.velocity[which][:k]])
+        x = np.concatenate([np.asarray(self.start.position)[which][None], self.position[which][:k]])
+        v = np.concatenate([np.asarray(self.start.velocity)[which][None], self.velocity[which][:k]])
         t = np.diff(np.concatenate([[0.0], self.t[which][:k]]))
         if points == 1:
             return x
@@ -257,9 +288,7 @@ def orbit_from_setup(setup: OrbitSetup, start: Any, bounces: int, progress: Prog
     width = 6 if setup.planar else 10
     advice = "take fewer; in Python carom.billiards.final keeps none of them"
     require_memory("orbit", "bounces", len(rows) * bounces, 8 * width + 4, advice, MAX_KEPT_BYTES)
-    kept = np.full((len(rows), bounces, width), np.nan)
-    piece = np.full((len(rows), bounces), -1, np.int32)
-    last, ends = _loop(setup, rows, bounces, kept, piece, progress)
+    kept, piece, last, ends = _loop(setup, rows, bounces, bounces, progress)
     kept = kept.reshape(*shape, bounces, width)
     return Orbit(
         setup=setup,
@@ -316,9 +345,7 @@ def final(
     setup = orbit_setup(table, ball, law, surface, at_corner)
     rows, shape = start_rows(setup, start)
     bounces = require_integer("bounces", bounces)
-    width = 6 if setup.planar else 10
-    nothing, none = np.empty((len(rows), 0, width)), np.empty((len(rows), 0), np.int32)
-    last, ends = _loop(setup, rows, bounces, nothing, none, progress)
+    _kept, _piece, last, ends = _loop(setup, rows, bounces, 0, progress)
     return (
         state_of_rows(setup, last[:, 1:], shape),
         last[:, TIME].reshape(shape),
@@ -338,11 +365,12 @@ def _loop(
     setup: OrbitSetup,
     rows: Array,
     bounces: int,
-    kept: Any,
-    piece: Any,
+    keep: int,
     progress: Progress | None,
-) -> tuple[Array, NDArray[np.void]]:
-    """Run the compiled loop, in parts if progress is reported."""
+) -> tuple[Array, NDArray[np.int32], Array, NDArray[np.void]]:
+    """Run the compiled loop, in parts if progress is reported; ``keep``: of how many bounces the states are kept."""
+    kept = np.full((len(rows), keep, 6 if setup.planar else 10), np.nan)
+    piece = np.full((len(rows), keep), -1, np.int32)
     # the loop expects positions in the first periodic cell
     shift = rows[:, :3] - setup.shape.folded(rows[:, :3])
     rows = rows - np.concatenate([shift, np.zeros((len(rows), 6))], axis=1)
@@ -364,7 +392,7 @@ def _loop(
         d = setup.table.dimension
         kept[..., 1 : 1 + d] += shift[:, None, :d]
         last[:, POSITION] += shift
-    return last, ends
+    return kept, piece, last, ends
 
 
 def require_reversible(setup: OrbitSetup) -> None:

@@ -12,7 +12,7 @@ import typer
 from carom.cli.console import working
 from carom.cli.options import OUTPUT, option, require_outputs, shared, wrote
 from carom.cli.parameters import Given, of_library
-from carom.cli.streams import note, say_json
+from carom.cli.streams import note, say_json, say_notes
 from carom.errors import CaromError, Fault
 from carom.formatting import Listing, counted, json_value
 
@@ -25,7 +25,7 @@ REASONS = {
     "bounces": "after all bounces",
     "escaped": "escaped",
     "corner": "at a corner",
-    "grazed": "grazing the wall",
+    "grazed": "without leaving the wall",
     "free": "without another bounce",
 }
 
@@ -52,7 +52,7 @@ def orbit_facts(found: OrbitResult) -> dict[str, Any]:
     whole = made == found.t.shape[-1]
     if made.max(initial=0) > 0:
         facts["mean_time_between_bounces"] = float(np.nansum(found.last[..., 0]) / made.sum())
-        facts["energy_drift"] = float(max(np.ravel(found.energy_drift), key=lambda x: np.nan_to_num(abs(x))))
+        facts["energy_drift"] = json_value(max(np.ravel(found.energy_drift), key=lambda x: np.nan_to_num(abs(x))))
     if whole.all() and found.t.shape[-1] > 1:
         periods = np.atleast_1d(billiards.period(found))
         names, counts = np.unique(periods, return_counts=True)
@@ -318,6 +318,7 @@ def orbit(
     with working("orbits") as report:
         found = follow(what, progress=report, **given)
         facts = orbit_facts(found)
+    say_notes(found.notes)
     if json_:
         facts["bounces"] = every_bounce(found)
         say_json(facts)
