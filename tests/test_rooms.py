@@ -255,7 +255,7 @@ CAPS = {
     "fitting": 10681,
     "gas": 6943,
     "billiards": 5591,
-    "tracks": 9374,
+    "tracks": 9373,
     "simulation": 6440,
     "core": 5745,
     "laws": 4969,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from statistics import median
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 from carom.tracks.video.reading import Array, Bytes, FilmFile, Mask
 
 SAMPLES, MOST_SAMPLE_BYTES = 32, 250e6  # frames of the background
-MANY_KEYS = 24  # frames stored whole, from which the background is taken from these alone
+MANY = 24  # frames, so many that the background is taken from these alone
 LEAST_LEVELS = (7.0, 4.0, 4.0)  # by which a pixel of a plane differs from the background, at least
 NOISES = 5.0  # times its own noise that it differs, at least
 # Classes of texture; the share of a class that differs by less than the codec's error, and times that error
@@ -117,34 +118,33 @@ class Path:
     @property
     def area(self) -> float:
         """px, median of the last nine blobs."""
-        return float(np.median([one.area for one in self.blobs[-9:]]))
+        return median(one.area for one in self.blobs[-9:])
 
     @property
     def colour(self) -> Array:
         """(3,) y, u, v: of the last nine blobs, so that one blob of two balls that touch does not change it."""
-        return np.asarray(np.median([one.colour for one in self.blobs[-9:]], axis=0))
+        return np.array([median(one) for one in zip(*(blob.colour for blob in self.blobs[-9:]), strict=True)])
 
     @property
     def radius(self) -> float:
         """Median, px, of blobs that are whole."""
-        return float(np.median([one.radius for one in self.blobs if not one.cut] or [one.radius for one in self.blobs]))
+        return median([one.radius for one in self.blobs if not one.cut] or [one.radius for one in self.blobs])
 
 
 def half_size(plane: Bytes) -> Bytes:
     """Return a plane (H, W) at half the size: means of four pixels."""
-    wide = plane[0::2, 0::2].astype(np.uint16)
-    for one in (plane[0::2, 1::2], plane[1::2, 0::2], plane[1::2, 1::2]):
-        wide += one
-    return ((wide + 2) >> 2).astype(np.uint8)
+    pairs = np.ascontiguousarray(plane).view(np.uint16)
+    upper, lower = ((one & 255) + (one >> 8) for one in (pairs[0::2], pairs[1::2]))
+    return ((upper + lower + 2) >> 2).astype(np.uint8)
 
 
 def sampled(film: FilmFile, keep: tuple[float, float]) -> list[tuple[Bytes, Bytes, Bytes]]:
     """Return the planes of some 16 to 32 frames, spread over the part of the film between two stamps, s."""
     most = int(np.clip(MOST_SAMPLE_BYTES / (1.5 * film.width * film.height), 8, SAMPLES))
-    for keys in (True, False):
+    for skip in ("NONKEY", "NONREF", "DEFAULT"):
         kept: list[tuple[Bytes, Bytes, Bytes]] = []
         stride, count = 1, 0
-        for frame in film.frames(keys=keys):
+        for frame in film.frames(skip):
             if frame.stamp < keep[0] or frame.stamp > keep[1]:
                 continue
             if count % stride == 0:
@@ -152,7 +152,7 @@ def sampled(film: FilmFile, keep: tuple[float, float]) -> list[tuple[Bytes, Byte
             count += 1
             if len(kept) >= 2 * most:
                 kept, stride = kept[::2], 2 * stride
-        if len(kept) >= MANY_KEYS:
+        if len(kept) >= MANY:
             break
     return kept[:: max(-(-len(kept) // most), 1)]
 
@@ -211,14 +211,17 @@ def _tiles(half: Bytes) -> list[tuple[tuple[slice, slice], Array]]:
 def movement(half: Bytes, ground: Background) -> tuple[Array, float]:
     """Return by how much tiles of a frame at half the size are shifted against another frame, (n, 2) px of the whole picture, and
     the share of tiles that show the same; 1 where they are too few."""
-    shifts, same = np.zeros((len(ground.tiles), 2)), []
-    for k, (window, columns) in enumerate(ground.tiles):
-        seen = half[window].astype(float).ravel()
-        seen -= seen.mean()
-        known = np.linalg.solve(columns.T @ columns + 1e-6 * np.eye(3), columns.T @ seen)
-        # (what the codec has smeared is no other picture)
-        same.append(((seen - columns @ known) ** 2).sum() < 0.5 * max((seen**2).sum(), (columns[:, 2] ** 2).sum()))
-        shifts[k] = -2 * known[:2] / max(known[2], 0.3)
+    if not ground.tiles:
+        return np.zeros((0, 2)), 1.0
+    seen = np.stack([half[window].ravel() for window, _columns in ground.tiles]).astype(float)
+    seen -= seen.mean(axis=1, keepdims=True)
+    columns = np.stack([texture for _window, texture in ground.tiles])
+    across = columns.transpose(0, 2, 1)
+    known = np.linalg.solve(across @ columns + 1e-6 * np.eye(3), across @ seen[:, :, None])
+    # (what the codec has smeared is no other picture)
+    left = ((seen - (columns @ known)[:, :, 0]) ** 2).sum(axis=1)
+    same = left < 0.5 * np.maximum((seen**2).sum(axis=1), (columns[:, :, 2] ** 2).sum(axis=1))
+    shifts = -2 * known[:, :2, 0] / np.maximum(known[:, 2], 0.3)
     return shifts, float(np.mean(same)) if len(same) >= LEAST_TILES else 1.0
 
 
@@ -241,10 +244,15 @@ def _coded(differ: Bytes, texture: Bytes) -> Bytes:
 
 
 def _median(stack: Bytes) -> Bytes:
-    found = np.empty(stack.shape[1:], np.uint8)
-    for low in range(0, len(found), 64):
-        rows = stack[:, low : low + 64]
-        found[low : low + 64] = np.partition(rows, len(rows) // 2, axis=0)[len(rows) // 2]
+    """Return the median of planes (n, h, w), sorted by exchanges between neighbours."""
+    found, count = np.empty(stack.shape[1:], np.uint8), len(stack)
+    for low in range(0, len(found), 16):
+        rows = list(stack[:, low : low + 16])
+        for k in range(count):
+            for i in range(k % 2, count - 1, 2):
+                pair = rows[i : i + 2]
+                rows[i : i + 2] = np.minimum(*pair), np.maximum(*pair)
+        found[low : low + 16] = rows[count // 2]
     return found
 
 
@@ -327,15 +335,11 @@ class Region(NamedTuple):
         tone = tuple(colour.tolist())
         return Blob(float(x.mean()), float(y.mean()), 4.0 * len(x), large, small, tone, self.cut, core, dark, stretch)
 
-    def part(self, which: Mask) -> Region:
-        """Return some of the pixels."""
-        return Region(self.x[which], self.y[which], self.tone[which], self.still[which], self.shade[which], self.cut)
-
 
 def find_regions(halves: Sequence[Bytes], ground: Background, inside: Mask | None = None) -> tuple[list[Region], float]:
     """Return the regions of a frame (y at half the size, u, v) that differ from the background, the largest first, and the share
     of it that does."""
-    from scipy.ndimage import binary_fill_holes, find_objects, label
+    from scipy.ndimage import label
 
     changed, darker = np.zeros(halves[0].shape, bool), np.zeros(halves[0].shape, bool)
     for k, (one, still, limit, texture) in enumerate(
@@ -346,26 +350,32 @@ def find_regions(halves: Sequence[Bytes], ground: Background, inside: Mask | Non
         level = np.clip(still.astype(np.int16) + drift, 0, 255).astype(np.uint8) if drift else still
         off = _differ(one, level)
         differs = off > limit
-        differs[differs] = off[differs] > _coded(off, texture)[texture[differs]]
+        at = np.flatnonzero(differs)
+        differs.flat[at] = off.take(at) > _coded(off, texture)[texture.take(at)]
         changed |= differs
         if k == 0:
             darker = differs & (one < level)
-    share = float(changed.mean())
+    share = np.count_nonzero(changed) / changed.size
     if inside is not None:
         changed &= inside
     if share > 2 * CHANGED:
         return [], share
     opened = _opened(~_opened(~changed))  # (parts of a ball that are like the ground are bridged; specks go)
-    rows, columns = np.flatnonzero(opened.any(axis=1)), np.flatnonzero(opened.any(axis=0))
+    rows, columns = np.divmod(np.flatnonzero(opened), opened.shape[1])
     if not len(rows):
         return [], share
-    labels, _count = label(opened[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1], np.ones((3, 3)))
-    sizes, boxes, found = np.bincount(labels[labels > 0]), find_objects(labels), []
-    for k in np.argsort(-sizes[1:])[:MOST_BLOBS]:
-        if sizes[k + 1] < LEAST_AREA:
+    labels, _count = label(opened[rows[0] : rows[-1] + 1], np.ones((3, 3)))
+    which, found = labels[rows - rows[0], columns], list[Region]()
+    sizes = np.bincount(which)[1:]
+    for k in np.argsort(-sizes)[:MOST_BLOBS]:
+        if sizes[k] < LEAST_AREA:
             break
-        y, x = np.nonzero(binary_fill_holes(labels[boxes[k]] == k + 1))
-        y, x = y + boxes[k][0].start + rows[0], x + boxes[k][1].start + columns[0]
+        y, x = rows[which == k + 1], columns[which == k + 1]
+        # (what its rim encloses is part of it)
+        top, side = int(y.min()) - 1, int(x.min()) - 1
+        outer = np.ones((y.max() - top + 2, x.max() - side + 2), bool)
+        outer[y - top, x - side] = False
+        y, x = np.nonzero(label(outer)[0] != 1) + np.array([[top], [side]])
         tone = np.stack([one[y, x] for one in halves], axis=1).astype(float)
         behind = np.stack([one[y, x] for one in (ground.half, *ground.planes[1:])], axis=1).astype(float)
         # (a shadow takes the same part of brightness and of colour)
@@ -476,7 +486,7 @@ def _parted(region: Region, known: Sequence[tuple[Path, Array, float]]) -> list[
         if any(4 * part.sum() < one[4] / 4 for part, one in zip(parts, claims, strict=True)):
             return [region]
         middles = np.array([pixels[part].mean(axis=0) for part in parts])
-    return [region.part(part) for part in parts]
+    return [Region(*(one[part] for one in region[:-1]), region.cut) for part in parts]  # type: ignore[call-arg]
 
 
 def likely_paths(paths: Sequence[Path], least: int) -> list[Path]:

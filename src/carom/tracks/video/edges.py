@@ -28,11 +28,12 @@ OUTSIDE = 0.35, 3.5, 7.0  # of the radius; least and most px
 CHROMA_BLUR = 1.3  # px, of colour planes, beside that of the lens
 PLACES = 25  # of the exposure, at most
 OUTLIER = 2.0  # times the usual misfit of a plane
-STEPS = 10
+STEPS, SMALL = 10, 3e-3  # of a descent, at most; px, of its last one
 BANDS, NEAR = 3, 0.2  # of an outline, at most; px from where it was sought, of a last one
-BLOCK = 128  # pixels
+BLOCK = 2**18  # products of a sum: fewer than threads of their own are worth
 GAMMA, BLACK, WHITE = 2.2, 16.0, 219.0  # of brightness as stored; levels: of black, and from there to white
 LEAST_SLOPE = 0.15  # of light over brightness, by which noise is multiplied
+LIGHT = WHITE * (np.maximum(np.arange(256) - BLACK, 1.0) / WHITE) ** GAMMA  # of brightness
 LEAST_WAY = 0.4  # px, in an exposure of the fastest
 MOST_PIXELS = 2000  # of a plane, evenly taken from the band
 LEAST_PIXELS, LEAST_SEEN = 30, 0.2  # of a band; of a rim
@@ -49,6 +50,19 @@ class Patch(NamedTuple):
     planes: tuple[NDArray[np.uint8], ...]
     """y (h, w), u and v (h / 2, w / 2)."""
     ground: tuple[NDArray[np.uint8], ...]
+
+    def holds(self, low: NDArray[Any], high: NDArray[Any]) -> bool:
+        """Return whether pixels from ``low`` to ``high`` (2,) are among these."""
+        return bool((low >= self.corner).all() and (high <= np.add(self.corner, self.planes[0].shape[::-1])).all())
+
+    def part(self, low: NDArray[Any], high: NDArray[Any]) -> Patch:
+        """Return the pixels from ``low`` to ``high`` (2,), even."""
+        (left, top), (right, bottom) = (low - self.corner).tolist(), (high - self.corner).tolist()
+        windows = [(slice(top // n, bottom // n), slice(left // n, right // n)) for n in (1, 2, 2)]
+        planes, ground = (
+            tuple(plane[window] for plane, window in zip(some, windows, strict=False)) for some in self[2:]
+        )
+        return Patch(self.frame, (int(low[0]), int(low[1])), planes, ground)
 
 
 class Optics(NamedTuple):
@@ -117,15 +131,13 @@ def _band(
         x = patch.corner[0] + size * np.arange(plane.shape[1]) + offset + shift[0] - place[0]
         y = patch.corner[1] + size * np.arange(plane.shape[0]) + offset + shift[1] - place[1]
         far = np.clip(x[None, :] * along[0] + y[:, None] * along[1], -length / 2, length / 2)
-        distance = np.hypot(x[None, :] - far * along[0], y[:, None] - far * along[1]) - radius
+        distance = np.sqrt((x[None, :] - far * along[0]) ** 2 + (y[:, None] - far * along[1]) ** 2) - radius
         wide = depth + (CHROMA_BLUR if k else 0.0)
         rows, columns = np.nonzero((distance > -wide) & (distance < beyond))
         every = -(-len(rows) // MOST_PIXELS) if len(rows) else 1
         rows, columns = rows[::every], columns[::every]
-        seen, behind, steep = plane[rows, columns].astype(float), ground[rows, columns].astype(float), 1.0
-        if k == 0:
-            seen, behind = _light(seen), _light(behind)
-            steep = np.maximum(GAMMA * (seen / WHITE) ** (1 - 1 / GAMMA), LEAST_SLOPE)  # type: ignore[assignment]
+        seen, behind = (one[rows, columns] if k else LIGHT[one[rows, columns]] for one in (plane, ground))
+        steep = 1.0 if k else np.maximum(GAMMA * (seen / WHITE) ** (1 - 1 / GAMMA), LEAST_SLOPE)
         ones = np.ones(len(rows))
         where = x[columns] + place[0], y[rows] + place[1]
         wide = CHROMA_BLUR**2 if k else 0.0
@@ -191,20 +203,21 @@ def _covered(pixels: _Pixels, p: Array, speed: Array, optics: Optics, names: str
 
 def _product(a: Array, b: Array) -> Array:
     """Return a b^T of (K, N) and (L, N), in blocks that are too small for threads of their own."""
-    return sum(a[:, k : k + BLOCK] @ b[:, k : k + BLOCK].T for k in range(0, a.shape[1], BLOCK))  # type: ignore[return-value]
+    size = BLOCK // (len(a) * len(b))
+    return sum(a[:, k : k + size] @ b[:, k : k + size].T for k in range(0, a.shape[1], size))  # type: ignore[return-value]
 
 
 def _residuals(
     pixels: _Pixels, p: Array, speed: Array, optics: Optics, names: str, order: int, weight: Array
 ) -> tuple[Array, Array, Array]:
     """Return residuals (N,), their projected derivatives (K, N), and by how much ball and ground differ (N,); all in levels."""
+    from scipy.linalg.lapack import dpotrf, dpotrs
+
     cover, slope, turn, beyond = _covered(pixels, p, speed, optics, names)
-    orders, powers = (order, SHADOW_ORDER[optics.deep]), [turn]
-    while len(powers) < max(orders):
-        powers.append(powers[-1] * turn)
+    orders = order, SHADOW_ORDER[optics.deep]
+    powers = np.cumprod(np.broadcast_to(turn, (max(orders), len(turn))), axis=0)
     ball, shadow = (
-        np.stack([np.ones(len(turn)), *(one.real for one in powers[:most]), *(one.imag for one in powers[:most])])
-        for most in orders
+        np.concatenate([np.ones((1, len(turn))), powers[:most].real, powers[:most].imag]) for most in orders
     )
     if optics.deep:
         shadow = np.concatenate([shadow, shadow * np.exp(-beyond / (FALL * p[2]))])
@@ -218,12 +231,12 @@ def _residuals(
         np.multiply(ball[:, at], cover[at] * w, out=x[:count])
         np.multiply(shadow[:, at], w * veil * (ground + 1), out=x[count:])
         prior[1:count] = RIDGE * weight[part].sum() + 1e-9
-        normal = np.linalg.inv(_product(x, x) + np.diag(prior))
-        known = normal @ (x @ seen)
+        normal = dpotrf(_product(x, x) + np.diag(prior))[0]
+        known = dpotrs(normal, x @ seen)[0]
         differ[part] = known[:count] @ ball[:, at] - (ground + 1) * (known[count:] @ shadow[:, at]) - ground
         derivative = w * differ[part] * slope[:, at]
         residual[part] = (seen - known @ x) / w
-        projected[:, part] = (derivative - _product(derivative, x) @ normal @ x) / w
+        projected[:, part] = (derivative - dpotrs(normal, _product(x, derivative))[0].T @ x) / w
     return residual, projected, differ
 
 
@@ -278,10 +291,8 @@ def look_closer(patch: Patch, outline: Outline, speed: Array, optics: Optics) ->
     """
     p, v = _start(outline.place, optics), 1e-3 * speed
     pixels = _rim(patch, outline.place, speed * optics.exposure, optics)
-    weight = pixels.weight**2
-    residual, *_rest = _residuals(pixels, p, v, optics, "xy", _order(optics), weight)
+    residual, slope, _differ = _residuals(pixels, p, v, optics, "xyr2345", _order(optics), pixels.weight**2)
     weight = _robust(pixels, residual)
-    residual, slope, _differ = _residuals(pixels, p, v, optics, "xyr2345", _order(optics), weight)
     normal = _product(slope * weight, slope) + 1e-6 * np.eye(7)
     shape = np.linalg.solve(normal, slope @ (weight * residual))[2:]
     inner, part, colour = INNER * optics.radius, np.linspace(-0.5, 0.5, 7)[:, None, None], []
@@ -289,15 +300,12 @@ def look_closer(patch: Patch, outline: Outline, speed: Array, optics: Optics) ->
         size, offset = (1.0, 0.0) if k == 0 else (2.0, 0.5)
         x, y = (patch.corner[n] + size * np.arange(plane.shape[1 - n]) + offset - outline.place[n] for n in (0, 1))
         way = speed * optics.exposure
-        cover = (np.hypot(x[None, None] - part * way[0], y[None, :, None] - part * way[1]) < inner).mean(axis=0)
-        seen, behind = ((one if k else _light(one)) for one in (plane, ground))
+        away = (x[None, None] - part * way[0]) ** 2 + (y[None, :, None] - part * way[1]) ** 2
+        cover = (away < inner**2).mean(axis=0)
+        seen, behind = ((one if k else LIGHT[one]) for one in (plane, ground))
         total = float((cover * cover).sum())
         colour.append(float((cover * (seen - (1 - cover) * behind)).sum()) / total if total else np.nan)
     return np.asarray(shape), np.array(colour)
-
-
-def _light(plane: NDArray[Any]) -> Array:
-    return np.asarray(WHITE * (np.maximum(plane - BLACK, 1.0) / WHITE) ** GAMMA)
 
 
 def _rim(patch: Patch, place: Array, way: Array, optics: Optics) -> _Pixels:
@@ -321,17 +329,17 @@ def _descended(
     for _ in range(steps):
         residual, slope, differ = _residuals(pixels, trial, speed, optics, names, order, weight)
         cost = float((residual * residual * weight).sum())
+        moved = np.inf if best is None else float(np.abs(trial - best[1]).max())
         if best is None or cost <= best[0]:
-            moved = np.inf if best is None else float(np.abs(trial - best[1]).max())
             best = (cost, trial.copy(), residual, slope, differ)
             damping = max(damping / 5, 1e-4)
-            if moved < 2e-3:
-                break
             if moved < 0.3 and not robust:
                 weight, robust = _robust(pixels, residual), True
                 best = (float((residual * residual * weight).sum()), *best[1:])
         else:
             damping = min(10 * damping, 1e3)
+        if moved < SMALL:
+            break
         _cost, at, residual, slope, _differ = best
         normal = _product(slope * weight, slope)
         normal[np.diag_indices(len(index))] *= 1 + damping

@@ -16,40 +16,12 @@ from carom.public.defaults import GRAVITY
 from carom.public.progress import Progress
 from carom.tracks.track import Track, position_noise
 from carom.tracks.verdicts import FilmPath
-from carom.tracks.video.balls import (
-    CHANGED,
-    LEAST_TILES,
-    LOST,
-    Background,
-    Blob,
-    Linker,
-    Path,
-    cores_of,
-    find_background,
-    find_regions,
-    half_size,
-    joined,
-    likely_paths,
-    movement,
-    sampled,
-)
+from carom.tracks.video import balls as things
+from carom.tracks.video import scale as scales
+from carom.tracks.video.balls import LOST, Background, Blob, Path, joined
 from carom.tracks.video.edges import Optics, Outline, Patch, fit_optics, fit_outline, look_closer
 from carom.tracks.video.reading import Array, FilmFile, Mask, TrackedFilm, film_times, open_film, patches
-from carom.tracks.video.scale import (
-    MOST_MISFIT,
-    Asked,
-    TableView,
-    beside,
-    check_arguments,
-    choose_readout,
-    choose_scale,
-    contacts_within,
-    fit_falls,
-    row_phase,
-    rows_direction,
-    sides,
-    turning,
-)
+from carom.tracks.video.scale import Asked, TableView, fit_falls, rows_direction, turning
 from carom.tracks.video.spin import with_spins
 
 LEAST_FRAMES = 6
@@ -146,9 +118,32 @@ def _dense(path: Path, count: int, times: Array) -> Array:
     return found
 
 
+def _windows(
+    path: Path, places: Array, times: Array, radii: Array | float, exposure: float
+) -> dict[int, tuple[Array, float]]:
+    """Return the places and half widths, px, of what shows a ball and what is around it, by frame."""
+    way = np.abs(velocities(times, places)[0]).max(axis=1) * exposure
+    way[path.frames] = np.fmax(way[path.frames], [one.blur for one in path.blobs])
+    half = 1.7 * radii + way / 2 + 8
+    return {k: (places[k], float(half[k])) for k in np.flatnonzero(np.isfinite(places[:, 0])).tolist()}
+
+
+def _keep(film: FilmFile, ground: Background, paths: Sequence[Path], times: Array) -> None:
+    """Keep the pixels around paths, the likely ones first, as much as may be kept, so that the film is not read again."""
+    wanted: dict[int, list[Any]] = {}
+    room, most = MOST_BYTES, 1.1 * float(np.median(np.diff(times)))
+    for path in paths:
+        windows = _windows(path, _dense(path, len(times), times), times, 1.2 * path.radius + 4, most)
+        room -= sum(6 * half**2 for _place, half in windows.values())
+        for k, window in windows.items() if room > 0 else ():
+            wanted.setdefault(k, []).append((k, *window))
+    for k, patch in patches(film, ground.planes, wanted):
+        film.kept.setdefault(k, []).append(patch)
+
+
 def _usual_optics(film: FilmFile, ground: Background, paths: Sequence[Path], times: Array) -> list[Candidate]:
     """Return candidates with radius, blur of the lens, exposure and noise, each from some frames of its own."""
-    cores, interval = [one for one in map(cores_of, paths) if one is not None], float(np.median(np.diff(times)))
+    cores, interval = [one for one in map(things.cores_of, paths) if one is not None], float(np.median(np.diff(times)))
     found = [
         _candidate(path, mine, ground, interval, shaded=any(path is one or _within(one, path) for one in cores))
         for path, mine in _some_patches(film, ground, [*paths, *cores], times)
@@ -191,13 +186,6 @@ def _some_patches(
     return list(zip(paths, rows, strict=True))
 
 
-def _misfit(frames: Sequence[tuple[Patch, Array, Array]], optics: Optics, exposure: float) -> float:
-    """Return the usual misfit of outlines, in pixels beside those of that exposure, s."""
-    return float(np.median([
-        fit_outline(patch, at, speed, optics, order=1, like=(at, speed * exposure)).cost for patch, at, speed in frames
-    ]))  # fmt: skip
-
-
 def _candidate(
     path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Background, interval: float, *, shaded: bool
 ) -> Candidate:
@@ -221,7 +209,10 @@ def _candidate(
     if shaded:
         # (a disc that holds ball and shadow is larger than the ball)
         deep, flat = fit_optics(good, optics._replace(deep=True), free), found[0]
-        misfits = [_misfit(good, one, flat.exposure) for one in (deep[0], flat)]
+        misfits = np.median([
+            [fit_outline(patch, at, speed, one, order=1, like=(at, speed * flat.exposure)).cost for patch, at, speed in good]
+            for one in (deep[0], flat)
+        ], axis=1)  # fmt: skip
         if deep[0].radius < HELD * flat.radius and misfits[0] < DEEP * misfits[1]:
             found = deep
     optics, _errors, places = found
@@ -277,18 +268,12 @@ def _followed(
     count = len(times)
     seeds = _dense(ball.path, count, times) + ball.offset
     found: dict[int, tuple[Outline, Array, Array]] = {}
-    speed = velocities(times, seeds)[0]
-    blurs = dict(zip(ball.path.frames, (one.blur for one in ball.path.blobs), strict=True))
     radii = _radius_of_frames(ball, count)
-    rows = np.flatnonzero(np.isfinite(seeds[:, 0]))
     # (a centre so near the edge that part of the outline is beyond it)
     low, high = 0.8 * ball.optics.radius, np.array([film.width, film.height]) - 1 - 0.8 * ball.optics.radius
     border = np.asarray(((seeds > low) & (seeds < high)).all(axis=1))
-    rows = rows[border[rows]]
-    wanted = {}
-    for k in rows.tolist():
-        way = max(float(np.abs(speed[k]).max()) * ball.optics.exposure, blurs.get(k, 0.0))
-        wanted[k] = [(k, seeds[k], 1.7 * radii[k] + way / 2 + 8)]
+    windows = _windows(ball.path, seeds, times, radii, ball.optics.exposure)
+    wanted = {k: [(k, *one)] for k, one in windows.items() if border[k]}
     chunk: list[Patch] = []
     held = 0.0
 
@@ -298,7 +283,7 @@ def _followed(
 
     for _key, patch in patches(film, ground.planes, wanted):
         chunk.append(patch)
-        held += 2 * sum(one.nbytes for one in patch.planes)
+        held += sum(one.nbytes for one in patch.planes)
         if held > MOST_BYTES:
             finish()
             held = 0.0
@@ -341,7 +326,7 @@ def _astray(times: Array, places: Array, costs: Array) -> Mask:
     """
     off, rows = np.full(len(times), np.nan), np.flatnonzero(np.isfinite(places[:, 0]) & np.isfinite(costs))
     for k in rows.tolist():
-        before, after = beside(k, rows)
+        before, after = scales.beside(k, rows)
         if min(len(before), len(after)) < 3:
             continue
         away = []
@@ -399,7 +384,7 @@ def _fit_chunk(
                 choices = choices[:1]
             starts = [(places[k], one) for one in [*choices, *([np.zeros(2)] if turns else [])]]
             good = np.flatnonzero((costs <= FLAGGED / 2 * usual) & np.isfinite(places[:, 0]) & ~astray)
-            near = [(one[2], one[1]) for one in sides(k, good, times, places)] if bad else []
+            near = [(one[2], one[1]) for one in scales.sides(k, good, times, places)] if bad else []
             at = optics._replace(radius=radii[k])
             if near:
                 starts.append((places[k], speed[k]))
@@ -497,7 +482,7 @@ def track_film(
     if picture_height is not None:
         expected = "none for a film, whose picture is known: it is for files of other programs"
         raise CaromError(Fault("track_film", "`picture_height`", expected, f"{picture_height!r:.40}"))
-    asked = check_arguments(
+    asked = scales.check_arguments(
         balls, radius, scale, length, readout, rate, ball, colour, region, corners, start, end
     )  # fmt: skip
 
@@ -543,13 +528,13 @@ def likeliest_ball(path: FilePath, error: CaromError, **given: Any) -> FilmPath:
     ball, for cuts, and where several are as likely.
     """
     start, end, region, rate = (given.get(name) for name in ("start", "end", "region", "rate"))
-    asked = check_arguments(1, None, None, None, None, rate, (), None, region, None, start, end)
+    asked = scales.check_arguments(1, None, None, None, None, rate, (), None, region, None, start, end)
     file, ground, stamps, paths, moves = _linked(path, (start, end), None, asked, lambda _done, _text: None)
     # (of several balls none is judged: they meet one another)
     if (moves and not moves.startswith(MOVING)) or isinstance(error, SeveralBallsError):
         raise error
     times = film_times(file, stamps, rate, [])
-    found = _usual_optics(file, ground, likely_paths(paths, LEAST_FRAMES)[:5], times)
+    found = _usual_optics(file, ground, things.likely_paths(paths, LEAST_FRAMES)[:5], times)
     if not found:
         raise error
     ball = max(found, key=lambda one: one.score)
@@ -626,24 +611,24 @@ def _linked(
     file = open_film(path)
     low, high = file.start + (part[0] or 0.0), np.inf if part[1] is None else file.start + part[1]
     tell(0.0, "background")
-    samples = sampled(file, (low, high))
+    samples = things.sampled(file, (low, high))
     if len(samples) < LEAST_FRAMES:
         raise CaromError(Fault(f"{file.path}", "", f"{LEAST_FRAMES} frames or more", f"{len(samples)}"))
     size = file.width if file.rotation % 2 else file.height
-    ground = find_background(samples)._replace(rows=rows_direction(file.rotation), lag=(readout or 0.0) / size)
+    ground = things.find_background(samples)._replace(rows=rows_direction(file.rotation), lag=(readout or 0.0) / size)
     del samples
     inside = None
     if asked.region is not None:
         inside = np.zeros(ground.half.shape, bool)
         x0, y0, x1, y1 = (int(one / 2) for one in asked.region)
         inside[y0 : y1 + 1, x0 : x1 + 1] = True
-    linker, stamps, shares, shifts = Linker(), list[float](), list[float](), list[Array]()
+    linker, stamps, shares, shifts = things.Linker(), list[float](), list[float](), list[Array]()
     for frame in file.frames():
         stamps.append(frame.stamp)
         if low <= frame.stamp <= high or not np.isfinite(frame.stamp):
-            halves = half_size(frame.y), frame.u, frame.v
-            regions, share = find_regions(halves, ground, inside)
-            shift, same = movement(halves[0], ground)
+            halves = things.half_size(frame.y), frame.u, frame.v
+            regions, share = things.find_regions(halves, ground, inside)
+            shift, same = things.movement(halves[0], ground)
             linker.add(frame.number, regions if same > SAME else [])
             shares.append(share if same > SAME else 1.0)
             shifts.append(shift)
@@ -653,12 +638,12 @@ def _linked(
 
 def _unsteady(shares: Array, shifts: Array) -> str:
     """Return what speaks against a camera at rest: the shares of frames that change, the shifts (F, n, 2) of their tiles, px."""
-    whole, other = float((shares > CHANGED).mean()), np.flatnonzero(shares > 0.99)
+    whole, other = float((shares > things.CHANGED).mean()), np.flatnonzero(shares > 0.99)
     if len(other) > MOST_CUT * len(shares):
         return f"another picture in {counted(len(other), 'frame')} from frame {other[0]} on"
     if whole > 0.5:
         return f"a picture that changes as a whole in {100 * whole:.0f} % of the frames"
-    if shifts.shape[1] >= LEAST_TILES:
+    if shifts.shape[1] >= things.LEAST_TILES:
         way = np.hypot(*(shifts - np.median(shifts, axis=0)).transpose(2, 0, 1))
         usual = float(np.quantile(np.quantile(way, 0.8, axis=0), 0.3))
         if usual > MOST_SHIFT:
@@ -671,22 +656,24 @@ def _chosen(
 ) -> list[Candidate]:
     """Return the candidates that are balls. Raises CaromError where they are not, or others are as likely."""
     refused, some = functools.partial(Fault, f"{file.path}"), counted(balls, "ball")
-    likely = likely_paths(paths, LEAST_FRAMES)
+    likely = things.likely_paths(paths, LEAST_FRAMES)
     if asked.colour is not None:
         tones = [file.matrix @ [*np.median([blob.colour for blob in one.blobs], axis=0), 1.0] for one in likely]
         likely = [one for one, tone in zip(likely, tones, strict=True) if np.abs(tone - asked.colour).max() < 70]
     if asked.seeds:
         named = [joined(_nearest(f"{file.path}", paths, times, seed), likely) for seed in asked.seeds]
+        _keep(file, ground, named, times)
         found = _usual_optics(file, ground, named, times)
         if len(found) < balls:
             advice = "name a frame in which it is seen alone"
             raise CaromError(refused("`ball`", f"outlines of {some}", f"{len(found)}", advice))
         return found
+    _keep(file, ground, likely, times)
     found = _usual_optics(file, ground, likely[: balls + 4], times)
     apart: list[Candidate] = []
     for one in sorted((one for one in found if one.is_ball), key=lambda one: -one.score):
-        # (what goes on under another name is the same ball)
-        if not any(_one_ball(one.path, other.path) for other in apart):
+        # (what goes on under another name, never at the same time, is the same ball)
+        if all(joined(other.path, [one.path]).frames == other.path.frames for other in apart):
             apart.append(one)
     if len(apart) < balls:
         wanted = f"{counted(balls, 'round thing')} that move{'s' if balls == 1 else ''}"
@@ -700,11 +687,6 @@ def _chosen(
     rest = [path for path in likely if not any(path is one.path for one in apart[:balls])]
     kept = [one._replace(path=joined(one.path, rest)) for one in apart[:balls]]
     return sorted(kept, key=lambda one: (one.path.frames[0], one.path.blobs[0].x)) if balls > 1 else kept
-
-
-def _one_ball(one: Path, other: Path) -> bool:
-    """Return whether two paths may be one ball's: never at the same time, of one size and colour."""
-    return len(joined(other, [one]).frames) > len(other.frames)
 
 
 def _nearest(where: str, paths: Sequence[Path], times: Array, seed: tuple[float, ...]) -> Path:
@@ -780,7 +762,7 @@ def _record(
     held = 0
     for name, place in places.items():
         good = np.isfinite(place[:, 0]) & ~flags[name]
-        within = contacts_within(times, np.where(good[:, None], place, np.nan), optics.exposure)
+        within = scales.contacts_within(times, np.where(good[:, None], place, np.nan), optics.exposure)
         held += int((within & good).sum())
         used[name] = good & ~within
         speed[name] = velocities(times, place)[0]
@@ -805,15 +787,15 @@ def _record(
             " sheet"
         )
     readout, error = row_time or 0.0, 0.0
-    phases = {name: np.nan_to_num(row_phase(place, size, file.rotation)) for name, place in places.items()}
+    phases = {name: np.nan_to_num(scales.row_phase(place, size, file.rotation)) for name, place in places.items()}
     if row_time is None:
         free = fit_falls([(times, place, used[name]) for name, place in places.items()], size, file.rotation, free=True)
-        if free is not None and free.rises and free.rms < MOST_MISFIT:
+        if free is not None and free.rises and free.rms < scales.MOST_MISFIT:
             lags = [*lags, (free.readout, free.readout_error)]
-        readout, error = choose_readout(lags, notes)
+        readout, error = scales.choose_readout(lags, notes)
     balls = [(times + readout * phases[name], place, used[name]) for name, place in places.items()]
     falls = fit_falls(balls, size, file.rotation, free=False)
-    value = choose_scale(
+    value = scales.choose_scale(
         optics.radius, falls, scale=scale, length=length, radius=radius, gravity=gravity, table=table, notes=notes
     )  # fmt: skip
     tracks = []

@@ -77,13 +77,15 @@ class FilmFile:
     matrix: Array
     """(3, 4): red, green, blue (0 to 255) of y, u, v and 1."""
     notes: tuple[str, ...] = ()
+    kept: dict[int, list[Patch]] = field(default_factory=dict)
+    """By frame: pixels that were read once, in which :func:`patches` looks before it reads the film again."""
 
-    def frames(self, keys: bool = False) -> Iterator[Frame]:
-        """Yield the frames in the order of the film; of some codecs only those that are stored whole, with ``keys``."""
+    def frames(self, skip: str = "DEFAULT") -> Iterator[Frame]:
+        """Yield the frames in the order of the film; without those that are not stored whole, with ``NONKEY``, or that no other one
+        needs, with ``NONREF``, where the codec knows these."""
         with _opened(self.path) as (container, stream):
             stream.thread_type = "AUTO"
-            if keys:
-                stream.codec_context.skip_frame = "NONKEY"
+            stream.codec_context.skip_frame = skip
             number = 0
             for picture in _decoded(self.path, container, stream):
                 if picture.width * picture.height == 0:
@@ -341,20 +343,21 @@ def patches(
 
     ``wanted`` has, by frame, keys, places (2,) and half widths, px.
     """
-    last = max(wanted, default=-1)
-    for frame in film.frames() if wanted else ():
-        if frame.number > last:
-            return
-        height, width = frame.y.shape
-        for key, place, half in wanted.get(frame.number, ()):
+    windows: dict[int, list[Any]] = {}
+    for number in sorted(wanted):
+        for key, place, half in wanted[number]:
             low = np.maximum(np.floor(place - half), 0).astype(int) // 2 * 2
-            high = np.minimum(np.ceil(place + half), [width, height]).astype(int) // 2 * 2
-            if (high - low < 8).any():
-                continue
-            (left, top), (right, bottom) = low.tolist(), high.tolist()
-            windows = [(slice(top // n, bottom // n), slice(left // n, right // n)) for n in (1, 2, 2)]
-            planes, behind = (
-                tuple(plane[window].copy() for plane, window in zip(some, windows, strict=False))
-                for some in ((frame.y, frame.u, frame.v), ground)
-            )
-            yield key, Patch(frame.number, (left, top), planes, behind)
+            high = np.minimum(np.ceil(place + half), [film.width, film.height]).astype(int) // 2 * 2
+            if (high - low >= 8).all():
+                held = [one for one in film.kept.get(number, ()) if one.holds(low, high)]
+                windows.setdefault(number, []).append((key, low, high, held[:1]))
+    if all(held for some in windows.values() for *_rest, held in some):
+        yield from ((key, held[0].part(*window)) for some in windows.values() for key, *window, held in some)
+        return
+    for frame in film.frames():
+        whole = Patch(frame.number, (0, 0), (frame.y, frame.u, frame.v), tuple(ground))
+        for key, low, high, _held in windows.pop(frame.number, ()):
+            part = whole.part(low, high)
+            yield key, part._replace(planes=tuple(one.copy() for one in part.planes))
+        if not windows:
+            return
