@@ -183,7 +183,7 @@ def test_files_are_written(folder):
     assert "checkpoint written: c.npz" in done.stderr
     found = json.loads((folder / "m.json").read_text())
     assert set(KEYS) < set(found)
-    assert len(found["series"]["time"]) == found["looks"] >= 45
+    assert len(found["series"]["time"]) == found["samples"] >= 45
     assert len(found["pair_correlation"][0]["g"]) > 50
     assert sorted(path.name for path in folder.iterdir()) == [
         "c.npz", "g.svg", "long.toml", "m.json", "mixed.toml", "rough.toml",

@@ -108,6 +108,7 @@ def test_a_finished_run_goes_on_for_longer(tmp_path):
     whole = Session(long)
     whole.run()
     assert measured(again) == measured(whole)
+    assert again.measures.samples > whole.measures.samples  # at the intervals of the shorter run
     assert again.gas.balls().position.tobytes() == whole.gas.balls().position.tobytes()
     assert load_checkpoint(tmp_path / "c.npz").scene == short
     assert load_checkpoint(tmp_path / "c.npz").finished

@@ -290,6 +290,10 @@ WRONG = {
         ROUGH.replace("max_events = 60_000", "max_events = 99999999999999999999999"),
         "run.max_events: expected a whole number < 2^63, got 99999999999999999999999",
     ),
+    "a law": (
+        ROUGH.replace("restitution = ", 'law = "mirror"\nrestitution = ', 1),
+        "contacts[0].law: expected a field that is known here, got 'law'; a gas takes no custom law",
+    ),
     "contact time": (MIXED.replace("1e-6", "-1"), "contact_time: expected a time >= 0, got -1"),
 }
 
@@ -343,7 +347,7 @@ def test_scenes_of_the_other_kind_are_told_apart(tmp_path):
     ):
         load_scene(tmp_path / "gas.toml")
     with pytest.raises(
-        CaromError, match=r"none.toml: expected the scene file of a gas, got: No such file.*carom scene new `gas`"
+        CaromError, match=r"scene file of a gas, got: No such file.*; carom scene new with `gas` or carom.gas.gas_text makes one$"
     ):
         load_gas(tmp_path / "none.toml")
 

@@ -92,7 +92,7 @@ def test_spins_that_nothing_changes_do_not_diffuse():
     found = diffusion_coefficients(gas, 2000)
     assert math.isnan(found.spin_diffusion.value)
     assert found.self_diffusion.value > 0
-    with pytest.raises(CaromError, match=r"looks: expected a whole number >= 2000, got 5"):
+    with pytest.raises(CaromError, match=r"samples: expected a whole number >= 2000, got 5"):
         diffusion_coefficients(gas, 5)
 
 

@@ -224,7 +224,7 @@ def print_tables(
     console.print(f"{UNITS_NOTE} {TEMPERATURES_NOTE}", style="dim", soft_wrap=True)
     between = "intervals of time" if scene.run.max_events is None else "numbers of collisions"
     between += ", spread over the phases of the walls" * any(one.amplitude > 0 for one in scene.drives)
-    for note in (MEANS_NOTE.format(found["looks"], between), *notes):
+    for note in (MEANS_NOTE.format(found["samples"], between), *notes):
         console.print(note, style="dim", soft_wrap=True)
 
 

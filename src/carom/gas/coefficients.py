@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import FaultList, checked_number
-from carom.gas.gas import Gas
+from carom.gas.gas import Gas, require_counts
 from carom.gas.results import Mark, averages_between
 from carom.public.progress import Progress
 
@@ -154,9 +154,7 @@ def sheared_viscosity(
     faults = FaultList("sheared_viscosity")
     if gas.shear_rate == 0:
         faults.add("gas", "a gas with a shear_rate", "one without")
-    for name, value, least in (("blocks", blocks, 2), ("collisions", collisions, 2)):
-        if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
-            faults.add(name, f"a whole number >= {least}", f"{value!r}")
+    require_counts(faults, 2, blocks=blocks, collisions=collisions)
     faults.raise_if_any()
     found, times = [], []
     for k in range(blocks):
@@ -202,8 +200,7 @@ class _Windows(NamedTuple):
         """Run a gas over so many windows. Raises CaromError."""
         faults = FaultList(where)
         require_equilibrium(faults, gas)
-        if isinstance(windows, bool) or not isinstance(windows, int | np.integer) or windows < 20 * BLOCKS:
-            faults.add("windows", f"a whole number >= {20 * BLOCKS}", f"{windows!r}")
+        require_counts(faults, 20 * BLOCKS, windows=windows)
         faults.raise_if_any()
         if heat:
             gas.measure_heat()
@@ -257,9 +254,9 @@ def _mean_squares(rows: Array) -> Array:
 # Diffusion of the balls of a gas and of their spins, by Green and Kubo's relations and by Einstein's.
 
 
-STEP = 0.25  # mean free times between two looks
-MEMORY = 48  # looks over which the correlation is integrated: 12 mean free times
-LONGEST_LAG = 96  # looks of the longest lag; Einstein's line is fitted to those beyond the memory
+STEP = 0.25  # mean free times between two samples
+MEMORY = 48  # samples over which the correlation is integrated: 12 mean free times
+LONGEST_LAG = 96  # samples of the longest lag; Einstein's line is fitted to those beyond the memory
 
 
 @dataclass(frozen=True, eq=False)
@@ -288,7 +285,7 @@ class DiffusionCoefficients(NamedTuple):
 
 
 def diffusion_coefficients(
-    gas: Gas, looks: int = 8000, *, progress: Progress | None = None
+    gas: Gas, samples: int = 8000, *, progress: Progress | None = None
 ) -> DiffusionCoefficients:  # fmt: skip
     """Return how fast balls diffuse, and how fast the angles by which they have turned do, in equilibrium.
 
@@ -301,7 +298,7 @@ def diffusion_coefficients(
     ----------
     gas : Gas
         In equilibrium, without walls, drives, thermostat and shear; its contacts conserve energy. It is advanced meanwhile.
-    looks : int
+    samples : int
         Length of the run, in quarters of a mean free time; at least 2000.
     progress : callable(done, total, text), optional
 
@@ -312,7 +309,7 @@ def diffusion_coefficients(
     Raises
     ------
     CaromError
-        For a gas with walls, a shear or whose energy changes, and for too few looks.
+        For a gas with walls, a shear or whose energy changes, and for too few samples.
 
     Notes
     -----
@@ -331,8 +328,7 @@ def diffusion_coefficients(
     """
     faults = FaultList("diffusion_coefficients")
     require_equilibrium(faults, gas)
-    if isinstance(looks, bool) or not isinstance(looks, int | np.integer) or looks < 2 * LONGEST_LAG * BLOCKS + 80:
-        faults.add("looks", f"a whole number >= {2 * LONGEST_LAG * BLOCKS + 80}", f"{looks!r}")
+    require_counts(faults, 2 * LONGEST_LAG * BLOCKS + 80, samples=samples)
     faults.raise_if_any()
     gas.measure_heat()
     start, axes = gas.mark(), int(gas.arrays.system[0]["dimensions"])
@@ -342,7 +338,7 @@ def diffusion_coefficients(
     turns = not gas.arrays.materials.pairs["smooth"].all()
     about = slice(None) if axes == 3 else slice(2, 3)
     parts: list[tuple[Any, Any]] = []
-    for block in np.array_split(np.arange(looks), BLOCKS):
+    for block in np.array_split(np.arange(samples), BLOCKS):
         ways, angles = [], []
         for k in block:
             gas.advance(until=begin + (k + 1) * step)
@@ -352,7 +348,7 @@ def diffusion_coefficients(
             angles.append((gas.turned()[:, about], now.spin[:, about]))
         parts.append((_of_block(ways, step), _of_block(angles, step)))
         if progress is not None:
-            progress(int(block[-1]) + 1, int(looks), "looks")
+            progress(int(block[-1]) + 1, int(samples), "samples")
     require_steady(faults, gas, energy)
     return DiffusionCoefficients(
         _joined([one for one, _ in parts], step, True), _joined([two for _, two in parts], step, turns)
@@ -360,7 +356,7 @@ def diffusion_coefficients(
 
 
 def _of_block(rows: list[tuple[Array, Array]], step: float) -> tuple[Array, Array]:
-    """Return the mean squares of the ways and the correlation of the rates of one block, from places and rates at each look."""
+    """Return the mean squares of the ways and the correlation of the rates of one block, from places and rates at each sample."""
     place, rate = (np.array(part) for part in zip(*rows, strict=True))
     square = np.array([((place[k:] - place[:-k]) ** 2).mean() for k in range(1, LONGEST_LAG + 1)])
     count = len(rate)

@@ -57,6 +57,13 @@ def vectors(faults: FaultList, name: str, given: Any, count: int, axes: int) -> 
     return rows
 
 
+def require_counts(faults: FaultList, least: int, **counts: Any) -> None:
+    """Add a fault for each argument that is no whole number of at least so many."""
+    for name, count in counts.items():
+        if isinstance(count, bool) or not isinstance(count, int | np.integer) or count < least:
+            faults.add(name, f"a whole number >= {least}", f"{count!r}")
+
+
 def start_positions(container: Container, records: SystemRecords, radius: Array, seed: int) -> Array:
     """Return positions on a lattice if the balls fit, else a dense random packing."""
     try:
@@ -96,19 +103,16 @@ def draw_thermal(
 ) -> None:
     """Draw what is asked for, velocities or spins or both, kind by kind, into the records of a gas."""
     about = (0, 1, 2) if axes == 3 else (2,)
-    for k, one in enumerate(kinds):
-        those: Any = slice(None) if len(kinds) == 1 else which == k
-        if velocities:
-            v = thermal(np.full(one.count, one.mass), tuple(range(axes)), one.temperature, rng)
-            for axis, name in enumerate(("vx", "vy", "vz")):
-                memory["motions"][name][those] = v[:, axis]
-            del v  # (of many balls it is large)
-        if spins:
-            moment = one.kappa * one.mass * one.radius**2
-            w = thermal(np.full(one.count, moment), about, one.temperature_rotational, rng)
-            for axis, name in enumerate(("wx", "wy", "wz")):
-                memory["bodies"][name][those] = w[:, axis]
-            del w
+    for number, one in enumerate(kinds):
+        those: Any = slice(None) if len(kinds) == 1 else which == number
+        moment = one.kappa * one.mass * one.radius**2
+        drawn = [("motions", "v", one.mass, tuple(range(axes)), one.temperature)] * velocities
+        drawn += [("bodies", "w", moment, about, one.temperature_rotational)] * spins
+        for records, letter, inertia, along, temperature in drawn:
+            rows = thermal(np.full(one.count, inertia), along, temperature, rng)
+            for k in range(3):
+                memory[records][f"{letter}{'xyz'[k]}"][those] = rows[:, k]
+            del rows  # (of many balls they are large)
 
 
 def records_of(scene: GasScene) -> tuple[SystemRecords, SizeClasses]:
@@ -139,7 +143,7 @@ class Gas:
     periodic : bool, or one for each axis
         Of a box given by its lengths.
     contacts : Surface, or a mapping of pairs of names to Surfaces
-        Names of species; ``"wall"`` for all walls, or a wall's own name.
+        Needed; a gas takes no custom laws. Names of species; ``"wall"`` for all walls, or a wall's own name.
     gravity : vector
         Acceleration (m/s^2).
     contact_time : float
@@ -183,7 +187,7 @@ class Gas:
         side: Sequence[float] | Container,
         *,
         periodic: bool | Sequence[bool] = True,
-        contacts: Contacts,
+        contacts: Contacts | None = None,
         gravity: Sequence[float] = (0.0, 0.0, 0.0),
         contact_time: float = 0.0,
         drives: Mapping[str, Drive] | None = None,
@@ -444,11 +448,8 @@ class Gas:
             faults.add("until", "a time, or inf", f"{until!r}")
         elif collisions is None and end == math.inf:
             faults.add("until", "a number of collisions or a time", "neither")
-        for name, count, least in (("collisions", collisions, 0), ("chunk", chunk, 1)):
-            if count is not None and (
-                isinstance(count, bool) or not isinstance(count, int | np.integer) or count < least
-            ):
-                faults.add(name, f"a whole number >= {least}", f"{count!r}")
+        require_counts(faults, 0, collisions=0 if collisions is None else collisions)
+        require_counts(faults, 1, chunk=chunk)
         faults.raise_if_any()
         most = 1 << 62 if collisions is None else int(collisions)
         before, done, self.ended_early = self.collisions, 0, None

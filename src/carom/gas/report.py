@@ -123,7 +123,7 @@ def report(session: Session) -> dict[str, Any]:
         "energy_end": added(energy),
         "stationary": stationary,
         "temperature_ratio": of(means.temperatures if stationary else means.final)["temperature_ratio"],
-        "looks": measures.samples,
+        "samples": measures.samples,
         "diffusion": measures.displacement().diffusion if measures.has_diffusion and stationary else math.nan,
         "walls": {name: one.to_dict() for name, one in session.gas.wall_motion().items()},
         "outflow": {} if (flow := measures.outflow) is None else flow.to_dict(),

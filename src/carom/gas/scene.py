@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import replace
 from importlib.resources import files
 from pathlib import Path
 from typing import Annotated, Any, ClassVar
@@ -11,6 +12,7 @@ from typing import Annotated, Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, model_validator
+from pydantic_core import PydanticCustomError
 
 from carom.core.random import added
 from carom.errors import CaromError, Fault, FaultList, require_type, shown, suggestion
@@ -23,6 +25,7 @@ from carom.gas.initial import DENSEST
 from carom.gas.species import (
     ANY,
     BYTES_PER_BALL,
+    DENSITIES,
     AnyContacts,
     SizeClasses,
     Species,
@@ -245,9 +248,8 @@ def scene_of_parts(where: str, parts: dict[str, Any], run: dict[str, Any]) -> Ga
 def gas_faults(scene: GasScene) -> list[Fault]:
     """Return all faults of a gas whose parts are valid."""
     if not scene.species:
-        advice = "a file has a table [[species]] for each"
-        return [Fault("", "species", "at least one species", "none", advice)]
-    if found := _count_faults(scene):  # (the others look at the radii of all balls)
+        return [Fault("", "species", "at least one species", "none", "a file has a table [[species]] for each")]
+    if found := [*_count_faults(scene), *_mass_faults(scene)]:  # (the others look at the radii and masses of all balls)
         return found
     parts = (_species_faults, _contact_faults, _drive_faults, _gravity_faults, _density_faults, _thermostat_faults)
     return [fault for part in parts for fault in part(scene)]
@@ -272,11 +274,19 @@ def _species_faults(scene: GasScene) -> list[Fault]:
 def _count_faults(scene: GasScene) -> list[Fault]:
     if scene.count > MAX_BALLS:
         return [Fault("", "species", f"at most {MAX_BALLS:,} balls", f"{scene.count:,}")]
-    try:
-        require_memory("", "species", scene.count, BYTES_PER_BALL, "take fewer balls, or a larger machine")
-    except CaromError as error:
-        return list(error.records)
-    return []
+    found = FaultList()
+    found.attempt(require_memory, "", "species", scene.count, BYTES_PER_BALL, "take fewer balls, or a larger machine")
+    return found
+
+
+def _mass_faults(scene: GasScene) -> list[Fault]:
+    found = []
+    for i, one in enumerate(scene.species):
+        try:
+            DENSITIES[scene.container.dimensions](one.density if one.mass is None else 1.0)
+        except PydanticCustomError as error:
+            found.append(replace((error.context or {})["fault"], field=f"species[{i}].density"))
+    return found
 
 
 def _contact_faults(scene: GasScene) -> list[Fault]:
@@ -291,8 +301,7 @@ def _contact_faults(scene: GasScene) -> list[Fault]:
     names_known = True
     for i, contact in enumerate(scene.contacts):
         at = f"contacts[{i}].between"
-        strange = [name for name in contact.between if name not in known]
-        if strange:
+        if strange := [name for name in contact.between if name not in known]:
             names_known = False
             found.add(at, "names of species, or of walls", shown(strange[0]), suggestion(strange[0], known))
         elif not any(name in {ANY, *names} for name in contact.between):
@@ -306,8 +315,7 @@ def _contact_faults(scene: GasScene) -> list[Fault]:
         if best_contact(pairs, one, [two]) is None:
             found.append(_missing(one, two))
     for one in names:
-        bare = [wall for wall in walls if best_contact(pairs, one, [wall, "wall"]) is None]
-        if bare:
+        if bare := [wall for wall in walls if best_contact(pairs, one, [wall, "wall"]) is None]:
             found.append(_missing(one, "wall" if len(bare) == len(walls) else bare[0]))
     return found
 
@@ -342,8 +350,7 @@ def _gravity_faults(scene: GasScene) -> list[Fault]:
     axes = scene.container.dimensions
     if scene.shear_rate != 0:
         fastest = max(math.sqrt(one.temperature / one.nominal_mass(axes)) for one in scene.species)
-        found = shear_faults(scene.container.geometry, scene.gravity_vector, scene.shear_rate, fastest)
-        if found:
+        if found := shear_faults(scene.container.geometry, scene.gravity_vector, scene.shear_rate, fastest):
             return found
     if any(scene.gravity_vector) and not scene.container.geometry.faces:
         advice = 'add walls, such as shape = "box" with periodic = ["x"]'
@@ -419,7 +426,7 @@ def load_gas(path: str | Path) -> GasScene:
     else:
         path = as_path("load_gas", path)
         name, folder = str(path), path.parent
-        table = read_toml(path, f"carom scene new `gas` {path} writes one", "the scene file of a gas")
+        table = read_toml(path, "carom scene new with `gas` or carom.gas.gas_text makes one", "the scene file of a gas")
     if strange := sorted({"balls", "walls", "floor"} & set(table)):
         got = " and ".join(strange)
         raise CaromError(f"{name}: expected a gas, got a scene of single balls, with {got}; run carom simulate {name}")
@@ -433,11 +440,8 @@ def load_gas(path: str | Path) -> GasScene:
 
 def is_gas(path: str | Path) -> bool:
     """Return whether a file looks like the scene of a gas: TOML with a container or species."""
-    try:
-        table = read_toml(Path(path), "")
-    except CaromError:
-        return False
-    return bool({"container", "species"} & set(table))
+    table = FaultList().attempt(read_toml, Path(path), "")
+    return bool({"container", "species"} & set(table or ()))
 
 
 def new_gas() -> GasScene:

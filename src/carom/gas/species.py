@@ -6,7 +6,7 @@ import functools
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, cast
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -197,6 +197,7 @@ class GasSurface(Model):
     0.822
     """
 
+    absent: ClassVar = {"law": "a gas takes no custom law: its contacts have the numbers above"}
     restitution: GasBounce
     friction: Rubbing
     tangential_restitution: Spring = 0.0
@@ -252,7 +253,7 @@ def _each(value: Any) -> Any:
         value = {(ANY, ANY): value}
     if isinstance(value, list | tuple) or (isinstance(value, dict) and all(isinstance(name, str) for name in value)):
         return value  # (of a file)
-    expected = "a carom.Surface, or one for each pair of names, {('a', 'wall'): Surface(...)}"
+    expected = "a carom.Surface (no custom law), or one for each pair of names, {('a', 'wall'): Surface(...)}"
     if not isinstance(value, Mapping):
         raise refused(expected, shown(value))
     for pair, surface in value.items():
@@ -384,7 +385,12 @@ MOST_KICKS = 1e6  # of a thermostat, on a ball's way of one radius
 BALLS_PER_CELL = 0.5  # where the balls are small compared with their distances
 _KAPPA = Number("kappa = I/(m a^2) in (0, 1], or one of 'solid', 'hollow', 'disc', 'ring'", least=0, most=1, above=True)
 _TEMPERATURE = Number("a temperature k_B T >= 0", "J", least=0)
-_DENSITY = Number("a density > 0 in kg/m^3 (discs: kg/m^2)", "", least=0, above=True)
+DENSITIES = {
+    axes: Number("a density > 0 in kg/m^3 (discs: kg/m^2)", unit, least=0, above=True)
+    for axes, unit in ((2, "kg/m^2"), (3, "kg/m^3"))
+}
+# (a text is read where the container tells whether the balls are discs)
+_DENSITY = BeforeValidator(lambda one: one if isinstance(one, str) else DENSITIES[3](one))
 
 
 def _inertia(value: Any) -> str | float:
@@ -426,7 +432,7 @@ class Species(Model):
     radius : of all balls; or a distribution: a table of ``distribution`` ("lognormal"), ``median``, ``sigma``, and the ``seed`` of
         the drawn radii
     mass : of a ball, default: 1; of radii by distribution, of one with the median, and the others have the same density
-    density : instead of a mass (kg/m^3; of discs kg/m^2)
+    density : instead of a mass (kg/m^3; of discs kg/m^2), a number or a text with its unit
     inertia : kappa = I/(m a^2), or "solid", "hollow" (balls), "disc", "ring" (discs); default: solid, disc
     temperature : k_B T at the start, the mean of m v^2 along an axis (J, if masses and speeds are in SI units); default: 1
     temperature_rotational : mean of I w^2 about an axis; default: the same; 0 starts without spin
@@ -450,7 +456,7 @@ class Species(Model):
     count: Count
     radius: SpeciesRadius
     mass: Mass | None = None
-    density: Annotated[float, BeforeValidator(_DENSITY)] | None = None
+    density: Annotated[float | str, _DENSITY] | None = None
     inertia: Annotated[str | float, BeforeValidator(_inertia)] | None = None
     temperature: Annotated[float, BeforeValidator(_TEMPERATURE)] = 1.0
     temperature_rotational: Annotated[float, BeforeValidator(_TEMPERATURE)] | None = None
@@ -494,10 +500,9 @@ class Species(Model):
         return self.radius.median if isinstance(self.radius, LognormalRadii) else self.radius
 
     def nominal_mass(self, dimensions: int) -> float:
-        """Return the mass of a ball with the nominal radius."""
-        if self.mass is not None:
-            return self.mass
-        return float(cast(float, self.density) * volume_of_balls(self.nominal, dimensions))
+        """Return the mass of a ball with the nominal radius; a density with the unit of other dimensions is refused."""
+        volume = volume_of_balls(self.nominal, dimensions)
+        return self.mass if self.mass is not None else float(DENSITIES[dimensions](self.density) * volume)
 
     @functools.cached_property
     def sizes(self) -> tuple[Array, NDArray[np.int64]]:

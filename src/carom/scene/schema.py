@@ -75,6 +75,8 @@ class Model(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, ser_json_inf_nan="constants", arbitrary_types_allowed=True)
     tag: ClassVar[str] = ""
     """The field that tells which of several models one is: shape, form."""
+    absent: ClassVar[dict[str, str]] = {}
+    """Fields that it has not although others have, and why."""
 
     def __init__(self, *unnamed: Any, **fields: Any) -> None:
         if unnamed:
@@ -160,8 +162,8 @@ def _fault(where: str, error: Any, model: type[Model]) -> Fault:
         dot = "." if path and fault.field and not fault.field.startswith("[") else ""
         return replace(fault, where=where, field=f"{path}{dot}{fault.field}")
     if kind == "extra_forbidden":
-        halved = field == "diameter" and "radius" in owner.model_fields
-        advice = "give the radius, half of it" if halved else suggestion(field, list(owner.model_fields))
+        absent = owner.absent | ({"diameter": "give the radius, half of it"} if "radius" in owner.model_fields else {})
+        advice = absent.get(field) or suggestion(field, list(owner.model_fields))
         return Fault(where, path, "a field that is known here", repr(field), advice)
     if kind in {"union_tag_invalid", "union_tag_not_found"}:
         return _choice(where, path, value, inside)
@@ -260,7 +262,7 @@ Vector = tuple[float, float, float]
 EXAMPLES = {
     "m": "61.5 mm", "m/s": "2 m/s", "m/s^2": "9.81 m/s^2", "kg": "210 g", "s": "10 s", "rad/s": "30 rev/s", "degree": "0.5 rad",
     "J": "2 uJ", "1/s": "50 Hz", "s/m": "0.002 s/m", "rad/m": "2 rad/m", "Pa": "5.84 GPa",
-    "K": "20 degC", "kg/m^3": "1.2 kg/m^3", "Pa*s": "18.1 uPa*s",
+    "K": "20 degC", "kg/m^3": "1.2 kg/m^3", "kg/m^2": "20 kg/m^2", "Pa*s": "18.1 uPa*s",
 }  # fmt: skip
 
 

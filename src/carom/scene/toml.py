@@ -66,12 +66,10 @@ def _by_name(path: Path) -> dict[str, Any] | None:
 
 
 def _remedy(path: Path) -> str:
-    """Return the name of a real table that was meant, or the command that writes the file."""
+    """Return the name of a real table that was meant, which stands for its scene, or the command that writes the file."""
     near = near_name(path, presets())
-    if near and not path.suffix:
-        return f"did you mean {near!r}?"
     if near:
-        return f"carom scene new `table` {near} FILE.toml writes one"
+        return f"did you mean {near!r}?"
     if not path.suffix and path.name == str(path):
         return f"a file's name ends with .toml; tables have the names {', '.join(presets())}"
     return f"carom scene new {path} writes one"
