@@ -260,7 +260,7 @@ CAPS = {
     "core": 5745,
     "laws": 4969,
     "scene": 4877,
-    "cli": 4201,
+    "cli": 4200,
     "plot": 3629,
     "derive": 2983,
     "sweeps": 3284,

@@ -14,12 +14,14 @@ from carom.cli.options import OUTPUT, option, require_outputs, shared, wrote
 from carom.cli.parameters import Given, of_library
 from carom.cli.streams import note, say_json, say_notes
 from carom.errors import CaromError, Fault
+from carom.files import atomic_path
 from carom.formatting import Listing, counted, json_value
 
 if TYPE_CHECKING:
     from carom.billiards import Lyapunov, Orbit, OrbitResult, PeriodicOrbits
 
 LONGEST_SHOWN = 12  # walls of a periodic orbit, as letters
+LETTERS = {"position": "", "velocity": "v", "spin": "w"}
 # Why an orbit ended, in words.
 REASONS = {
     "bounces": "after all bounces",
@@ -100,27 +102,36 @@ def _exponents(spectrum: Lyapunov) -> dict[str, Any]:
     return found
 
 
+def _columns(found: Orbit) -> dict[str, Any]:
+    """Return what is known of every bounce: arrays (orbits, bounces, ...)."""
+    columns: dict[str, Any] = {
+        "t": found.t, "piece": found.piece, "s": found.arc if found.setup.shape.sphere is None else None,
+        "position": found.position, "velocity": found.velocity, "spin": found.spin, "along": found.along, "across": found.across,
+    }  # fmt: skip
+    shape, axes = (found.count.size, found.t.shape[-1]), found.t.ndim
+    return {name: one.reshape(*shape, *one.shape[axes:]) for name, one in columns.items() if one is not None}
+
+
 def every_bounce(found: Orbit) -> list[Any]:
     """Return every bounce: of one orbit a list, of many a list of lists."""
-    import numpy as np
-
-    n, one = found.t.shape[-1], found.t.ndim
-    flat = found.setup.shape.sphere is None
-    columns: dict[str, Any] = {
-        "t": found.t, "piece": found.piece, "s": found.arc if flat else None, "position": found.position,
-        "velocity": found.velocity, "spin": found.spin, "along": found.along, "across": found.across,
-    }  # fmt: skip
-    rows = []
-    counts = np.atleast_1d(found.count)
-    reshaped = {
-        key: np.reshape(value, (len(counts), n, *np.shape(value)[one:]))
-        for key, value in columns.items()
-        if value is not None
-    }
-    for m, count in enumerate(counts):
-        lists = {key: value[m, :count].tolist() for key, value in reshaped.items()}
-        rows.append([dict(zip(lists, values, strict=True)) for values in zip(*lists.values(), strict=True)])
+    columns, rows = _columns(found), []
+    for m, count in enumerate(found.count.ravel()):
+        lists = [column[m, :count].tolist() for column in columns.values()]
+        rows.append([dict(zip(columns, values, strict=True)) for values in zip(*lists, strict=True)])
     return rows[0] if len(rows) == 1 else rows
+
+
+def write_bounces(found: Orbit, path: Path) -> None:
+    """Write every bounce as a row, numbered from 1 within its orbit, of a CSV or Parquet file."""
+    from carom.simulation.files import write_columns
+
+    orbit, bounce = (found.count.reshape(-1, 1) > range(found.t.shape[-1])).nonzero()
+    rows = {"orbit": orbit + 1, "bounce": bounce + 1}
+    for name, column in _columns(found).items():
+        axes = [name] if column.ndim == 2 else [f"{LETTERS[name]}{axis}" for axis in "xyz"[: column.shape[2]]]
+        rows |= dict(zip(axes, column[orbit, bounce].reshape(len(orbit), len(axes)).T, strict=True))
+    with atomic_path(path) as part:
+        write_columns(rows, part)
 
 
 def print_orbit(facts: dict[str, Any], found: OrbitResult) -> None:
@@ -141,11 +152,9 @@ def print_orbit(facts: dict[str, Any], found: OrbitResult) -> None:
     if needs_surface(law):
         law += f" with restitution {wall['e']:g}, friction {wall['mu']:g}, tangential restitution {wall['beta']:g}"
     rows.append(("ball", f"kappa {facts['ball']['kappa']:.6g}, radius {facts['ball']['radius']:.6g} m; law {law}"))
-    reasons = {REASONS[name]: count for name, count in facts["ended"].items()}
-    ends = ", ".join(f"{count} {name}" if facts["orbits"] > 1 else name for name, count in reasons.items())
-    rows.append(
-        ("bounces", f"{facts['count']:,} in {facts['orbits']:,} orbit{'s' * (facts['orbits'] > 1)}; ended: {ends}")
-    )
+    ends = ", ".join(f"{count} {REASONS[one]}" for one, count in facts["ended"].items())
+    ends = ends if facts["orbits"] > 1 else ends.removeprefix("1 ")
+    rows.append(("bounces", f"{facts['count']:,} in {counted(facts['orbits'], 'orbit')}; ended: {ends}"))
     if facts.get("mean_time_between_bounces") is not None:
         rows.append(("mean time", f"{facts['mean_time_between_bounces']:.6g} s between bounces"))
     if facts["energy_drift"] is not None:
@@ -234,10 +243,7 @@ def _first_bounces(console: Any, found: Orbit) -> None:
     n = found.t.shape[-1]
     x = found.position.reshape(n, -1)
     columns = {"t": found.t}
-    if found.setup.planar:
-        columns |= {"s": found.arc, "x": x[:, 0], "y": x[:, 1]}
-    else:
-        columns["z"] = x[:, 2]
+    columns |= {"s": found.arc, "x": x[:, 0], "y": x[:, 1]} if found.setup.planar else {"z": x[:, 2]}
     columns |= {"v along": found.along, "v across": found.across}
     spins = found.spin.reshape(n, -1)
     rows = []
@@ -292,6 +298,9 @@ def orbit(
     lyapunov_plot: Annotated[
         Path | None, shared("plot", help="Draw how the Lyapunov exponents converge; computes them.")
     ] = None,
+    out: Annotated[
+        Path | None, option(OUTPUT, "Write every bounce as a row: .csv or .parquet.", metavar="FILE")
+    ] = None,
     json_: Annotated[bool, shared("json", help="Print JSON on standard output, with every bounce.")] = False,
 ) -> None:
     """Single-particle billiards: follow one ball in a table from bounce to bounce, with the no-slip law or another.
@@ -303,13 +312,12 @@ def orbit(
     from carom.billiards.orbit_by_name import orbit as follow
 
     faults = given.faults
-    require_outputs(
-        faults, {"--plot": plot, "--portrait": portrait, "--boundary": boundary, "--lyapunov-plot": lyapunov_plot}
-    )
+    plots = {"--plot": plot, "--portrait": portrait, "--boundary": boundary, "--lyapunov-plot": lyapunov_plot}
+    require_outputs(faults, plots | {"--out": out}, {"--out": (".csv", ".parquet")})
     what: Any = None if table and table_file else table or table_file
     if what is None:
-        got = "both" if table else "neither"
-        faults.append(Fault(advice=f"TABLE: expected a table such as circle, or --table FILE, got {got}"))
+        advice = "TABLE: expected a table such as circle, or --table FILE, got "
+        faults.append(Fault(advice=advice + ("both" if table else "neither")))
     if faults:
         faults.attempt(lambda: check_orbit(table=what, **given))
         raise CaromError(*faults)
@@ -329,13 +337,10 @@ def orbit(
                 "note: random starts seldom lead to unstable orbits between obstacles or through openings;"
                 " --itinerary AB,ABC seeks those that meet given walls"
             )
-    figures = (
-        (plot, found.plot),
-        (portrait, found.portrait),
-        (boundary, found.boundary),
-        (lyapunov_plot, found.lyapunov),
-    )
-    for path, draw in figures:
+    for name, path in plots.items():
         if path is not None:
-            draw(path)
+            getattr(found, name[2:].removesuffix("-plot"))(path)
             wrote(path)
+    if out is not None:
+        write_bounces(found, out)
+        wrote(out)
