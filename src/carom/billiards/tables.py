@@ -275,12 +275,12 @@ def strip(width: float = 1.0, *, bounds: Bounds = "centre", acceleration: float 
     return _along((1, 0, 0), acceleration, "strip", bounds, width=width)
 
 
-def wedge(angle: float, *, bounds: Bounds = "centre") -> Table:
+def wedge(angle_deg: float, *, bounds: Bounds = "centre") -> Table:
     """Return a wedge: two walls from the origin, symmetric about the x axis.
 
     Parameters
     ----------
-    angle : float, between the walls, degrees, above 0 and below 180
+    angle_deg : float, between the walls, above 0 and below 180 degrees
     bounds : "centre" or "surface" of the ball
 
     Returns
@@ -293,7 +293,7 @@ def wedge(angle: float, *, bounds: Bounds = "centre") -> Table:
     >>> print(billiards.wedge(60))
     wedge (angle 60.0; boundary of the ball's centre)
     """
-    return table("wedge", bounds=bounds, angle=angle)
+    return table("wedge", bounds=bounds, angle=angle_deg)
 
 
 def polygon(vertices: ArrayLike, *, bounds: Bounds = "centre", name: str = "polygon") -> Table:
