@@ -84,7 +84,7 @@ def test_arguments_in_degrees_say_so_in_their_names() -> None:
                 )
                 said = text[0] if text else ""
                 assert name.endswith("_deg") != bool(re.search(r"\brad\b|radians", said)), (function, name, said)
-    assert {"incoming.angle_deg", "strike.azimuth_deg", "polar.angle_deg", "wedge.angle"} <= seen
+    assert {"incoming.angle_deg", "strike.azimuth_deg", "polar.angle_deg", "wedge.angle_deg"} <= seen
 
 
 def test_fields_of_files_take_their_unit() -> None:
