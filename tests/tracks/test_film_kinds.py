@@ -13,6 +13,7 @@ import carom
 from carom.errors import CaromError
 from carom.tracks.video.balls import find_background, movement
 from carom.tracks.video.edges import Optics, Patch, fit_outline, look_closer
+from carom.tracks.video.film import _strange
 
 pytest.importorskip("av")
 from reference.rendered_films import (
@@ -176,3 +177,14 @@ def test_a_place_is_not_that_of_the_pixels_it_was_sought_in() -> None:
     found = [fit_outline(patch, np.array([31.5, start]), np.array([0.0, 2000.0]), optics, coarse=False).place[1] for start in
              (56.0, 58.0, 60.0)]  # fmt: skip
     assert np.ptp(found) < 0.05
+
+
+def test_a_frame_that_the_codec_made_of_others_is_flagged() -> None:
+    """Of frame 3 less is explained than of the others, of frame 9 more."""
+    rng, t = np.random.default_rng(3), np.arange(30) / 60
+    places = np.stack([100 + 300 * t, 80 + 4000 * t * t], axis=1) + rng.normal(0, 0.05, (30, 2))
+    looks = np.array([120.0, 110.0, 140.0, 0.95]) + rng.normal(0, [1.0, 0.5, 0.5, 0.004], (30, 4))
+    looks[3, 3], looks[9, 3] = 0.89, 0.99
+    shapes = rng.normal(0, 0.05, (30, 5))
+    strange = _strange(t, places, np.ones(30), np.full(30, 20.0), shapes, looks)
+    assert np.flatnonzero(strange).tolist() == [3]

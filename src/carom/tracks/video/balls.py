@@ -358,11 +358,9 @@ def find_regions(halves: Sequence[Bytes], ground: Background, inside: Mask | Non
     share = np.count_nonzero(changed) / changed.size
     if inside is not None:
         changed &= inside
-    if share > 2 * CHANGED:
-        return [], share
     opened = _opened(~_opened(~changed))  # (parts of a ball that are like the ground are bridged; specks go)
     rows, columns = np.divmod(np.flatnonzero(opened), opened.shape[1])
-    if not len(rows):
+    if share > 2 * CHANGED or not len(rows):
         return [], share
     labels, _count = label(opened[rows[0] : rows[-1] + 1], np.ones((3, 3)))
     which, found = labels[rows - rows[0], columns], list[Region]()

@@ -39,6 +39,7 @@ ASTRAY = 4.0, 0.25  # from where the frames beside it have the ball: times the u
 OTHER_SHAPE = 0.06, 0.3  # by which a rim differs from the ball's usual one: radii, and px
 NO_DISC = 0.2  # radii, by which it differs from a disc's
 OTHER_LIGHT, OTHER_COLOUR = (0.35, 12.0), 14.0  # by which a ball differs from itself: of its light, and levels; levels
+OTHER_SHARE = 0.035  # of its picture, explained less: a frame that the codec made of those beside it
 OTHER_SCATTER = 7.0  # times the median difference, which marks on the ball make
 SAME = 0.3  # of the tiles, of a frame that is no other picture
 MOST_CUT = 0.05  # share of frames that are another picture
@@ -290,23 +291,24 @@ def _followed(
         tell(patch.frame)
     finish()
     places, costs = np.full((count, 2), np.nan), np.full(count, np.nan)
-    shapes, colours = np.full((count, 5), np.nan), np.full((count, 3), np.nan)
-    for k, (one, shapes[k], colours[k]) in found.items():
-        places[k], costs[k] = one.place, one.cost
-    costs[_strange(times, places, costs, radii, shapes, colours)] = np.inf
+    shapes, looks = np.full((count, 5), np.nan), np.full((count, 4), np.nan)
+    for k, (one, shapes[k], looks[k, :3]) in found.items():
+        places[k], costs[k], looks[k, 3] = one.place, one.cost, one.share
+    costs[_strange(times, places, costs, radii, shapes, looks)] = np.inf
     return places, costs
 
 
-def _strange(times: Array, places: Array, costs: Array, radii: Array, shapes: Array, colours: Array) -> Mask:
-    """Return the frames (F,) whose outline is of something else: of another shape or colour than usual, or off the way."""
+def _strange(times: Array, places: Array, costs: Array, radii: Array, shapes: Array, looks: Array) -> Mask:
+    """Return the frames (F,) whose outline is of something else: of another shape or look than usual, or off the way."""
     strange = _astray(times, places, costs)
-    if np.isfinite(colours).any():
+    if np.isfinite(looks).any():
         # (a shadow that touches the ball is part of its usual shape)
         other = np.abs(shapes - np.nanmedian(shapes, axis=0)).max(axis=1) > OTHER_SHAPE[0] * radii + OTHER_SHAPE[1]
         strange |= other | (np.abs(shapes).max(axis=1) > NO_DISC * radii)
-        usual = np.nanmedian(colours, axis=0)
-        away = np.abs(colours - usual)
-        least = np.array([OTHER_LIGHT[0] * usual[0] + OTHER_LIGHT[1], OTHER_COLOUR, OTHER_COLOUR])
+        usual = np.nanmedian(looks, axis=0)
+        away = np.abs(looks - usual)
+        away[looks[:, 3] > usual[3], 3] = 0.0
+        least = np.array([OTHER_LIGHT[0] * usual[0] + OTHER_LIGHT[1], OTHER_COLOUR, OTHER_COLOUR, OTHER_SHARE])
         strange |= (away > np.maximum(least, OTHER_SCATTER * np.nanmedian(away, axis=0))).any(axis=1)
     # (what fits among frames that mostly do not, fits by chance)
     sought = np.isfinite(places[:, 0])
