@@ -141,7 +141,7 @@ def half_size(plane: Bytes) -> Bytes:
 def sampled(film: FilmFile, keep: tuple[float, float]) -> list[tuple[Bytes, Bytes, Bytes]]:
     """Return the planes of some 16 to 32 frames, spread over the part of the film between two stamps, s."""
     most = int(np.clip(MOST_SAMPLE_BYTES / (1.5 * film.width * film.height), 8, SAMPLES))
-    for skip in ("NONKEY", "NONREF", "DEFAULT"):
+    for skip in ("NONKEY", "DEFAULT"):
         kept: list[tuple[Bytes, Bytes, Bytes]] = []
         stride, count = 1, 0
         for frame in film.frames(skip):

@@ -305,11 +305,11 @@ def _strange(times: Array, places: Array, costs: Array, radii: Array, shapes: Ar
         # (a shadow that touches the ball is part of its usual shape)
         other = np.abs(shapes - np.nanmedian(shapes, axis=0)).max(axis=1) > OTHER_SHAPE[0] * radii + OTHER_SHAPE[1]
         strange |= other | (np.abs(shapes).max(axis=1) > NO_DISC * radii)
-        usual = np.nanmedian(looks, axis=0)
-        away = np.abs(looks - usual)
-        away[looks[:, 3] > usual[3], 3] = 0.0
+        away = np.abs(looks - (usual := np.nanmedian(looks, axis=0)))
         least = np.array([OTHER_LIGHT[0] * usual[0] + OTHER_LIGHT[1], OTHER_COLOUR, OTHER_COLOUR, OTHER_SHARE])
-        strange |= (away > np.maximum(least, OTHER_SCATTER * np.nanmedian(away, axis=0))).any(axis=1)
+        limit = np.maximum(least, OTHER_SCATTER * np.nanmedian(away, axis=0))
+        away[looks[:, 3] > usual[3], 3] = 0.0
+        strange |= (away > limit).any(axis=1)
     # (what fits among frames that mostly do not, fits by chance)
     sought = np.isfinite(places[:, 0])
     doubt = np.convolve(sought & (strange | ~(costs < FLAGGED * _median(costs))), np.ones(9), "same")

@@ -81,8 +81,7 @@ class FilmFile:
     """By frame: pixels that were read once, in which :func:`patches` looks before it reads the film again."""
 
     def frames(self, skip: str = "DEFAULT") -> Iterator[Frame]:
-        """Yield the frames in the order of the film; without those that are not stored whole, with ``NONKEY``, or that no other one
-        needs, with ``NONREF``, where the codec knows these."""
+        """Yield the frames in the order of the film; of some codecs only those that are stored whole, with ``NONKEY``."""
         with _opened(self.path) as (container, stream):
             stream.thread_type = "AUTO"
             stream.codec_context.skip_frame = skip
