@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from reference.commands import command
 from reference.synthetic_runs import RADIUS, TRUTH, film, write
+from scipy.optimize import minimize
 
 import carom
 from carom.errors import CaromError
@@ -236,6 +237,28 @@ def test_without_noise_given_each_stretch_has_its_own(ranking: TrackRanking) -> 
         assert known.value is not None
         assert known.stderr is not None
         assert found.estimates[name].value == pytest.approx(known.value, abs=2 * known.stderr)
+
+
+def test_scatters_of_stretches_lower_the_deviance_as_far_as_they_can() -> None:
+    """Beside SciPy's search for all scatters and their common scale at once, where none is held at its noise."""
+    rng = np.random.default_rng(4)
+    count = rng.integers(20, 200, 6)
+    frames = SegmentArrays((), np.zeros((6, 200)), np.zeros((6, 200, 2)), count, np.ones(6))
+    squares = 1e-6 * rng.uniform(0.2, 4, 6) * (2 * count - 7)
+    prior = float(frames.freedom.mean())
+
+    def deviance(x: np.ndarray) -> float:
+        variance, scale = np.exp(x[:-1]), math.exp(x[-1])
+        own = squares / variance + frames.freedom * np.log(variance)
+        return float((own + prior * (scale / variance + np.log(variance) - x[-1])).sum())
+
+    best = minimize(deviance, np.full(7, math.log(1e-6)), tol=1e-10)
+    found = frames.with_scatter(squares, np.zeros(6))
+    assert found.sigma == pytest.approx(np.exp(best.x[:-1] / 2), rel=1e-4)
+    here = float((squares / found.sigma**2).sum()) + found.scatter_deviance + prior * 6
+    assert here == pytest.approx(best.fun, abs=1e-3)
+    held = frames.with_scatter(squares, np.full(6, 2e-3))
+    assert (held.sigma >= 2e-3).all()
 
 
 @pytest.mark.slow

@@ -195,14 +195,12 @@ def finish(
 ) -> SearchEnd:  # fmt: skip
     """Descend to the nearest minimum, in turn trying sidespins (and ``slips``) again and fitting all parameters."""
     noise = np.full(len(q), model.setting.noise or least_noise)
-    least = math.inf
-    for _ in range(TURNS):
+    frames, least = _with_scatter(model, frames, starts, q, numbers, noise), math.inf
+    for _ in range(TURNS):  # (none of the steps raises the deviance, of which the scatters are a part)
         q = with_best_sidespins(model, frames, starts, q, numbers, slips)
-        frames = _with_scatter(model, frames, starts, q, numbers, noise)
         numbers, settled = descend(model, frames, starts, q, numbers, tell)
-        q = settled.q
+        q, deviance = settled.q, float(settled.cost.sum()) + frames.scatter_deviance
         frames = _with_scatter(model, frames, starts, q, numbers, noise)
-        deviance = float(settled.cost.sum() + (4 * frames.count * np.log(frames.sigma)).sum())
         if not deviance < least - max(1.0, 1e-3 * float(settled.cost.sum())):
             break
         least = deviance
@@ -212,15 +210,11 @@ def finish(
 def _with_scatter(
     model: TrackModel, frames: SegmentArrays, starts: Starts, q: Array, numbers: Mapping[str, float], noise: Array
 ) -> SegmentArrays:
-    """Return frames with the scatter of each segment if no noise is given: from its residuals, at least its noise and the median.
-
-    (With smaller scatters the fit comes to follow whichever shot it is nearest to, since that shot's weight grows as it does so.)
-    """
+    """Return frames with the scatter of each segment if no noise is given: from its residuals, at least its noise."""
     if model.setting.noise is not None:
         return frames
     gap = settle(model.table(numbers), frames, starts, q, 1).gap * frames.sigma[:, None]
-    scatter = np.sqrt((gap * gap).sum(axis=1) / np.maximum(2 * frames.count - q.shape[1], 1))
-    return replace(frames, sigma=np.maximum(scatter, np.maximum(noise, np.median(scatter))))
+    return frames.with_scatter((gap * gap).sum(axis=1), noise)
 
 
 def _restarted(

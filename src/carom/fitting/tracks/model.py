@@ -325,6 +325,7 @@ SHARED_STEPS, ROUGH_STEPS = 60, 12
 START = ("x", "y", "v_x", "v_y", "u_x", "u_y", "spin_z")
 """The numbers of a start: position (m), velocity (m/s), slip on the floor (m/s), sidespin (rad/s)."""
 K = len(START)
+SCATTER_ROUNDS = 40  # until the scatters of segments and their common scale agree
 VELOCITY, SLIP, SIDESPIN = slice(2, 4), slice(4, 6), START.index("spin_z")  # parts of a start
 
 
@@ -361,6 +362,33 @@ class SegmentArrays:
         """Return only those segments."""
         arrays = {name: getattr(self, name)[which] for name in ("time", "position", "count", "sigma")}
         return SegmentArrays(tuple(self.segments[i] for i in which.tolist()), **arrays)
+
+    @property
+    def freedom(self) -> Array:
+        """(N,) degrees of freedom: measured numbers less those of a start."""
+        return np.asarray(np.maximum(2.0 * self.count - K, 1.0))
+
+    def with_scatter(self, squares: Array, noise: Array) -> SegmentArrays:
+        """Return these with the most likely scatters, from sums of squares of residuals (N,), m^2; each is at least its noise.
+
+        Deviations of a law are alike from frame to frame, so that a segment says less of its scatter than its frames are many: the
+        scatters have a common prior, scaled inverse chi^2 (Gelman et al., Bayesian Data Analysis, section 2.6), with as many
+        degrees of freedom as a segment has on average, and with the most likely scale. (With none, a fit comes to follow whichever
+        shot it is nearest to, since that shot's weight grows as it does so.)
+        """
+        m, prior = self.freedom, self.freedom.mean()
+        common = float(np.median(squares / m))
+        for _ in range(SCATTER_ROUNDS):
+            variance = np.maximum((squares + prior * common) / (m + prior), noise**2)
+            common = 1 / np.mean(1 / variance)
+        return replace(self, sigma=np.sqrt(variance))
+
+    @property
+    def scatter_deviance(self) -> float:
+        """The scatters' part of the deviance, -2 log of their normalisation and prior, up to a constant."""
+        variance, prior = self.sigma**2, self.freedom.mean()
+        of_prior = prior * math.log(1 / np.mean(1 / variance))
+        return float(((self.freedom + prior) * np.log(variance) - of_prior).sum())
 
     def gap(self, places: Array) -> Array:
         """Return simulated less tracked positions (N, 2 T), in standard deviations; 0 where there is no frame."""
@@ -628,7 +656,7 @@ class TrackFit:
     @property
     def deviance(self) -> float:
         """-2 log likelihood, up to a constant that is the same for all laws."""
-        return self.chi2 if self.known else self.chi2 + 4 * float((self.frames.count * np.log(self.frames.sigma)).sum())
+        return self.chi2 if self.known else self.chi2 + self.frames.scatter_deviance
 
     @property
     def aicc(self) -> float:
