@@ -125,3 +125,15 @@ def test_python_of_the_readme_runs(monkeypatch: pytest.MonkeyPatch, capsys: pyte
         exec(block, names)
     assert capsys.readouterr().out.startswith("1.0121")
     assert names["derivatives"].final.position.shape[0] == 3  # type: ignore[attr-defined]
+
+
+def test_a_part_of_ci_that_fails_fails_the_run(tmp_path: Path) -> None:
+    """The docs failed for days while the run said that all is well: bash's errexit does not hold beside ``&&``."""
+    text = (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+    parts = text[text.index('failed=""') : text.index("command -v npm")]
+    script = (
+        f"set -euo pipefail\nwork={tmp_path}\nsay() {{ :; }}\n{parts}\nbad() {{ false; }}\ngood() {{ true; }}\n"
+        'begin good && begin bad && begin good\nfinish\necho "failed:$failed"'
+    )
+    done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "failed: bad"

@@ -589,7 +589,7 @@ def _over_time(axes: Any, times: Sequence[Any], gaps: Sequence[Any]) -> None:
             axes.fill_between(middles, shares[0], shares[4], color=INK, alpha=0.12, lw=0, label="80 % of frames")
             axes.fill_between(middles, shares[1], shares[3], color=INK, alpha=0.25, lw=0, label="50 %")
         axes.plot(middles, shares[2], color="#D55E00", lw=1.8, label="median")
-        axes.legend(frameon=False, loc="best")
+        axes.legend(frameon=False, loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, ncols=3)
     _in_mm(axes)
 
 
