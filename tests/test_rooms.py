@@ -261,7 +261,7 @@ CAPS = {
     "laws": 4969,
     "scene": 4877,
     "cli": 4200,
-    "plot": 3629,
+    "plot": 3630,
     "derive": 2983,
     "sweeps": 3284,
     "data": 2615,

@@ -338,6 +338,7 @@ def svg(figure: Any) -> str:
 
 
 MARGINS = {"left": 0.13, "right": 0.97, "top": 0.97, "bottom": 0.16}  # of a panel with axes
+LEGEND = {"top": 0.88}  # of one with a legend above them
 
 
 def panel(draw: Callable[[Any], None], width: float, height: float, **margins: float) -> str:
@@ -614,7 +615,7 @@ def _track_drawings(fit: TrackFit) -> list[str]:
         )
         for which in far
     ]  # fmt: skip
-    over = panel(lambda axes: _track_distances(axes, fit), 4.5, 2.8, **MARGINS)
+    over = panel(lambda axes: _track_distances(axes, fit), 4.5, 2.8, **MARGINS | LEGEND)
     said = f"Tracked (dots) and {fit.law.name} (lines)" + f", the farthest of {len(rows)} shots" * (
         len(rows) > len(far)
     )
@@ -769,7 +770,7 @@ def _all_shots(fit: ShotsFit) -> list[str]:
         panel(lambda axes, one=one: _small(axes, one), 1.7, 1.05, left=0.02, right=0.98, top=0.86, bottom=0.02)  # type: ignore[misc]
         for one in fit.shots
     ]
-    over = panel(lambda axes: _distances(axes, fit), 3.9, 2.6, **MARGINS)
+    over = panel(lambda axes: _distances(axes, fit), 3.9, 2.6, **MARGINS | LEGEND)
     return [beside(small, "beside small") if len(small) > 1 else "", beside([over])]
 
 
