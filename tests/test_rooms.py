@@ -255,7 +255,7 @@ CAPS = {
     "fitting": 10694,
     "gas": 6943,
     "billiards": 5591,
-    "tracks": 9373,
+    "tracks": 9386,
     "simulation": 6440,
     "core": 5745,
     "laws": 4969,

@@ -316,3 +316,21 @@ def test_pixels_of_tracker_count_downwards(tmp_path: Path) -> None:
     (metres,) = read_tracks(HERE / "tracker_single.txt").tracks
     np.testing.assert_allclose(track.position, 1e-3 * metres.position * [1, -1], rtol=1e-12)
     np.testing.assert_allclose(up.position, 1e-3 * metres.position, rtol=1e-12)
+
+
+def test_commas_within_numbers_and_between_them_are_refused(tmp_path: Path) -> None:
+    """Most rows were taken for one instant, and the film for one from above without a contact."""
+    rows = [f"0,{83 * k:04d},10,187,{99 - k},710" for k in range(8)]
+    (said,) = faults(put(tmp_path, "\n".join(["t,x,y", *rows])), CENTIMETRES)
+    assert said.endswith(
+        "line 2: expected 3 cells, as the header has, got 6, and as many in most lines; write decimal points,"
+        " or semicolons between numbers"
+    )
+    spare = put(tmp_path, "t,x,y\n" + "\n".join(f"{k / 100},{k},{2 * k}," for k in range(8)))
+    assert len(read_tracks(spare).tracks[0]) == 8  # (empty cells at the end are none)
+
+
+def test_a_scale_by_gravity_is_for_films(tmp_path: Path) -> None:
+    path = put(tmp_path, "t,x,y\n" + "\n".join(f"{k / 100},{k},{2 * k}" for k in range(8)))
+    (said,) = faults(path, Calibration(film={"scale": "gravity"}))
+    assert "`scale`: expected the length of a unit of its positions" in said

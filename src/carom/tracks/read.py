@@ -267,6 +267,11 @@ def _tracks_of_text(path: Path, text: str, name: str, calibration: Calibration) 
 
 
 def _with_positions(path: Path, name: str, tracks: list[Track], calibration: Calibration) -> TrackFile:
+    if word := calibration.film.get("scale"):
+        advice = "of films alone it is found by gravity"
+        raise CaromError(
+            Fault(f"{path}", "`scale`", "the length of a unit of its positions, such as 1cm", repr(word), advice)
+        )
     if not tracks or not any(track.seen.any() for track in tracks):
         raise CaromError(f"{path}: {FORMATS[name].title}: expected positions of a ball, got none")
     if name != "columns":  # (which does so before its units are converted)

@@ -573,6 +573,7 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
         table.faults.add("", "a header and rows", "an empty file")
     table.raise_faults()
     header = header_of(table.rows) or Header(table.rows[0], 0, 1)
+    _require_width(table, header)
     balls, who, unknown = series_of(header.cells)
     table.faults += [fault.within(name) for fault in unknown]
     if not balls:
@@ -622,6 +623,16 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     table.raise_faults()
     notes += table.unused(header.cells, header.first)
     return [replace(track, notes=tuple(notes)) for track in tracks]
+
+
+def _require_width(table: TextTable, header: Header) -> None:
+    """Raise CaromError where most rows have more cells than the header: commas within numbers and between them."""
+    rows, width = table.rows[header.first :], len(header.cells)
+    if np.median([len(row) for row in rows] or [0]) > width and any(any(row[width:]) for row in rows):
+        advice = "write decimal points, or semicolons between numbers" if table.delimiter == "," else ""
+        where, got = f"line {table.lines[header.first]}", f"{len(rows[0])}, and as many in most lines"
+        table.faults.add(where, f"{width} cells, as the header has", got, advice)
+        table.raise_faults()
 
 
 def _require_axes(table: TextTable, header: Sequence[str]) -> None:
