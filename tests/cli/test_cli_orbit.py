@@ -276,14 +276,18 @@ def test_exponents_are_drawn_from_the_command_line(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("table", ["circle", "sphere"])
 def test_every_bounce_is_a_row_of_a_table(table: str, tmp_path: Path) -> None:
-    found = json.loads(run(table, "--orbits", "3", "--bounces", "4", "--json", "--out", str(tmp_path / "all.csv")).stdout)
+    found = json.loads(
+        run(table, "--orbits", "3", "--bounces", "4", "--json", "--out", str(tmp_path / "all.csv")).stdout
+    )
     first, *rows = (tmp_path / "all.csv").read_text(encoding="utf-8").splitlines()
     flat = [
         [str(orbit), str(bounce), *(repr(x) for value in row.values() for x in (value if isinstance(value, list) else [value]))]
         for orbit, orbits in enumerate(found["bounces"], 1) for bounce, row in enumerate(orbits, 1)
     ]  # fmt: skip
     assert [row.split(",") for row in rows] == flat
-    assert first.startswith("orbit,bounce,t,piece,s,x,y,vx,vy,spin," if table == "circle" else "orbit,bounce,t,piece,x,y,z,vx,")
+    assert first.startswith(
+        "orbit,bounce,t,piece,s,x,y,vx,vy,spin," if table == "circle" else "orbit,bounce,t,piece,x,y,z,vx,"
+    )
 
 
 def test_portraits_have_a_title_a_legend_and_one_ink_for_chaotic_orbits() -> None:

@@ -156,7 +156,9 @@ def test_a_run_whose_next_collision_is_far_away_can_be_stopped():
 
 
 def test_a_thermostat_that_lets_no_ball_move_is_refused():
-    with pytest.raises(CaromError, match=r"^Gas: contacts: expected a carom.Surface \(no custom law\), or one for each pair"):
+    with pytest.raises(
+        CaromError, match=r"^Gas: contacts: expected a carom.Surface \(no custom law\), or one for each pair"
+    ):
         Gas([Species(SPHERE, 20)], (5.0,) * 3)
     with pytest.raises(
         CaromError, match=r"thermostat.rate: expected at most 1e.06 thermal speeds per radius .* lower it"

@@ -347,7 +347,8 @@ def test_scenes_of_the_other_kind_are_told_apart(tmp_path):
     ):
         load_scene(tmp_path / "gas.toml")
     with pytest.raises(
-        CaromError, match=r"scene file of a gas, got: No such file.*; carom scene new with `gas` or carom.gas.gas_text makes one$"
+        CaromError,
+        match=r"scene file of a gas, got: No such file.*; carom scene new with `gas` or carom.gas.gas_text makes one$",
     ):
         load_gas(tmp_path / "none.toml")
 

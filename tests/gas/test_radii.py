@@ -97,8 +97,12 @@ def test_bad_distributions_have_one_line_each(radius, line):
 def test_a_density_has_the_unit_of_balls_or_of_discs():
     grain = {"radius": 0.5, "count": 2}
     assert scene(**grain, density="0.2 g/cm^2").species[0].nominal_mass(2) == pytest.approx(2.0 * math.pi * 0.25)
-    assert scene(**grain, size=(60,) * 3, density="2500 kg/m^3").species[0].nominal_mass(3) == pytest.approx(2500 * math.pi / 6)
-    with pytest.raises(CaromError, match=r"species\[0\].density: .*got '2500 kg/m\^3'; 'kg/m\^3' is a unit of another quantity"):
+    assert scene(**grain, size=(60,) * 3, density="2500 kg/m^3").species[0].nominal_mass(3) == pytest.approx(
+        2500 * math.pi / 6
+    )
+    with pytest.raises(
+        CaromError, match=r"species\[0\].density: .*got '2500 kg/m\^3'; 'kg/m\^3' is a unit of another quantity"
+    ):
         scene(**grain, density="2500 kg/m^3")
 
 
