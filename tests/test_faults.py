@@ -110,6 +110,29 @@ def test_faults_of_tables_films_and_fits_are_records_with_their_fields(tmp_path:
     assert any(where == "explore: laws" for where, _field, _expected in found)
 
 
+def test_every_count_is_checked_in_the_same_words() -> None:
+    ball = carom.Ball(0.5, 1.0)
+    gas = carom.gas.Gas([carom.gas.Species(ball, 20)], (9, 9, 9), contacts=carom.Surface(1, 0, -1), seed=2)
+    table, scene = (
+        carom.billiards.circle(),
+        carom.Scene(balls=[carom.SceneBall(radius=0.03, mass=0.2, position=(0, 0, 0))]),
+    )
+    counts = {
+        "orbit: bounces": (lambda n: carom.billiards.orbit(table, ((0, 0), (0, 1), 1), n), ">= 1"),
+        "Gas.run: chunk": (lambda n: list(gas.run(5, chunk=n)), ">= 1"),
+        "aim: starts": (lambda n: carom.aim(scene, ["balls.0.velocity"], {"hit": 1}, starts=n), "from 1 to "),
+        "sobol: count": (lambda n: carom.sweeps.sobol(0, 1, n), "from 1 to "),
+        "Space: repeats": (lambda n: carom.Space(scene, {"balls.0.spin_z": [0, 1]}, repeats=n), "from 1 to "),
+    }
+    for where, (act, span) in counts.items():
+        for bad, shown in ((True, "True"), (1.5, "1.5"), (0, "0"), ("3", "'3'")):
+            with pytest.raises(carom.CaromError) as caught:
+                act(bad)
+            line = next(line for line in caught.value.faults if line.startswith(where))
+            assert line.startswith(f"{where}: expected a whole number {span}")
+            assert f", got {shown}" in line
+
+
 def test_faults_are_raised_once() -> None:
     faults = FaultList("film")
     for _again in range(2):

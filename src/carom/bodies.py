@@ -293,13 +293,13 @@ class State:
             except ValueError:
                 message = f"State: velocity and spin: expected shapes that broadcast, got {v.shape} and {w.shape}"
                 raise CaromError(message) from None
-        _set(self, v, w, x)
+        vars(self).update(velocity=v, spin=w, position=x)  # (the record is frozen)
 
     @classmethod
     def of(cls, velocity: Array, spin: Array, position: Array | None = None) -> State:
         """Return a state of arrays that are not checked: a law's results, NaN where there is no answer."""
         state = object.__new__(cls)
-        _set(state, velocity, spin, position)
+        vars(state).update(velocity=velocity, spin=spin, position=position)
         return state
 
     @property
@@ -322,10 +322,6 @@ class State:
         return all(np.array_equal(one, two, equal_nan=True) for one, two in pairs)
 
     __hash__ = None  # type: ignore[assignment]
-
-
-def _set(state: State, velocity: Array, spin: Array, position: Array | None) -> None:
-    vars(state).update(velocity=velocity, spin=spin, position=position)  # (the record is frozen)
 
 
 def vectors(faults: FaultList, field: str, value: ArrayLike, unit: str, length: int = 3) -> Array:

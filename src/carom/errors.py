@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
-from numbers import Real
+from numbers import Integral, Real
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -33,6 +33,7 @@ else:
 # without being at rest, is lighter or smaller than the other.
 MAX_MAGNITUDE = 1e100
 MIN_MAGNITUDE = 1e-100
+MAX_COUNT = 2**60  # of what is counted, and of seeds: below the largest whole number of 64 bits
 MAX_SHOWN_CHARACTERS = 200  # of a bad value in a message
 # Shares of letters that a mistyped name and the name meant have in common, in order (difflib's ratio), at least.
 NEAR = 0.7
@@ -72,7 +73,11 @@ class Fault:
     def __str__(self) -> str:
         """Return the line that is shown: ``where: field: expected ..., got ...; advice``."""
         said = f"expected {self.expected}" if self.expected else ""
-        said += f", got{'' if self.got.startswith(':') else ' '}{_on_one_line(self.got)}" if self.got else ""
+        said += (
+            f", got{'' if self.got.startswith(':') else ' '}{_cut(' '.join(self.got.split()), MAX_SHOWN_CHARACTERS)}"
+            if self.got
+            else ""
+        )
         said = "; ".join(filter(None, (said, self.advice)))
         return ": ".join(filter(None, map(str, (self.where, self.field, said))))
 
@@ -192,9 +197,8 @@ class FaultList(list[Fault]):
             raise CaromError(*dict.fromkeys(self))
 
 
-def _on_one_line(got: str) -> str:
-    text = " ".join(got.split())
-    return text if len(text) <= MAX_SHOWN_CHARACTERS else text[: MAX_SHOWN_CHARACTERS - 3] + "..."
+def _cut(text: str, most: int) -> str:
+    return text if len(text) <= most else f"{text[: most - 3]}..."
 
 
 # --- numbers and arrays --------------------------------------------------------------------------------------------
@@ -227,6 +231,14 @@ def checked_number(
     return float(array) if array.ndim == 0 else array
 
 
+def require_count(where: str, field: str, value: Any, least: int = 1, most: int = MAX_COUNT, advice: str = "") -> int:
+    """Return a whole number from ``least`` to ``most``; CaromError for anything else. For several: ``FaultList.attempt``."""
+    if isinstance(value, Integral) and not isinstance(value, bool) and least <= int(value) <= most:
+        return int(value)
+    span = f">= {least}" if most == MAX_COUNT else f"from {least} to {most:,}"
+    raise CaromError(Fault(where, field, f"a whole number {span}", shown(value, 60), advice))
+
+
 def with_size_limit(expected: str, value: float) -> str:
     """Return the expectation, with the largest or least size allowed if ``value`` is finite and beyond it."""
     if MAX_MAGNITUDE < abs(value) < np.inf:
@@ -254,8 +266,7 @@ def float_or_nan(value: Any) -> float:
 
 def shown(value: Any, most: int = 80) -> str:
     """Return a value as it stands in a message: quoted if it is a text, and cut if it is long."""
-    text = repr(value)
-    return text if len(text) <= most else f"{text[: most - 3]}..."
+    return _cut(repr(value), most)
 
 
 def first_bad_index(bad: np.ndarray[Any, Any], go_on: str = "") -> str:
@@ -283,12 +294,9 @@ def broadcast_shape(*shapes: tuple[int, ...]) -> tuple[int, ...]:
 def require_type(where: str, field: str, value: Any, kind: type, remedy: str = "") -> None:
     """Raise CaromError if an argument has another type: most often two are in the wrong order. ``where`` may be empty."""
     if not isinstance(value, kind):
-        article = "an" if kind.__name__[0] in "AEIOU" else "a"
-        got = " ".join(f"{value!r}".split())
-        raise CaromError(
-            f"{f'{where}: ' if where else ''}{field}: expected {article} {kind.__name__}, got {type(value).__name__} {got:.60};"
-            f" {remedy or 'check the order of the arguments, or name them'}"
-        )
+        remedy = remedy or "check the order of the arguments, or name them"
+        expected = f"{'an' if kind.__name__[0] in 'AEIOU' else 'a'} {kind.__name__}"
+        raise CaromError(Fault(where, field, expected, f"{type(value).__name__} {shown(value, 60)}", remedy))
 
 
 # --- names ---------------------------------------------------------------------------------------------------------

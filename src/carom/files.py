@@ -191,8 +191,6 @@ def require_writable(path: Path, endings: Sequence[str] = (), *, source: Path | 
     folder = path.absolute().parent
     if not folder.is_dir():
         raise CaromError(f"{path}: expected a folder that exists, got {str(path.parent)!r}; make it first")
-    if path.is_dir():
-        raise CaromError(f"{path}: expected a file to write, got a folder; name a file in it")
     if not os.access(folder, os.W_OK) or (path.exists() and not os.access(path, os.W_OK)):
         raise CaromError(f"{path}: expected permission to write there, got none; choose another place")
     try:
@@ -205,6 +203,8 @@ def require_writable(path: Path, endings: Sequence[str] = (), *, source: Path | 
 def _require_other_file(path: Path, source: Path | None) -> None:
     if source is not None and path.exists() and source.exists() and path.samefile(source):
         raise CaromError(f"{path}: expected another file than the one that is read, got the same; name a new one")
+    if path.is_dir():
+        raise CaromError(f"{path}: expected a file to write, got a folder; name a file in it")
 
 
 def _is_device(path: Path) -> bool:
@@ -274,8 +274,6 @@ def atomic_path(target: Path | None, *, source: Path | None = None) -> Iterator[
     where = "standard output" if target is None else target
     if target is not None:
         _require_other_file(target, source)
-        if target.is_dir():
-            raise CaromError(f"{target}: expected a file to write, got a folder; name a file in it")
     in_place = target is not None and not _is_device(target)
     try:
         place = Path("output") if target is None else target.resolve()
@@ -309,9 +307,8 @@ def _copy(part: Path, device: Path | None) -> None:
             return
         # a reader that closes the pipe early, such as `head`, is not an error
         with contextlib.suppress(BrokenPipeError):
-            if (
-                sys.stdout.isatty()
-            ):  # (a pipe gets the bytes as they are; a terminal is not steered by cells of a table)
+            # a pipe gets the bytes as they are; a terminal is not steered by cells of a table
+            if sys.stdout.isatty():
                 for line in io.TextIOWrapper(file, "utf-8", "replace", newline=""):
                     sys.stdout.write(escape_controls(line.replace("\r\n", "\n")))
                 return

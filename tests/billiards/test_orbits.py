@@ -337,7 +337,7 @@ BAD = {
     "2.1 outside": lambda: billiards.orbit(billiards.circle(bounds="surface"), ((3, 0), (1, 0), 0), 3),
     "a moving ball": lambda: billiards.orbit(billiards.stadium(), ((0, 0), (0, 0), 1), 3),
     "whose squares are finite": lambda: billiards.orbit(billiards.stadium(), ((0, 0), (1e200, 0), 1), 3),
-    "bounces: expected an integer": lambda: billiards.orbit(billiards.stadium(), ((0, 0), (0, 1), 1), 0),
+    "bounces: expected a whole number": lambda: billiards.orbit(billiards.stadium(), ((0, 0), (0, 1), 1), 0),
     "law: expected one of": lambda: billiards.orbit(billiards.stadium(), ((0, 0), (0, 1), 1), 5, law="noslip"),
     "surface: expected a carom.Surface, which the contact law needs": lambda: billiards.orbit(
         billiards.stadium(), ((0, 0), (0, 1), 1), 5, law="contact"

@@ -188,7 +188,7 @@ def test_under_a_force_and_rolling() -> None:
 @pytest.mark.parametrize(
     ("call", "said"),
     [
-        (lambda: billiards.periodic_orbits(billiards.circle(), 0), "integer >= 1"),
+        (lambda: billiards.periodic_orbits(billiards.circle(), 0), "whole number >= 1"),
         (lambda: billiards.periodic_orbits(billiards.circle(), 5000), "at most 1000"),
         (lambda: billiards.periodic_orbits(billiards.circle(), "3,6-2"), "smaller number to the larger, such as 2-6, got '6-2'"),
         (lambda: billiards.periodic_orbits(billiards.sphere(), 2), "in the plane"),

@@ -114,7 +114,7 @@ def test_diffusion_says_what_cannot_be_measured() -> None:
     assert strip.tensor.shape == (1, 1)
     for words, arguments in (
         ("a periodic cell", {"table": billiards.circle()}),
-        ("2 or more", {"table": triangular(0.2), "orbits": 1}),
+        ("a whole number >= 2", {"table": triangular(0.2), "orbits": 1}),
         ("bounces for two windows", {"table": triangular(0.2), "orbits": 5, "bounces": 10}),
         ("a time > 0 s", {"table": triangular(0.2), "window": -1.0}),
         ("a law that keeps the energy", {"table": triangular(0.2), "law": "contact", "surface": carom.Surface(0.5)}),

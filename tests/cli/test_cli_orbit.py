@@ -343,7 +343,7 @@ BAD = [
     ),
     (["strip", "--acceleration", "g"], "--acceleration: expected a number, got 'g'"),
     (["circle", "--spin", "3"], "--spin: expected --position and --velocity with it"),
-    (["circle", "--bounces", "0"], "bounces: expected an integer >= 1, got 0"),
+    (["circle", "--bounces", "0"], "bounces: expected a whole number >= 1, got 0"),
     (
         ["circle", "--bounces", "100000000000"],
         "which fill 4 GB, got 100,000,000,000, which take 5.2 TB; take fewer; in Python carom",
@@ -358,7 +358,7 @@ BAD = [
     (["sphere", "--kappa", "0.9"], "got 0.9; a thin shell is 'hollow'; in the plane carom.Disc takes any"),
     (["sinai:radius=0.8"], "sinai: obstacles: expected room between them, got one that covers the cell"),
     (["periodic-strip:radius=0.8"], "periodic-strip: obstacles: expected room between them"),
-    (["circle", "--seed", "-1"], "seed: expected an integer >= 0, got -1"),
+    (["circle", "--seed", "-1"], "seed: expected a whole number >= 0, got -1"),
     (["circle", "--orbits", "100000000000"], "starts: count: expected no more than 10,000,000, which fill 4 GB"),
     (["circle", "--bounds", "center"], "did you mean 'centre'?"),
     (["circle", "--at-corner", "stop"], "--at-corner: expected 'end' or 'pass', got 'stop'"),

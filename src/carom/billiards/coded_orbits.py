@@ -16,12 +16,12 @@ from numpy.typing import NDArray
 
 from carom.billiards.boundary import Boundary, ConnectedWall
 from carom.billiards.intersections import DONE, POSITION, TIME, VELOCITY
-from carom.billiards.orbits import Orbit, moved_in_flight, orbit_from_setup, require_integer
+from carom.billiards.orbits import Orbit, moved_in_flight, orbit_from_setup
 from carom.billiards.setup import OrbitSetup, Start, orbit_setup
 from carom.billiards.stability import end_coordinates, tangents_of_bounces
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
-from carom.errors import CaromError, Fault
+from carom.errors import CaromError, Fault, require_count
 
 LETTERS = string.ascii_uppercase + string.ascii_lowercase
 
@@ -165,7 +165,7 @@ def words(found: Orbit, longest: int, symbols: str | None = None) -> Words:
     >>> billiards.words(run, 5, "ABAB").number
     [2, 4, 8, 14, 24]
     """
-    longest = require_integer("longest", longest)
+    longest = require_count("orbit", "longest", longest)
     count = int(found.setup.shape.parts.max(initial=-1)) + 1
     letters = LETTERS[:count] if symbols is None else symbols
     if len(letters) != count:
@@ -472,7 +472,7 @@ def periods_of(period: Any) -> list[int]:
 
 
 def _period(period: Any) -> int:
-    p: int = require_integer("periodic", period)
+    p: int = require_count("orbit", "periodic", period)
     if p > MAX_PERIOD:
         raise CaromError(Fault("orbit", "periodic", f"at most {MAX_PERIOD} bounces", f"{p}"))
     return p
@@ -622,7 +622,7 @@ def codes(table: Table, period: int) -> list[str]:
     >>> [len(billiards.codes(billiards.discs(), p)) for p in range(2, 8)]
     [3, 2, 3, 6, 9, 18]
     """
-    p = require_integer("period", period, 2)
+    p = require_count("orbit", "period", period, 2)
     shape = orbit_setup(table, None, "mirror", None, "end").shape
     count = int(shape.parts.max(initial=-1)) + 1
     again, around = _meets_itself(shape)

@@ -20,11 +20,11 @@ from carom.billiards.coded_orbits import (
     residual,
     run_orbits,
 )
-from carom.billiards.orbits import Orbit, require_integer
+from carom.billiards.orbits import Orbit
 from carom.billiards.periodic import PeriodicOrbit, describe_periodic, first_coordinates, third_and_trace
 from carom.billiards.setup import needs_surface
 from carom.bodies import Surface
-from carom.errors import CaromError, Fault
+from carom.errors import CaromError, Fault, require_count
 from carom.files import import_optional
 from carom.public.progress import Progress
 
@@ -157,7 +157,7 @@ def continue_orbit(
     import_optional("scipy.optimize", "continue_orbit")  # (said before the work)
     if not isinstance(orbit, PeriodicOrbit):
         raise CaromError(Fault("continue_orbit", "orbit", "a PeriodicOrbit", f"{orbit!r:.60}"))
-    steps = require_integer("steps", steps)
+    steps = require_count("orbit", "steps", steps)
     for name, value in (("start", start), ("stop", stop)):
         if not (isinstance(value, int | float | np.number) and math.isfinite(value)):
             raise CaromError(Fault("continue_orbit", name, "a finite number", repr(value)))

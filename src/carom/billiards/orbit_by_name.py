@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer, require_reversible
+from carom.billiards.orbits import Orbit, orbit_from_setup, require_reversible
 from carom.billiards.orbits import reverse as backwards
 from carom.billiards.orbits import starts as sampled_starts
 from carom.billiards.periodic import PeriodicOrbits, periodic_orbits
@@ -21,7 +21,7 @@ from carom.billiards.stability import Lyapunov, spectrum_of
 from carom.billiards.tables import Table, in_magnetic_field, under
 from carom.billiards.tables import table as table_of
 from carom.bodies import Ball, Disc, Surface
-from carom.errors import CaromError, FaultList, did_you_mean, near_name
+from carom.errors import CaromError, FaultList, did_you_mean, near_name, require_count
 from carom.laws.law import Law
 from carom.public.defaults import BOUNCES, PERIODIC_STARTS
 from carom.public.other_rooms import saved_figure
@@ -220,8 +220,8 @@ def check_orbit(table: Any, bounces: int = BOUNCES, **given: Any) -> tuple[Any, 
     surface = faults.attempt(_surface, one.law, one.restitution, one.friction, one.tangential_restitution)
     ball = None if made is None else faults.attempt(_ball, made, one.kappa, one.ball_radius)
     together = len(faults) == before  # else each of these faults would be reported again below
-    faults.attempt(require_integer, "bounces", bounces)
-    faults.attempt(require_integer, "seed", one.seed, 0)
+    faults.attempt(require_count, "orbit", "bounces", bounces)
+    faults.attempt(require_count, "orbit", "seed", one.seed, 0)
     start = None if made is None else faults.attempt(_start, made, one.position, one.velocity, one.spin, one.orbits)
     setup = None
     if together:
@@ -289,7 +289,7 @@ def _start(table: Table, position: Any, velocity: Any, spin: Any, count: int) ->
     if position is None or velocity is None:
         if spin is not None:
             raise CaromError("`spin`: expected `position` and `velocity` with it, got none")
-        require_integer("orbits", count)
+        require_count("orbit", "orbits", count)
         return None
     if count != 1:
         raise CaromError(f"`orbits`: expected 1 with `position`, got {count}; without it, initial states are sampled")

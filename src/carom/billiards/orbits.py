@@ -20,7 +20,7 @@ from carom.billiards.tables import Table
 from carom.bodies import Ball, Numbers, Surface
 from carom.core.jit.threads import Pace
 from carom.core.random import added
-from carom.errors import CaromError, Fault
+from carom.errors import CaromError, Fault, require_count
 from carom.files import require_memory
 from carom.formatting import counted, format_number
 from carom.public.other_rooms import saved_figure
@@ -283,7 +283,7 @@ def orbit(
 def orbit_from_setup(setup: OrbitSetup, start: Any, bounces: int, progress: Progress | None = None) -> Orbit:
     """Compute :func:`orbit` for a table, a ball and a law that are validated already."""
     rows, shape = start_rows(setup, start)
-    bounces = require_integer("bounces", bounces)
+    bounces = require_count("orbit", "bounces", bounces)
     d = setup.table.dimension
     width = 6 if setup.planar else 10
     advice = "take fewer; in Python carom.billiards.final keeps none of them"
@@ -344,7 +344,7 @@ def final(
     """
     setup = orbit_setup(table, ball, law, surface, at_corner)
     rows, shape = start_rows(setup, start)
-    bounces = require_integer("bounces", bounces)
+    bounces = require_count("orbit", "bounces", bounces)
     _kept, _piece, last, ends = _loop(setup, rows, bounces, 0, progress)
     return (
         state_of_rows(setup, last[:, 1:], shape),
@@ -352,13 +352,6 @@ def final(
         ends["bounces"].reshape(shape),
         ends["reason"].reshape(shape),
     )
-
-
-def require_integer(field: str, value: Any, least: int = 1) -> int:
-    """Return an integer >= ``least``; CaromError for anything else."""
-    if isinstance(value, int | np.integer) and not isinstance(value, bool) and least <= value < 2**60:
-        return int(value)
-    raise CaromError(Fault("orbit", field, f"an integer >= {least}", repr(value)))
 
 
 def _loop(
@@ -508,7 +501,7 @@ def starts(
     ((1000, 2), (1000,))
     """
     setup = orbit_setup(table, ball, law, Surface() if needs_surface(law) else None, "end")
-    count, seed = require_integer("count", count), require_integer("seed", seed, 0)
+    count, seed = require_count("orbit", "count", count), require_count("orbit", "seed", seed, 0)
     require_memory("starts", "count", count, BYTES_PER_START, "draw them in parts", MAX_KEPT_BYTES)
     rng = np.random.default_rng(seed)
     radius, kappa = float(setup.ball.radius), float(setup.ball.kappa)

@@ -29,12 +29,12 @@ from carom.billiards.coded_orbits import (
     solve_periodic,
     windings,
 )
-from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer
+from carom.billiards.orbits import Orbit, orbit_from_setup
 from carom.billiards.orbits import starts as sampled_starts
 from carom.billiards.setup import Start, start_rows
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
-from carom.errors import CaromError, Fault
+from carom.errors import CaromError, Fault, require_count
 from carom.formatting import counted
 from carom.public.defaults import PERIODIC_STARTS
 from carom.public.progress import Progress
@@ -276,7 +276,7 @@ def periodic_orbits(
     [(4.0, 'parabolic', 1), (8.0, 'hyperbolic', 0)]
     """
     shell = energy_shell(table, ball, law, surface, speed)
-    count, seed = require_integer("starts", starts), require_integer("seed", seed, 0)
+    count, seed = require_count("orbit", "starts", starts), require_count("orbit", "seed", seed, 0)
     if (period is None) == (itinerary is None):
         got = "neither" if period is None else "both"
         raise CaromError(Fault("periodic_orbits", "period, itinerary", "one of the two", got))

@@ -25,7 +25,7 @@ from carom.billiards.intersections import (
     wall_normal,
 )
 from carom.billiards.loop import after_flight, after_impact, duration, fly_to_wall
-from carom.billiards.orbits import FIRST_BOUNCES, orbit_from_setup, require_integer
+from carom.billiards.orbits import FIRST_BOUNCES, orbit_from_setup
 from carom.billiards.setup import OrbitSetup, orbit_setup
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
@@ -34,7 +34,7 @@ from carom.core.jit.compile import array_of, njit, signature
 from carom.core.jit.dual import LANES, dual_records, register_records, value_of, with_value
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, only_slopes, prange, vector
 from carom.core.jit.threads import Pace
-from carom.errors import CaromError, Fault
+from carom.errors import CaromError, Fault, require_count
 from carom.laws.callbacks import dual_law_address, register_duals
 from carom.laws.law import CALLED_WALL
 
@@ -404,7 +404,7 @@ def tangent_map(
            [0., 1.]])
     """
     setup = orbit_setup(table, ball, law, surface, "end")
-    bounces = require_integer("bounces", bounces)
+    bounces = require_count("orbit", "bounces", bounces)
     states, shape, n = _after_first_bounce(setup, start)
     vectors, last, ends, after = tangents_of_bounces(setup, states, n, bounces)
     k = vectors.shape[1]
@@ -469,7 +469,7 @@ def spectrum_of(setup: OrbitSetup, start: Any, bounces: int, blocks: int = 20) -
     if not setup.world[0]["corners"]:
         setup = replace(setup, world=setup.world.copy())
         setup.world["corners"] = True
-    bounces, blocks = require_integer("bounces", bounces, 2), require_integer("blocks", blocks, 2)
+    bounces, blocks = require_count("orbit", "bounces", bounces, 2), require_count("orbit", "blocks", blocks, 2)
     blocks = min(blocks, bounces)
     states, shape, n = _after_first_bounce(setup, start)
     vectors = _displacements(setup, n, states[:, 3:6])

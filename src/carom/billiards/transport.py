@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 from carom.billiards.boundary import Boundary, ConnectedWall
 from carom.billiards.intersections import DONE, ESCAPED, POSITION, SPIN, STRAIGHT, TIME, VELOCITY
-from carom.billiards.orbits import Orbit, free_area, orbit_from_setup, require_integer, starts
+from carom.billiards.orbits import Orbit, free_area, orbit_from_setup, starts
 from carom.billiards.setup import needs_surface, orbit_setup
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
-from carom.errors import CaromError, Fault, float_array
+from carom.errors import CaromError, Fault, float_array, require_count
 
 Array = NDArray[np.float64]
 MAX_BOUNCES_AT_ONCE = 20_000_000
@@ -175,7 +175,7 @@ def escape(
     (True, 3)
     """
     setup = orbit_setup(table, ball, law, surface, "end")
-    bounces = require_integer("bounces", bounces)
+    bounces = require_count("orbit", "bounces", bounces)
     gaps = holes_in(setup.shape, holes)
     first = orbit_from_setup(setup, start, 1)  # validates the starts
     shape = np.shape(first.count)
@@ -546,8 +546,7 @@ def diffusion(
         raise CaromError(
             Fault("diffusion", "table, law", "no force, and a law that keeps the energy", f"{table}, {setup.law}")
         )
-    if require_integer("orbits", orbits) < 2:
-        raise CaromError(Fault("diffusion", "orbits", "2 or more, whose scatter gives the error", f"{orbits}"))
+    require_count("diffusion", "orbits", orbits, 2, advice="their scatter gives the error")
     flight = mean_flight(table, ball=ball, law=law, speed=speed).time
     tau = FLIGHTS_PER_WINDOW * flight if window is None else float(window)
     if not 0 < tau < math.inf:

@@ -9,7 +9,7 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, FaultList, checked_number
+from carom.errors import CaromError, FaultList, checked_number, require_count
 from carom.plot.film import picture
 from carom.scene.scene import Scene
 from carom.scene.toml import replaced
@@ -64,7 +64,7 @@ class Game(ABC):
     def __init__(self, count: int = 1, *, players: int = 1, law: str = "two-step", shots: int | None = None) -> None:
         faults = FaultList(type(self).__name__)
         for name, value in (("count", count), ("players", players), ("shots", 1 if shots is None else shots)):
-            checked_number(faults, name, value, "a whole number >= 1", lambda x: (x >= 1) & (x % 1 == 0))
+            faults.attempt(require_count, faults.where, name, value)
         checked_number(faults, "players", min(players, 3), "1 or 2 players", lambda x: x < 3)
         faults.raise_if_any()
         self.count, self.players, self.law, self.most = count, players, law, self.shots if shots is None else shots

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import FaultList, checked_number
-from carom.gas.gas import Gas, require_counts
+from carom.errors import FaultList, checked_number, require_count
+from carom.gas.gas import Gas
 from carom.gas.results import Mark, averages_between
 from carom.public.progress import Progress
 
@@ -154,7 +154,8 @@ def sheared_viscosity(
     faults = FaultList("sheared_viscosity")
     if gas.shear_rate == 0:
         faults.add("gas", "a gas with a shear_rate", "one without")
-    require_counts(faults, 2, blocks=blocks, collisions=collisions)
+    for name, value in (("blocks", blocks), ("collisions", collisions)):
+        faults.attempt(require_count, "sheared_viscosity", name, value, 2)
     faults.raise_if_any()
     found, times = [], []
     for k in range(blocks):
@@ -200,7 +201,7 @@ class _Windows(NamedTuple):
         """Run a gas over so many windows. Raises CaromError."""
         faults = FaultList(where)
         require_equilibrium(faults, gas)
-        require_counts(faults, 20 * BLOCKS, windows=windows)
+        faults.attempt(require_count, where, "windows", windows, 20 * BLOCKS)
         faults.raise_if_any()
         if heat:
             gas.measure_heat()
@@ -328,7 +329,7 @@ def diffusion_coefficients(
     """
     faults = FaultList("diffusion_coefficients")
     require_equilibrium(faults, gas)
-    require_counts(faults, 2 * LONGEST_LAG * BLOCKS + 80, samples=samples)
+    faults.attempt(require_count, "diffusion_coefficients", "samples", samples, 2 * LONGEST_LAG * BLOCKS + 80)
     faults.raise_if_any()
     gas.measure_heat()
     start, axes = gas.mark(), int(gas.arrays.system[0]["dimensions"])

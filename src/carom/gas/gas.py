@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.core.random import added
-from carom.errors import CaromError, FaultList, float_or_nan
+from carom.errors import CaromError, FaultList, float_or_nan, require_count
 from carom.formatting import counted, format_number
 from carom.gas.containers import Container, as_container
 from carom.gas.drives import Drive, Thermostat, WallMotion, motion_of_walls
@@ -55,13 +55,6 @@ def vectors(faults: FaultList, name: str, given: Any, count: int, axes: int) -> 
     if (axes == 2 and rows[:, 2].any()) or (axes == 1 and rows[:, :2].any()):
         faults.add(name, "vectors in the plane of the discs (spins: normal to it)", "other components")
     return rows
-
-
-def require_counts(faults: FaultList, least: int, **counts: Any) -> None:
-    """Add a fault for each argument that is no whole number of at least so many."""
-    for name, count in counts.items():
-        if isinstance(count, bool) or not isinstance(count, int | np.integer) or count < least:
-            faults.add(name, f"a whole number >= {least}", f"{count!r}")
 
 
 def start_positions(container: Container, records: SystemRecords, radius: Array, seed: int) -> Array:
@@ -448,8 +441,8 @@ class Gas:
             faults.add("until", "a time, or inf", f"{until!r}")
         elif collisions is None and end == math.inf:
             faults.add("until", "a number of collisions or a time", "neither")
-        require_counts(faults, 0, collisions=0 if collisions is None else collisions)
-        require_counts(faults, 1, chunk=chunk)
+        faults.attempt(require_count, "Gas.run", "collisions", 0 if collisions is None else collisions, 0)
+        faults.attempt(require_count, "Gas.run", "chunk", chunk)
         faults.raise_if_any()
         most = 1 << 62 if collisions is None else int(collisions)
         before, done, self.ended_early = self.collisions, 0, None

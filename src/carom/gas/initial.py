@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.core.jit.kernel import kernel
 from carom.core.jit.threads import block_slices, row_slices
-from carom.errors import CaromError, FaultList
+from carom.errors import CaromError, FaultList, require_count
 from carom.gas.containers import Container, as_container
 from carom.gas.edmd.driver import advance, arrays_at_start, put_in_place, synchronized, time_of_last_event
 from carom.gas.edmd.gas_records import DONE, PLANE
@@ -92,8 +92,7 @@ def _stretched(count: int, side: Sequence[float], margins: Sequence[float]) -> A
     """Return positions on a lattice stretched to fill a box, within a margin along each axis."""
     inner = np.array(side, dtype=float) - 2 * np.array(margins)
     faults = FaultList("lattice")
-    if isinstance(count, bool) or not isinstance(count, int | np.integer) or count < 1:
-        faults.add("count", "a whole number >= 1", f"{count!r}")
+    faults.attempt(require_count, "lattice", "count", count)
     if not (np.isfinite(inner) & (inner > 0)).all():
         faults.add("radius", f"a margin within sides of {', '.join(f'{x:g}' for x in side)}", f"{max(margins):g}")
     faults.raise_if_any()

@@ -17,7 +17,7 @@ from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from carom.core.jit.kernel import hot_kernel
-from carom.errors import CaromError, Fault, FaultList, suggestion
+from carom.errors import CaromError, Fault, FaultList, require_count, suggestion
 from carom.gas import containers
 from carom.gas.containers import Container
 from carom.gas.edmd.driver import synchronized
@@ -703,9 +703,8 @@ def layer_profiles(
     faults = FaultList("layer_profiles")
     if len(gas.arrays.averages.layers) == 0:
         faults.add("gas", "a gas with walls or a shear rate", "one without")
-    for name, value, least in (("blocks", blocks, 2), ("collisions", collisions, 2)):
-        if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
-            faults.add(name, f"a whole number >= {least}", f"{value!r}")
+    for name, value in (("blocks", blocks), ("collisions", collisions)):
+        faults.attempt(require_count, "layer_profiles", name, value, 2)
     faults.raise_if_any()
     begin, found = gas.mark(), []
     for k in range(blocks):

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, FaultList
+from carom.errors import CaromError, FaultList, require_count
 from carom.explorer.page import player_page
 from carom.files import atomic_path, import_optional, install_command, require_library, require_writable, write_text
 from carom.formatting import format_length
@@ -545,8 +545,7 @@ def _check(session: Session, kind: str, frames: Any, interval: Any, fps: Any) ->
         faults.add("path", ".gif or .mp4 for spheres, whose order from front to back changes", ".svg")
     if scene.count > MOST_BALLS[kind]:
         faults.add("session", f"at most {MOST_BALLS[kind]:,} balls in a film ({kind})", f"{scene.count:,}")
-    if isinstance(frames, bool) or not isinstance(frames, int | np.integer) or not 2 <= frames <= MOST_FRAMES:
-        faults.add("frames", f"a whole number from 2 to {MOST_FRAMES}", f"{frames!r}")
+    faults.attempt(require_count, "animate_gas", "frames", frames, 2, MOST_FRAMES)
     for name, value, most in (("interval", interval, math.inf), ("fps", fps, FASTEST_GIF if kind == ".gif" else 1000)):
         if value is not None and not (is_number(value) and 0 < value <= most):
             faults.add(name, "a number > 0" + (f", at most {most:g}" if most < math.inf else ""), f"{value!r}")

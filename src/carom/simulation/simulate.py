@@ -20,7 +20,7 @@ from carom.core.jit.compile import array_of, njit, signature
 from carom.core.jit.kernel import kernel, prange, vector
 from carom.core.jit.threads import Pace, block_slices
 from carom.core.motion.phases import PHASES
-from carom.errors import CaromError, FaultList, require_type
+from carom.errors import CaromError, FaultList, require_count, require_type
 from carom.files import memory_left, require_memory
 from carom.formatting import counted, format_number
 from carom.laws.law import Law
@@ -369,8 +369,7 @@ def simulate_many(
     """
     require_type("simulate_many", "scene", scene, Scene)
     faults = FaultList("simulate_many")
-    if isinstance(events, bool) or not isinstance(events, int | np.integer) or events < 0:
-        faults.add("events", "a whole number >= 0", repr(events))
+    faults.attempt(require_count, "simulate_many", "events", events, 0)
     names = ("start", "phase", "nothing", *EVENT_KINDS)
     for kind in kinds:
         if kind not in names:

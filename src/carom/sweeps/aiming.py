@@ -7,7 +7,6 @@ import itertools
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from numbers import Integral
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -15,7 +14,7 @@ from numpy.typing import NDArray
 
 from carom.core.geometry.circles import direction
 from carom.core.motion.phases import BOUNCING, FLIGHT, ROLLING, SLIDING
-from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, float_or_nan, require_type, shortened_list
+from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, float_or_nan, require_count, require_type, shortened_list
 from carom.files import import_optional
 from carom.formatting import Listing, counted, format_number
 from carom.public.progress import Progress, loop_callback
@@ -521,12 +520,9 @@ def aim(
     faults = FaultList("aim")
     unknowns: list[Unknown] = faults.attempt(unknowns_of, scene, free, {} if errors is None else errors)
     targets: list[TargetEvent] = faults.attempt(targets_of, scene, reach)
-    for name, value, least, most in (
-        ("solutions", solutions, 1, math.inf), ("starts", starts, 1, MOST_STARTS), ("seed", seed, 0, math.inf)
-    ):  # fmt: skip
-        if isinstance(value, bool) or not isinstance(value, Integral) or not least <= value <= most:
-            span = f"from {least} to {most:,}" if most < math.inf else f">= {least}"
-            faults.add(name, f"a whole number {span}", f"{value!r:.60}")
+    faults.attempt(require_count, "aim", "solutions", solutions)
+    faults.attempt(require_count, "aim", "starts", starts, 1, MOST_STARTS)
+    faults.attempt(require_count, "aim", "seed", seed, 0)
     faults.raise_if_any()
     problem = AimProblem(scene, unknowns, targets)
     say = loop_callback(progress, lambda tell: lambda text: tell(math.nan, math.nan, text)) or (lambda _text: None)
@@ -819,8 +815,7 @@ def aim_windows(
     unknowns = faults.attempt(unknowns_of, scene, free, {})
     targets = faults.attempt(targets_of, scene, reach)
     for name, value, least in (("speeds", speeds, 1), ("directions", directions, 3)):
-        if isinstance(value, bool) or not isinstance(value, Integral) or not least <= value <= MOST_RUNS:
-            faults.add(name, f"a whole number from {least} to {MOST_RUNS:,}", f"{value!r:.60}")
+        faults.attempt(require_count, "aim_windows", name, value, least, MOST_RUNS)
     if not faults and speeds * directions > MOST_RUNS:
         faults.add("speeds", f"at most {MOST_RUNS:,} shots in all", f"{speeds:,} x {directions:,}")
     if unknowns and [one.name == "speed" or one.circular for one in unknowns] != [True, True]:

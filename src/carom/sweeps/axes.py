@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.errors import CaromError, Fault, FaultList, did_you_mean, shown, suggestion
+from carom.errors import CaromError, Fault, FaultList, did_you_mean, require_count, shown, suggestion
 from carom.files import import_optional
 from carom.formatting import json_value
 from carom.public.own_laws import OwnLaw
@@ -200,17 +200,7 @@ def _two(where: str, *given: tuple[str, Any]) -> tuple[float, float]:
 
 
 def _count(where: str, value: Any) -> int:
-    if isinstance(value, bool) or not isinstance(value, int | np.integer) or not 1 <= value <= MAX_VALUES:
-        raise CaromError(
-            Fault(
-                where,
-                "count",
-                f"a whole number from 1 to {MAX_VALUES:,}",
-                shown(value, 60),
-                "more samples: uniform or normal, with repeats",
-            )
-        )
-    return int(value)
+    return require_count(where, "count", value, 1, MAX_VALUES, "more samples: uniform or normal, with repeats")
 
 
 def design_columns(designs: Sequence[Design], seed: int) -> list[NDArray[np.float64]]:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.bodies import holds_arrays
-from carom.errors import CaromError, FaultList, require_type
+from carom.errors import CaromError, FaultList, require_count, require_type
 from carom.files import require_memory
 from carom.gas.containers import Container, as_container
 from carom.gas.gas import Gas
@@ -181,10 +181,7 @@ def _ensemble(scene: GasScene, seeds: list[int], found: dict[str, Any], form: di
 
 def _require(scene: Any, members: Any) -> None:
     require_type("gas_ensemble", "scene", scene, GasScene)
-    faults = FaultList("gas_ensemble")
-    if isinstance(members, bool) or not isinstance(members, int | np.integer) or members < 2:
-        faults.add("members", "a whole number >= 2", f"{members!r}")
-    faults.raise_if_any()
+    require_count("gas_ensemble", "members", members, 2)
     require_memory("gas_ensemble", "members", members, BYTES_PER_REPORT, "take fewer gases")
     if not _depends_on_seed(scene):
         raise CaromError(

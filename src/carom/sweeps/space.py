@@ -11,7 +11,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, Fault, FaultList, shown
+from carom.errors import CaromError, Fault, FaultList, require_count, shown
 from carom.public.own_laws import holds_own_laws
 from carom.scene.scene import Scene
 from carom.sweeps.axes import Axis, Design, Draw, Outcome, Polar, Values, as_axis, axis_to_data, design_columns
@@ -84,8 +84,7 @@ class Space:
                 )
             )
         for name, value, low, high in (("repeats", repeats, 1, 10**15), ("seed", seed, 0, 2**32 - 1)):
-            if isinstance(value, bool) or not isinstance(value, int | np.integer) or not low <= value <= high:
-                found.add(name, f"a whole number from {low} to {high}", shown(value, 60))
+            found.attempt(require_count, "Space", name, value, low, high)
         self.parameters: dict[str, Axis] = {}
         for path, value in parameters.items():
             try:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.jit.cache import source_hash
-from carom.errors import CaromError, Fault, FaultList, did_you_mean, shown
+from carom.errors import CaromError, Fault, FaultList, did_you_mean, require_count, shown
 from carom.files import as_path, require_memory
 from carom.formatting import format_bytes, format_time
 from carom.gas.scene import GasScene, load_gas
@@ -411,8 +411,7 @@ def sweep_over(space: Space, keep: tuple[str, ...] | list[str], store: Any, bloc
         )
     if isinstance(keep, str) or not keep or not all(isinstance(one, str) for one in keep):
         raise CaromError(f"sweep: keep: expected a list of outcomes such as ['final.position'], got {keep!r:.60}")
-    if isinstance(block, bool) or not isinstance(block, int) or block < 1:
-        raise CaromError(f"sweep: block: expected a whole number >= 1, got {block!r:.60}")
+    require_count("sweep", "block", block)
     return Sweep(
         space, tuple(dict.fromkeys(keep)), None if store is None else Store(store), blocks_of(space.shape, block)
     )
