@@ -253,7 +253,7 @@ def test_a_module_that_is_run_ends_with_its_call() -> None:
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
     "fitting": 10694,
-    "gas": 6943,
+    "gas": 6958,
     "billiards": 5591,
     "tracks": 9386,
     "simulation": 6440,

@@ -6,11 +6,14 @@ import math
 
 import numpy as np
 import pytest
+from reference.drawn_options import random_gas
 
 from carom import Ball, CaromError, Disc, Surface
 from carom.gas import Drive, Gas, Species, container, lattice
+from carom.gas.containers import CONTAINERS, CURVE
 from carom.gas.measures import Measures, PairCorrelation, mean_square_displacement
 from carom.gas.report import channels
+from carom.gas.results import volume_within
 
 SMOOTH, ROUGH = Surface(1, 0, -1), Surface(1, math.inf, 1)
 SPHERE, DISC = Ball(0.5, 1.0, 0.4), Disc(0.5, 1.0, 0.5)
@@ -47,6 +50,23 @@ def test_g_in_contact_is_not_given_for_few_pairs():
     )
     assert many.contact == pytest.approx(0.9)
     assert 0 < many.contact_error < 0.1
+
+
+@pytest.mark.parametrize("shape", CONTAINERS)
+@pytest.mark.slow(keep=8)
+def test_volumes_within_containers_are_those_of_every_point_of_the_lattice(shape):
+    """Against all of a million points, one by one, where walls are few; along curves against the area."""
+    room = random_gas(list(CONTAINERS).index(shape), shape).container.geometry
+    size, curved = np.array(room.size), any(face.form == CURVE for face in room.faces)
+    if curved:
+        assert volume_within(room, 0.0) == pytest.approx(room.volume, rel=4e-3)  # of the lattice
+        return
+    n = round(1e6 ** (1 / len(size)))
+    x = np.zeros((n ** len(size), 3))
+    x[:, : len(size)] = (np.indices([n] * len(size)).reshape(len(size), -1).T + 0.5) / n * size
+    gap = room.clearance(0.0, x) if room.faces else np.full(len(x), math.inf)
+    for depth in (0.0, 0.013 * size.min(), 0.21 * size.min()):
+        assert volume_within(room, depth) == pytest.approx(size.prod() * (gap >= depth).mean(), rel=1e-3)
 
 
 # --- pair correlation ----------------------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import asdict, dataclass, field, fields, replace
 from typing import Any, NamedTuple
 
@@ -182,14 +182,13 @@ def slice_volumes(
         return np.full(bins, math.prod(inner) / bins)
     shape = [LATTICE_POINTS] * dimensions
     shape[axis] = 4 * bins
-    middles = [(np.arange(n) + 0.5) * (length / n) for n, length in zip(shape, size, strict=True)]
-    x = np.zeros((math.prod(shape), 3))
-    for k, grid in enumerate(np.meshgrid(*middles, indexing="ij")):
-        x[:, k] = grid.ravel()
-    within = container.clearance(0.0, x) > 0
-    if sides is not None:
-        within &= sides.clearance(0.0, x) >= depth
-    share = np.moveaxis(within.reshape(shape), axis, 0).reshape(bins, -1).mean(axis=1)
+
+    def gap(x: Array) -> Array:
+        least = container.clearance(0.0, x)
+        return least if sides is None else np.minimum(least, sides.clearance(0.0, x) - depth)
+
+    within = _inside(gap, shape, np.array(size))
+    share = np.moveaxis(within, axis, 0).reshape(bins, -1).mean(axis=1)
     volumes: Array = share * (math.prod(size) / bins)
     return volumes
 
@@ -201,11 +200,31 @@ def volume_within(container: Container, depth: float) -> float:
         return float(size.prod())
     if container.shape == "box" and all(face.form == PLANE for face in container.faces):
         return float(np.maximum(np.where(container.periodic, size, size - 2 * depth), 0).prod())
-    n = round(1e6 ** (1 / axes))
-    steps = [(np.arange(n) + 0.5) / n] * axes
-    x = np.zeros((n**axes, 3))
-    x[:, :axes] = np.stack(np.meshgrid(*steps, indexing="ij"), axis=-1).reshape(-1, axes) * size
-    return float(size.prod() * (container.clearance(np.zeros(len(x)), x) >= depth).mean())
+    points = [round(1e6 ** (1 / axes))] * axes
+    return float(size.prod() * _inside(lambda x: container.clearance(0.0, x) - depth, points, size).mean())
+
+
+def _inside(gap: Callable[[Array], Array], points: Sequence[int], size: Array) -> NDArray[np.bool_]:
+    """Return where a gap is not below 0 on a lattice of so many points along each axis, in the middles of equal cells.
+
+    A gap changes by at most the distance: a block of points is inside or outside as its middle is, if the gap there is larger than
+    the distance of its corners. Other blocks are halved along each axis.
+    """
+    found = np.zeros(points, bool)
+    low, high = np.zeros((1, len(points)), int), np.array([points])
+    while len(low):
+        x = np.zeros((len(low), 3))
+        x[:, : len(points)] = (low + high) / 2 / points * size
+        gaps, reach = gap(x), np.linalg.norm((high - low - 1) / points * size / 2, axis=1)
+        inside, one = gaps >= reach, reach == 0
+        found[tuple(low[inside & one].T)] = True
+        for first, end in zip(low[inside & ~one].tolist(), high[inside & ~one].tolist(), strict=True):
+            found[tuple(map(slice, first, end))] = True
+        low, high = low[np.abs(gaps) < reach], high[np.abs(gaps) < reach]
+        ends, upper = np.stack([low, (low + high) // 2, high]), np.indices([2] * len(points)).reshape(len(points), -1).T
+        low, high = (np.concatenate([np.choose(k + half, ends) for half in upper]) for k in (0, 1))
+        low, high = low[(low < high).all(axis=1)], high[(low < high).all(axis=1)]
+    return found
 
 
 # ----------------------------------------------------------------------------------------------------
