@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,8 @@ from typer.testing import CliRunner
 import carom
 from carom.cli import app
 from carom.errors import CaromError
-from carom.tracks import judge
+from carom.tracks import Track, judge, judgement, read, verdicts
+from carom.tracks.verdicts import by_film_laws
 
 R, M, G = 0.03, 0.2, 9.80665
 TIMES = np.arange(60) / 200
@@ -274,7 +276,7 @@ def test_a_row_without_a_number_hides_nothing(name: str, value: float) -> None:
         (
             {"t": [0.0], "y": [0.0]},
             {},
-            "judge: expected columns t, x and y, in s and m, a row per ball and frame, got t, y",
+            "judge: expected columns t, x and y, in s and m, a row per ball and frame, or tracks of a program",
         ),
         ({"t": [0.0], "x": [0.0], "y": [0.0]}, {}, "judge: expected more than 4 frames of a ball"),
         ({"t": [0.0] * 9, "x": [0.0] * 9, "y": [0.0] * 9}, {}, "expected one row per frame, got two of the same time"),
@@ -405,3 +407,71 @@ def test_balls_of_many_names_are_judged_as_few_are() -> None:
     assert found.of("penetration")[0].balls == ("c0", "c2999")
     assert found.of("penetration")[0].size == pytest.approx(2 * R - 0.02)
     assert found.checked["penetration"] == 3002 + 3002 * 3001 // 2
+
+
+def bouncing(pull: float = G, restitution: float = 0.8, count: int = 240) -> tuple[Any, Any]:
+    """Heights of a ball that bounces on the floor, from 1 m, in 240 frames of 5 ms; the last bounce may add speed."""
+    t, z, v, at = np.arange(count) / 200, 1.0, 0.0, 0.0
+    heights = []
+    for now in t:
+        while (late := at + (v + math.sqrt(v * v + 2 * pull * (z - R))) / pull) < now:
+            v, z, at = restitution * math.sqrt(v * v + 2 * pull * (z - R)), R, late
+        heights.append(z + v * (now - at) - pull / 2 * (now - at) ** 2)
+    return t, np.array(heights)
+
+
+def test_heights_in_a_table_of_two_columns_are_read_as_fits_read_them() -> None:
+    """The second column is a height where the ball falls: judged as with a column z; on a slope it is a place on the floor."""
+    for restitution in (0.8, 1.3):  # (beyond what an unknown spin may hold)
+        t, z = bouncing(restitution=restitution)
+        with_z = judge({"t": t, "x": 0.3 * t, "y": 0 * t, "z": z - z.min() + R}, radius=R)
+        without = judge({"t": t, "x": 0.3 * t, "y": z}, radius=R)
+        assert without.checked == with_z.checked
+        assert laws_of(without) == laws_of(with_z)
+        assert [one.size for one in without.violations] == pytest.approx(
+            [one.size for one in with_z.violations], rel=1e-9
+        )
+        assert without.checked["gravity"] >= 2
+        assert any(note.startswith("seen from the side (") for note in without.notes)
+    assert laws_of(without) == {"energy": len(without.of("energy"))} != {}
+    sloped = judge({"t": t[:60], "x": 0.3 * t[:60], "y": z[:60]}, radius=R, slope=(0.0, -0.3))
+    assert sloped.checked["gravity"] == 0
+
+
+@pytest.fixture
+def filmed(monkeypatch: pytest.MonkeyPatch) -> Any:
+    """Films whose ball carom has tracked, and followed as most likely a ball: their pixels, and their metres by a radius."""
+
+    def judged(path: Any, scale: float, **given: Any) -> Any:
+        seen = np.isfinite(path.places).all(axis=1)
+        places = scale * path.places[seen] * [1, -1]
+        film = SimpleNamespace(radius_px=path.radius, scale=scale)
+        file = SimpleNamespace(tracks=(Track("ball", path.times[seen], places),), notes=(), film=film)
+        monkeypatch.setattr(judgement, "is_film", lambda _path: True)
+        monkeypatch.setattr(read, "read_tracks", lambda *_: file)
+        monkeypatch.setattr(judgement, "likeliest_ball", lambda *_, **__: path)
+        return judge("film.mp4", **given)
+
+    return judged
+
+
+def test_a_film_is_convicted_with_and_without_a_radius(filmed: Any) -> None:
+    """A ball that hangs in the air, which the metres of a radius read as seen from above."""
+    path = judged_runs.film_of("clean", 1, "hang", 0.5)
+    plain = by_film_laws(path, "no scale")
+    found = filmed(path, 1e-5, radius=0.02)
+    assert any(note.startswith("seen from above") for note in found.notes)
+    assert laws_of(plain)
+    assert laws_of(plain).items() <= laws_of(found).items()
+    assert set(found.laws) == set(plain.laws) | set(verdicts.LAWS)
+
+
+def test_a_film_in_slow_motion_is_told_the_rate_to_give(filmed: Any) -> None:
+    t, z = bouncing(pull=0.4, count=1600)
+    path = judged_runs.film_of("clean", 1)._replace(
+        times=t, places=np.stack([300 + 0 * z, -1000 * z], axis=-1), outlines=None
+    )
+    found = filmed(path, 1e-3, radius=0.02)
+    assert found.violations == []
+    assert "falls with 0.4 m/s^2: is the film slowed down (`rate` 4.95 times the container's)" in found.notes[0]
+    assert filmed(path, 1e-3, radius=0.02, rate=200.0).of("gravity")  # (who gives the rate is taken at their word)

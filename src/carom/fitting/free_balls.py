@@ -118,7 +118,7 @@ def collisions_of_tracks(
         filled.setdefault(name, np.zeros(rows))
     filled.setdefault("z", np.zeros(rows))
     filled.setdefault("radius", np.full(rows, radius))
-    balls, sigma, _notes = read_rows(filled, radius, 1.0, None)
+    balls, sigma, _notes, _view = read_rows(filled, radius, 1.0, None)
     around = np.full(3, math.inf) if sides is None else sides
     paths = [_unwrapped(ball, around, np.zeros(3) if gravity is None else gravity, axes) for ball in balls]
     flights: list[list[StraightFlight]] = []
@@ -681,7 +681,7 @@ def fit_air(file: str | Path | Any, scene: str | Path | Scene) -> AirFit:
         raise CaromError(
             Fault(where, "scene", "numbers or forms for drag or lift of its first ball", "names of laws", advice)
         )
-    rows, noise, notes = read_rows(file, ball.radius, ball.mass, None)
+    rows, noise, notes, _view = read_rows(file, ball.radius, ball.mass, None)
     flights = [one for one in rows if len(one.t) >= FEWEST]
     if not flights or any(one.w is None for one in flights):
         got = f"flights of fewer than {FEWEST}" if not flights else "no spins"

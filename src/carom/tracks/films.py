@@ -29,7 +29,6 @@ from carom.tracks.formats.tables import HEADER_EXAMPLE, Calibration
 from carom.tracks.least_squares import OUTPUTS
 from carom.tracks.measurement import Measured, measure
 from carom.tracks.pairs import PairContact, measure_pairs, pair_rebounds
-from carom.tracks.preprocess import guess_view
 from carom.tracks.read import TrackFile, film_of, format_of, got_instead, is_table_of_rebounds, require_text, track_text
 from carom.tracks.track import Track
 from carom.tracks.video.reading import is_film
@@ -742,19 +741,8 @@ def is_track(path: Path) -> bool:
     return True
 
 
-def columns_of_film(file: TrackFile, gravity: float, usual_radius: float, notes: list[str]) -> Columns:
-    """Return the columns of a film that carom tracked; of one from the side, heights above the lowest place of a ball."""
-    side = file.film is not None and guess_view(file.tracks, gravity)[0] == "side"
-    size = file.film.radius_px * file.film.scale if file.film is not None else usual_radius
-    x, y = np.concatenate([track.position for track in file.tracks]).T
-    found: Columns = {
-        "t": np.concatenate([track.time for track in file.tracks]), "x": x, "y": 0 * y if side else y,
-        "ball": np.concatenate([np.full(len(track), track.name) for track in file.tracks]), "radius": np.full(len(x), size),
-    }  # fmt: skip
-    if side:
-        found["z"] = y - y.min() + size
-    notes += [
-        *file.notes,
-        f"filmed from {'the side: the floor is taken at the lowest place of a ball' if side else 'above'}",
-    ]
-    return found
+def columns_of_tracks(tracks: Sequence[Track], names: Sequence[str] = ("x", "y", "z")) -> Columns:
+    """Return the rows of tracks as columns: times, balls, and the coordinates that they have, with these names."""
+    balls = np.concatenate([np.full(len(track), track.name) for track in tracks])
+    found: Columns = {"t": np.concatenate([track.time for track in tracks]), "ball": balls}
+    return found | dict(zip(names, np.concatenate([track.position for track in tracks]).T, strict=False))

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from itertools import combinations, product
 from pathlib import Path
@@ -21,15 +22,16 @@ from numpy.typing import NDArray
 
 from carom.data.columns import Columns, as_columns, is_columns, read_columns
 from carom.data.rebounds import not_used
-from carom.errors import CaromError, Fault, FaultList, checked_number
+from carom.errors import CaromError, FaultList, checked_number
 from carom.files import MOST_TABLE, as_path, parse_json, read_regular
 from carom.formatting import counted
 from carom.public.defaults import GRAVITY
 from carom.scene.floor import gravity_on_slope
-from carom.tracks.films import columns_of_film, film_options
-from carom.tracks.preprocess import times_behind_rounding
-from carom.tracks.read import read_tracks
-from carom.tracks.track import BallRows, PathPiece
+from carom.tracks.contact import View
+from carom.tracks.films import columns_of_tracks, film_options
+from carom.tracks.preprocess import guess_view, times_behind_rounding
+from carom.tracks.read import film_at_its_rate, read_tracks
+from carom.tracks.track import BallRows, PathPiece, Track
 from carom.tracks.verdicts import SIGMAS, Judgement, by_film_laws
 from carom.tracks.video.film import likeliest_ball
 from carom.tracks.video.reading import is_film
@@ -47,13 +49,18 @@ LABELS = ("name", "ball")
 OF_FRAMES = ("vx", "vy", "vz", "qw", "qx", "qy", "qz", "energy", "phase", "species", "shot", "frame")
 OF_AIR = ("air_x", "air_y", "air_z")  # the acceleration that the air gives a ball
 NUMBERS = ("t", "x", "y", "z", "wx", "wy", "wz", "radius", "mass", "kappa", *OF_AIR)
+NO_PULL: tuple[View, str] = ("above", "no gravity along the picture")
+UPRIGHT = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])  # turns the plane of a picture upright
 SMOOTH = 5  # degree of that acceleration over a piece
 
 
 def read_rows(
-    table: Any, radius: float | None, mass: float, noise: float | None
-) -> tuple[list[BallRows], float, list[str]]:
-    """Return the rows of each ball of a table, on the camera's clock, the noise of a coordinate (m), and what was assumed."""
+    table: Any, radius: float | None, mass: float, noise: float | None, gravity: float = 0.0
+) -> tuple[list[BallRows], float, list[str], View | None]:
+    """Return the rows of each ball of a table, on the camera's clock, the noise of a coordinate (m), and what was assumed.
+
+    And the view, of a table without heights: as fits and films guess it.
+    """
     where, notes = "judge", list[str]()
     if is_columns(table):
         columns = as_columns(table, where)
@@ -63,16 +70,13 @@ def read_rows(
     faults = FaultList(where)
     if not {"t", "x", "y"} <= set(columns):
         got = ", ".join(columns)
-        faults.add(
-            "", "columns t, x and y, in s and m, a row per ball and frame", f"{got:.60}{'...' if got[60:] else ''}"
-        )
+        expected = "columns t, x and y, in s and m, a row per ball and frame, or tracks of a program that carom reads"
+        faults.add("", expected, f"{got:.60}{'...' if got[60:] else ''}")
     faults.raise_if_any()
     numbers = {name: _numbers(faults, name, columns[name]) for name in NUMBERS if name in columns}
     faults.raise_if_any()
     notes += not_used(name for name in columns if name not in (*NUMBERS, *LABELS, *OF_FRAMES))
     known = _known_rows(faults, numbers, notes)
-    if "z" not in numbers:
-        notes.append("no column z: read as seen from above, balls on the floor; if y is a height, name that column z")
     if not {"wx", "wy", "wz"} <= set(numbers):
         notes.append("no columns wx, wy, wz: spins are unknown; a contact may add as much energy as rolling has")
     rows = _rows_of_balls(where, columns, numbers, known, radius, mass, notes)
@@ -87,8 +91,28 @@ def read_rows(
             f"{where}: {several[0]}: expected one row per frame, got two of the same time; give each ball a name"
         )
     rows = [replace(one, t=t, clock=_clock_error(one.t, t)) for one, t in zip(rows, clock, strict=True)]
-    sigma = _noise(rows) if noise is None else float(noise)
-    return rows, max(sigma, 4e-16 * max(float(np.abs(one.x).max(initial=0.0)) for one in rows)), notes
+    view, sigma = None, _noise(rows) if noise is None else float(noise)
+    if "z" not in numbers:
+        rows, view = _in_view(rows, gravity, notes)
+    return rows, max(sigma, 4e-16 * max(float(np.abs(one.x).max(initial=0.0)) for one in rows)), notes, view
+
+
+def _in_view(rows: list[BallRows], gravity: float, notes: list[str]) -> tuple[list[BallRows], View]:
+    """Return rows without heights in the view that their motion suggests: from the side y is the height."""
+    view, why = guess_view([Track(one.name, one.t, one.x[:, :2]) for one in rows], gravity) if gravity else NO_PULL
+    if view == "above":
+        notes.append(f"seen from above ({why}): the balls are on the floor; if y is a height, name that column z")
+        return rows, view
+    notes.append(
+        f"seen from the side ({why}): y is the height, above the lowest place of a ball; if not, give a column z"
+    )
+    low = min(float(one.x[:, 1].min()) for one in rows)
+    w, air = (
+        [None if part is None else part @ UPRIGHT for part in parts]
+        for parts in ([b.w for b in rows], [b.air for b in rows])
+    )
+    x = [one.x @ UPRIGHT + [0, one.radius, one.radius - low] for one in rows]
+    return [replace(one, x=x[k], w=w[k], air=air[k]) for k, one in enumerate(rows)], view
 
 
 def _clock_error(rounded: Array, t: Array) -> float:
@@ -169,26 +193,15 @@ def _of_tracks(path: Path, columns: Columns, notes: list[str]) -> Columns:
     except CaromError:
         if {"t", "x"} <= set(columns) or not columns:
             raise
-        got = ", ".join(columns)
-        expected = (
-            "columns t, x and y, in s and m, a row per ball and frame, or tracks of a program that carom tracks reads"
-        )
-        raise CaromError(Fault(f"{path}", "", expected, f"{got:.60}{'...' if got[60:] else ''}")) from None
+        return columns
     notes += [
         note for note in file.notes if "assumed" in note or note.startswith(("not used", "column ", "times "))
     ]  # (others are on rebounds)
-    plane = all(track.position.shape[1] == 2 for track in file.tracks)
-    side = plane and any("height" in name.lower() or name.lower()[:1] == "z" for name in columns)
-    names = ("x", "z") if side else ("x", "y", "z")
-    found: dict[str, list[Any]] = {name: [] for name in ("t", "x", "y", "z", "ball")}
-    for track in file.tracks:
-        where = dict(zip(names, track.position.T, strict=False))
-        found["t"].append(track.time)
-        found["ball"].append(np.full(len(track.time), track.name))
-        for name in ("x", "y", "z"):
-            found[name].append(where.get(name, np.zeros(len(track.time))))
-    flat = plane and not side
-    return {name: np.concatenate(values) for name, values in found.items() if not (flat and name == "z")}
+    side = file.tracks[0].position.shape[1] == 2 and any(
+        "height" in name.lower() or name.lower()[:1] == "z" for name in columns
+    )
+    found = columns_of_tracks(file.tracks, ("x", "z") if side else ("x", "y", "z"))
+    return {"y": np.zeros(len(found["t"]))} | found
 
 
 def _known_rows(faults: FaultList, numbers: dict[str, Array], notes: list[str]) -> NDArray[np.bool_]:
@@ -308,18 +321,8 @@ def _fitted(row: BallRows, first: int, last: int, sigma: float, drag: float) -> 
         left = float(np.square(design[:, :2] @ spins - w[first : last + 1]).sum(axis=0).max())
         # (noise averages out, a spin that changes unevenly does not: the ends of its line are off by twice the rest)
         error = 2 * math.sqrt(left / max(len(tau) - 2, 1))
-    return PathPiece(
-        first,
-        last,
-        float(middle),
-        numbers,
-        covariance,
-        spins,
-        error,
-        air,
-        even,
-        1.0 if even or uneven else CUBIC * len(tau),
-    )
+    hides = 1.0 if even or uneven else CUBIC * len(tau)
+    return PathPiece(first, last, float(middle), numbers, covariance, spins, error, air, even, hides)
 
 
 def _parts(t: Array, x: Array, first: int, last: int, sigma: float, high: float) -> list[tuple[int, int]]:
@@ -359,7 +362,6 @@ SAME = 1e-3  # of the speed: a ball that slips less rolls
 MOST_BEHIND = 64  # places that are looked at, of a wall: in doubt it may be
 TOUCHED = 0.05  # of the radius: as deep a ball may be in a wall
 CAMERA_ROLL = 0.06  # rad: upright is known no better in a film
-SLOWED = "by this scale and the film's times"  # a note of a film whose ball falls with another g
 CELLS = 2**40  # along an axis: cells farther apart may have one number
 MOST_PAIRS = 50_000_000  # of places in cells beside each other
 
@@ -389,7 +391,8 @@ def judge(
         A row per ball and frame: ``t`` (s), ``x``, ``y``, ``z`` (m), where there are several balls ``ball``; where they are known
         ``wx``, ``wy``, ``wz`` (rad/s), ``radius`` (m), ``mass`` (kg), ``kappa``, and the acceleration that the air gives the ball,
         ``air_x``, ``air_y``, ``air_z`` (m/s^2; none: a vacuum). ``Trajectory.save_frames`` writes these, as CSV, Parquet or JSON.
-        Without ``z`` the balls lie on the floor. Or a film, whose balls are tracked.
+        Without ``z`` the view is guessed from the motion, as fits guess it: y is the height where a ball falls, else all lie on the
+        floor. Or a film, whose balls are tracked; one ball that is not seen to fall is judged by the laws without units, too.
     radius : float, optional
         Of balls without a column for it, m. Default: the least height of the ball's own centre, so that it is never in the floor.
     mass : float
@@ -444,24 +447,21 @@ def judge(
     if not (len(slope) == 2 and math.hypot(*slope) < 1):
         faults.add("slope", "two sines, of a floor that is less steep than upright", f"{slope}")
     faults.raise_if_any()
-    pull, roll = np.array(gravity_on_slope(gravity, slope)), 0.0
-    said: list[str] = []
+    pull, tracked = np.array(gravity_on_slope(gravity, slope)), None
     if not is_columns(table) and is_film(path := as_path("judge", table)):
         known = film_options(scale, rate, radius, film).calibration
+        part = {name: known.film.get(name) for name in ("start", "end", "region")}
         try:
-            tracked = read_tracks(path, None, known)
-            if rate is None and any(note.startswith(SLOWED) for note in tracked.notes):
-                raise CaromError(f"{path}: expected the true `rate` of the film, or its `scale`, got neither")
+            tracked = film_at_its_rate(path, known, gravity)
         except CaromError as error:
-            part = {name: known.film.get(name) for name in ("start", "end", "region")}
             return by_film_laws(likeliest_ball(path, error, rate=rate, **part), f"{error}")
-        table, roll = columns_of_film(tracked, gravity, POOL_BALL, said), CAMERA_ROLL
-    rows, sigma, notes = read_rows(table, radius, mass, noise)
+        table, radius = columns_of_tracks(tracked.tracks), tracked.film.radius_px * tracked.film.scale
+    rows, sigma, notes, view = read_rows(table, radius, mass, noise, 0.0 if any(slope) else gravity)
     balls = [replace(one, kappa=one.kappa or kappa, pieces=tuple(_pieces(one, sigma, drag_per_metre))) for one in rows]
-    notes += said
+    notes += [] if tracked is None else tracked.notes
     times = np.concatenate([ball.t for ball in balls])
     found = Judgement(sigma, notes, (float(times.min()), float(times.max())))
-    places = _Places(balls, sigma)
+    places, roll = _Places(balls, sigma), CAMERA_ROLL if view == "side" else 0.0
     walls = None if obstacles else places
     rubs = 0.0  # what the floor's friction does at most, m/s^2
     for ball in balls:
@@ -480,8 +480,14 @@ def judge(
                 _turn(t, event, places, found)
     if found.of("gravity") and not any(piece.air is not None for ball in balls for piece in ball.pieces):
         notes.append("gravity: flights are compared with those in a vacuum; drag_per_metre allows for air")
-    found.violations.sort(key=lambda one: one.time)
     found.unchecked = {law: _why_unchecked(law, balls) for law, count in found.checked.items() if not count}
+    if tracked is not None and view == "above" and len(balls) == 1:  # (these hold in any view)
+        with suppress(CaromError):
+            alone = by_film_laws(likeliest_ball(path, CaromError(view), rate=rate, **part), view)
+            for name in ("laws", "checked", "unchecked"):
+                getattr(found, name).update(getattr(alone, name))
+            found.violations += alone.violations
+    found.violations.sort(key=lambda one: one.time)
     return found
 
 

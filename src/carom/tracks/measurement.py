@@ -40,7 +40,6 @@ from carom.tracks.flights import (
     Air,
     air_and_notes,
     axis_points_down,
-    constant_acceleration,
     falls_freely,
     fit_flight,
     moves_on_a_table,
@@ -61,12 +60,12 @@ from carom.tracks.least_squares import (
     whitening,
 )
 from carom.tracks.plausibility import (
-    GRAVITY_TOLERANCE,
     MIN_JUDGED,
     Turn,
     elsewhere_notes,
     facing_up,
     find_turns,
+    flight_gravity,
     floor_of_turns,
     oblique_note,
     on_either_floor,
@@ -667,18 +666,12 @@ def _require_axis_up(tracks: Sequence[Track], settings: Settings) -> None:
             )
 
 
-def _flight_gravity(tracks: Sequence[Track], gravity: float) -> float:
-    """Return the acceleration with which flights are fitted, m/s^2: gravity, or another if the ball falls with that throughout."""
-    fall = -constant_acceleration(tracks)
-    return fall if fall > 0 and abs(fall / gravity - 1) > GRAVITY_TOLERANCE else gravity
-
-
 def _in_likely_view(
     film: Measured, settings: Settings, groups: dict[str, list[Track]], progress: Progress | None
 ) -> Measured:
     """Measure in the view that the motion suggests; where the contacts are impossible there, in the other, if they are not."""
     view, why = guess_view(film.tracks, settings.gravity)
-    gravity = _flight_gravity(film.tracks, settings.gravity)
+    gravity = flight_gravity(film.tracks, settings.gravity)
     other: View = "above" if view == "side" else "side"
     found = _in_view(film, view, settings, groups, progress)
     wrong = why_implausible(found.contacts, view, found.floor, gravity)
@@ -711,7 +704,7 @@ def _in_view(
     film: Measured, view: View, settings: Settings, groups: dict[str, list[Track]], progress: Progress | None
 ) -> Measured:
     """Find and measure the contacts of a film in a view."""
-    gravity = _flight_gravity(film.tracks, settings.gravity) if view == "side" else settings.gravity
+    gravity = flight_gravity(film.tracks, settings.gravity) if view == "side" else settings.gravity
     air, notes = STILL_AIR, list[str]()
     if view == "side":
         given = settings.walls is not None

@@ -16,7 +16,7 @@ from carom.errors import shortened_list
 from carom.formatting import counted
 from carom.tracks.contact import DECISIVE, SMOOTH_TURN, TrackContact, View, WithError, averaged
 from carom.tracks.events import BEYOND_WALL_M, SIDES, TrackEvent, WallLine, frames_per_side, turning_points
-from carom.tracks.flights import Air
+from carom.tracks.flights import Air, constant_acceleration
 from carom.tracks.least_squares import OUTPUTS, ContactFit
 from carom.tracks.track import Track
 
@@ -661,3 +661,9 @@ def on_either_floor(
         f"the frames do not show whether the floor has friction: out/in is {told[0]}, {told[1]}; the velocities after the contacts"
         " are means of both, and their error bars contain the difference (`floor_friction` 0, as of an air table, or 0.2 decides)"
     ]
+
+
+def flight_gravity(tracks: Sequence[Track], gravity: float) -> float:
+    """Return the acceleration with which flights are fitted, m/s^2: gravity, or another if the ball falls with that throughout."""
+    fall = -constant_acceleration(tracks)
+    return fall if fall > 0 and abs(fall / gravity - 1) > GRAVITY_TOLERANCE else gravity

@@ -28,6 +28,7 @@ from carom.tracks.formats import tables as columns
 from carom.tracks.formats.missing import without_marked_places
 from carom.tracks.formats.pooltool import open_file
 from carom.tracks.formats.tables import Calibration, first_rows
+from carom.tracks.plausibility import flight_gravity
 from carom.tracks.preprocess import (
     MIN_INTERVAL_S,
     at_rate,
@@ -39,6 +40,7 @@ from carom.tracks.preprocess import (
 from carom.tracks.track import Track, position_noise
 from carom.tracks.video.film import track_film
 from carom.tracks.video.reading import TrackedFilm, is_film
+from carom.tracks.video.scale import SLOWED, slowed_note
 
 START = 1 << 16  # bytes from which a file is recognised
 TRACKER = "export the positions with Tracker's menu File > Export > Data File"
@@ -543,3 +545,14 @@ def _jumps(track: Track) -> list[str]:
         f"{label}: the ball jumps {times_in_words(len(far))}, by up to {step[far].max():.3g} m, first at t = {at:.6g} s; its usual"
         f" step is {usual:.2g} m: are there rows in another unit, or was another object tracked? correct or delete these rows"
     ]
+
+
+def film_at_its_rate(path: Path, known: Calibration, gravity: float) -> Any:
+    """Return the tracks of a film. Raises CaromError where its ball falls with another g, and no rate is given."""
+    tracked = read_tracks(path, None, known)
+    slow = [note for note in tracked.notes if note.startswith(SLOWED)]
+    if gravity and (fall := flight_gravity(tracked.tracks, gravity)) != gravity:
+        slow.append(slowed_note(fall, gravity))
+    if known.rate is None and slow:
+        raise CaromError(slow[0])
+    return tracked

@@ -380,13 +380,21 @@ def choose_scale(
     for name, (other, doubt) in known.items():
         if abs(other / value - 1) > max(DIFFERENT, 2 * (doubt + error)):
             if name == "gravity":
-                notes.append(
-                    f"by this scale and the film's times the ball falls with {fall * value:.3g} m/s^2: is the film slowed down"
-                    f" (`rate` {np.sqrt(other / value):.3g} times the container's), or the scale wrong (`scale` gravity)?"
-                )
+                notes.append(slowed_note(fall * value, gravity))
             else:
                 notes.append(f"by {name} a pixel were {1e3 * other:.4g} mm, {100 * (other / value - 1):+.2g} %")
     return value
+
+
+SLOWED = "by this scale and the film's times"  # a note of a film whose ball falls with another g
+
+
+def slowed_note(fall: float, gravity: float) -> str:
+    """Return what to do where a ball falls in a film with another acceleration, m/s^2."""
+    return (
+        f"{SLOWED} the ball falls with {fall:.3g} m/s^2: is the film slowed down (`rate` {np.sqrt(gravity / fall):.3g} times the"
+        " container's), or the scale wrong (`scale` gravity)?"
+    )
 
 
 def beside(k: int, rows: NDArray[np.intp]) -> list[NDArray[np.intp]]:
