@@ -253,23 +253,23 @@ def test_a_module_that_is_run_ends_with_its_call() -> None:
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
     "fitting": 10694,
-    "gas": 6958,
-    "billiards": 5591,
+    "gas": 6953,
+    "billiards": 5586,
     "tracks": 9386,
-    "simulation": 6440,
+    "simulation": 6439,
     "core": 5745,
     "laws": 4969,
-    "scene": 4877,
+    "scene": 4890,
     "cli": 4200,
-    "plot": 3630,
+    "plot": 3629,
     "derive": 2983,
-    "sweeps": 3284,
+    "sweeps": 3264,
     "data": 2615,
     "interop": 1162,
     "explorer": 881,
     "env": 600,
     "public": 329,
-    "top": 798,
+    "top": 797,
 }
 MOST_MODULES = 302
 NO_CODE = {

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
@@ -204,16 +205,35 @@ MOST = 8  # problems of an outline that are reported
 
 def polygon_depth(vertices: Array, x: Array) -> Array:
     """Distance (...) of points x (..., 2 or more) to a polygon with vertices (N, 2) in order: positive inside, else negative."""
-    nearest: Any = np.inf
-    odd = np.zeros(x.shape[:-1], bool)
-    for (px, py), (qx, qy) in zip(vertices.tolist(), np.roll(vertices, -1, axis=0).tolist(), strict=True):
-        rx, ry, ex, ey = x[..., 0] - px, x[..., 1] - py, qx - px, qy - py
-        u = np.clip((rx * ex + ry * ey) / (ex * ex + ey * ey), 0, 1)
-        nearest = np.minimum(nearest, np.hypot(rx - u * ex, ry - u * ey))
-        if ey != 0:  # sides cut by the level line to the right of the point
-            odd ^= ((py > x[..., 1]) != (qy > x[..., 1])) & (x[..., 0] < px + ry * ex / ey)
-    found: Array = np.where(odd, nearest, -nearest)
+    found = np.empty(x.shape[:-1])
+    _compiled_depths()(
+        np.ascontiguousarray(vertices, float), np.array(x[..., :2].reshape(-1, 2), float), found.reshape(-1)
+    )
     return found
+
+
+@functools.cache
+def _compiled_depths() -> Callable[..., None]:
+    from carom.core.jit.compile import njit
+
+    return njit(_depths, nogil=True)
+
+
+def _depths(vertices: Any, x: Any, depth: Any) -> None:
+    """Write the distance of each point x (M, 2) into depth (M,)."""
+    for k in range(x.shape[0]):
+        nearest, inside = math.inf, False
+        px, py = vertices[-1, 0], vertices[-1, 1]
+        for n in range(vertices.shape[0]):
+            qx, qy = vertices[n, 0], vertices[n, 1]
+            rx, ry, ex, ey = x[k, 0] - px, x[k, 1] - py, qx - px, qy - py
+            u = min(max((rx * ex + ry * ey) / (ex * ex + ey * ey), 0.0), 1.0)
+            nearest = min(nearest, (rx - u * ex) * (rx - u * ex) + (ry - u * ey) * (ry - u * ey))
+            # sides cut by the level line to the right of the point
+            if (py > x[k, 1]) != (qy > x[k, 1]) and x[k, 0] < px + ry * ex / ey:
+                inside = not inside
+            px, py = qx, qy
+        depth[k] = math.sqrt(nearest) if inside else -math.sqrt(nearest)
 
 
 def outline_faults(corners: Array) -> list[tuple[str, str]]:
