@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from reference.commands import fails
+from reference.commands import command, fails
 
 import carom
 from carom.cli.verbs import as_option
@@ -361,3 +361,40 @@ def test_a_plot_of_a_sweep_names_its_own_options(capsys):
     fails(capsys, "sweep", "plot", "none.zarr", "--of", "a", "--x", "b", "--out", "c.png")
     assert str(as_option(Fault("plot", "of", "an outcome", "'a'"))) == "--of: expected an outcome, got 'a'"
     assert str(as_option(Fault("plot", "panels", "a dimension", "'b'"))) == "--panels: expected a dimension, got 'b'"
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("compare", "--restitution", "85%"), "--restitution: expected a valid number, got '85%'; write 0.85"),
+        (("tracks", "show", "a.csv", "--rate", "120fps"), "--rate: expected a valid number, got '120fps'; write 120"),
+        (("compare", "--gravity=9.8", "--gravity", "3"), "--gravity: expected one value, got 2"),
+        (
+            ("simulate", "a.toml", "--law", "mirror", "--law", "maw"),
+            "--law: expected one value, got 2; carom compare takes several laws",
+        ),
+        (
+            ("compare", "--contact-height", "37apples"),
+            "--contact-height: expected a length, such as 0.0005 (m) or 0.5mm",
+        ),
+        (
+            ("predict", "a.csv", "--law", "maw", "--contact-height", "37mm"),
+            "--contact-height: expected --radius beside a length, got none",
+        ),
+    ],
+)
+def test_values_with_signs_units_and_repetitions_get_a_line_with_a_remedy(words, said, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.csv").write_text("v_n_in,v_t_in\n1,0\n")
+    assert said in fails(capsys, *words)[-1]
+
+
+def test_the_height_of_a_contact_is_a_number_of_radii_or_a_length(capsys):
+    heads = []
+    for height in ("1.24", "1,24", "37.2mm", "3.72 cm"):
+        _code, out, _err = command(
+            capsys, "compare", "--radius", "30mm", "--laws", "mirror", "--cushion-height", height
+        )
+        heads.append(out.split("Floor:")[0])
+    assert "touching 1.24 radii above the floor" in heads[0]
+    assert heads == heads[:1] * 4

@@ -37,14 +37,16 @@ _QUANTITIES = {
 }
 
 
-def in_radii(text: str | float) -> float:
-    """Return the height of a contact, which is given in radii of the ball."""
-    try:
-        return float(text)
-    except ValueError:
-        raise CaromError(
-            f"--contact-height: expected a number of ball radii, such as 1.27 (height of the nose over radius), got {text!r}"
-        ) from None
+def in_radii(text: str, radius: float | None) -> float:
+    """Return the height of a contact in radii of the ball: a number of them, or a length with its unit."""
+    from carom.core.units import decimal_point
+
+    with contextlib.suppress(ValueError):
+        return float(decimal_point(text))
+    length = parse_with_unit("--contact-height", "m", text)
+    if not radius:
+        raise CaromError(Fault("", "--contact-height", "`radius` beside a length", "none"))
+    return length / radius
 
 
 def parse_whole(option: str, text: str | int) -> int:
@@ -93,7 +95,7 @@ PANELS = {name: panel for panel, names in _NAMES.items() for name in names.split
 # ... and further arguments of typer.Option.
 OPTIONS: dict[str, dict[str, Any]] = {
     "inertia": {"metavar": "solid|hollow|KAPPA"},
-    "contact_height": {"flags": ("--contact-height", "--cushion-height"), "parser": in_radii, "metavar": "RADII"},
+    "contact_height": {"flags": ("--contact-height", "--cushion-height"), "metavar": "RADII|LENGTH"},
     "floor_contact": {"metavar": "with|after"},
     "floor_friction": {"flags": ("--floor-friction", "--cloth")},
     "rolling_resistance": {"flags": ("--rolling-resistance", "--rolling")},
@@ -161,32 +163,18 @@ def comma_separated(text: str) -> list[str]:
     return [part.strip() for part in text.split(",") if part.strip()]
 
 
-def parse_length(name: str, text: str) -> float:
-    """Return a length in m from a text with or without a unit."""
-    value = parse_with_unit(f"--{name}", "m", text)
-    if not math.isfinite(value):
-        raise CaromError(_no_quantity(f"--{name}", "m", text))
-    return value
-
-
 def parse_with_unit(option: str, unit: str, text: str | float) -> float:
     """Return the value of an option in an SI unit, from a text with or without a unit; the library checks its range."""
     from carom.core.units import decimal_point, parse_quantity
 
-    text = decimal_point(text) if isinstance(text, str) else text
+    text = decimal_point(str(text))
     try:
-        return float(text)
+        with contextlib.suppress(ValueError):
+            return float(text)
+        return parse_quantity(text, unit)
     except ValueError:
-        pass
-    try:
-        return parse_quantity(str(text), unit)
-    except ValueError:
-        raise CaromError(_no_quantity(option, unit, text)) from None
-
-
-def _no_quantity(option: str, unit: str, text: str | float) -> str:
-    what, such = _QUANTITIES[unit]
-    return f"{option}: expected {what}, such as {such}, got {str(text)!r}"
+        what, such = _QUANTITIES[unit]
+        raise CaromError(f"{option}: expected {what}, such as {such}, got {text!r}") from None
 
 
 def quantity(option: str, unit: str) -> dict[str, Any]:

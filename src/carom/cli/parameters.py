@@ -23,10 +23,10 @@ from carom.cli.options import (
     RUN,
     SPLIT,
     comma_separated,
+    in_radii,
     option,
     parse_assignments,
     parse_bounds,
-    parse_length,
     parse_number,
     parse_pair,
     parse_with_unit,
@@ -134,7 +134,9 @@ def of_library(
             for name, one in every.items():
                 value = values.pop(name)
                 if value not in (None, [], options[name][2]):
-                    read = given.faults.attempt(_read, name, one, value)
+                    if name == "contact_height":  # (in radii of the ball, which the function has before it)
+                        value = given.faults.attempt(in_radii, value, given.get("radius", every["radius"].default))
+                    read = value if value is None else given.faults.attempt(_read, name, one, value)
                     if read is not None:
                         (given if name in found else given.setdefault("film", {}))[name] = read
             verb(**values, given=given)
@@ -176,9 +178,9 @@ def _option(name: str, one: Declared, panel: str | None, every: Mapping[str, Dec
         default = (":" if ":" in settings["metavar"] else ",").join(f"{x:g}" for x in default)
     if isinstance(default, float):
         settings["show_default"] = f"{default:g}"
-    if kind is float and (unit := one.unit):  # (read with the others, so that all faults are said at once)
+    if kind is float and ((unit := one.unit) or name == "contact_height"):  # (read with the others: all faults at once)
         kind, default = str, None
-        settings["metavar"] = quantity(name, unit)["metavar"]
+        settings |= {"metavar": quantity(name, unit)["metavar"]} if unit else {}
     info = option(
         panel or PANELS.get(name, RUN), f"{text[:1].upper()}{text[1:]}", *(flags or (_flag(name),)), **settings
     )
@@ -201,7 +203,7 @@ def _read(name: str, one: Declared, value: Any) -> Any:  # noqa: PLR0911
     if kind.startswith(("ArrayLike", "Sequence[float]")):
         return _numbers(value)
     if name in ("scale", "noise") and value != "gravity":
-        return parse_length(name, value)
+        return parse_with_unit(flag, "m", value)
     if one.unit:
         return parse_with_unit(OPTIONS.get(name, {}).get("flags", (flag,))[0], one.unit, value)
     if name == "inertia":  # a number, or a word

@@ -120,10 +120,8 @@ def _most(text: str | None) -> int | None:
     """Return the number of rows of the table of events; None for all."""
     from carom.cli.trajectory_output import MOST_ROWS
 
-    if text is None:
-        return MOST_ROWS
-    if text == "all":
-        return None
+    if text in (None, "all"):
+        return MOST_ROWS if text is None else None
     if not text.isdecimal():
         raise CaromError(f"--events: expected 'all' or a whole number >= 0, got {text!r}")
     return int(text)

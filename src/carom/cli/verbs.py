@@ -267,10 +267,12 @@ def usage_fault(error: Any) -> str:
     expected = said.partition(", ")[0].removeprefix("Input should be ")
     if expected == "Value error":  # raised by the parser of an option, which says all
         return said.partition(", ")[2]
-    for k, word in enumerate(sys.argv):
+    for word, after in zip(sys.argv, [*sys.argv[1:], ""], strict=True):
         name, _, value = word.partition("=")
-        if name in names and expected != said and (value or k + 1 < len(sys.argv)):
-            return str(Fault("", name, expected, f"{value or sys.argv[k + 1]!r:.60}"))
+        if name in names and expected != said and (value := value or after):
+            number = re.match(r"[-+]?\d+(?:\.\d+)?(?= ?([%a-zA-Zµ]))", value)
+            alone = "" if number is None else f"{float(number[0]) / 100:g}" if number[1] == "%" else number[0]
+            return str(Fault("", name, expected, f"{value!r:.60}", f"write {alone}" if alone else ""))
     return message
 
 
@@ -306,6 +308,12 @@ def _require_values(command: Any, given: list[str]) -> None:
         if word in takes and (after is None or (after.startswith("--") and after.partition("=")[0] in known)):
             got = f"the next option, {after}" if after is not None else "none"
             raise CaromError(Fault("", word, _values(word, command), got))
+    once = {name: one for one in options if not (one.is_flag or one.multiple) for name in one.opts}
+    said = [once[name] for word in given if (name := word.partition("=")[0]) in once]
+    for one in said:
+        if (times := said.count(one)) > 1:
+            advice = "carom compare takes several laws" * (one.name == "law")
+            raise CaromError(Fault("", one.opts[0], "one value", f"{times}", advice))
 
 
 def _with_points(command: Any, given: list[str]) -> list[str]:
