@@ -529,3 +529,14 @@ def test_a_slope_goes_with_constant_resistance(other: str) -> None:
         carom.CaromError, match=r"slope: expected a floor that is less steep than upright, got \[1.0, 0.0\]"
     ):
         carom.Floor(friction=0.2, slope=(1, 0))
+
+
+@pytest.mark.parametrize(
+    ("losses", "said"), [({}, True), ({"spin_friction": 0.02}, False), ({"spin_damping": 0.2}, False)]
+)
+def test_a_ball_that_spins_on_for_ever_is_named_at_the_end_of_a_run(losses: dict[str, float], said: bool) -> None:
+    floor = carom.Floor(friction=0.2, rolling_resistance=0.01, **losses)
+    ball = carom.SceneBall(radius=0.03, mass=0.2, position=(0, 0), velocity=(1, 0), spin_z=30, rolling=True)
+    words = carom.simulate(carom.Scene(floor=floor, balls=[ball]), duration=12.0).describe()
+    line = "Spin on the spot without an end: ball 0; floor.spin_friction is 0, cloth has 0.0125."
+    assert (line in words) is said

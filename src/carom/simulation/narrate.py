@@ -163,15 +163,18 @@ def describe_run(run: RunRecord) -> list[str]:
     if run.scene.rack is not None:
         with contextlib.suppress(CaromError):  # (no ball meets it)
             found.append(break_statistics(run).describe())
-    if (note := overlap_note(run)) is not None:
-        found.append(f"{note}.")
+    found += [] if (note := overlap_note(run)) is None else [f"{note}."]
+    spin = [name for name, own in zip(run.scene.ball_names, rows, strict=True) if own["phase"][-1] == PIVOTING]
+    if spin and (floor := run.scene.floor) is not None and not floor.spin_friction + floor.spin_damping > 0:
+        found.append(f"Spin on the spot without an end: {listed(spin)}; floor.spin_friction is 0, cloth has 0.0125.")
     if run.ended == "duration":
         found.append(
             f"The run ends after its duration, {format_time(run.end)}, and {counted(_event_count(run), 'event')}."
         )
-    elif run.ended == "max_events":
+    elif run.ended == "max_events":  # (a meeting of two balls is one event of the loop, and two of the record)
         found.append(
-            f"The run ends at its greatest number of events, {_most(run)}, after {when(run.end)}{_endless(run)}."
+            f"The run ends at its greatest number of events, {run.scene.run.max_events or _event_count(run):,}, after"
+            f" {when(run.end)}{_endless(run)}."
         )
     return found
 
@@ -186,12 +189,6 @@ def _endless(run: RunRecord) -> str:
             high, often = up[-1] ** 2 / (2 * -run.scene.pull[2]), np.ptp(rows["t"]) / (len(rows) - 1)
             return f"; {name} goes on bouncing on the floor, {format_length(high)} high, every {format_time(often)}"
     return ""
-
-
-def _most(run: RunRecord) -> str:
-    # (a meeting of two balls is one event of the loop, and two of the record)
-    own = run.scene.run.max_events
-    return f"{_event_count(run) if own is None else own:,}"
 
 
 def _event_count(run: RunRecord) -> int:
