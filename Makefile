@@ -1,5 +1,5 @@
 # Thin wrappers; `make check` is what CI does.
-.PHONY: test explore check-torch doctest lint docs native wasm page benchmarks campaigns mutants check
+.PHONY: test explore check-torch check-added doctest lint docs native wasm page benchmarks campaigns mutants check
 test:
 	pytest -m 'slow or not slow'
 # the same tests with all the cases that they can draw, and new examples of Hypothesis
@@ -26,8 +26,11 @@ benchmarks:
 # derivatives through PyTorch, where it is installed (extra torch)
 check-torch:
 	pytest -n0 tests/interop/check_torch.py
+# a law and shapes that are added as files are in the page, whose module is built anew
+check-added:
+	pytest -n0 tests/explorer/check_added_files.py
 # what takes minutes to hours to count; results go to campaigns/results.md
-campaigns: explore
+campaigns: explore check-added
 	python campaigns
 # changes of one place that the tests should notice: make mutants N=8
 N = 25

@@ -1,21 +1,18 @@
-"""A shape, a figure and a law, one Python file each, in a copy of the package: in the page, shape and law once that is rebuilt."""
+"""A shape, a figure and a law, one Python file each, in a copy of the package (check_added_files.py: in the page)."""
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import shutil
 import subprocess
 import sys
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 import carom
-from carom.core.jit.cache import cache_folder
 
 HOWTO = Path(__file__).parents[2] / "docs" / "howto"
 LAW = '''
@@ -56,10 +53,6 @@ SCENE: dict[str, Any] = {
     ],
     "run": {"law": "three-quarters", "duration": 6.0},
 }
-SIMULATE = (
-    "import carom, json; print(json.dumps([float(t) for t in carom.simulate(carom.load_scene('scene.toml')).events.t]))"
-)
-VERDICT = "import carom, json; print(json.dumps(carom.compare(carom.incoming(), ['three-quarters']).verdicts[0].why))"
 
 
 @pytest.fixture(scope="module")
@@ -110,21 +103,3 @@ def test_a_wall_of_the_shape_is_checked_by_its_kernel(package: Path) -> None:
     done = python(package, "-m", "carom", "scene", "check", "high.toml")
     assert done.returncode == 2
     assert "walls[0].height: expected at most 100 radii, 100 mm each, got 50.0" in done.stderr
-
-
-@pytest.mark.skipif(find_spec("ziglang") is None, reason="builds the module; install carom's extra wasm")
-@pytest.mark.slow
-def test_all_are_in_the_page_once_the_module_is_built(package: Path, open_page: Any, tmp_path: Path) -> None:
-    shutil.copytree(cache_folder(), tmp_path / cache_folder().name)
-    built = python(package, "-m", "carom.explorer.module", cache=tmp_path)
-    assert built.returncode == 0, built.stderr
-    made = python(package, "-m", "carom", "explore", "scene.toml", "--out", "page.html", "--no-open", cache=tmp_path)
-    assert made.returncode == 0, made.stderr
-    page = open_page(package / "page.html")
-    times = page.evaluate("() => carom.run(carom.scene(), 'three-quarters').events.map((event) => event.t)")
-    done = python(package, "-c", SIMULATE, cache=tmp_path)
-    assert times == json.loads(done.stdout), done.stderr
-    assert len(times) >= 2  # the post, and then the rhombus
-    (said,) = json.loads(python(package, "-c", VERDICT, cache=tmp_path).stdout)
-    assert said == "it leaves the spin as it is, 2.5 times"
-    assert page.evaluate("() => document.body.textContent").count(said) == 1
