@@ -130,6 +130,13 @@ def test_empty_spins_are_0_at_the_first_bounce_and_unknown_later(tmp_path):
         assert "spin before bounce 2: expected a number" in rows[1]["note"]
         assert "spin_in: 3 empty cells taken as 0, but for later bounces, whose spin is unknown" in summary.notes
         (tmp_path / "out.csv").unlink()
+    mirror = predict(
+        tmp_path, "bounce,v_n_in,v_t_in,spin_in\n1,1,2,\n2,1,2,\n2,1,2,9\n", "mirror", given={"restitution": 0.8}
+    )
+    assert [row["v_n_out"] for row in mirror[0]] == ["0.8"] * 3  # (which needs no spin)
+    assert [row["note"] for row in mirror[0]] == [""] * 3
+    assert [row["spin_out"] for row in mirror[0]] == ["0.0", "", "9.0"]
+    (tmp_path / "out.csv").unlink()
     rows, _ = predict(tmp_path, "bounce,v_n_in,v_t_in\n1,1,2\n2,1,2\n", "contact", given=given)
     assert [row["v_t_out"] != "" for row in rows] == [True, False]
     (tmp_path / "out.csv").unlink()

@@ -38,7 +38,7 @@ from carom.errors import CaromError, FaultList, suggestion
 from carom.files import as_path, atomic_file, open_regular
 from carom.formatting import counted
 from carom.laws.arrays import unit_normal
-from carom.laws.law import Answer, Law, Meeting
+from carom.laws.law import MIRROR_WALL, Answer, Law, Meeting
 from carom.laws.registry import find_law, laws
 from carom.public.defaults import CONTACT_HEIGHT, FLOOR_CONTACT, GRAVITY
 from carom.public.progress import Progress
@@ -56,7 +56,7 @@ def predict_rows(plan: TablePlan, columns: dict[str, Array], notes: Notes) -> li
     values = {name: plan.sources[name].unit.to_si(column) for name, column in columns.items()}
     good = np.ones(count, dtype=bool)
     good[list(notes)] = False
-    _fill_spins(plan, values, notes, good)
+    unknown = _fill_spins(plan, values, notes, good)
     good[list(notes)] = False
     for name, column in values.items():
         holds, expected = CHECKS.get(name, FINITE)
@@ -89,20 +89,24 @@ def predict_rows(plan: TablePlan, columns: dict[str, Array], notes: Notes) -> li
         meeting = _meeting(plan, values, rows)
     for column, result in zip(out, _columns(plan, _apply_law(plan, meeting), rows, notes), strict=True):
         column[rows] = result
+    out[2][unknown & plan.air] = math.nan  # (the spin after is as little known)
     return out
 
 
-def _fill_spins(plan: TablePlan, values: dict[str, Array], notes: Notes, good: NDArray[np.bool_]) -> None:
-    """Set spins before that are not in the table to 0, but of later bounces in flight, which get a note."""
-    bounce = values.pop(BOUNCE, None)
+def _fill_spins(plan: TablePlan, values: dict[str, Array], notes: Notes, good: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Set spins before that are not in the table to 0, but of later bounces in flight: return where these are, which is unknown.
+
+    They get a note, unless the law's velocities depend on no spin.
+    """
+    bounce = values.pop(BOUNCE, np.zeros(len(good)))
     name = next((name for name in ("spin_in", "spin_z_in") if name in values), None)
     empty = np.ones(len(good), bool) if name is None else np.isnan(values[name])
-    if bounce is not None:
-        for i in np.flatnonzero(good & empty & (bounce > 1)).tolist():
-            fault = f"spin before bounce {bounce[i]:g}: expected a number, as the ball has bounced before, got none"
-            add_note(notes, i, fault)
+    unknown: NDArray[np.bool_] = empty & (bounce > 1)
+    for i in np.flatnonzero(good & unknown & (plan.settings.law.response != MIRROR_WALL)).tolist():
+        add_note(notes, i, f"spin before bounce {bounce[i]:g}: expected a number after an earlier bounce, got none")
     if name is not None:
         values[name] = np.where(empty, 0.0, values[name])
+    return unknown
 
 
 def _require_on_floor(values: dict[str, Array], plan: TablePlan, notes: Notes, good: NDArray[np.bool_]) -> None:
@@ -187,8 +191,7 @@ def _columns(plan: TablePlan, answer: Answer, rows: NDArray[np.intp], notes: Not
         add_note(notes, int(rows[i]), str(answer.why[i]))
     lost = ~np.isfinite(answer.after_wall.velocity).all(axis=-1) | ~np.isfinite(answer.after_wall.spin).all(axis=-1)
     for i in np.flatnonzero(lost).tolist():
-        if int(rows[i]) not in notes:
-            notes[int(rows[i])] = "the law gives no finite answer"
+        notes.setdefault(int(rows[i]), "the law gives no finite answer")
     found: list[Array] = []
     for state in (answer.after_wall, answer.final)[: 1 + plan.rolls]:
         v, w = state.velocity, state.spin
