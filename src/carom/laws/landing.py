@@ -183,7 +183,8 @@ class TwoStep(Settled):
     """
 
     after_wall: State
-    """Velocity and spin just after the wall."""
+    """Velocity and spin just after the wall. A pressed ball that the wall's friction lifted may move down here: it has yet to land,
+    at once (:attr:`after_floor`)."""
     wall: Impact
     """The contact with the wall."""
     floor_impulse: Array
