@@ -154,12 +154,16 @@ def _covered(pixels: _Pixels, p: Array, speed: Array, optics: Optics, names: str
 
     Parameters: x, y, r (radius), s (psf), px; e (exposure), ms; q (lag), us per px; and what light makes of the outline, so that it
     is not taken for lag: it is longer along the rows' direction by b, and by c times the square of the speed, and askew by d.
-    ``speed``: (2,) px/ms.
+    ``speed``: (2,) px/ms of stamps, which a ball has that moves along with the reading where its own is less: its rows are read
+    later and later.
     """
     from scipy.special import ndtr
 
     x, y, radius, psf, exposure, lag, long, more, skew = p
     rows, some = optics.rows, pixels.planes[1].stop
+    later = 1e-3 * (speed[0] * rows[0] + speed[1] * rows[1])
+    speed = speed / (1 + lag * later)
+    later *= exposure / (1 + lag * later)
     sigma = psf**2 + pixels.blur[:some]
     count = int(np.clip(np.ceil(exposure * np.hypot(*speed) / max(psf, 0.5)), 1, PLACES))
     part = ((np.arange(count) + 0.5) / count - 0.5)[:, None]
@@ -187,7 +191,7 @@ def _covered(pixels: _Pixels, p: Array, speed: Array, optics: Optics, names: str
         "r": lambda: density.sum(axis=0),
         "s": lambda: -(density * z / sigma).sum(axis=0) * psf,
         "e": lambda: (out * (dx * u + dy * v) * part).sum(axis=0),
-        "q": lambda: (out * (dx * speed[0] + dy * speed[1])).sum(axis=0) * row,
+        "q": lambda: (out * (dx * speed[0] + dy * speed[1]) * (row - part * later)).sum(axis=0),
         "b": lambda: (out * (dx * rows[0] + dy * rows[1])).sum(axis=0) * 1e3 * row,
         "c": lambda: slopes["b"]() * fast,
         "d": lambda: (out * (dx * rows[1] - dy * rows[0])).sum(axis=0) * 1e3 * row,

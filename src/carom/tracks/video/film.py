@@ -29,6 +29,7 @@ SAMPLED = 10  # frames of a candidate from which the optics are found
 FEW, MANY = 24, 80  # frames of a ball from which the camera's readout is found, at first and in the end
 LAG_ERROR = 1.3, 4.0  # times the error by the frames' scatter, of rows from top to bottom, and of those read sideways
 LAG_SHARE = 0.04  # of the readout, its error at least
+RIM_ERROR = 0.03  # px by which what marks and the ground behind make of an outline is longer where the ball rises than where it falls
 MOST_BYTES = 150e6  # of patches that are kept at once
 SHARE, RIM = 0.75, 0.6  # of what a candidate's picture shows, explained by a disc; of its rim, seen
 WHOLE_RIM, SHIFT = 0.85, 0.25  # of the rim, seen in brightness and in colour; px between these two, usually
@@ -595,7 +596,9 @@ def _by_rows(
         value, error = optics.lag * size, 1e-6 * float(errors[3]) * size
         # (rows read sideways only show as a slant, which light and blur make, too)
         times_error = LAG_ERROR[file.rotation % 2]
-        lags.append((value, float(np.hypot(times_error * error, LAG_SHARE * value))))
+        # (marks and the ground behind are alike in frame after frame: the frames' scatter does not show what they do)
+        common = RIM_ERROR * size / max(optics.radius * float(np.std([speed @ optics.rows for *_rest, speed in its])), 1e-9)
+        lags.append((value, float(np.linalg.norm([times_error * error, LAG_SHARE * value, common]))))
         seen = ball.optics._replace(lag=optics.lag if value > 3 * error else 0.0)
         exposure = fit_optics(its, seen, "rse", steps=4)[0].exposure
         found.append(
