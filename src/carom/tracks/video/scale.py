@@ -20,8 +20,11 @@ LEAST_FLIGHT = 6  # frames
 SHARP_TURN, TURN_SHARE = 8.0, 0.12  # times the usual change of velocity in a frame, and of the largest speed: a contact
 MOST_MISFIT = 1.5  # px, rms of places about flights
 UPRIGHT = 0.35  # rad between gravity and the picture's vertical
-USUAL_READOUT, LEAST_READOUT = 0.02, 2e-3  # s, of cameras that read row after row
-EXCLUDED = 2.5  # error bars
+USUAL_READOUT = 0.02  # s, of cameras that read row after row
+AT_ONCE, LIKELY = (
+    0.5,
+    0.05,
+)  # share of cameras that read all rows at once; what is too unlikely to be taken into account
 DRAG = 0.05  # 1/m: standard deviation of the prior of the air's drag
 RADIUS = 0.02  # of the scale by the ball's radius, which light and shadow change
 FIELD, FIELD_DOUBT = 0.8, 0.3  # focal length of a usual camera, in sides of its picture; and by which factor it differs
@@ -63,13 +66,17 @@ def choose_readout(found: Sequence[tuple[float, float]], notes: list[str]) -> tu
     known = [(value, error) for value, error in found if error > 0]
     if not known:
         return 0.0, 0.0
-    # (what cameras have is known beforehand, so that what the film does not show is not taken from it)
-    known.append((0.0, USUAL_READOUT))
+    # (what cameras have is known beforehand, so that what the film does not show is not taken from it: the mean of two kinds)
     weights = np.array([1 / error**2 for _value, error in known])
-    value, error = float(np.average([one for one, _error in known], weights=weights)), float(weights.sum() ** -0.5)
-    if value + EXCLUDED * error < LEAST_READOUT:
+    seen, doubt = float(np.average([one for one, _error in known], weights=weights)), float(weights.sum() ** -0.5)
+    error = (USUAL_READOUT**-2 + doubt**-2) ** -0.5
+    value = seen * (error / doubt) ** 2
+    against = AT_ONCE / (1 - AT_ONCE) * np.exp(-0.5 * (value / error) ** 2) * USUAL_READOUT / error
+    likely = float(1 / (1 + against))
+    if likely < LIKELY or value <= -2 * error:
         return 0.0, 0.0
     value = max(value, 0.0)
+    value, error = likely * value, float(np.sqrt(likely * error**2 + likely * (1 - likely) * value**2))
     said = f"the readout from first to last row is {1e3 * value:.3g} ± {1e3 * error:.1g} ms by outlines and flights"
     if value < 2 * error:
         said = f"the film does not determine the readout, first to last row (below {1e3 * (value + 2 * error):.2g} ms)"
