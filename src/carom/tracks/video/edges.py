@@ -136,14 +136,14 @@ def _bends(yuv: Array, plane: int, colours: tuple[Array, Array] | None) -> Array
     matrix, ball = colours
     back, constant = np.linalg.inv(matrix[:, :3]), matrix[:, 3:]
     ground, own = ((np.clip(matrix[:, :3] @ one + constant, 0, 255) / 255) ** GAMMA for one in (yuv, ball[:, None]))
-    parts = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
-    shown = []
-    for part in parts:
-        mixed = 255 * ((1 - part) * ground + part * own) ** (1 / GAMMA)
-        value = back[plane] @ (mixed - constant)
-        shown.append(value if plane else WHITE * (np.maximum(value - BLACK, 1.0) / WHITE) ** GAMMA)
-    bend = [(shown[k] - shown[0] - parts[k] * (shown[4] - shown[0])) / (parts[k] * (1 - parts[k])) for k in (1, 2, 3)]
-    return np.linalg.inv(np.vander(parts[1:4], increasing=True)) @ np.array(bend)
+    parts = np.array([0.25, 0.5, 0.75])
+    shown = [yuv[plane], ball[plane]]
+    shown += [back[plane] @ (255 * ((1 - part) * ground + part * own) ** (1 / GAMMA) - constant) for part in parts]
+    if not plane:
+        shown = [WHITE * (np.maximum(one - BLACK, 1.0) / WHITE) ** GAMMA for one in shown]
+    behind, alone, *mixed = shown
+    bend = [(one - (1 - a) * behind - a * alone) / (a * (1 - a)) for a, one in zip(parts, mixed, strict=True)]
+    return np.asarray(np.linalg.inv(np.vander(parts, increasing=True)) @ np.array(bend))
 
 
 def _band(

@@ -29,7 +29,9 @@ SAMPLED = 10  # frames of a candidate from which the optics are found
 FEW, MANY = 24, 80  # frames of a ball from which the camera's readout is found, at first and in the end
 LAG_ERROR = 1.3, 4.0  # times the error by the frames' scatter, of rows from top to bottom, and of those read sideways
 LAG_SHARE = 0.04  # of the readout, its error at least
-RIM_ERROR = 0.03  # px by which marks and the ground behind make an outline longer where a ball rises than where it falls
+RIM_ERROR = (
+    0.03  # px by which marks and the ground behind make an outline longer where a ball rises than where it falls
+)
 MOST_BYTES = 150e6  # of patches that are kept at once
 SHARE, RIM = 0.75, 0.6  # of what a candidate's picture shows, explained by a disc; of its rim, seen
 WHOLE_RIM, SHIFT = 0.85, 0.25  # of the rim, seen in brightness and in colour; px between these two, usually
@@ -806,9 +808,13 @@ def _record(
     readout, error = row_time or 0.0, 0.0
     phases = {name: np.nan_to_num(scales.row_phase(place, size, file.rotation)) for name, place in places.items()}
     if row_time is None:
-        free = fit_falls([(times, place, used[name]) for name, place in places.items()], size, file.rotation, free=True)
+        # (speeds of rows, not of stamps: as they are read by what was found)
+        for _ in range(3):
+            balls = [(times + readout * phases[name], place, used[name]) for name, place in places.items()]
+            free = fit_falls(balls, size, file.rotation, free=True)
+            readout += 0.0 if free is None else free.readout
         if free is not None and free.rises and free.rms < scales.MOST_MISFIT:
-            lags = [*lags, (free.readout, free.readout_error)]
+            lags = [*lags, (readout, free.readout_error)]
         readout, error = scales.choose_readout(lags, notes)
     balls = [(times + readout * phases[name], place, used[name]) for name, place in places.items()]
     falls = fit_falls(balls, size, file.rotation, free=False)
