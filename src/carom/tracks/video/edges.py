@@ -93,7 +93,7 @@ class Optics(NamedTuple):
     share: float = 0.92
     """Of the ball's picture, explained: one that has marks is seen nearer to its rim."""
     colours: tuple[Array, Array] | None = None
-    """From y, u, v, 1 of a pixel to its red, green, blue as stored (3, 4); and y, u, v of the ball (3,)."""
+    """From y, u, v, 1 of a pixel to its red, green, blue as stored (3, 4); and light, u, v of the ball (3,)."""
 
 
 class Outline(NamedTuple):
@@ -133,7 +133,8 @@ def _bends(yuv: Array, plane: int, colours: tuple[Array, Array] | None) -> Array
     """
     if colours is None:
         return np.zeros_like(yuv)
-    matrix, ball = colours
+    matrix, (light, *tint) = colours
+    ball = np.array([BLACK + WHITE * max(light / WHITE, 0.0) ** (1 / GAMMA), *tint])
     back, constant = np.linalg.inv(matrix[:, :3]), matrix[:, 3:]
     ground, own = ((np.clip(matrix[:, :3] @ one + constant, 0, 255) / 255) ** GAMMA for one in (yuv, ball[:, None]))
     parts = np.array([0.25, 0.5, 0.75])
@@ -169,15 +170,15 @@ def _band(
         ones = np.ones(len(rows))
         where = x[columns] + place[0], y[rows] + place[1]
         wide = CHROMA_BLUR**2 if k else 0.0
-        y, u, v = (
-            one[rows * a // b, columns * a // b] for one, (a, b) in zip(patch.ground, HALVES[k > 0], strict=True)
+        at = [(rows * a // b, columns * a // b) for a, b in HALVES[k > 0]]
+        bend = _bends(
+            np.array([one[each] for one, each in zip(patch.ground, at, strict=True)], float), k, optics.colours
         )
-        bend = _bends(np.array([y, u, v], dtype=float), k, optics.colours)
         parts.append(np.stack([*where, seen, behind, ones * wide, ones / (optics.noise[k] * steep), *bend]))
         planes.append(slice(count, count + len(rows)))
         count += len(rows)
-    x, y, seen, behind, blur, weight, *bend = np.concatenate(parts, axis=1)
-    return _Pixels(x, y, seen, behind, blur, weight, planes, np.array(bend))
+    x, y, seen, behind, blur, weight, *bends = np.concatenate(parts, axis=1)
+    return _Pixels(x, y, seen, behind, blur, weight, planes, np.array(bends))
 
 
 def _covered(pixels: _Pixels, p: Array, speed: Array, optics: Optics, names: str) -> tuple[Array, Array, Array, Array]:
@@ -347,11 +348,6 @@ def look_closer(patch: Patch, outline: Outline, speed: Array, optics: Optics) ->
         total = float((cover * cover).sum())
         colour.append(float((cover * (seen - (1 - cover) * behind)).sum()) / total if total else np.nan)
     return np.asarray(shape), np.array(colour)
-
-
-def stored(colour: Array) -> Array:
-    """Return y, u, v as stored of the mean light, u, v of a ball (3,)."""
-    return np.array([BLACK + WHITE * max(colour[0] / WHITE, 0.0) ** (1 / GAMMA), *colour[1:]])
 
 
 def _rim(patch: Patch, place: Array, way: Array, optics: Optics) -> _Pixels:

@@ -19,7 +19,7 @@ from carom.tracks.verdicts import FilmPath
 from carom.tracks.video import balls as things
 from carom.tracks.video import scale as scales
 from carom.tracks.video.balls import LOST, Background, Blob, Path, joined
-from carom.tracks.video.edges import Optics, Outline, Patch, fit_optics, fit_outline, look_closer, stored
+from carom.tracks.video.edges import Optics, Outline, Patch, fit_optics, fit_outline, look_closer
 from carom.tracks.video.reading import Array, FilmFile, Mask, TrackedFilm, film_times, open_film, patches
 from carom.tracks.video.scale import Asked, TableView, fit_falls, rows_direction, turning
 from carom.tracks.video.spin import with_spins
@@ -29,9 +29,7 @@ SAMPLED = 10  # frames of a candidate from which the optics are found
 FEW, MANY = 24, 80  # frames of a ball from which the camera's readout is found, at first and in the end
 LAG_ERROR = 1.3, 4.0  # times the error by the frames' scatter, of rows from top to bottom, and of those read sideways
 LAG_SHARE = 0.04  # of the readout, its error at least
-RIM_ERROR = (
-    0.03  # px by which marks and the ground behind make an outline longer where a ball rises than where it falls
-)
+RIM_ERROR = 0.03  # px by which marks and the ground make an outline longer where a ball rises than where it falls
 MOST_BYTES = 150e6  # of patches that are kept at once
 SHARE, RIM = 0.75, 0.6  # of what a candidate's picture shows, explained by a disc; of its rim, seen
 WHOLE_RIM, SHIFT = 0.85, 0.25  # of the rim, seen in brightness and in colour; px between these two, usually
@@ -149,9 +147,7 @@ def _usual_optics(film: FilmFile, ground: Background, paths: Sequence[Path], tim
     """Return candidates with radius, blur of the lens, exposure and noise, each from some frames of its own."""
     cores, interval = [one for one in map(things.cores_of, paths) if one is not None], float(np.median(np.diff(times)))
     found = [
-        _candidate(
-            path, mine, ground, interval, film.matrix, shaded=any(path is one or _within(one, path) for one in cores)
-        )
+        _candidate(path, mine, ground, interval, film.matrix, shaded=any(path is x or _within(x, path) for x in cores))
         for path, mine in _some_patches(film, ground, [*paths, *cores], times)
         if len(mine) >= 3
     ]
@@ -193,14 +189,8 @@ def _some_patches(
 
 
 def _candidate(
-    path: Path,
-    some: Sequence[tuple[Patch, Blob, Array]],
-    ground: Background,
-    interval: float,
-    matrix: Array,
-    *,
-    shaded: bool,
-) -> Candidate:
+    path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Background, interval: float, matrix: Array, *, shaded: bool,
+) -> Candidate:  # fmt: skip
     """Return a candidate from its pixels in some frames, with blobs and velocities; ``shaded``: some of these hold a shadow."""
     noise: Any = tuple(max(2 * one, least) for one, least in zip(ground.noise, (2.2, 0.8, 0.8), strict=True))
     quick = np.array([np.hypot(*speed) for *_rest, speed in some])
@@ -217,7 +207,7 @@ def _candidate(
     usual = np.median([one.cost for _patch, one, _speed in first])
     good = [(patch, one.place, speed) for patch, one, speed in first if one.cost <= 2 * usual]
     tones = [look_closer(patch, one, speed, optics)[1] for patch, one, speed in first if one.cost <= 2 * usual]
-    optics = optics._replace(colours=(matrix, stored(np.median(tones, axis=0))))
+    optics = optics._replace(colours=(matrix, np.median(tones, axis=0)))
     free = "rse" if fast.any() else "rs"
     found = fit_optics(good, optics, free)
     if shaded:
@@ -609,9 +599,8 @@ def _by_rows(
         # (rows read sideways only show as a slant, which light and blur make, too)
         times_error = LAG_ERROR[file.rotation % 2]
         # (marks and the ground behind are alike in frame after frame: the frames' scatter does not show what they do)
-        common = (
-            RIM_ERROR * size / max(optics.radius * float(np.std([speed @ optics.rows for *_rest, speed in its])), 1e-9)
-        )
+        spread = float(np.std([speed @ optics.rows for *_rest, speed in its]))
+        common = RIM_ERROR * size / max(optics.radius * spread, 1e-9)
         lags.append((value, float(np.linalg.norm([times_error * error, LAG_SHARE * value, common]))))
         seen = ball.optics._replace(lag=optics.lag if value > 3 * error else 0.0)
         exposure = fit_optics(its, seen, "rse", steps=4)[0].exposure
