@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import csv
 import json
+import math
 from pathlib import Path
 
 import numpy as np
@@ -429,3 +431,29 @@ def test_a_table_of_rebounds_is_said_as_one(
     assert err == (
         "carom: bounces.csv: expected a track, got a table of rebounds; carom fit and carom predict take it as it is\n"
     )
+
+
+def test_restitution_and_height_of_each_bounce_are_columns_and_json(capsys, monkeypatch, tmp_path):
+    """A ball falls from 1 m and returns 0.8 of its speed: it rises to 0.64 m, 0.41 m, ..."""
+    pull, rng, rows, start, speed, height = 9.80665, np.random.default_rng(3), [], 0.0, 0.0, 1.0
+    for t in np.arange(200) / 100:
+        while t > start + (fall := (speed + math.sqrt(speed**2 + 2 * pull * height)) / pull):
+            start, speed, height = start + fall, 0.8 * (pull * fall - speed), 0.0
+        y = height + speed * (t - start) - pull / 2 * (t - start) ** 2
+        rows.append(f"{t},{0.01 * t + 1e-4 * rng.normal()},{y + 2e-4 * rng.normal()}\n")
+    (tmp_path / "b.csv").write_text("t,x,y\n" + "".join(rows))
+    out = tmp_path / "rebounds.csv"
+    assert run(capsys, monkeypatch, str(tmp_path / "b.csv"), "--out", str(out))[0] == 0
+    with out.open() as file:
+        found = list(csv.DictReader(file))
+    for k, row in enumerate(found, 1):
+        assert abs(float(row["e_n"]) - 0.8) < 4 * float(row["sigma_e_n"]) < 4e-3
+        assert abs(float(row["rebound_height"]) - 0.64**k) < 4 * float(row["sigma_rebound_height"]) < 4e-3
+    _code, told, _notes = run(capsys, monkeypatch, str(tmp_path / "b.csv"), "--json")
+    contacts = json.loads(told)["contacts"]
+    assert [one["fit"]["restitution"][0] for one in contacts] == [float(row["e_n"]) for row in found] != []
+    assert [one["fit"]["rebound_height"][1] for one in contacts] == [
+        float(row["sigma_rebound_height"]) for row in found
+    ]
+    notes = read_rebounds(out).notes
+    assert not [note for note in notes if "e_n" in note or "rebound_height" in note]

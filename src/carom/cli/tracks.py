@@ -59,13 +59,13 @@ def facts(found: TrackFile, measured: Measured, stage: str, keep_sliding: bool) 
         "walls": [{"name": one.name, "point": one.point, "normal": one.normal, "clamped": one.clamped, "found": one.found}
                   for one in measured.walls],
         "floor": {name: {"value": value, "stderr": error} for name, (value, error) in measured.floor.items()},
-        "contacts": [_contact(one, stage, keep_sliding) for one in measured.contacts],
+        "contacts": [_contact(one, stage, keep_sliding, measured.gravity) for one in measured.contacts],
         "notes": [*found.notes, *measured.notes],
     }  # fmt: skip
 
 
-def _contact(one: TrackContact, stage: str, keep_sliding: bool) -> dict[str, Any]:
-    from carom.tracks.films import usable_stages
+def _contact(one: TrackContact, stage: str, keep_sliding: bool, gravity: float) -> dict[str, Any]:
+    from carom.tracks.films import rebound_height, usable_stages
     from carom.tracks.least_squares import OUTPUTS
     from carom.tracks.plausibility import impossible
 
@@ -78,9 +78,9 @@ def _contact(one: TrackContact, stage: str, keep_sliding: bool) -> dict[str, Any
             "names": list(OUTPUTS),
             "values": json_value(one.fit.value),
             "covariance": json_value(one.fit.covariance),
-            "chi2": one.fit.chi2,
-            "dof": one.fit.dof,
-        }
+            "chi2": one.fit.chi2, "dof": one.fit.dof, "restitution": list(one.fit.restitution),
+            "rebound_height": json_value(rebound_height(one, gravity)),
+        }  # fmt: skip
     return found
 
 

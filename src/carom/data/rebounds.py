@@ -47,7 +47,7 @@ BEYOND = 3.0  # error bars by which a number has to exceed what is possible
 # Columns of numbers that are known and passed on: labels, and what carom's own tables of contacts have beside the velocities
 PASSED_ON = re.compile(
     r"use|shot|sheet|ball|film|drop|wall|cushion|camera|surface|racket|contact|bounce|striking|struck|plane|t|t_s|sigma_t|(sigma_)?drag_per_metre"
-    r"|(sigma_)?floor_friction|(sigma_)?rolling_resistance|(sigma_)?slip_[nt]_(in|out)|covariance_v_[nt]|(blind|cloth|rolling|drag|roll)_.*"
+    r"|(sigma_)?floor_friction|(sigma_)?rolling_resistance|(sigma_)?slip_[nt]_(in|out)|covariance_v_[nt]|(sigma_)?(e_n|rebound_height)|(blind|cloth|rolling|drag|roll)_.*"
 )
 MOST_NAMED = 24  # columns in one note
 EMPTY_CELL = "an empty cell"  # as messages name a number that is not there

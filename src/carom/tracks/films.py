@@ -109,7 +109,8 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, keep_sliding: bool
     Rebounds
         One row per contact. Extra columns: shot, ball, wall, contact (its number in the film), bounce (its number among the
         contacts of its ball in its shot), t (s); spin_source, the source of the spin before the contact (tracked, rolling
-        (inferred), sliding (fitted), none); covariance_v_n and covariance_v_t of the errors before and after, m^2/s^2, which fits
+        (inferred), sliding (fitted), none); e_n, v_n_out/v_n_in just after the wall, and in flight rebound_height, m, in a vacuum
+        above a floor, with their errors; covariance_v_n and covariance_v_t of the errors before and after, m^2/s^2, which fits
         use; of a table also the slips on the floor (velocity less rolling, m/s, with the axes and signs of v_n and v_t)
         with their errors, and the floor as estimated from the film.
 
@@ -138,20 +139,19 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, keep_sliding: bool
         bounces[one.group, one.track] += 1
         numbers = {"contact": number + 1, "bounce": bounces[one.group, one.track]}
         for name in usable_stages(one, stage, keep_sliding)[0]:
-            rows.append(_row(one, numbers, name, spin) | _floor(one, name, measured) | _air(one, measured))  # noqa: PERF401
+            rows.append(_row(one, numbers, name, spin, measured))  # noqa: PERF401
     if not rows:
         raise CaromError(_nothing(measured, stage, keep_sliding))
     speeds = [f"{side}_{which}" for which in ("in", "out") for side in ("v_n", "v_t", spin)]
-    columns = {name: np.array([row[name] for row in rows]) for name in speeds}
-    columns |= {f"sigma_{name}": np.array([row[f"sigma_{name}"] for row in rows]) for name in speeds}
+    read = (*speeds, *(f"sigma_{name}" for name in speeds))
+    columns = {name: np.array([row[name] for row in rows]) for name in read}
     for name in (f"{spin}_in", f"{spin}_out"):
         if np.isnan(columns[name]).all():
             del columns[name], columns[f"sigma_{name}"]
         elif (np.isnan(columns[f"sigma_{name}"]) & ~np.isnan(columns[name])).any():
             # (one value for a flight, with neither an error bar nor a scatter)
             del columns[f"sigma_{name}"]
-    read = {*speeds, *(f"sigma_{name}" for name in speeds), "stage"}
-    extra = {name: np.array([row[name] for row in rows]) for name in rows[0] if name not in read}
+    extra = {name: np.array([row[name] for row in rows]) for name in rows[0] if name not in (*read, "stage")}
     table = make_rebounds(
         kind, columns, stage=None if planar else [row["stage"] for row in rows], extra=extra, source="tracks"
     )
@@ -182,10 +182,18 @@ def first_contacts(rebounds: Rebounds) -> NDArray[np.bool_]:
     return np.array([not number > least[key] for key, number in zip(keys, contact.tolist(), strict=True)], bool)
 
 
-def _row(one: TrackContact, numbers: dict[str, int], stage: str, spin: str) -> dict[str, Any]:
+def rebound_height(one: TrackContact, gravity: float) -> tuple[float, float]:
+    """Return how high a ball rises from a floor, level within 8°, in a vacuum, and the error, m; NaN off another wall."""
+    if one.fit is None or not one.planar or one.wall.normal[1] < 0.99:
+        return np.nan, np.nan
+    return one.fit["vn_out"] ** 2 / (2 * gravity), one.fit["vn_out"] * one.fit.error("vn_out") / gravity
+
+
+def _row(one: TrackContact, numbers: dict[str, int], stage: str, spin: str, measured: Measured) -> dict[str, Any]:
     fit = one.fit
     assert fit is not None
     out = ("vn_roll", "vt_roll") if stage == "rolling" else ("vn_out", "vt_out")
+    ratio, ratio_error = (np.nan, np.nan) if stage == "rolling" else fit.restitution
     row: dict[str, Any] = {
         "shot": one.group, "ball": one.track, "wall": one.wall.name, **numbers, "t": fit["t"],
         "sigma_t": fit.error("t"), "spin_source": _spin_source(one),
@@ -195,11 +203,13 @@ def _row(one: TrackContact, numbers: dict[str, int], stage: str, spin: str) -> d
         "v_t_out": fit[out[1]], "sigma_v_t_out": fit.error(out[1]),
         f"{spin}_in": one.spin.before, f"sigma_{spin}_in": one.spin.before_error,
         f"{spin}_out": one.spin.after, f"sigma_{spin}_out": one.spin.after_error,
-        "stage": stage,
+        "stage": stage, "e_n": ratio, "sigma_e_n": ratio_error,
         "covariance_v_n": -fit.covariance_of("vn_in", out[0]), "covariance_v_t": fit.covariance_of("vt_in", out[1]),
     }  # fmt: skip
+    if one.planar:
+        row["rebound_height"], row["sigma_rebound_height"] = rebound_height(one, measured.gravity)
+    names = {"v_n_in": "vn_in", "v_t_in": "vt_in", "v_n_out": out[0], "v_t_out": out[1]}
     if one.blind_shift is not None:  # all rows share the error of the blind time
-        names = {"v_n_in": "vn_in", "v_t_in": "vt_in", "v_n_out": out[0], "v_t_out": out[1]}
         shift = {name: one.blind_shift.get(inner, 0.0) for name, inner in names.items()}
         shift["v_n_in"] *= -1
         row |= {f"sigma_{name}": float(np.hypot(row[f"sigma_{name}"], change)) for name, change in shift.items()}
@@ -207,7 +217,6 @@ def _row(one: TrackContact, numbers: dict[str, int], stage: str, spin: str) -> d
         row["covariance_v_t"] += shift["v_t_in"] * shift["v_t_out"]
         row |= {f"blind_{name}": change for name, change in shift.items()}
     for prefix, values in fit.shifts.items():  # part of the error bars of the fit already
-        names = {"v_n_in": "vn_in", "v_t_in": "vt_in", "v_n_out": out[0], "v_t_out": out[1]}
         shift = {name: float(values[OUTPUTS.index(inner)]) for name, inner in names.items()}
         row |= {f"{prefix}_{name}": -change if name == "v_n_in" else change for name, change in shift.items()}
     if not one.planar:
@@ -217,7 +226,7 @@ def _row(one: TrackContact, numbers: dict[str, int], stage: str, spin: str) -> d
                 resolved = fit.resolved(f"u{axis}_{side}")
                 row[f"slip_{axis}_{side}"] = sign * fit[f"u{axis}_{side}"] if resolved else np.nan
                 row[f"sigma_slip_{axis}_{side}"] = fit.error(f"u{axis}_{side}") if resolved else np.nan
-    return row
+    return row | _floor(one, stage, measured) | _air(one, measured)
 
 
 def _air(one: TrackContact, measured: Measured) -> dict[str, float]:

@@ -91,9 +91,8 @@ def read_rows(
             f"{where}: {several[0]}: expected one row per frame, got two of the same time; give each ball a name"
         )
     rows = [replace(one, t=t, clock=_clock_error(one.t, t)) for one, t in zip(rows, clock, strict=True)]
-    view, sigma = None, _noise(rows) if noise is None else float(noise)
-    if "z" not in numbers:
-        rows, view = _in_view(rows, gravity, notes)
+    sigma = _noise(rows) if noise is None else float(noise)
+    rows, view = (rows, None) if "z" in numbers else _in_view(rows, gravity, notes)
     return rows, max(sigma, 4e-16 * max(float(np.abs(one.x).max(initial=0.0)) for one in rows)), notes, view
 
 
@@ -245,9 +244,8 @@ def _third_differences(row: BallRows) -> Array:
     weights = np.array(
         [1 / (a * (a + b) * (a + b + c)), 1 / (a * b * (b + c)), 1 / ((a + b) * b * c), 1 / ((a + b + c) * (b + c) * c)]
     )
-    weights *= (
-        np.array([-1, 1, -1, 1])[:, None] * math.sqrt(20) / np.linalg.norm(weights, axis=0)
-    )  # (of even times 1, 3, 3, 1)
+    # (of even times 1, 3, 3, 1)
+    weights *= np.array([-1, 1, -1, 1])[:, None] * math.sqrt(20) / np.linalg.norm(weights, axis=0)
     # (relative to the first place, so that a coordinate at rest has none at all)
     found: Array = sum(weights[k][:, None] * (x[k : len(x) - 3 + k] - x[:-3]) for k in (1, 2, 3))
     if by_air is not None:  # (as Numerov has its second differences, of even times)
@@ -462,8 +460,7 @@ def judge(
     times = np.concatenate([ball.t for ball in balls])
     found = Judgement(sigma, notes, (float(times.min()), float(times.max())))
     places, roll = _Places(balls, sigma), CAMERA_ROLL if view == "side" else 0.0
-    walls = None if obstacles else places
-    rubs = 0.0  # what the floor's friction does at most, m/s^2
+    walls, rubs = None if obstacles else places, 0.0  # (what the floor's friction does at most, m/s^2)
     for ball in balls:
         _in_the_floor(ball, sigma, found)
         for piece in ball.pieces:
@@ -499,11 +496,10 @@ def _why_unchecked(law: str, balls: Sequence[BallRows]) -> str:
         return "no ball leaves the floor, or heights are not known"
     if law == "momentum" and len(balls) == 1:
         return "there is one ball only"
-    if law == "turn":
-        return "no ball turns alone and higher than a cushion, or obstacles are there"
     if law == "slip" and all(piece.spins is None for piece in pieces):
         return "spins are not known"
     return {
+        "turn": "no ball turns alone and higher than a cushion, or obstacles are there",
         "gravity": f"no ball is in the air for more than {FEW} frames",
         "momentum": "no collision of two balls, and of them alone, was seen",
         "energy": "no event was seen whose balls moved before it",
