@@ -183,8 +183,7 @@ class TwoStep(Settled):
     """
 
     after_wall: State
-    """Velocity and spin just after the wall. A pressed ball that the wall's friction lifted may move down here: it has yet to land,
-    at once (:attr:`after_floor`)."""
+    """Velocity and spin just after the wall; where a pressed ball moves down here, it lands at once (:attr:`after_floor`)."""
     wall: Impact
     """The contact with the wall."""
     floor_impulse: Array
