@@ -255,7 +255,7 @@ CAPS = {
     "fitting": 10694,
     "gas": 6953,
     "billiards": 5586,
-    "tracks": 9434,
+    "tracks": 9399,
     "simulation": 6439,
     "core": 5745,
     "laws": 4969,

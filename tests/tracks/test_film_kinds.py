@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.ndimage import gaussian_filter
 
 import carom
 from carom.errors import CaromError
@@ -178,32 +177,6 @@ def test_a_place_is_not_that_of_the_pixels_it_was_sought_in() -> None:
     found = [fit_outline(patch, np.array([31.5, start]), np.array([0.0, 2000.0]), optics, coarse=False).place[1] for start in
              (56.0, 58.0, 60.0)]  # fmt: skip
     assert np.ptp(found) < 0.05
-
-
-def test_the_radius_of_a_small_blurred_disc_whose_colour_mixes_with_that_of_the_ground() -> None:
-    """Red, green and blue mix as light, their luma does not; and a blurred disc is half as bright within its rim."""
-    to_yuv = np.array([[65.481, 128.553, 24.966], [-37.797, -74.203, 112.0], [112.0, -93.786, -18.214]]) / 255
-    constant, over, radius = np.array([16.0, 128.0, 128.0]), 8, 8.0
-    at = (np.arange(48 * over) + 0.5) / over - 0.5
-    cover = gaussian_filter((np.hypot(at[None, :] - 23.3, at[:, None] - 23.6) < radius).astype(float), 1.2 * over)
-    cover = cover.reshape(48, over, 48, over).mean(axis=(1, 3))[..., None]
-    ground, ball = np.array([70.0, 170.0, 90.0]), np.array([220.0, 60.0, 40.0])
-
-    def planes(rgb: Any) -> tuple[Any, ...]:
-        y, u, v = np.moveaxis(rgb @ to_yuv.T + constant, -1, 0)
-        half = [one.reshape(24, 2, 24, 2).mean(axis=(1, 3)) for one in (u, v)]
-        return tuple((one + 0.5).astype(np.uint8) for one in (y, *half))
-
-    seen = planes(((1 - cover) * ground**2.2 + cover * ball**2.2) ** (1 / 2.2))
-    patch = Patch(0, (0, 0), seen, planes(np.broadcast_to(ground, (48, 48, 3))))
-    back = np.linalg.inv(to_yuv)
-    y, *tint = to_yuv @ ball + constant
-    colours = np.column_stack([back, -back @ constant]), np.array([219 * ((y - 16) / 219) ** 2.2, *tint])
-    optics = Optics(8.0, 1.2, 0.0, (1.5, 1.0, 1.0))
-    off = [fit_outline(patch, np.array([23.0, 24.0]), np.zeros(2), one, free="xyr").radius - radius for one in
-           (optics._replace(colours=colours), optics)]  # fmt: skip
-    assert abs(off[0]) < 0.03
-    assert abs(off[1]) > 0.06
 
 
 def test_a_frame_that_the_codec_made_of_others_is_flagged() -> None:

@@ -25,7 +25,7 @@ FALL = 0.3  # radii from the rim, over which a deep shadow falls off
 INSIDE = 2.8, 0.5, 0.1  # of the band: of the blur, px, of the radius
 EXPLAINED, MARKED, EVEN = (0.88, 0.92, 0.96), 0.62, 0.31  # of a ball's picture; of the usual band, and of the radius
 OUTSIDE = 0.35, 3.5, 7.0  # of the radius; least and most px
-CHROMA_BLUR = 0.95  # px, of colour planes and what a codec makes of them, beside that of the lens
+CHROMA_BLUR = 1.3  # px, of colour planes, beside that of the lens
 PLACES = 25  # of the exposure, at most
 OUTLIER = 2.0  # times the usual misfit of a plane
 STEPS, SMALL = 10, 3e-3  # of a descent, at most; px, of its last one
@@ -34,10 +34,6 @@ BLOCK = 2**18  # products of a sum: fewer than threads of their own are worth
 GAMMA, BLACK, WHITE = 2.2, 16.0, 219.0  # of brightness as stored; levels: of black, and from there to white
 LEAST_SLOPE = 0.15  # of light over brightness, by which noise is multiplied
 LIGHT = WHITE * (np.maximum(np.arange(256) - BLACK, 1.0) / WHITE) ** GAMMA  # of brightness
-HALVES = (
-    ((1, 1), (1, 2), (1, 2)),
-    ((2, 1), (1, 1), (1, 1)),
-)  # of places in y, and in u and v: where they are in the planes
 LEAST_WAY = 0.4  # px, in an exposure of the fastest
 MOST_PIXELS = 2000  # of a plane, evenly taken from the band
 LEAST_PIXELS, LEAST_SEEN = 30, 0.2  # of a band; of a rim
@@ -92,8 +88,6 @@ class Optics(NamedTuple):
     """px/s²: the usual acceleration of a ball, also within an exposure."""
     share: float = 0.92
     """Of the ball's picture, explained: one that has marks is seen nearer to its rim."""
-    colours: tuple[Array, Array] | None = None
-    """From y, u, v, 1 of a pixel to its red, green, blue as stored (3, 4); and light, u, v of the ball (3,)."""
 
 
 class Outline(NamedTuple):
@@ -122,29 +116,6 @@ class _Pixels:
     """px², added to the square of the psf."""
     weight: Array
     planes: list[slice]
-    bend: Array
-    """(3, N): what colours that mix are more than a mean, A (1 - A) times a polynomial of A."""
-
-
-def _bends(yuv: Array, plane: int, colours: tuple[Array, Array] | None) -> Array:
-    """Return what a plane shows where ball and ground mix, beyond the mean of both: (3, N) of y, u, v of the ground (3, N).
-
-    Red, green and blue are light to a power each, and so the planes, their sums, are no light: what mixes is light.
-    """
-    if colours is None:
-        return np.zeros_like(yuv)
-    matrix, (light, *tint) = colours
-    ball = np.array([BLACK + WHITE * max(light / WHITE, 0.0) ** (1 / GAMMA), *tint])
-    back, constant = np.linalg.inv(matrix[:, :3]), matrix[:, 3:]
-    ground, own = ((np.clip(matrix[:, :3] @ one + constant, 0, 255) / 255) ** GAMMA for one in (yuv, ball[:, None]))
-    parts = np.array([0.25, 0.5, 0.75])
-    shown = [yuv[plane], ball[plane]]
-    shown += [back[plane] @ (255 * ((1 - part) * ground + part * own) ** (1 / GAMMA) - constant) for part in parts]
-    if not plane:
-        shown = [WHITE * (np.maximum(one - BLACK, 1.0) / WHITE) ** GAMMA for one in shown]
-    behind, alone, *mixed = shown
-    bend = [(one - (1 - a) * behind - a * alone) / (a * (1 - a)) for a, one in zip(parts, mixed, strict=True)]
-    return np.asarray(np.linalg.inv(np.vander(parts, increasing=True)) @ np.array(bend))
 
 
 def _band(
@@ -170,15 +141,11 @@ def _band(
         ones = np.ones(len(rows))
         where = x[columns] + place[0], y[rows] + place[1]
         wide = CHROMA_BLUR**2 if k else 0.0
-        at = [(rows * a // b, columns * a // b) for a, b in HALVES[k > 0]]
-        bend = _bends(
-            np.array([one[each] for one, each in zip(patch.ground, at, strict=True)], float), k, optics.colours
-        )
-        parts.append(np.stack([*where, seen, behind, ones * wide, ones / (optics.noise[k] * steep), *bend]))
+        parts.append(np.stack([*where, seen, behind, ones * wide, ones / (optics.noise[k] * steep)]))
         planes.append(slice(count, count + len(rows)))
         count += len(rows)
-    x, y, seen, behind, blur, weight, *bends = np.concatenate(parts, axis=1)
-    return _Pixels(x, y, seen, behind, blur, weight, planes, np.array(bends))
+    x, y, seen, behind, blur, weight = np.concatenate(parts, axis=1)
+    return _Pixels(x, y, seen, behind, blur, weight, planes)
 
 
 def _covered(pixels: _Pixels, p: Array, speed: Array, optics: Optics, names: str) -> tuple[Array, Array, Array, Array]:
@@ -212,19 +179,17 @@ def _covered(pixels: _Pixels, p: Array, speed: Array, optics: Optics, names: str
     dx = dx - along * rows[0] - turn * rows[1] - lag * row * speed[0] - part * exposure * (speed[0] + u) / 2
     dy = dy - along * rows[1] + turn * rows[0] - lag * row * speed[1] - part * exposure * (speed[1] + v) / 2
     distance = np.maximum(np.sqrt(dx * dx + dy * dy), 1e-9)
-    # (a blurred disc is half as bright as itself within its rim, as more of what is around is outside than inside)
-    bowed = sigma / (2 * radius)
     # (from place to place the rim is swept, too)
     wide = exposure / count / np.sqrt(12) * speed
     sigma = np.sqrt(sigma + ((dx * wide[0] + dy * wide[1]) / distance) ** 2)
-    z = (radius - bowed - distance) / sigma
+    z = (radius - distance) / sigma
     density = np.exp(-0.5 * z * z) / sigma * (1 / np.sqrt(2 * np.pi) / count)
     out = density / distance
     slopes: dict[str, Callable[[], Array]] = {
         "x": lambda: (out * dx).sum(axis=0),
         "y": lambda: (out * dy).sum(axis=0),
         "r": lambda: density.sum(axis=0),
-        "s": lambda: -(density * (z / sigma + 1 / radius)).sum(axis=0) * psf,
+        "s": lambda: -(density * z / sigma).sum(axis=0) * psf,
         "e": lambda: (out * (dx * u + dy * v) * part).sum(axis=0),
         "q": lambda: (out * (dx * speed[0] + dy * speed[1]) * (row - part * later)).sum(axis=0),
         "b": lambda: (out * (dx * rows[0] + dy * rows[1])).sum(axis=0) * 1e3 * row,
@@ -265,18 +230,15 @@ def _residuals(
     prior = np.full(count + len(shadow), SHADOW**-2 + 1e-9)
     prior[0] = 1e-9
     for part, at in zip(pixels.planes, (bright, tint, tint), strict=True):
-        ground, veil, w, bend = pixels.ground[part], 1 - cover[at], root[part], pixels.bend[:, part]
-        bent = cover[at] * veil * (bend[0] + cover[at] * (bend[1] + cover[at] * bend[2]))
-        x, seen = np.empty((len(prior), len(w))), w * (pixels.seen[part] - veil * ground - bent)
+        ground, veil, w = pixels.ground[part], 1 - cover[at], root[part]
+        x, seen = np.empty((len(prior), len(w))), w * (pixels.seen[part] - veil * ground)
         np.multiply(ball[:, at], cover[at] * w, out=x[:count])
         np.multiply(shadow[:, at], w * veil * (ground + 1), out=x[count:])
         prior[1:count] = RIDGE * weight[part].sum() + 1e-9
         normal = dpotrf(_product(x, x) + np.diag(prior))[0]
         known = dpotrs(normal, x @ seen)[0]
         differ[part] = known[:count] @ ball[:, at] - (ground + 1) * (known[count:] @ shadow[:, at]) - ground
-        more = (1 - 2 * cover[at]) * (bend[0] + cover[at] * (bend[1] + cover[at] * bend[2]))
-        more += cover[at] * veil * (bend[1] + 2 * cover[at] * bend[2])
-        derivative = w * (differ[part] + more) * slope[:, at]
+        derivative = w * differ[part] * slope[:, at]
         residual[part] = (seen - known @ x) / w
         projected[:, part] = (derivative - dpotrs(normal, _product(x, derivative))[0].T @ x) / w
     return residual, projected, differ

@@ -147,7 +147,7 @@ def _usual_optics(film: FilmFile, ground: Background, paths: Sequence[Path], tim
     """Return candidates with radius, blur of the lens, exposure and noise, each from some frames of its own."""
     cores, interval = [one for one in map(things.cores_of, paths) if one is not None], float(np.median(np.diff(times)))
     found = [
-        _candidate(path, mine, ground, interval, film.matrix, shaded=any(path is x or _within(x, path) for x in cores))
+        _candidate(path, mine, ground, interval, shaded=any(path is one or _within(one, path) for one in cores))
         for path, mine in _some_patches(film, ground, [*paths, *cores], times)
         if len(mine) >= 3
     ]
@@ -189,8 +189,8 @@ def _some_patches(
 
 
 def _candidate(
-    path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Background, interval: float, matrix: Array, *, shaded: bool,
-) -> Candidate:  # fmt: skip
+    path: Path, some: Sequence[tuple[Patch, Blob, Array]], ground: Background, interval: float, *, shaded: bool
+) -> Candidate:
     """Return a candidate from its pixels in some frames, with blobs and velocities; ``shaded``: some of these hold a shadow."""
     noise: Any = tuple(max(2 * one, least) for one, least in zip(ground.noise, (2.2, 0.8, 0.8), strict=True))
     quick = np.array([np.hypot(*speed) for *_rest, speed in some])
@@ -206,8 +206,6 @@ def _candidate(
     ]
     usual = np.median([one.cost for _patch, one, _speed in first])
     good = [(patch, one.place, speed) for patch, one, speed in first if one.cost <= 2 * usual]
-    tones = [look_closer(patch, one, speed, optics)[1] for patch, one, speed in first if one.cost <= 2 * usual]
-    optics = optics._replace(colours=(matrix, np.median(tones, axis=0)))
     free = "rse" if fast.any() else "rs"
     found = fit_optics(good, optics, free)
     if shaded:

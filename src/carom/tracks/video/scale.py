@@ -21,10 +21,8 @@ SHARP_TURN, TURN_SHARE = 8.0, 0.12  # times the usual change of velocity in a fr
 MOST_MISFIT = 1.5  # px, rms of places about flights
 UPRIGHT = 0.35  # rad between gravity and the picture's vertical
 USUAL_READOUT = 0.02  # s, of cameras that read row after row
-AT_ONCE, LIKELY = (
-    0.5,
-    0.05,
-)  # share of cameras that read all rows at once; what is too unlikely to be taken into account
+AT_ONCE = 0.5  # share of cameras that read all rows at once
+LIKELY = 0.05  # probability of another camera, below which none is taken into account
 DRAG = 0.05  # 1/m: standard deviation of the prior of the air's drag
 RADIUS = 0.02  # of the scale by the ball's radius, which light and shadow change
 FIELD, FIELD_DOUBT = 0.8, 0.3  # focal length of a usual camera, in sides of its picture; and by which factor it differs
