@@ -81,7 +81,6 @@ def test_a_blurred_film_gives_exposure_and_restitution(tmp_path: Path) -> None:
     "given",
     [
         {"readout": 0.006, "look": Look(WHITE, "plain"), "texture": "wall"},
-        {"readout": 0.016},
         {"readout": 0.016, "rotation": 180},
         {"look": Look(WHITE, "plain"), "texture": "wall", "seed": 1},
     ],
