@@ -252,10 +252,10 @@ def test_a_module_that_is_run_ends_with_its_call() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10694,
+    "fitting": 10700,
     "gas": 6953,
     "billiards": 5586,
-    "tracks": 9399,
+    "tracks": 9420,
     "simulation": 6439,
     "core": 5745,
     "laws": 4969,

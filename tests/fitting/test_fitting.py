@@ -18,7 +18,7 @@ from carom.fitting.design import Shots, design
 from carom.fitting.identify import with_bootstrap, with_profiles
 from carom.fitting.laws import FORMS, laws_named
 from carom.fitting.model import model_of
-from carom.fitting.result import refit, rows_of_fit
+from carom.fitting.result import refit, rows_of_fit, with_error_bar
 from carom.fitting.rows import require_settings
 from carom.laws import maw
 
@@ -432,7 +432,14 @@ def test_a_shared_error_bar_is_what_the_shift_does():
     rows, shifted = made_up(0.9, 0.1, 0.85), made_up(0.9, 0.1, 0.85, 0.25)
     setting = Setting(radius=0.0025)
     plain = fit_laws(rows, setting, ["maw"], bootstrap=0, profiles=False)
-    told = plain.with_shared_errors([("an axis", shifted)]).best.estimates
+    both = plain.with_shared_errors([("an axis", shifted)])
+    told = both.best.estimates
+    for ranking in (plain, both):  # the sentence has the numbers of the best law, as the table below it has
+        numbers = ", ".join(
+            f"{name} {with_error_bar(ranking.best.estimates[name])}" for name in ("restitution", "friction")
+        )
+        assert f"({numbers})" in ranking.verdict
+    assert both.verdict.count("±") == 2 * plain.verdict.count("±") == 4
     moved = fit_laws(shifted, setting, ["maw"], bootstrap=0, profiles=False).best.estimates
     for name, one in told.items():
         assert one.shared == pytest.approx(abs(moved[name].value - one.value), abs=1e-5)

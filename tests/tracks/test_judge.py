@@ -438,6 +438,30 @@ def test_heights_in_a_table_of_two_columns_are_read_as_fits_read_them() -> None:
     assert sloped.checked["gravity"] == 0
 
 
+def test_a_rate_and_a_scale_hold_for_tables_as_for_tracks(tmp_path: Path) -> None:
+    """Times of a film that is played at a quarter of its speed, lengths in cm: judged as the motion itself once both are given."""
+    t, z = bouncing(restitution=0.8)
+    truth = judge({"t": t, "x": 0.3 * t, "y": z}, radius=R)
+    rate = 1 / float(t[1] - t[0])
+    slow = {"t": 4 * t, "x": 100 * 0.3 * t, "y": 100 * z}
+    assert laws_of(judge({"t": 4 * t, "x": 0.3 * t, "y": z}, radius=R))["gravity"] > 0
+    rows = "".join(f"{a!r},{b!r},{c!r}\n" for a, b, c in zip(*(slow[name].tolist() for name in "txy"), strict=True))
+    (tmp_path / "slow.csv").write_text(f"t,x,y\n{rows}")
+    (tmp_path / "headed.csv").write_text(f"t [s],x,y\n{rows}")
+    for table in (slow, tmp_path / "slow.csv", tmp_path / "headed.csv"):
+        found = judge(table, radius=R, scale=0.01, rate=rate)
+        assert found.checked == truth.checked
+        assert laws_of(found) == {}
+        assert found.noise == pytest.approx(truth.noise, rel=1e-3, abs=1e-13)
+
+
+def test_settings_of_pictures_are_refused_for_tables() -> None:
+    t, z = bouncing(restitution=0.8)
+    with pytest.raises(CaromError) as caught:
+        judge({"t": t, "x": t, "y": z}, scale="gravity", film={"region": "0,0,9,9", "start": 1.0})
+    assert [said.split(":")[1].strip() for said in caught.value.faults] == ["`scale`", "`region`", "`start`"]
+
+
 @pytest.fixture
 def filmed(monkeypatch: pytest.MonkeyPatch) -> Any:
     """Films whose ball carom has tracked, and followed as most likely a ball: their pixels, and their metres by a radius."""

@@ -296,6 +296,7 @@ DRAWS = 200
 LEAST_OF_STAGE, CONTRADICTION = 5, 4.0  # rows; error bars between the stages of a film
 FIT_SHARE = 0.6  # of the progress bar
 RESTITUTIONS = tuple(dict.fromkeys(p.name for form in FORMS.values() for p in form.parameters))
+IN_WORDS = (*RESTITUTIONS, "friction")
 Say = Callable[[str, float], None]
 
 
@@ -379,7 +380,8 @@ class Ranking(RankedLaws[Fit]):
             return self
         note = f"systematic errors common to all rows ({', '.join(words for words, _rows in shifted)}) are the second error bar"
         ranked = tuple(replace(one, fit=with_shared(one.fit, shifted)) for one in self.ranked)
-        return replace(self, ranked=ranked, notes=(*self.notes, note))
+        before, now = (_numbers(fit, IN_WORDS) for fit in (self.best, ranked[0].fit))
+        return replace(self, ranked=ranked, verdict=self.verdict.replace(before, now), notes=(*self.notes, note))
 
     def as_dict(self) -> dict[str, Any]:
         """Return the ranking for JSON: numbers in full precision, None where there is none."""
@@ -681,11 +683,15 @@ def _misfit(best: Fit, found: Adequacy) -> str:
     return ""
 
 
+def _numbers(best: Fit, names: Sequence[str]) -> str:
+    """Return those estimates of a law that are identifiable, with their error bars, in words."""
+    of_names = {name: best.estimates[name] for name in names if name in best.estimates}
+    return ", ".join(f"{name} {with_error_bar(one)}" for name, one in of_names.items() if one.stderr is not None)
+
+
 def _straight_verdict(best: Fit, found: Adequacy, covers: Coverage) -> str:
     """Return the verdict on balls that have no velocity along the wall and no spin: the restitution, and no law."""
-    numbers = ", ".join(
-        f"{name} {with_error_bar(best.estimates[name])}" for name in RESTITUTIONS if name in best.estimates
-    )
+    numbers = _numbers(best, RESTITUTIONS)
     why = "within the error bars the ball has no velocity along the wall and no spin, so all laws predict the same"
     more = "Throw the ball at an angle to the wall to measure friction"
     if best.problem.rebounds["v_t_in"].any():
@@ -701,7 +707,8 @@ def _straight_verdict(best: Fit, found: Adequacy, covers: Coverage) -> str:
 
 def _verdict(best: Fit, evidence: Evidence, few: bool, found: Adequacy, covers: Coverage, held_back: str) -> str:
     """Return the verdict in one sentence: which law, by what odds, how well it fits, and for which contacts."""
-    name, first = best.law.called, _misfit(best, found)
+    numbers, first = _numbers(best, IN_WORDS), _misfit(best, found)
+    name = f"{best.law.called} ({numbers})" if numbers else best.law.called
     if few:
         said = (
             f"these data cannot decide: too few rows, {best.problem.count} measured numbers for up to"
@@ -716,6 +723,8 @@ def _verdict(best: Fit, evidence: Evidence, few: bool, found: Adequacy, covers: 
         )  # fmt: skip
         said += f"; {held_back}" if held_back and held_back not in said else ""
         said += "" if first else f"; {found.in_words(best.law.name)}"
+    if numbers and name not in said:
+        said += f"; under {best.law.name}: {numbers}"
     said = first + said if first else said[0].upper() + said[1:]
     return f"{said}. This is for contacts like these: {covers.in_words()}."
 

@@ -755,3 +755,21 @@ def columns_of_tracks(tracks: Sequence[Track], names: Sequence[str] = ("x", "y",
     balls = np.concatenate([np.full(len(track), track.name) for track in tracks])
     found: Columns = {"t": np.concatenate([track.time for track in tracks]), "ball": balls}
     return found | dict(zip(names, np.concatenate([track.position for track in tracks]).T, strict=False))
+
+
+def columns_of_file(path: Path, columns: Columns, notes: list[str], known: Calibration) -> Columns:
+    """Return the columns of a file that a tracking program wrote, with headers that have units, too."""
+    try:
+        file = film_of(path, 1, known)
+    except CaromError:
+        if {"t", "x"} <= set(columns) or not columns:
+            raise
+        return columns
+    notes += [
+        note for note in file.notes if "assumed" in note or note.startswith(("not used", "column ", "times "))
+    ]  # (others are on rebounds)
+    side = file.tracks[0].position.shape[1] == 2 and any(
+        "height" in name.lower() or name.lower()[:1] == "z" for name in columns
+    )
+    found = columns_of_tracks(file.tracks, ("x", "z") if side else ("x", "y", "z"))
+    return {"y": np.zeros(len(found["t"]))} | found

@@ -28,9 +28,10 @@ from carom.formatting import counted
 from carom.public.defaults import GRAVITY
 from carom.scene.floor import gravity_on_slope
 from carom.tracks.contact import View
-from carom.tracks.films import columns_of_tracks, film_options
-from carom.tracks.preprocess import guess_view, times_behind_rounding
-from carom.tracks.read import film_at_its_rate, read_tracks
+from carom.tracks.films import columns_of_file, columns_of_tracks, film_options
+from carom.tracks.formats.tables import Calibration
+from carom.tracks.preprocess import at_rate, guess_view, times_behind_rounding
+from carom.tracks.read import film_at_its_rate, require_table_settings
 from carom.tracks.track import BallRows, PathPiece, Track
 from carom.tracks.verdicts import SIGMAS, Judgement, by_film_laws
 from carom.tracks.video.film import likeliest_ball
@@ -48,32 +49,37 @@ LABELS = ("name", "ball")
 # What carom's own files have besides
 OF_FRAMES = ("vx", "vy", "vz", "qw", "qx", "qy", "qz", "energy", "phase", "species", "shot", "frame")
 OF_AIR = ("air_x", "air_y", "air_z")  # the acceleration that the air gives a ball
+LENGTHS = ("x", "y", "z", "radius", *OF_AIR)
 NUMBERS = ("t", "x", "y", "z", "wx", "wy", "wz", "radius", "mass", "kappa", *OF_AIR)
+UNKNOWN = Calibration()
 NO_PULL: tuple[View, str] = ("above", "no gravity along the picture")
 UPRIGHT = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])  # turns the plane of a picture upright
 SMOOTH = 5  # degree of that acceleration over a piece
 
 
 def read_rows(
-    table: Any, radius: float | None, mass: float, noise: float | None, gravity: float = 0.0
-) -> tuple[list[BallRows], float, list[str], View | None]:
+    table: Any, radius: float | None, mass: float, noise: float | None, gravity: float = 0.0,
+    calibration: Calibration = UNKNOWN,
+) -> tuple[list[BallRows], float, list[str], View | None]:  # fmt: skip
     """Return the rows of each ball of a table, on the camera's clock, the noise of a coordinate (m), and what was assumed.
 
     And the view, of a table without heights: as fits and films guess it.
     """
-    where, notes = "judge", list[str]()
+    where, notes, scale = "judge", list[str](), calibration.scale or 1.0
     if is_columns(table):
         columns = as_columns(table, where)
     else:
         where = str(path := as_path("judge", table))
-        columns = _columns(path, notes)
+        columns, scale = _columns(path, notes, calibration)
+    require_table_settings(where, calibration)
     faults = FaultList(where)
     if not {"t", "x", "y"} <= set(columns):
         got = ", ".join(columns)
         expected = "columns t, x and y, in s and m, a row per ball and frame, or tracks of a program that carom reads"
         faults.add("", expected, f"{got:.60}{'...' if got[60:] else ''}")
     faults.raise_if_any()
-    numbers = {name: _numbers(faults, name, columns[name]) for name in NUMBERS if name in columns}
+    unit = dict.fromkeys(LENGTHS, scale)
+    numbers = {name: _numbers(faults, name, columns[name]) * unit.get(name, 1.0) for name in NUMBERS if name in columns}
     faults.raise_if_any()
     notes += not_used(name for name in columns if name not in (*NUMBERS, *LABELS, *OF_FRAMES))
     known = _known_rows(faults, numbers, notes)
@@ -84,6 +90,9 @@ def read_rows(
         raise CaromError(f"{where}: expected more than {FEW} frames of a ball, got fewer")
     # (rows share a time in some frames only where times are rounded)
     several = [one.name for one in rows if len(one.t) > FEW and np.unique(one.t, return_counts=True)[1].min() > 1]
+    if calibration.rate is not None:
+        filmed = at_rate(_in_plane(rows), calibration.rate, where, notes)
+        rows = [replace(row, t=one.time) for row, one in zip(rows, filmed, strict=True)]
     clock = [one.t for one in rows] if several else times_behind_rounding([one.t for one in rows], notes)
     several += [one.name for one, t in zip(rows, clock, strict=True) if len(t) > FEW and np.any(np.diff(t) <= 0)]
     if several:
@@ -96,9 +105,13 @@ def read_rows(
     return rows, max(sigma, 4e-16 * max(float(np.abs(one.x).max(initial=0.0)) for one in rows)), notes, view
 
 
+def _in_plane(rows: Sequence[BallRows]) -> list[Track]:
+    return [Track(one.name, one.t, one.x[:, :2]) for one in rows]
+
+
 def _in_view(rows: list[BallRows], gravity: float, notes: list[str]) -> tuple[list[BallRows], View]:
     """Return rows without heights in the view that their motion suggests: from the side y is the height."""
-    view, why = guess_view([Track(one.name, one.t, one.x[:, :2]) for one in rows], gravity) if gravity else NO_PULL
+    view, why = guess_view(_in_plane(rows), gravity) if gravity else NO_PULL
     if view == "above":
         notes.append(f"seen from above ({why}): the balls are on the floor; if y is a height, name that column z")
         return rows, view
@@ -156,14 +169,17 @@ def _rows_of_balls(
     return rows
 
 
-def _columns(path: Path, notes: list[str]) -> Columns:
-    """Return the columns of a file; of JSON, frames as ``save_frames`` writes them, with arrays (frame, ball, axis).
+def _columns(path: Path, notes: list[str], known: Calibration) -> tuple[Columns, float]:
+    """Return the columns of a file, and metres per unit of their lengths.
 
-    Any other file of tracks is read as tracks, with its units.
+    Of JSON, frames as ``save_frames`` writes them, with arrays (frame, ball, axis). Any other file of tracks is read as tracks,
+    with its units.
     """
     if path.suffix.lower() != ".json":
         columns = {} if path.suffix.lower() == ".msgpack" else read_columns(path)[0]
-        return columns if {"t", "x", "y"} <= set(columns) else _of_tracks(path, columns, notes)
+        if {"t", "x", "y"} <= set(columns):
+            return columns, known.scale or 1.0
+        return columns_of_file(path, columns, notes, known), 1.0
     wanted = "a table (.csv, .parquet), or JSON with t, balls and position as frames are saved"
     expected, given = f"{path}: expected {wanted}", parse_json(path, read_regular(path, most=MOST_TABLE), wanted)
     try:
@@ -182,25 +198,7 @@ def _columns(path: Path, notes: list[str]) -> Columns:
         raise CaromError(f"{expected}, got JSON without {error.args[0]!r}") from None
     except (ValueError, TypeError):
         raise CaromError(f"{expected}, got JSON of another form") from None
-    return found
-
-
-def _of_tracks(path: Path, columns: Columns, notes: list[str]) -> Columns:
-    """Return the columns of a file that a tracking program wrote, with headers that have units, too."""
-    try:
-        file = read_tracks(path)
-    except CaromError:
-        if {"t", "x"} <= set(columns) or not columns:
-            raise
-        return columns
-    notes += [
-        note for note in file.notes if "assumed" in note or note.startswith(("not used", "column ", "times "))
-    ]  # (others are on rebounds)
-    side = file.tracks[0].position.shape[1] == 2 and any(
-        "height" in name.lower() or name.lower()[:1] == "z" for name in columns
-    )
-    found = columns_of_tracks(file.tracks, ("x", "z") if side else ("x", "y", "z"))
-    return {"y": np.zeros(len(found["t"]))} | found
+    return found, known.scale or 1.0
 
 
 def _known_rows(faults: FaultList, numbers: dict[str, Array], notes: list[str]) -> NDArray[np.bool_]:
@@ -446,15 +444,16 @@ def judge(
         faults.add("slope", "two sines, of a floor that is less steep than upright", f"{slope}")
     faults.raise_if_any()
     pull, tracked = np.array(gravity_on_slope(gravity, slope)), None
+    known = film_options(scale, rate, radius, film).calibration
     if not is_columns(table) and is_film(path := as_path("judge", table)):
-        known = film_options(scale, rate, radius, film).calibration
         part = {name: known.film.get(name) for name in ("start", "end", "region")}
         try:
             tracked = film_at_its_rate(path, known, gravity)
         except CaromError as error:
             return by_film_laws(likeliest_ball(path, error, rate=rate, **part), f"{error}")
         table, radius = columns_of_tracks(tracked.tracks), tracked.film.radius_px * tracked.film.scale
-    rows, sigma, notes, view = read_rows(table, radius, mass, noise, 0.0 if any(slope) else gravity)
+        known = UNKNOWN  # (used)
+    rows, sigma, notes, view = read_rows(table, radius, mass, noise, 0.0 if any(slope) else gravity, known)
     balls = [replace(one, kappa=one.kappa or kappa, pieces=tuple(_pieces(one, sigma, drag_per_metre))) for one in rows]
     notes += [] if tracked is None else tracked.notes
     times = np.concatenate([ball.t for ball in balls])

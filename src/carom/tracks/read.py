@@ -139,6 +139,7 @@ def _from_start(start: bytes) -> tuple[str, str] | None:
 MESSAGE_PACK = ".msgpack"
 OF_REBOUNDS = ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in")  # columns
 
+PICTURE_SETTINGS = ("length", "ball", "colour", "region", "corners", "marks", "start", "end")
 MIN_POSITIONS = 9  # fewer cannot hold a contact
 # Beyond these a number is damaged, or its unit wrong.
 MAX_POSITION_M, MAX_TIME_S = 1e9, 1e9
@@ -268,12 +269,21 @@ def _tracks_of_text(path: Path, text: str, name: str, calibration: Calibration) 
     return _with_positions(path, name, FORMATS[name].read(str(path), text, calibration), calibration)
 
 
-def _with_positions(path: Path, name: str, tracks: list[Track], calibration: Calibration) -> TrackFile:
+def require_table_settings(path: str | Path, calibration: Calibration) -> None:
+    """Raise CaromError where what applies to pictures alone is given for positions in numbers."""
+    _check(calibration)
+    faults = FaultList(f"{path}")
     if word := calibration.film.get("scale"):
         advice = "of films alone it is found by gravity"
-        raise CaromError(
-            Fault(f"{path}", "`scale`", "the length of a unit of its positions, such as 1cm", repr(word), advice)
-        )
+        faults.add("`scale`", "the length of a unit of its positions, such as 1cm", repr(word), advice)
+    for name in PICTURE_SETTINGS:
+        if calibration.film.get(name):
+            faults.add(f"`{name}`", "a film (it applies to pictures alone)", "a table of positions", "omit it")
+    faults.raise_if_any()
+
+
+def _with_positions(path: Path, name: str, tracks: list[Track], calibration: Calibration) -> TrackFile:
+    require_table_settings(path, calibration)
     if not tracks or not any(track.seen.any() for track in tracks):
         raise CaromError(f"{path}: {FORMATS[name].title}: expected positions of a ball, got none")
     if name != "columns":  # (which does so before its units are converted)
