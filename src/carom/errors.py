@@ -72,12 +72,9 @@ class Fault:
 
     def __str__(self) -> str:
         """Return the line that is shown: ``where: field: expected ..., got ...; advice``."""
-        said = f"expected {self.expected}" if self.expected else ""
-        said += (
-            f", got{'' if self.got.startswith(':') else ' '}{_cut(' '.join(self.got.split()), MAX_SHOWN_CHARACTERS)}"
-            if self.got
-            else ""
-        )
+        got, said = _cut(" ".join(self.got.split()), MAX_SHOWN_CHARACTERS), ""
+        said += f"expected {self.expected}" if self.expected else ""
+        said += f", got{'' if got.startswith(':') else ' '}{got}" if got else ""
         said = "; ".join(filter(None, (said, self.advice)))
         return ": ".join(filter(None, map(str, (self.where, self.field, said))))
 

@@ -35,18 +35,25 @@ _QUANTITIES = {
     "degree": ("an angle", "45 (degrees) or 0.79rad"),
     "s": ("a time", "0.02 (s) or 20ms"),
 }
+IN_RADII = "RADII|LENGTH"  # a height of a contact
+LEAST_RADII = 0.1  # a number below is a length whose unit was left out
 
 
-def in_radii(text: str, radius: float | None) -> float:
+def in_radii(option: str, text: str, radius: float | None) -> float:
     """Return the height of a contact in radii of the ball: a number of them, or a length with its unit."""
     from carom.core.units import decimal_point
 
-    with contextlib.suppress(ValueError):
-        return float(decimal_point(text))
-    length = parse_with_unit("--contact-height", "m", text)
-    if not radius:
-        raise CaromError(Fault("", "--contact-height", "`radius` beside a length", "none"))
-    return length / radius
+    try:
+        height = float(decimal_point(text))
+    except ValueError:
+        length = parse_with_unit(option, "m", text)
+        if not radius:
+            raise CaromError(Fault("", option, "`radius` beside a length", "none")) from None
+        return length / radius
+    if 0 < height < LEAST_RADII:
+        expected = "radii of the ball, such as 1.25, or a length with its unit"
+        raise CaromError(Fault("", option, expected, text, f"for a length write {1000 * height:g}mm"))
+    return height
 
 
 def parse_whole(option: str, text: str | int) -> int:
@@ -95,7 +102,7 @@ PANELS = {name: panel for panel, names in _NAMES.items() for name in names.split
 # ... and further arguments of typer.Option.
 OPTIONS: dict[str, dict[str, Any]] = {
     "inertia": {"metavar": "solid|hollow|KAPPA"},
-    "contact_height": {"flags": ("--contact-height", "--cushion-height"), "metavar": "RADII|LENGTH"},
+    "contact_height": {"flags": ("--contact-height", "--cushion-height"), "metavar": IN_RADII},
     "floor_contact": {"metavar": "with|after"},
     "floor_friction": {"flags": ("--floor-friction", "--cloth")},
     "rolling_resistance": {"flags": ("--rolling-resistance", "--rolling")},

@@ -18,6 +18,7 @@ from typing import Annotated, Any, NamedTuple
 
 import carom
 from carom.cli.options import (
+    IN_RADII,
     OPTIONS,
     PANELS,
     RUN,
@@ -134,9 +135,8 @@ def of_library(
             for name, one in every.items():
                 value = values.pop(name)
                 if value not in (None, [], options[name][2]):
-                    if name == "contact_height":  # (in radii of the ball, which the function has before it)
-                        value = given.faults.attempt(in_radii, value, given.get("radius", every["radius"].default))
-                    read = value if value is None else given.faults.attempt(_read, name, one, value)
+                    radius = given.get("radius", every["radius"].default if "radius" in every else None)
+                    read = given.faults.attempt(_read, name, one, value, radius)
                     if read is not None:
                         (given if name in found else given.setdefault("film", {}))[name] = read
             verb(**values, given=given)
@@ -178,17 +178,17 @@ def _option(name: str, one: Declared, panel: str | None, every: Mapping[str, Dec
         default = (":" if ":" in settings["metavar"] else ",").join(f"{x:g}" for x in default)
     if isinstance(default, float):
         settings["show_default"] = f"{default:g}"
-    if kind is float and ((unit := one.unit) or name == "contact_height"):  # (read with the others: all faults at once)
-        kind, default = str, None
-        settings |= {"metavar": quantity(name, unit)["metavar"]} if unit else {}
+    if kind is float and (one.unit or settings.get("metavar") == IN_RADII):
+        kind, default = str, None  # (read with the others: all faults at once)
+        settings |= {"metavar": quantity(name, one.unit)["metavar"]} if one.unit else {}
     info = option(
         panel or PANELS.get(name, RUN), f"{text[:1].upper()}{text[1:]}", *(flags or (_flag(name),)), **settings
     )
     return (kind if default is not None or (kind is bool and "None" not in one.type) else kind | None), info, default
 
 
-def _read(name: str, one: Declared, value: Any) -> Any:  # noqa: PLR0911
-    """Return the value of an option as its function takes it."""
+def _read(name: str, one: Declared, value: Any, radius: float | None) -> Any:  # noqa: PLR0911
+    """Return the value of an option as its function takes it; ``radius``: of the ball, m, if it is known (it stands before)."""
     flag, wanted, kind = _flag(name), OPTIONS.get(name, {}).get("metavar", ""), one.type
     if kind.startswith("Mapping"):
         faults = FaultList()
@@ -202,6 +202,8 @@ def _read(name: str, one: Declared, value: Any) -> Any:  # noqa: PLR0911
         return value if value in wanted.split("|") else _pair(flag, value, wanted)
     if kind.startswith(("ArrayLike", "Sequence[float]")):
         return _numbers(value)
+    if wanted == IN_RADII:
+        return in_radii(flag, value, radius)
     if name in ("scale", "noise") and value != "gravity":
         return parse_with_unit(flag, "m", value)
     if one.unit:
