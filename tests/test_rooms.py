@@ -261,7 +261,7 @@ CAPS = {
     "laws": 4969,
     "scene": 4890,
     "cli": 4209,
-    "plot": 3629,
+    "plot": 3625,
     "derive": 2983,
     "sweeps": 3264,
     "data": 2615,

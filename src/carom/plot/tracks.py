@@ -21,6 +21,7 @@ from carom.tracks.video.reading import TrackedFilm, crops, open_film
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from carom.tracks.least_squares import ContactFit
     from carom.tracks.verdicts import Judgement
 
 
@@ -59,14 +60,11 @@ def plot_tracks(measured: Measured) -> Figure:
         figure = new_figure(9.0, 5.6)
         figure.set_layout_engine("constrained")
         grid = figure.add_gridspec(2, 2, width_ratios=[1.0, 1.05])
-        places, speeds, gaps = (
-            figure.add_subplot(grid[:, 0]),
-            figure.add_subplot(grid[0, 1]),
-            figure.add_subplot(grid[1, 1]),
-        )
-        _plot_paths(places, measured)
-        _plot_speeds(speeds, measured)
-        _plot_residuals(gaps, measured)
+        fits = [one.fit for one in measured.contacts if one.fit is not None]
+        _plot_paths(figure.add_subplot(grid[:, 0]), measured)
+        _plot_speeds(figure.add_subplot(grid[0, 1] if fits else grid[:, 1]), measured)
+        if fits:
+            _plot_residuals(figure.add_subplot(grid[1, 1]), measured, fits)
     return figure
 
 
@@ -191,18 +189,16 @@ def _plot_speeds(axes: Any, measured: Measured) -> None:
     axes.legend(loc="upper right", frameon=False, fontsize=7.5, ncols=2)
 
 
-def _plot_residuals(axes: Any, measured: Measured) -> None:
-    fits = [one.fit for one in measured.contacts if one.fit is not None]
+def _plot_residuals(axes: Any, measured: Measured, fits: list[ContactFit]) -> None:
     axes.axhspan(-1e3 * measured.noise, 1e3 * measured.noise, color="#eceae4", zorder=0, lw=0)
-    if fits:
-        frames = np.concatenate([(fit.time - fit["t"]) / measured.interval for fit in fits])
-        gap = 1e3 * np.concatenate([fit.residuals for fit in fits])
-        near = np.abs(frames) < MAX_FRAMES_SHOWN
-        axes.plot(frames[near], gap[near, 0], "o", ms=2.2, color=BLUE, mec="none", label="normal to the wall")
-        axes.plot(frames[near], gap[near, 1], "o", ms=2.2, color=ORANGE, mec="none", alpha=0.7, label="along the wall")
-        most = max(4.5e3 * measured.noise, 1.1 * float(np.quantile(np.abs(gap[near]), 0.995)))
-        axes.set_ylim(-most, 1.35 * most)
-        axes.legend(loc="upper right", frameon=False, fontsize=7.5, ncols=2)
+    frames = np.concatenate([(fit.time - fit["t"]) / measured.interval for fit in fits])
+    gap = 1e3 * np.concatenate([fit.residuals for fit in fits])
+    near = np.abs(frames) < MAX_FRAMES_SHOWN
+    axes.plot(frames[near], gap[near, 0], "o", ms=2.2, color=BLUE, mec="none", label="normal to the wall")
+    axes.plot(frames[near], gap[near, 1], "o", ms=2.2, color=ORANGE, mec="none", alpha=0.7, label="along the wall")
+    most = max(4.5e3 * measured.noise, 1.1 * float(np.quantile(np.abs(gap[near]), 0.995)))
+    axes.set_ylim(-most, 1.35 * most)
+    axes.legend(loc="upper right", frameon=False, fontsize=7.5, ncols=2)
     axes.axvline(0, ymax=LINE_TOP, color=INK, lw=0.5, ls=(0, (2, 2)))
     axes.set_title(f"Residuals (measured − fitted); band: noise {1e3 * measured.noise:.2g} mm", loc="left")
     axes.set(xlabel="frames from the contact", ylabel="residual, mm", xlim=(-MAX_FRAMES_SHOWN, MAX_FRAMES_SHOWN))
