@@ -113,11 +113,9 @@ def _in_view(rows: list[BallRows], gravity: float, notes: list[str]) -> tuple[li
     """Return rows without heights in the view that their motion suggests: from the side y is the height."""
     view, why = guess_view(_in_plane(rows), gravity) if gravity else NO_PULL
     if view == "above":
-        notes.append(f"seen from above ({why}): the balls are on the floor; if y is a height, name that column z")
+        notes.append(f"seen from above ({why}): the balls are on the floor")
         return rows, view
-    notes.append(
-        f"seen from the side ({why}): y is the height, above the lowest place of a ball; if not, give a column z"
-    )
+    notes.append(f"seen from the side ({why}): y is the height, above the lowest place of a ball")
     low = min(float(one.x[:, 1].min()) for one in rows)
     w, air = (
         [None if part is None else part @ UPRIGHT for part in parts]
@@ -455,7 +453,8 @@ def judge(
         known = UNKNOWN  # (used)
     rows, sigma, notes, view = read_rows(table, radius, mass, noise, 0.0 if any(slope) else gravity, known)
     balls = [replace(one, kappa=one.kappa or kappa, pieces=tuple(_pieces(one, sigma, drag_per_metre))) for one in rows]
-    notes += [] if tracked is None else tracked.notes
+    remedy = [] if view is None else ["if that is wrong, give the heights of the balls as a column z"]
+    notes += remedy if tracked is None else tracked.notes
     times = np.concatenate([ball.t for ball in balls])
     found = Judgement(sigma, notes, (float(times.min()), float(times.max())))
     places, roll = _Places(balls, sigma), CAMERA_ROLL if view == "side" else 0.0
