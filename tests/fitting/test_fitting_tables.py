@@ -95,7 +95,8 @@ def test_wall_and_floor_at_once_with_unmeasured_sidespin():
 
 
 @pytest.mark.slow
-def test_the_score_of_many_rows_without_spins_is_a_number():
+def test_the_score_of_many_rows_without_spins_is_a_number(monkeypatch):
+    monkeypatch.setattr(cross_validation, "CROSS_VALIDATION_WORK", 4e5)
     # (98 rows of wall and floor at once were beyond the work that cross-validation was allowed; all else is given, to be quick)
     given = {"friction": 0.2, "spin_mean": 0.4, "spin_width": 0.5}
     setting = Setting(radius=A, contact_height=HEIGHT, fixed=given)
