@@ -177,16 +177,14 @@ def test_forms_of_laws_beside_dop853(drag: str, lift: str, fades: float) -> None
 
 
 def test_the_drag_of_a_smooth_sphere_is_the_published_and_the_measured_one() -> None:
-    """Ranges of Morsi & Alexander's table 1, whose formulas join to 0.4 %, but for 2.4 % at 10,000; Schiller & Naumann below 800."""
+    """Ranges of Morsi & Alexander's table 1 join to 0.4 %, but for 2.4 % at 10,000; Schiller & Naumann below 800."""
 
     def drag(one: Any, re: float) -> float:
         return float(one.p0 + one.p2 / re + one.p3 / re**2)
 
     ranges = AIR_LAWS["smooth-sphere"].drag
     assert [one.high for one in ranges] == [0.1, 1, 10, 100, 1e3, 5e3, 1e4, math.inf]
-    jumps = [
-        drag(one, one.high) / drag(after, one.high) - 1 for one, after in zip(ranges[:-1], ranges[1:], strict=True)
-    ]
+    jumps = [drag(one, one.high) / drag(after, one.high) - 1 for one, after in itertools.pairwise(ranges)]
     assert np.abs(jumps[:-1]).max() < 0.0041
     assert jumps[-1] == pytest.approx(0.0239, abs=1e-4)
     for re in np.geomspace(0.02, 790, 60).tolist():
