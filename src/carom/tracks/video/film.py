@@ -55,7 +55,6 @@ GROWS = 0.03  # of the radius, that is said
 FAST, SLOW = 0.2, 0.3  # radii from frame to frame, and of the largest speed: a ball whose blur tells the exposure
 HELD, DEEP = 0.95, 0.8  # of the radius and of the misfit, what is left of both where a deep shadow was part of the disc
 LONGEST, STRETCHED = 1.2, 0.7  # of the time from frame to frame, an exposure; of the radius, a blur that says so
-AS_SEEN = 1.05  # of the time from frame to frame: an exposure at most, which light makes longer
 LONG_EXPOSURE = 0.5  # of the time from frame to frame
 
 
@@ -221,7 +220,7 @@ def _candidate(
     stretched = (
         optics.exposure > LONGEST * interval and optics.exposure * _median(quick[fast]) > STRETCHED * optics.radius
     )
-    optics = optics._replace(exposure=min(optics.exposure, AS_SEEN * interval))
+    optics = optics._replace(exposure=min(optics.exposure, interval))
     slow = [(patch, at, speed) for (patch, _at, speed), at in zip(good, places, strict=True)]
     slow.sort(key=lambda one: float(np.hypot(*one[2])))
     optics = optics._replace(shift=_colour_shift(slow[:5], optics))
@@ -602,9 +601,7 @@ def _by_rows(
         lags.append((value, float(np.linalg.norm([times_error * error, LAG_SHARE * value, common]))))
         seen = ball.optics._replace(lag=optics.lag if value > 3 * error else 0.0)
         exposure = fit_optics(its, seen, "rse", steps=4)[0].exposure
-        found.append(
-            ball._replace(optics=seen._replace(exposure=min(exposure, AS_SEEN * float(np.median(np.diff(times))))))
-        )
+        found.append(ball._replace(optics=seen._replace(exposure=min(exposure, float(np.median(np.diff(times)))))))
     return found, lags
 
 
