@@ -581,7 +581,7 @@ def measure_tracks(
         returns; tables in memory (a dict of arrays, a DataFrame, a structured array) with the columns of such a file, ``t``, ``x``,
         ``y``, and ``ball`` where there are several; or :class:`Track`. A list of Track is one film.
     format : str, optional
-        Format of the files, a key of FORMATS; overrides detection.
+        Format of the files, such as tracker or kinovea; a wrong name is answered with all. Default: by their content.
     scale : float or str, optional
         Metres per unit of the file, 0.0005 or 0.5mm; of a film also gravity.
     rate : float, optional

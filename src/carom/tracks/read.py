@@ -242,7 +242,7 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
         raise CaromError(f"{path}: expected a track file, got a folder")
     if format is not None and format not in FORMATS:
         raise CaromError(
-            Fault("tracks", "format", f"one of {', '.join(FORMATS)}", repr(format), suggestion(format, list(FORMATS)))
+            Fault("tracks", "format", "the name of a format", repr(format), suggestion(format, list(FORMATS)))
         )
     if is_film(path) and format is None:
         return _of_film(track_film(path, **{"scale": calibration.scale, "rate": calibration.rate, **calibration.film}))
