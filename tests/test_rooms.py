@@ -252,7 +252,7 @@ def test_a_module_that_is_run_ends_with_its_call() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10700,
+    "fitting": 10706,
     "gas": 6953,
     "billiards": 5586,
     "tracks": 9416,

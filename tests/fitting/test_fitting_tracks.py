@@ -474,10 +474,16 @@ def test_a_fit_that_does_not_follow_says_so() -> None:
     assert due in found.verdict
 
 
-def test_a_friction_that_has_two_values_gets_none() -> None:
-    # 0.216 and 0.244 fit alike: one contact stands at the edge between sliding and holding
+@pytest.mark.parametrize(
+    "seed",
+    [
+        188,  # 0.216 and 0.244 fit alike: one contact stands at the edge between sliding and holding
+        5053,  # with the other friction the restitution is another: by 16 error bars of the better valley alone
+    ],
+)
+def test_a_friction_that_has_two_values_gets_none(seed: int) -> None:
     truth: dict[str, float] = {}
-    best = made(188, truth).best
+    best = made(seed, truth).best
     assert best.follows
     assert best.estimates["friction"].value is None
     assert "friction" in best.untold

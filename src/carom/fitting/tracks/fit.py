@@ -336,14 +336,14 @@ def fit_track_law(
     return _with_friction_profile(fit, others) if fit.follows or fit.design_effect > 1 else fit
 
 
-def _across_kinks(model: TrackModel, best: SearchEnd, noise: float) -> tuple[SearchEnd, list[tuple[float, float]]]:
+def _across_kinks(model: TrackModel, best: SearchEnd, noise: float) -> tuple[SearchEnd, list[tuple[Numbers, float]]]:
     """Continue the search beyond kinks. Return the best end, and other frictions, each with its chi^2, of the last round.
 
     Widely spread frictions are tried too, with the walls at the measured contacts: first, and again if the law does not follow the
     frames.
     """
     walls = {name: one.value for name, one in model.free.items() if name.startswith("wall_")}
-    seen: list[tuple[float, float]] = []
+    seen: list[tuple[Numbers, float]] = []
 
     def explore(end: SearchEnd, nearby: list[float], everywhere: list[float]) -> SearchEnd:
         best = end.fit
@@ -353,9 +353,9 @@ def _across_kinks(model: TrackModel, best: SearchEnd, noise: float) -> tuple[Sea
         others = [
             finish(model, best.frames, best.starts, one.q, one.numbers, noise, lambda: None, True) for one in freed
         ]
-        seen[:] = [(one.numbers["friction"], one.chi2) for one in held]
+        seen[:] = [(one.numbers, one.chi2) for one in held]
         # (by deviance: each has scatters, and so a chi^2, of its own)
-        seen.extend((fit.numbers["friction"], best.chi2 + fit.deviance - best.deviance) for fit, _settled in others)
+        seen.extend((fit.numbers, best.chi2 + fit.deviance - best.deviance) for fit, _settled in others)
         return min([end, *others], key=lambda one: one.fit.deviance)
 
     best = cross_kinks(
@@ -403,17 +403,26 @@ def _hold(model: TrackModel, best: TrackFit, friction: float, numbers: Numbers) 
     )
 
 
-def _with_friction_profile(best: TrackFit, others: Sequence[tuple[float, float]]) -> TrackFit:
+def _with_friction_profile(best: TrackFit, others: Sequence[tuple[Numbers, float]]) -> TrackFit:
     """Return the fit with the friction's error bar by profile likelihood, as for rebounds with unmeasured spins; and without an
-    estimate where another friction, beyond a kink, fits as well (95 %). Where the law does not follow the frames, chi^2 counts
-    by its design effect: at a kink the derivatives say nothing of how far a friction may be off."""
+    estimate where another friction, beyond a kink, fits as well (95 %): other error bars then reach the numbers that go with it.
+
+    Where the law does not follow the frames, chi^2 counts by its design effect: at a kink the derivatives say nothing of how far a
+    friction may be off.
+    """
     step = best.estimates["friction"].stderr
     if not step:
         return best
     here, parameter = best.numbers["friction"], best.model.free["friction"]
-    alike = [one for one, chi2 in others if chi2 < best.chi2 + LEVELS[1] and abs(one - here) > DISTINCT * step]
+    alike = [(one, max(chi2 - best.chi2, 1.0)) for one, chi2 in others
+             if chi2 < best.chi2 + LEVELS[1] and abs(one["friction"] - here) > DISTINCT * step]  # fmt: skip
     if alike and best.follows:
-        return ambiguous(best, "friction", alike[0])
+        wide = ambiguous(best, "friction", alike[0][0]["friction"])
+        for name, estimate in wide.estimates.items():  # (what depends on which of them it is)
+            if estimate.stderr:
+                far = max(abs(one[name] - best.numbers[name]) / math.sqrt(rise) for one, rise in alike)
+                wide = scaled(wide, name, max(1.0, far / estimate.stderr))
+        return wide
 
     def rises(values: Array, _which: object) -> Array:
         return held_rises(best, "friction", values)[0] / best.design_effect
