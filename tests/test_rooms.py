@@ -255,7 +255,7 @@ CAPS = {
     "fitting": 10706,
     "gas": 6953,
     "billiards": 5586,
-    "tracks": 9416,
+    "tracks": 9417,
     "simulation": 6439,
     "core": 5745,
     "laws": 4969,

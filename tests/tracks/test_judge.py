@@ -455,6 +455,31 @@ def test_a_rate_and_a_scale_hold_for_tables_as_for_tracks(tmp_path: Path) -> Non
         assert found.noise == pytest.approx(truth.noise, rel=1e-3, abs=1e-13)
 
 
+def test_the_readout_of_a_camera_holds_for_tables_of_all_forms(tmp_path: Path) -> None:
+    """Rows read one after the other: by their own times a flight is a parabola to rounding, by the stamps it is none."""
+    t, _z = bouncing(restitution=0.8)
+    v, readout, high = 1.0, 0.03, 0.5
+    t = t[:60]
+    late = t.copy()
+    for _ in range(60):  # (when its row is read, a ball that is lower is seen later)
+        z = 0.4 + v * late - G / 2 * late**2
+        late = t - readout * z / high
+    film = {"readout": readout, "picture_height": high}
+    rows = "".join(
+        f"{a!r},{b!r},{c!r}\n" for a, b, c in zip(t.tolist(), (0.3 * late).tolist(), z.tolist(), strict=True)
+    )
+    (tmp_path / "plain.csv").write_text(f"t,x,y\n{rows}")
+    (tmp_path / "headed.csv").write_text(f"t [s],x [m],y [m]\n{rows}")
+    for table in ({"t": t, "x": 0.3 * late, "y": z}, tmp_path / "plain.csv", tmp_path / "headed.csv"):
+        found = judge(table, radius=R, film=film)
+        assert laws_of(found) == {}
+        assert found.checked["gravity"] > 0
+        assert found.noise < 1e-13
+        assert judge(table, radius=R).noise > 1e-8
+    with pytest.raises(CaromError, match="`picture_height`: expected the height of the picture"):
+        judge(tmp_path / "plain.csv", radius=R, film={"readout": readout})
+
+
 def test_settings_of_pictures_are_refused_for_tables() -> None:
     t, z = bouncing(restitution=0.8)
     with pytest.raises(CaromError) as caught:

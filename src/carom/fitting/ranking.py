@@ -74,7 +74,7 @@ from carom.scene import Scene
 
 Array = NDArray[np.float64]
 # Law evaluations (carom.fitting.rows.Problem.work) up to which each fold descends on its own. Beyond, each gets one Newton step:
-# with 89 rows that was off by 0.05 a row, with 300 by 0.0004.
+# with 89 rows two-step's score was off by 0.05 a row, with 300 by 0.0004.
 CROSS_VALIDATION_WORK = 4e6
 FOLDS, MAX_FOLDED_ROWS, FEW_STEPS, LAW_STEPS = 10, 20_000, 6, 2
 LARGEST_STEP = 3.0  # error bars by which one Newton step may move a parameter

@@ -31,7 +31,7 @@ from carom.tracks.contact import View
 from carom.tracks.films import columns_of_file, columns_of_tracks, film_options
 from carom.tracks.formats.tables import Calibration
 from carom.tracks.preprocess import at_rate, guess_view, times_behind_rounding
-from carom.tracks.read import film_at_its_rate, require_table_settings
+from carom.tracks.read import film_at_its_rate, read_by_rows, require_table_settings
 from carom.tracks.track import BallRows, PathPiece, Track
 from carom.tracks.verdicts import SIGMAS, Judgement, by_film_laws
 from carom.tracks.video.film import likeliest_ball
@@ -65,12 +65,12 @@ def read_rows(
 
     And the view, of a table without heights: as fits and films guess it.
     """
-    where, notes, scale = "judge", list[str](), calibration.scale or 1.0
+    where, notes = "judge", list[str]()
     if is_columns(table):
         columns = as_columns(table, where)
     else:
         where = str(path := as_path("judge", table))
-        columns, scale = _columns(path, notes, calibration)
+        columns, calibration = _columns(path, notes, calibration)
     require_table_settings(where, calibration)
     faults = FaultList(where)
     if not {"t", "x", "y"} <= set(columns):
@@ -78,7 +78,7 @@ def read_rows(
         expected = "columns t, x and y, in s and m, a row per ball and frame, or tracks of a program that carom reads"
         faults.add("", expected, f"{got:.60}{'...' if got[60:] else ''}")
     faults.raise_if_any()
-    unit = dict.fromkeys(LENGTHS, scale)
+    unit = dict.fromkeys(LENGTHS, calibration.scale or 1.0)
     numbers = {name: _numbers(faults, name, columns[name]) * unit.get(name, 1.0) for name in NUMBERS if name in columns}
     faults.raise_if_any()
     notes += not_used(name for name in columns if name not in (*NUMBERS, *LABELS, *OF_FRAMES))
@@ -90,9 +90,10 @@ def read_rows(
         raise CaromError(f"{where}: expected more than {FEW} frames of a ball, got fewer")
     # (rows share a time in some frames only where times are rounded)
     several = [one.name for one in rows if len(one.t) > FEW and np.unique(one.t, return_counts=True)[1].min() > 1]
-    if calibration.rate is not None:
-        filmed = at_rate(_in_plane(rows), calibration.rate, where, notes)
-        rows = [replace(row, t=one.time) for row, one in zip(rows, filmed, strict=True)]
+    filmed = _in_plane(rows)
+    filmed = filmed if calibration.rate is None else at_rate(filmed, calibration.rate, where, notes)
+    filmed = list(read_by_rows(where, filmed, calibration))
+    rows = [replace(row, t=one.time) for row, one in zip(rows, filmed, strict=True)]
     clock = [one.t for one in rows] if several else times_behind_rounding([one.t for one in rows], notes)
     several += [one.name for one, t in zip(rows, clock, strict=True) if len(t) > FEW and np.any(np.diff(t) <= 0)]
     if several:
@@ -167,8 +168,8 @@ def _rows_of_balls(
     return rows
 
 
-def _columns(path: Path, notes: list[str], known: Calibration) -> tuple[Columns, float]:
-    """Return the columns of a file, and metres per unit of their lengths.
+def _columns(path: Path, notes: list[str], known: Calibration) -> tuple[Columns, Calibration]:
+    """Return the columns of a file, and by what their lengths and times are to be calibrated.
 
     Of JSON, frames as ``save_frames`` writes them, with arrays (frame, ball, axis). Any other file of tracks is read as tracks,
     with its units.
@@ -176,8 +177,8 @@ def _columns(path: Path, notes: list[str], known: Calibration) -> tuple[Columns,
     if path.suffix.lower() != ".json":
         columns = {} if path.suffix.lower() == ".msgpack" else read_columns(path)[0]
         if {"t", "x", "y"} <= set(columns):
-            return columns, known.scale or 1.0
-        return columns_of_file(path, columns, notes, known), 1.0
+            return columns, known
+        return columns_of_file(path, columns, notes, known), UNKNOWN
     wanted = "a table (.csv, .parquet), or JSON with t, balls and position as frames are saved"
     expected, given = f"{path}: expected {wanted}", parse_json(path, read_regular(path, most=MOST_TABLE), wanted)
     try:
@@ -196,7 +197,7 @@ def _columns(path: Path, notes: list[str], known: Calibration) -> tuple[Columns,
         raise CaromError(f"{expected}, got JSON without {error.args[0]!r}") from None
     except (ValueError, TypeError):
         raise CaromError(f"{expected}, got JSON of another form") from None
-    return found, known.scale or 1.0
+    return found, known
 
 
 def _known_rows(faults: FaultList, numbers: dict[str, Array], notes: list[str]) -> NDArray[np.bool_]:

@@ -289,17 +289,20 @@ def _with_positions(path: Path, name: str, tracks: list[Track], calibration: Cal
     if name != "columns":  # (which does so before its units are converted)
         tracks = [without_marked_places(track, calibration.scale or 1.0) for track in tracks]
     found = _checked_tracks(path, name, tracks, calibration)
+    return replace(found, tracks=tuple(read_by_rows(path, found.tracks, calibration)))
+
+
+def read_by_rows(path: str | Path, tracks: Sequence[Track], calibration: Calibration) -> Sequence[Track]:
+    """Return tracks with the times at which the camera has read their rows, where it is known how long it reads a picture."""
     readout, height = (calibration.film.get(one) for one in ("readout", "picture_height"))
     if not readout:
-        return found
+        return tracks
     if not height:
         wanted = "the height of the picture in the scene, m, with `readout`"
         raise CaromError(Fault(f"{path}", "`picture_height`", wanted, "none"))
     # (a row that is lower in the picture is read later; where the picture begins shifts all times alike)
-    seen = [one.select(one.seen) for one in found.tracks]
-    return replace(found, tracks=tuple(
-        replace(one, time=one.time - readout * one.position[:, 1] / height, stamped=True) for one in seen
-    ))  # fmt: skip
+    seen = [one.select(one.seen) for one in tracks]
+    return [replace(one, time=one.time - readout * one.position[:, 1] / height, stamped=True) for one in seen]
 
 
 def _checked_tracks(path: Path, name: str, tracks: Sequence[Track], calibration: Calibration) -> TrackFile:
