@@ -375,12 +375,12 @@ def test_a_plot_of_a_sweep_names_its_own_options(capsys):
         ),
         (
             ("compare", "--contact-height", "37apples"),
-            "--contact-height: expected a length, such as 0.0005 (m) or 0.5mm",
+            "--contact-height: expected radii of the ball, such as 1.25, or a length with its unit, such as 37mm, got '37apples'",
         ),
         (
             ("compare", "--cushion-height", "0.037"),
-            "--contact-height: expected radii of the ball, such as 1.25, or a length with its unit, got 0.037; for a length write"
-            " 37mm",
+            "--contact-height: expected radii of the ball, such as 1.25, or a length with its unit, such as 37mm, got 0.037;"
+            " for a length write 37mm",
         ),
         (
             ("predict", "a.csv", "--law", "maw", "--contact-height", "37mm"),

@@ -38,7 +38,7 @@ VERBS: dict[str, dict[str, str]] = {
 GROUPS = {
     "scene": "Write a first scene file, or validate one.",
     "sweep": "Compute maps over parameters of a scene, an impact, an orbit or a gas.",
-    "tracks": "Tracks of filmed balls: summarise a file, and measure its rebounds.",
+    "tracks": "Tracks of filmed balls: summarise a file or a film, and measure its rebounds.",
 }
 # fmt: on
 FIRST = {name.partition(" ")[0] for verbs in VERBS.values() for name in verbs}

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.options import OUTPUT, TRACK, option, require_outputs, shared, tell, write_report_page, wrote
+from carom.cli.options import OUTPUT, TRACK, option, require_outputs, shared, tell, wrote
 from carom.cli.parameters import Given, of_library
 from carom.cli.streams import note, say_json
 from carom.cli.verbs import with_options
@@ -272,9 +272,9 @@ def fit(
         tell(ranking, next((one for name, one in shows.items() if name in given), show), as_json, console, ())
     with _bar(console) as progress:  # (what was computed is shown, whatever becomes of the files)
         if report is not None:
-            write_report_page(
-                lambda: _page(with_options(ranking), files, report), lambda text, done: progress(done, 1.0, text)
-            )
+            require_library("matplotlib", "--report")
+            progress(1.0, 1.0, "report")
+            _page(with_options(ranking), files, report)
             wrote(report)
         _draw(ranking, plot)
         if explore is not None:

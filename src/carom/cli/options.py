@@ -43,15 +43,18 @@ def in_radii(option: str, text: str, radius: float | None) -> float:
     """Return the height of a contact in radii of the ball: a number of them, or a length with its unit."""
     from carom.core.units import decimal_point
 
+    expected = "radii of the ball, such as 1.25, or a length with its unit, such as 37mm"
     try:
         height = float(decimal_point(text))
     except ValueError:
-        length = parse_with_unit(option, "m", text)
+        try:
+            length = parse_with_unit(option, "m", text)
+        except CaromError:
+            raise CaromError(Fault("", option, expected, repr(text))) from None
         if not radius:
             raise CaromError(Fault("", option, "`radius` beside a length", "none")) from None
         return length / radius
     if 0 < height < LEAST_RADII:
-        expected = "radii of the ball, such as 1.25, or a length with its unit"
         raise CaromError(Fault("", option, expected, text, f"for a length write {1000 * height:g}mm"))
     return height
 
@@ -93,7 +96,7 @@ _NAMES = {
     FLOOR: "floor_restitution floor_friction floor_tangential_restitution floor_contact gravity rolling_resistance slope",
     RUN: "seed starts law",
     TRACK: "format scale rate down view balls noise wall hard drag_per_metre window blind",
-    FILM: "length readout ball colour region corners picture_height start end",
+    FILM: "length readout ball colour region corners picture_height start end marks",
     REBOUNDS: "kind stage where by sigma_v sigma_spin spin every_contact scatter suffix strict",
 }
 SPLIT = ("laws", "fit", "itinerary")  # at commas
@@ -284,13 +287,6 @@ def write_files(
                 action(result, path)
                 written.append(path)
     return written
-
-
-def write_report_page(write: Callable[[], Path], say: Callable[[str, float], None]) -> Path:
-    """Write a requested report and return its path; CaromError if Matplotlib is missing."""
-    require_library("matplotlib", "--report")
-    say("report", 1.0)
-    return write()
 
 
 def write_new(file: Path | None, text: str, force: bool) -> None:

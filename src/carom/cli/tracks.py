@@ -371,7 +371,7 @@ def show(
 
 
 @of_library(
-    "tracks.video.film:track_film", without=("path", "picture_height"), panels={FILM: "balls scale rate gravity marks"}
+    "tracks.video.film:track_film", without=("path", "picture_height"), panels={FILM: "balls scale rate gravity"}
 )
 def track(
     film: Annotated[
@@ -388,7 +388,7 @@ def track(
     as_json: Annotated[bool, shared("json")] = False,
     given: Given,
 ) -> None:
-    """Track balls in a film by their outlines, with the times of its container.
+    """Track balls in a film by their outlines, with the times of its container (`carom tracks show` also measures contacts).
 
     carom track bounce.mp4 --length 102,655,1180,650=1m --out track.csv
     """
