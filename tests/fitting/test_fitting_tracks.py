@@ -440,6 +440,7 @@ def made(seed: int, truth: dict[str, float]) -> TrackRanking:
         33,  # the first search ends beside a kink, at chi^2 679 for 460, with a friction of 0.207
         55,  # two valleys, 0.2614 and 0.2742, the better so narrow that frictions held by tenths step over it
         57,  # two contacts 8 ms apart in a corner: sidespins have to be followed before one is chosen
+        5039,  # the minimum is a corner at the end of a valley along which friction and restitution vary: 4 and 7 bars of curvature
     ],
 )
 @pytest.mark.slow(keep=1)

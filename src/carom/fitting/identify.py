@@ -433,16 +433,17 @@ def profile_ends(
 
 
 def half_width(
-    rises: Rises, best: float, step: float, low: float, high: float, level: float = 1.0
+    rises: Rises, best: float, step: float, low: float, high: float, level: float = 1.0, farther: bool = False
 ) -> tuple[float, Array]:
-    """Return half the width within which a profile rises by less than a level, searched for from a step away, in error bars of this
-    level, and the rises at its ends, which are that level except at a bound."""
+    """Return half the width within which a profile rises by less than a level, or the distance to its ``farther`` end, searched for
+    from a step away, in error bars of this level, and the rises at its ends, which are that level except at a bound."""
     far = np.clip(best + step * np.array([-1.0, 1.0]), low, high)
     end, rise = profile_ends(
         rises, best, far, np.array([low, high]), np.full(2, level), jump=False, rounds=HALF_WIDTH_ROUNDS, close=HALF_WIDTH_CLOSE,
     )  # fmt: skip
     nearly = np.where(np.abs(rise - level) <= HALF_WIDTH_CLOSE * level, rise, level)  # (its root is nearly linear)
-    return float((np.abs(end - best) / np.sqrt(nearly)).sum()) / 2, rise
+    distance = np.abs(end - best) / np.sqrt(nearly)
+    return float(distance.max() if farther else distance.mean()), rise
 
 
 def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.files import require_library
 from carom.fitting.evidence import weigh
-from carom.fitting.identify import LEVELS, half_width
+from carom.fitting.identify import HALF_WIDTH_CLOSE, LEVELS, half_width
 from carom.fitting.ranking import step_callback
 from carom.fitting.result import scaled
 from carom.fitting.rows import Setting, require_settings
@@ -60,19 +60,16 @@ from carom.tracks.events import WallLine
 from carom.tracks.measurement import Measured
 
 Array = NDArray[np.float64]
-SLIDE_GAIN = (
-    9.21  # decrease of chi^2 for which a slide before the first contact is accepted: two more parameters, 1 % by chance
-)
+# Decrease of chi^2 for which a slide before the first contact is accepted: two more parameters, 1 % by chance
+SLIDE_GAIN = 9.21
 SLIDE_SHARES = (0.15, 0.7)  # of full slip at the start: a small part of it, or most of it
 SIDESPINS = 17  # number of sidespins that are tried
 SLIPS = (0.0, 0.7, 1.5, 2.5)  # along the motion, in speeds: slips beside which sidespins are tried
 BEST_SPINS = 2  # of each slip: those whose starts are then fitted
 FOLLOWING_STEPS = 5  # of the rest of a start after a sidespin has been changed
 TURNS = 4  # rounds in which sidespins are tried again and all parameters are fitted
-SPIN_WIDTH, SLIP_WIDTH = (
-    1.25,
-    1.0,
-)  # v/a and v: sidespin, where no width is given, and slip at the start are normal about zero
+# v/a and v: sidespin, where no width is given, and slip at the start are normal about zero
+SPIN_WIDTH, SLIP_WIDTH = 1.25, 1.0
 POSITION_SCALE, LEAST_SPEED = 1e-2, 0.1  # m, m/s
 LINE_FRAMES = 8
 FAST = 0.2  # m/s towards a wall: slower contacts do not determine the restitution
@@ -404,8 +401,9 @@ def _hold(model: TrackModel, best: TrackFit, friction: float, numbers: Numbers) 
 
 
 def _with_friction_profile(best: TrackFit, others: Sequence[tuple[Numbers, float]]) -> TrackFit:
-    """Return the fit with the friction's error bar by profile likelihood, as for rebounds with unmeasured spins; and without an
-    estimate where another friction, beyond a kink, fits as well (95 %): other error bars then reach the numbers that go with it.
+    """Return the fit with the friction's error bar by profile likelihood, up to its farther end (beside a kink one side is steep),
+    and without an estimate where another friction, beyond a kink, fits as well (95 %). Error bars of other parameters reach the
+    values that go with each friction that fits as well.
 
     Where the law does not follow the frames, chi^2 counts by its design effect: at a kink the derivatives say nothing of how far a
     friction may be off.
@@ -414,22 +412,27 @@ def _with_friction_profile(best: TrackFit, others: Sequence[tuple[Numbers, float
     if not step:
         return best
     here, parameter = best.numbers["friction"], best.model.free["friction"]
-    alike = [(one, max(chi2 - best.chi2, 1.0)) for one, chi2 in others
+    alike = [(list(one.values()), chi2 - best.chi2) for one, chi2 in others
              if chi2 < best.chi2 + LEVELS[1] and abs(one["friction"] - here) > DISTINCT * step]  # fmt: skip
-    if alike and best.follows:
-        wide = ambiguous(best, "friction", alike[0][0]["friction"])
-        for name, estimate in wide.estimates.items():  # (what depends on which of them it is)
-            if estimate.stderr:
-                far = max(abs(one[name] - best.numbers[name]) / math.sqrt(rise) for one, rise in alike)
-                wide = scaled(wide, name, max(1.0, far / estimate.stderr))
-        return wide
 
     def rises(values: Array, _which: object) -> Array:
-        return held_rises(best, "friction", values)[0] / best.design_effect
+        rise, numbers = held_rises(best, "friction", values)
+        rise /= best.design_effect
+        near = rise < LEVELS[1] * (1 + HALF_WIDTH_CLOSE)
+        alike.extend(zip(numbers[near].tolist(), rise[near].tolist(), strict=True))
+        return rise
 
-    half, _rise = half_width(rises, here, step, parameter.low, parameter.high)
-    found: TrackFit = scaled(best, "friction", half / step)
-    return found
+    if alike and best.follows:
+        wide = ambiguous(best, "friction", dict(zip(best.names, alike[0][0], strict=True))["friction"])
+    else:
+        ends = parameter.low, parameter.high
+        bar = max(half_width(rises, here, step, *ends, level, farther=True)[0] for level in LEVELS)
+        wide = scaled(best, "friction", bar / step)
+    for i, (name, estimate) in enumerate(wide.estimates.items()):
+        if estimate.stderr and name != "friction":
+            moved = [abs(one[i] - best.numbers[name]) / math.sqrt(max(rise, 1.0)) for one, rise in alike]
+            wide = scaled(wide, name, max([estimate.stderr, *moved]) / estimate.stderr)
+    return wide
 
 
 # ----------------------------------------------------------------------------------------------------

@@ -596,9 +596,8 @@ def descend(
 # Result of one law fitted to whole tracks.
 
 
-MAX_SCATTER = (
-    1.3  # largest ratio of scatter to estimated noise, in the median segment, for a law that follows the frames
-)
+# Largest ratio of scatter to estimated noise, in the median segment, for a law that follows the frames
+MAX_SCATTER = 1.3
 
 
 @dataclass(frozen=True, eq=False)
