@@ -252,13 +252,13 @@ def test_a_module_that_is_run_ends_with_its_call() -> None:
 
 # Lines of code that a room may have (no blank, comment or docstring lines), and modules in all.
 CAPS = {
-    "fitting": 10706,
+    "fitting": 10705,
     "gas": 6953,
-    "billiards": 5586,
-    "tracks": 9417,
+    "billiards": 5588,
+    "tracks": 9418,
     "simulation": 6439,
     "core": 5745,
-    "laws": 4969,
+    "laws": 4968,
     "scene": 4890,
     "cli": 4209,
     "plot": 3625,

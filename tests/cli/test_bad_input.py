@@ -382,6 +382,7 @@ def test_a_plot_of_a_sweep_names_its_own_options(capsys):
             "--contact-height: expected radii of the ball, such as 1.25, or a length with its unit, such as 37mm, got 0.037;"
             " for a length write 37mm",
         ),
+        (("orbit", "circle", "--starts", "5"), "--starts has no effect without --periodic or --itinerary; omit it"),
         (
             ("predict", "a.csv", "--law", "maw", "--contact-height", "37mm"),
             "--contact-height: expected --radius beside a length, got none",

@@ -8,6 +8,7 @@ import pytest
 
 import carom
 from carom.laws.law import PAPER
+from carom.laws.registry import card_named
 
 SOURCES = [(name, source.strip()) for name, card in carom.CARDS.items() for source in re.split(r";", card.citation)]
 AUTHOR = re.compile(r"\b[A-Z]\.(-?[A-Z]\.| [A-Z]\.)* ?[A-Z][a-zé]+")
@@ -43,3 +44,7 @@ def test_a_card_has_an_identifier_or_is_from_the_paper_alone(name: str) -> None:
 def test_no_card_speaks_of_the_paper_without_its_title() -> None:
     assert not [name for name, card in carom.CARDS.items() if "the paper" in card.citation.lower()]
     assert sum(PAPER in card.citation for card in carom.CARDS.values()) > 5
+
+
+def test_a_card_is_found_by_the_other_names_of_its_law() -> None:
+    assert card_named("marlow") is carom.CARDS["alciatore"]

@@ -483,8 +483,9 @@ def test_the_readout_of_a_camera_holds_for_tables_of_all_forms(tmp_path: Path) -
 def test_settings_of_pictures_are_refused_for_tables() -> None:
     t, z = bouncing(restitution=0.8)
     with pytest.raises(CaromError) as caught:
-        judge({"t": t, "x": t, "y": z}, scale="gravity", film={"region": "0,0,9,9", "start": 1.0})
-    assert [said.split(":")[1].strip() for said in caught.value.faults] == ["`scale`", "`region`", "`start`"]
+        judge({"t": t, "x": t, "y": z}, scale="gravity", film={"region": "0,0,9,9", "start": 1.0, "picture_height": 1})
+    names = [said.split(":")[1].strip() for said in caught.value.faults]
+    assert names == ["`scale`", "`region`", "`start`", "`picture_height`"]
 
 
 @pytest.fixture

@@ -21,7 +21,7 @@ from carom.billiards.stability import Lyapunov, spectrum_of
 from carom.billiards.tables import Table, in_magnetic_field, under
 from carom.billiards.tables import table as table_of
 from carom.bodies import Ball, Disc, Surface
-from carom.errors import CaromError, FaultList, did_you_mean, near_name, require_count
+from carom.errors import CaromError, Fault, FaultList, did_you_mean, near_name, require_count
 from carom.laws.law import Law
 from carom.public.defaults import BOUNCES, PERIODIC_STARTS
 from carom.public.other_rooms import saved_figure
@@ -222,6 +222,8 @@ def check_orbit(table: Any, bounces: int = BOUNCES, **given: Any) -> tuple[Any, 
     together = len(faults) == before  # else each of these faults would be reported again below
     faults.attempt(require_count, "orbit", "bounces", bounces)
     faults.attempt(require_count, "orbit", "seed", one.seed, 0)
+    if one.starts != PERIODIC_STARTS and one.periodic is None and one.itinerary is None:
+        faults.append(Fault(advice="`starts` has no effect without `periodic` or `itinerary`; omit it"))
     start = None if made is None else faults.attempt(_start, made, one.position, one.velocity, one.spin, one.orbits)
     setup = None
     if together:

@@ -99,10 +99,9 @@ def one_or_several(where: str, laws: str | Law | Iterable[str | Law]) -> list[An
 def card_named(name: str) -> Card:
     """Return the card of a law by name; CaromError with the nearest name where there is none."""
     require_type("card_named", "name", name, str)
+    name = next((law.name for law in laws().values() if name in law.aliases), name)
     if name not in cards():
-        raise CaromError(
-            Fault("law", "", f"one of {', '.join(cards())}", repr(name), did_you_mean(name, list(cards())))
-        )
+        raise CaromError(Fault("law", "", f"one of {', '.join(cards())}", repr(name), did_you_mean(name, [*cards()])))
     return cards()[name]
 
 

@@ -98,7 +98,7 @@ def read_rows(
     several += [one.name for one, t in zip(rows, clock, strict=True) if len(t) > FEW and np.any(np.diff(t) <= 0)]
     if several:
         raise CaromError(
-            f"{where}: {several[0]}: expected one row per frame, got two of the same time; give each ball a name"
+            f"{where}: {several[0]}: expected one row per frame, got two of the same time; name each ball in a column ball"
         )
     rows = [replace(one, t=t, clock=_clock_error(one.t, t)) for one, t in zip(rows, clock, strict=True)]
     sigma = _noise(rows) if noise is None else float(noise)

@@ -276,7 +276,8 @@ def require_table_settings(path: str | Path, calibration: Calibration) -> None:
     if word := calibration.film.get("scale"):
         advice = "of films alone it is found by gravity"
         faults.add("`scale`", "the length of a unit of its positions, such as 1cm", repr(word), advice)
-    for name in PICTURE_SETTINGS:
+    unused = ("picture_height",) * (not calibration.film.get("readout"))
+    for name in (*PICTURE_SETTINGS, *unused):
         if calibration.film.get(name):
             faults.add(f"`{name}`", "a film (it applies to pictures alone)", "a table of positions", "omit it")
     faults.raise_if_any()
