@@ -103,11 +103,12 @@ class Event:
     after: State
     """Velocity, spin, position."""
     impulse: Array
-    """(3,), N s, on the ball."""
+    """(3,), N s, on the ball; of wall and floor together under ``han2005``, ``mathavan2010`` and ``stronge-cushion``."""
     floor_impulse: Array
     """(3,), N s: of the floor, while a wall pressed the ball on it."""
     required_friction: float
-    """The least coefficient of friction with which the contact would have stuck."""
+    """The least coefficient of friction with which the contact would have stuck; 0 under laws that do not give it: ``mirror``, ``maw``,
+    ``stronge``, ``alciatore`` and those of cushions."""
     regime: str
     """Regime of the contact: "stick", "slide", ...; empty if there was none."""
     energy_lost: float
