@@ -71,8 +71,8 @@ FILMS = 3  # of each kind but the drawn ones
 NAMED_FILMS = 20
 
 
-def drawn_film(path: Path, seed: int) -> RenderedFilm:
-    """A film of anything that a person may film with a phone on a stand."""
+def drawn_film(path: Path, seed: int, **other: float) -> RenderedFilm:
+    """A film of anything that a person may film with a phone on a stand; ``other``: in place of what is drawn."""
     rng = np.random.default_rng(seed)
     rate = float(rng.choice([30.0, 60.0, 60.0, 120.0, 240.0]))
     colour = [YELLOW, RED, WHITE, ORANGE, (0.15, 0.25, 0.6)][rng.integers(5)]
@@ -90,7 +90,7 @@ def drawn_film(path: Path, seed: int) -> RenderedFilm:
     look = Look(colour, pattern, ambient=float(rng.uniform(0.3, 0.8)), highlight=float(rng.uniform(0, 0.5)))
     return bouncing_film(
         path, look=look, spin=spin, texture=texture, colour=tuple(rng.uniform(0.1, 0.6, 3)), frames=int(seconds * rate), seed=seed,
-        shadow=str(rng.choice(["floor", "floor", ""])), **one,
+        shadow=str(rng.choice(["floor", "floor", ""])), **one | other,
     )  # fmt: skip
 
 

@@ -1,22 +1,28 @@
 """Does `carom judge` blame carom's own runs? Drawn runs on slopes, among cushions, frozen to one, in the air and from racks.
 
-    python campaigns/runs_judged.py [N] [--only NAME] [--rows FILE]
+    python campaigns/runs_judged.py [N] [--only NAME] [--first SEED] [--rows FILE]
 
 N runs (100) a kind, by tests/reference/judged_runs.py, at 60 to 480 frames a second: no violation is right. Then the same runs with
 noise of 0.1 and 1 mm (``--only noise``). Then N balls that
 bounce, with a fault or without, and with noise (``--only power``), and N films of balls that bounce, of each kind, by the laws
 without units; and how many of N films are blamed whose ball hangs in the air, trembles, is struck there, or is no ball, and so on
-(``--only film``).
+(``--only film``). And N films that are rendered as a phone would film a ball (``--only rendered``), judged as a person does, by
+their files, without and with the ball's radius: as they are, and with bounces that add to the energy.
 """
 
 from __future__ import annotations
 
+import tempfile
 from collections import Counter
 from collections.abc import Sequence
+from pathlib import Path
 
 from campaign import Row, campaign
 from reference.judged_runs import FAULTS, FILM_KINDS, KINDS, NOISES, faulty, film_of, judged
+from rendered_films import drawn_film
 
+from carom.errors import CaromError
+from carom.tracks import judge
 from carom.tracks.verdicts import by_film_laws
 
 WRONG = (
@@ -24,6 +30,7 @@ WRONG = (
     ("gain", 1.05), ("gain", 1.15), ("softer", 0.1), ("softer", 0.2), ("faster", 0.3), ("faster", 0.5), ("swell", 0.3),
     ("swell", 0.5),
 )  # fmt: skip
+RENDERED = (("as it is", {}), ("restitution 1.4", {"restitution": 1.4}))
 SHOWS = {"gain": "bounce", "hang": "flight", "kink": "flight", "jitter": "steady", "long": "shape", "softer": "restitution",
          "faster": "size", "swell": "size"}  # fmt: skip
 
@@ -34,10 +41,29 @@ def look(kind: str, seed: int) -> Row:
     return {"checked": found.checked, "violated": Counter(one.law for one in found.violations)}
 
 
+def look_at_film(seed: int, **other: float) -> Row:
+    """The laws that a rendered film violates, and how often laws were checked, without and with the ball's radius."""
+    row: Row = {}
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "film.mp4"
+        radius = drawn_film(path, seed, **other).radius
+        for name, given in (("without a radius", None), ("with it", radius)):
+            try:
+                found = judge(path, radius=given)
+                row[name] = {
+                    "checked": sum(found.checked.values()),
+                    "violated": sorted({one.law for one in found.violations}),
+                }
+            except CaromError:
+                row[name] = {"checked": 0, "violated": []}
+    return row
+
+
 def main(words: Sequence[str] | None = None) -> int:
     """A line a kind; 1 if a run is blamed."""
     blamed = 0
-    with campaign("runs_judged", __doc__, words, count=100, small=1) as run:
+    first = {"type": int, "default": 0, "help": "first seed of the rendered films"}
+    with campaign("runs_judged", __doc__, words, count=100, small=1, first=first) as run:
         for kind in KINDS:
             if not run.wants(kind, KINDS):
                 continue
@@ -71,6 +97,20 @@ def main(words: Sequence[str] | None = None) -> int:
             shown = [one for one in found if one.checked[SHOWS[wrong]]]
             said = f"{sum(bool(one.violations) for one in shown)} of {len(shown)} films in which it may show blamed"
             run.say(f"film {wrong} {size}: {said}")
+        for label, other in RENDERED if run.given.only == "rendered" or not (run.small or run.given.only) else ():
+            seeds = range(run.given.first, run.given.first + run.count)
+            rows = run.rows.fill(label, seeds, lambda seed, other=other: look_at_film(seed, **other))
+            for name in ("without a radius", "with it"):
+                bad = [
+                    (seed, row[name]["violated"])
+                    for seed, row in zip(seeds, rows, strict=True)
+                    if row[name]["violated"]
+                ]
+                blamed += len(bad) if not other else 0
+                films = sum(row[name]["checked"] > 0 for row in rows)
+                run.say(
+                    f"rendered, {label}, {name}: of {len(rows)} films {films} judged, {len(bad)} blamed {bad[:9] or ''}"
+                )
     return int(blamed > 0)
 
 

@@ -43,6 +43,7 @@ def test_what_cannot_be_judged_is_said(capsys: pytest.CaptureFixture[str]) -> No
     for other, said in (
         (path._replace(seen=0.8), "hidden in part"),
         (path._replace(radius=5.0), "too small"),
+        (path._replace(outlines=0.6 * path.radius * np.ones((len(path.times), 3))), "looks like what is behind it"),
         (path._replace(places=np.repeat(path.places[::2], 2, axis=0)[: len(path.times)]), "frames are repeated"),
         (
             path._replace(places=np.where(np.arange(len(path.times))[:, None] < 10, path.places, np.nan)),

@@ -14,13 +14,13 @@ if TYPE_CHECKING:
     from carom.tracks.verdicts import Judgement
 
 
-@of_library("tracks.judgement:judge", "tracks.video.film:track_film", without=("kappa", "gravity"))
+@of_library("tracks.judgement:judge", "tracks.video.film:track_film")
 def judge(
     table: Annotated[
         Path,
         typer.Argument(
             metavar="FILE",
-            help="Columns t, x, y, maybe z, ball, wx, wy, wz, radius, mass (.csv, .parquet), .json of saved frames, or a film.",
+            help="Columns t, x, y, maybe z, ball, wx, wy, wz, radius, mass, kappa (.csv, .parquet), frames (.json), or a film.",
         ),
     ],
     *,

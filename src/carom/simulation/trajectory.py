@@ -107,8 +107,7 @@ class Event:
     floor_impulse: Array
     """(3,), N s: of the floor, while a wall pressed the ball on it."""
     required_friction: float
-    """The least coefficient of friction with which the contact would have stuck; 0 under laws that do not give it: ``mirror``,
-    ``maw``, ``stronge``, ``alciatore`` and those of cushions."""
+    """The least friction with which the contact would have stuck; 0 under laws that do not say (mirror, maw, stronge, cushions)."""
     regime: str
     """Regime of the contact: "stick", "slide", ...; empty if there was none."""
     energy_lost: float

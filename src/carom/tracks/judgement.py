@@ -17,9 +17,10 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.polynomial import Polynomial, polynomial
+from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
+from carom.bodies import inertia_number
 from carom.data.columns import Columns, as_columns, is_columns, read_columns
 from carom.data.rebounds import not_used
 from carom.errors import CaromError, FaultList, checked_number
@@ -32,17 +33,22 @@ from carom.tracks.films import columns_of_file, columns_of_tracks, film_options
 from carom.tracks.formats.tables import Calibration
 from carom.tracks.preprocess import at_rate, guess_view, times_behind_rounding
 from carom.tracks.read import film_at_its_rate, read_by_rows, require_table_settings
-from carom.tracks.track import BallRows, PathPiece, Track
+from carom.tracks.track import (
+    EXACT,
+    FEW,
+    BallRows,
+    PathPiece,
+    Track,
+    fitted_piece,
+    hidden_by_noise,
+    noise_of_rows,
+    path_pieces,
+)
 from carom.tracks.verdicts import SIGMAS, Judgement, by_film_laws
 from carom.tracks.video.film import likeliest_ball
 from carom.tracks.video.reading import is_film
 
 Array = NDArray[np.float64]
-FEW = 4  # frames: three numbers of a parabola, and one to spare
-UNEVEN = 10.0  # times the noise, squared: more is no noise
-CUBIC = 5.25  # times: (12 sqrt(7))^2 / 192, by which a cubic is worse than noise at the ends
-SHORT, LOOKED_AT = 6, 24  # frames of a part of a run, and ends of one that are looked at, at once
-EXACT = 1e-12  # m: with less noise the numbers are a program's
 POOL_BALL = 0.028575  # m
 LARGEST = 1e30  # in SI units: no squares of squares overflow
 LABELS = ("name", "ball")
@@ -54,7 +60,6 @@ NUMBERS = ("t", "x", "y", "z", "wx", "wy", "wz", "radius", "mass", "kappa", *OF_
 UNKNOWN = Calibration()
 NO_PULL: tuple[View, str] = ("above", "no gravity along the picture")
 UPRIGHT = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])  # turns the plane of a picture upright
-SMOOTH = 5  # degree of that acceleration over a piece
 
 
 def read_rows(
@@ -101,7 +106,7 @@ def read_rows(
             f"{where}: {several[0]}: expected one row per frame, got two of the same time; name each ball in a column ball"
         )
     rows = [replace(one, t=t, clock=_clock_error(one.t, t)) for one, t in zip(rows, clock, strict=True)]
-    sigma = _noise(rows) if noise is None else float(noise)
+    sigma = noise_of_rows(rows) if noise is None else float(noise)
     rows, view = (rows, None) if "z" in numbers else _in_view(rows, gravity, notes)
     return rows, max(sigma, 4e-16 * max(float(np.abs(one.x).max(initial=0.0)) for one in rows)), notes, view
 
@@ -221,7 +226,7 @@ def _numbers(faults: FaultList, name: str, column: NDArray[Any]) -> Array:
         try:
             numbers[k] = math.nan if value is None else float(value)
         except (TypeError, ValueError):
-            faults.add(name, "numbers", f"{str(value)!r:.40}")
+            faults.add(name, "numbers", f"{str(value)!r:.40} in row {k + 1}")
             return numbers
     if column.dtype.kind in "fiu":
         numbers = np.asarray(column, dtype=float)
@@ -229,123 +234,6 @@ def _numbers(faults: FaultList, name: str, column: NDArray[Any]) -> Array:
     if len(large):
         faults.add(name, f"numbers up to {LARGEST:g}", f"{numbers[large[0]]:g}")
     return numbers
-
-
-def _third_differences(row: BallRows) -> Array:
-    """Return third differences (n - 3, 3) of places (n, 3) at any times: a parabola has none, noise as many as at even times.
-
-    What the air's acceleration makes of them, where it is known, is taken off.
-    """
-    x, dt, by_air = row.x, np.diff(row.t), row.air
-    a, b, c = dt[:-2], dt[1:-1], dt[2:]
-    weights = np.array(
-        [1 / (a * (a + b) * (a + b + c)), 1 / (a * b * (b + c)), 1 / ((a + b) * b * c), 1 / ((a + b + c) * (b + c) * c)]
-    )
-    # (of even times 1, 3, 3, 1)
-    weights *= np.array([-1, 1, -1, 1])[:, None] * math.sqrt(20) / np.linalg.norm(weights, axis=0)
-    # (relative to the first place, so that a coordinate at rest has none at all)
-    found: Array = sum(weights[k][:, None] * (x[k : len(x) - 3 + k] - x[:-3]) for k in (1, 2, 3))
-    if by_air is not None:  # (as Numerov has its second differences, of even times)
-        found -= (b * b)[:, None] * (by_air[3:] - by_air[:-3] + 9 * (by_air[2:-1] - by_air[1:-2])) / 12
-    return found
-
-
-def _noise(rows: Sequence[BallRows]) -> float:
-    """Estimate the noise of a coordinate from third differences, which events affect in few frames: their median is taken."""
-    sizes = np.concatenate(
-        [
-            np.abs(_third_differences(row))[np.abs(row.x[3:] - row.x[:-3]).max(axis=1) > 0].ravel()
-            for row in rows
-            if len(row.t) > 3
-        ]
-    )
-    # the median of |N(0, 1)| is 0.6745; 1 + 9 + 9 + 1 = 20
-    return float(np.median(sizes[sizes > 0]) / 0.6745 / math.sqrt(20)) if (sizes > 0).any() else 0.0
-
-
-def _hidden(sigma: float) -> float:
-    """Return how far an event may move a place, m, so that noise hides it."""
-    return 6 * math.sqrt(20) * sigma + 1e-9
-
-
-def _pieces(row: BallRows, sigma: float, drag: float) -> Iterator[PathPiece]:
-    """Yield pieces of constant acceleration beside that by the air: runs of frames in which third differences are noise."""
-    t = row.t
-    if len(t) < FEW:
-        return
-    calm = (np.abs(_third_differences(row)) < _hidden(sigma)).all(axis=1)
-    edges, runs = np.flatnonzero(np.diff(np.concatenate([[False], calm, [False]]))), list[tuple[int, int]]()
-    for low, high in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
-        first, last = low, high + 2  # window i has the frames i to i + 3
-        if sigma > EXACT:  # (noise may hide an event within the last of them)
-            first, last = first + 1, last - 1
-        # (a bounce in the middle of four frames has no third difference, either)
-        if last - first >= FEW - 1:
-            runs += _parts(t, row.x, first, last, sigma, 3 * row.radius) if sigma > EXACT else [(first, last)]
-    for first, last in runs:
-        yield _fitted(row, first, last, sigma, drag)
-
-
-def _fitted(row: BallRows, first: int, last: int, sigma: float, drag: float) -> PathPiece:
-    """Return the path through some frames."""
-    t, w = row.t, row.w
-    middle = (t[first] + t[last]) / 2
-    tau = t[first : last + 1] - middle
-    design = np.stack([np.ones_like(tau), tau, tau * tau], axis=-1)
-    x, by_air = row.x[first : last + 1], None if row.air is None else row.air[first : last + 1]
-    numbers = np.linalg.lstsq(design, x, rcond=None)[0]
-    if by_air is None and drag > 0:
-        v = numbers[1] + 2 * np.multiply.outer(tau, numbers[2])
-        by_air = -drag * np.linalg.norm(v, axis=1)[:, None] * v
-    air = None if by_air is None else polynomial.polyfit(tau, by_air, min(SMOOTH, len(tau) - 1))
-    if air is not None:
-        x = x - polynomial.polyval(tau, polynomial.polyint(air, 2)).T
-        numbers = np.linalg.lstsq(design, x, rcond=None)[0]
-    free = 3 * max(len(tau) - 3, 1)
-    misfit = float(np.square(design @ numbers - x).sum()) / free
-    # (more than noise is a path that is no parabola: it does not average out, and the slope at the ends of a cubic is off by
-    # 12 sqrt(7) r/T, r the rest and T the time, where noise of that size would make sqrt(192) r/T)
-    uneven, even = misfit > UNEVEN * sigma**2, misfit <= sigma**2 * (1 + SIGMAS * math.sqrt(2 / free))
-    even = even if sigma > EXACT else not uneven
-    misfit *= CUBIC * len(tau) if uneven else 1
-    covariance = np.linalg.inv(design.T @ design) * max(sigma**2, misfit)
-    turns = w is not None and bool(np.isfinite(w[first : last + 1]).all())
-    spins = None if w is None or not turns else np.linalg.lstsq(design[:, :2], w[first : last + 1], rcond=None)[0]
-    error = 0.0
-    if spins is not None and w is not None:
-        left = float(np.square(design[:, :2] @ spins - w[first : last + 1]).sum(axis=0).max())
-        # (noise averages out, a spin that changes unevenly does not: the ends of its line are off by twice the rest)
-        error = 2 * math.sqrt(left / max(len(tau) - 2, 1))
-    hides = 1.0 if even or uneven else CUBIC * len(tau)
-    return PathPiece(first, last, float(middle), numbers, covariance, spins, error, air, even, hides)
-
-
-def _parts(t: Array, x: Array, first: int, last: int, sigma: float, high: float) -> list[tuple[int, int]]:
-    """Return the first and last frames of flights in a run, at events that are too weak for third differences.
-
-    Two parabolas are nearer than one, and than a smooth path of as many numbers; both rise to a height.
-    """
-    if last - first < 3 * SHORT:
-        return [(first, last)]
-
-    def left(begin: int, end: int, degree: int = 2) -> float:
-        tau = (t[begin:end] - t[begin]) / (t[end - 1] - t[begin])
-        powers, places = np.vander(tau, degree + 1), x[begin:end] - x[begin]
-        return float(np.square(powers @ np.linalg.lstsq(powers, places, rcond=None)[0] - places).sum())
-
-    one, smooth = (left(first, last + 1, degree) for degree in (2, 5))
-    two, at, low, most = math.inf, first, first + SHORT, last - SHORT
-    while most > low and min(one, smooth) > 3 * (last - first) * sigma**2:
-        step = max((most - low) // LOOKED_AT, 1)
-        found = [(left(first, k) + left(k, last + 1), k) for k in range(low, most + 1, step)]
-        two, at = min(found)
-        if step == 1:
-            break
-        low, most = max(at - step, low), min(at + step, most)
-    weak = min(one, smooth) - two < SIGMAS**2 * max(sigma**2, two / (3 * (last - first)))
-    if weak or min(x[first:at, 2].max(), x[at : last + 1, 2].max()) < high:
-        return [(first, last)]
-    return _parts(t, x, first, at - 2, sigma, high) + _parts(t, x, at + 1, last, sigma, high)
 
 
 LEAST = 1e-6  # relative: what is less is the rounding of a file
@@ -356,6 +244,8 @@ RESISTANCE = 0.05  # of the weight: what resists a ball that rolls is less
 SAME = 1e-3  # of the speed: a ball that slips less rolls
 MOST_BEHIND = 64  # places that are looked at, of a wall: in doubt it may be
 TOUCHED = 0.05  # of the radius: as deep a ball may be in a wall
+OUTLINE = 0.03, 0.4  # radii, and px: by so much marks and shadows move the outlines of a film, alike in some frames
+IN_FILMS = 0.1  # of gravity: by so much drag, perspective and the scale's error change it in a film
 CAMERA_ROLL = 0.06  # rad: upright is known no better in a film
 CELLS = 2**40  # along an axis: cells farther apart may have one number
 MOST_PAIRS = 50_000_000  # of places in cells beside each other
@@ -366,7 +256,7 @@ def judge(
     *,
     radius: float | None = None,
     mass: float = 0.17,
-    kappa: float = 0.4,
+    inertia: str | float = "solid",
     friction: float = 1.0,
     floor_friction: float = 1.0,
     gravity: float = GRAVITY,
@@ -392,8 +282,8 @@ def judge(
         Of balls without a column for it, m. Default: the least height of the ball's own centre, so that it is never in the floor.
     mass : float
         Of balls without a column for it, kg.
-    kappa : float
-        Of balls without a column for it: moment of inertia, I/(m a^2).
+    inertia : str or float
+        Of balls without a column ``kappa``: "solid", "hollow" or I/(m a^2).
     friction : float
         Largest friction between balls that counts as possible.
     floor_friction : float
@@ -431,19 +321,12 @@ def judge(
     >>> len(found.violations)
     0
     """
-    faults = FaultList("judge")
-    for name, value in {"radius": radius, "mass": mass, "kappa": kappa}.items():
-        if value is not None:
-            checked_number(faults, name, value, "a number > 0", lambda x: x > 0)
     not_negative = {"friction": friction, "floor_friction": floor_friction, "gravity": gravity, "noise": noise}
-    for name, value in {**not_negative, "drag_per_metre": drag_per_metre}.items():
-        if value is not None:
-            checked_number(faults, name, value, "a number >= 0", lambda x: x >= 0)
-    if not (len(slope) == 2 and math.hypot(*slope) < 1):
-        faults.add("slope", "two sines, of a floor that is less steep than upright", f"{slope}")
-    faults.raise_if_any()
+    kappa = _checked(
+        {"radius": radius, "mass": mass}, not_negative | {"drag_per_metre": drag_per_metre}, inertia, slope
+    )
     pull, tracked = np.array(gravity_on_slope(gravity, slope)), None
-    known = film_options(scale, rate, radius, film).calibration
+    known = film_options(scale, rate, radius, {**(film or {}), "gravity": gravity or GRAVITY}).calibration
     if not is_columns(table) and is_film(path := as_path("judge", table)):
         part = {name: known.film.get(name) for name in ("start", "end", "region")}
         try:
@@ -453,7 +336,11 @@ def judge(
         table, radius = columns_of_tracks(tracked.tracks), tracked.film.radius_px * tracked.film.scale
         known = UNKNOWN  # (used)
     rows, sigma, notes, view = read_rows(table, radius, mass, noise, 0.0 if any(slope) else gravity, known)
-    balls = [replace(one, kappa=one.kappa or kappa, pieces=tuple(_pieces(one, sigma, drag_per_metre))) for one in rows]
+    smooth = 0.0 if tracked is None else tracked.film.scale * max(OUTLINE[0] * tracked.film.radius_px, OUTLINE[1])
+    if any(one.w is not None and not one.kappa for one in rows):
+        notes.append(f"no column kappa: the moment of inertia of balls is taken as {kappa:g} m a^2 (`inertia`)")
+    rows = [replace(one, kappa=one.kappa or kappa, smooth=smooth) for one in rows]
+    balls = [replace(one, pieces=tuple(path_pieces(one, sigma, drag_per_metre))) for one in rows]
     remedy = [] if view is None else ["if that is wrong, give the heights of the balls as a column z"]
     notes += remedy if tracked is None else tracked.notes
     times = np.concatenate([ball.t for ball in balls])
@@ -461,7 +348,8 @@ def judge(
     places, roll = _Places(balls, sigma), CAMERA_ROLL if view == "side" else 0.0
     walls, rubs = None if obstacles else places, 0.0  # (what the floor's friction does at most, m/s^2)
     for ball in balls:
-        _in_the_floor(ball, sigma, found)
+        if view is None:  # (else the floor is where the ball is lowest)
+            _in_the_floor(ball, sigma, found)
         for piece in ball.pieces:
             own = drag_per_metre if piece.air is not None else 0.0
             rubs = max(rubs, _between_contacts(ball, piece, sigma, pull, floor_friction, own, roll, walls, found))
@@ -476,7 +364,10 @@ def judge(
                 _turn(t, event, places, found)
     if found.of("gravity") and not any(piece.air is not None for ball in balls for piece in ball.pieces):
         notes.append("gravity: flights are compared with those in a vacuum; drag_per_metre allows for air")
-    found.unchecked = {law: _why_unchecked(law, balls) for law, count in found.checked.items() if not count}
+    by_gravity = tracked is not None and any(" from gravity" in note for note in tracked.notes)
+    if by_gravity and found.checked["gravity"] == 1 and not found.of("gravity"):
+        found.checked["gravity"] = 0
+    found.unchecked = {law: _why_unchecked(law, balls, by_gravity) for law, count in found.checked.items() if not count}
     if tracked is not None and view == "above" and len(balls) == 1:  # (these hold in any view)
         with suppress(CaromError):
             alone = by_film_laws(likeliest_ball(path, CaromError(view), rate=rate, **part), view)
@@ -487,7 +378,26 @@ def judge(
     return found
 
 
-def _why_unchecked(law: str, balls: Sequence[BallRows]) -> str:
+def _checked(
+    positive: Mapping[str, float | None], not_negative: Mapping[str, float | None], inertia: str | float, slope: Sequence[float]
+) -> float:  # fmt: skip
+    """Return the moment of inertia, I/(m a^2). Raises CaromError for all arguments out of range."""
+    faults = FaultList("judge")
+    for name, value in {**positive, **not_negative}.items():
+        if value is not None and name in positive:
+            checked_number(faults, name, value, "a number > 0", lambda x: x > 0)
+        elif value is not None:
+            checked_number(faults, name, value, "a number >= 0", lambda x: x >= 0)
+    if not (len(slope) == 2 and math.hypot(*slope) < 1):
+        faults.add("slope", "two sines, of a floor that is less steep than upright", f"{slope}")
+    kappa = faults.attempt(inertia_number, inertia) or 0.0
+    faults.raise_if_any()
+    return kappa
+
+
+def _why_unchecked(law: str, balls: Sequence[BallRows], by_gravity: bool) -> str:
+    if law == "penetration":
+        return "there is one ball only, and the height of the floor is not known"
     pieces = [piece for ball in balls for piece in ball.pieces]
     if not pieces:
         return f"no ball has more than {FEW} frames on a smooth path: too few frames, or too much noise"
@@ -497,9 +407,14 @@ def _why_unchecked(law: str, balls: Sequence[BallRows]) -> str:
         return "there is one ball only"
     if law == "slip" and all(piece.spins is None for piece in pieces):
         return "spins are not known"
+    in_flight = (
+        "the scale is from the one flight that is seen"
+        if by_gravity
+        else f"no ball is in the air for more than {FEW} frames"
+    )
     return {
         "turn": "no ball turns alone and higher than a cushion, or obstacles are there",
-        "gravity": f"no ball is in the air for more than {FEW} frames",
+        "gravity": in_flight,
         "momentum": "no collision of two balls, and of them alone, was seen",
         "energy": "no event was seen whose balls moved before it",
         "friction": f"no ball is on the floor for more than {FEW} frames, and no collision was seen",
@@ -575,18 +490,18 @@ def _between_contacts(
     """Check free fall in the air; friction and its direction on the floor, and return how much it accelerates the ball at least."""
     through = ball.x[piece.first : piece.last + 1]
     up = through[:, 2] - ball.radius
-    if (aloft := up > _hidden(sigma) + LEAST * ball.radius).any():  # (lower frames may be beyond a bounce)
+    if (aloft := up > hidden_by_noise(sigma) + LEAST * ball.radius).any():  # (lower frames may be beyond a bounce)
         low, high = int(aloft.argmax()), len(up) - int(aloft[::-1].argmax())
         if FEW < high - low < len(up):
-            piece = _fitted(ball, piece.first + low, piece.first + high - 1, sigma, drag)
+            piece = fitted_piece(ball, piece.first + low, piece.first + high - 1, sigma, drag)
         up, through = up[low:high], through[low:high]
     (a, error), t, names = piece.acceleration, float(ball.t[piece.first]), [ball.name]
     if len(up) <= FEW or (len(up) < 2 * FEW and not piece.even):
         return 0.0
     step = float(np.diff(ball.t[piece.first : piece.last + 1]).max())
-    if up.min() > _hidden(sigma) + LEAST * ball.radius:
-        if up.max() < -pull[2] * step**2 / 2:  # (it may hop from frame to frame)
-            return 0.0
+    if up.min() > hidden_by_noise(sigma) + LEAST * ball.radius:
+        if up.max() < -pull[2] * step**2 / 2 or (roll and _supported(through, SIGMAS * sigma + 2 * ball.smooth)):
+            return 0.0  # (it may hop from frame to frame; or there is something else than the floor below it)
         if piece.hides > 1 and (not places or any(places.pushes(ball, x, a - pull, slack=TOUCHED) for x in through)):
             error *= math.sqrt(piece.hides)
         aside = max(float(np.hypot(*(a - pull)[:2])) - roll * float(np.linalg.norm(a)), 0.0)
@@ -596,9 +511,9 @@ def _between_contacts(
             along = float((a - pull) @ v) / speed
             off = math.hypot(along, max(math.sqrt(max(off * off - along * along, 0.0)) - drag * speed * speed, 0.0))
         said = ", ".join(f"{x:.3g}" for x in piece.parabola(piece.middle)[2] * 2)
-        error = math.hypot(error, 2 * ball.clock * float(np.linalg.norm(a)))
+        error, least = math.hypot(error, 2 * ball.clock * float(np.linalg.norm(a))), IN_FILMS if ball.smooth else LEAST
         found.check(
-            "gravity", t, names, off, error, LEAST * -pull[2], f"the ball in the air accelerates by ({said}) m/s^2"
+            "gravity", t, names, off, error, least * -pull[2], f"the ball in the air accelerates by ({said}) m/s^2"
         )
     elif np.abs(up).max() < SIGMAS * sigma + 1e-4 * ball.radius and pull[2] < 0:
         rubs = a[:2] - pull[:2]
@@ -609,6 +524,16 @@ def _between_contacts(
             _slip(ball, piece, rubs, error, found)
         return max(float(np.hypot(*rubs)) - SIGMAS * error, 0.0)
     return 0.0
+
+
+def _supported(x: Array, slack: float) -> bool:
+    """Return whether a ball at places x (n, 3), seen from the side, bounces meanwhile, or rolls along a straight line."""
+    z = x[:, 2]
+    dips = np.minimum(np.maximum.accumulate(z), np.maximum.accumulate(z[::-1])[::-1]) - z
+    along = np.linalg.svd(middle := (x - x.mean(axis=0))[:, [0, 2]])[2][0]
+    beside = np.abs(middle @ [along[1], -along[0]])
+    limit = slack + LEAST * float(np.ptp(x, axis=0).max())
+    return bool(dips.max() > limit or (beside.max() < limit and abs(along[1]) < abs(along[0])))
 
 
 def _slip_of(ball: BallRows, piece: PathPiece, t: float) -> float:
@@ -744,7 +669,7 @@ class _Places:
                 if not any(p.even and ball.t[p.first] <= low and ball.t[p.last] >= high for p in ball.pieces):
                     return False
             apart = [min(math.dist(a.at(low), b.at(low)) - a.radius - b.radius for b in balls) for a in beside]
-            touching = [a for a, gap in zip(beside, apart, strict=True) if gap < _hidden(self.sigma)]
+            touching = [a for a, gap in zip(beside, apart, strict=True) if gap < hidden_by_noise(self.sigma)]
         return True
 
     def pushes(

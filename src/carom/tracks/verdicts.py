@@ -121,6 +121,7 @@ class Judgement:
 
 Array = NDArray[np.float64]
 LEAST_RADIUS = 10.0  # px: outlines of smaller balls scatter by a share of them
+WHOLE_WIDTH = 0.85  # radii: half the width of what differs from the background, at least
 WHOLE_RIM = 0.97  # of the rim seen: nobody holds the ball
 LEAST_RUN, LONG_RUN, SHORT_RUN = 15, 24, 8  # frames
 NOISE = 0.004  # radii: of the outline of a ball, at least
@@ -203,8 +204,8 @@ def film_findings(path: FilmPath) -> tuple[list[Finding], str]:
     """Return what the laws of films say of a ball, and why they say nothing, if they do not."""
     rows = np.flatnonzero(np.isfinite(path.places[:, 0]))
     t, x, r = path.times[rows], path.places[rows], path.radius
-    if len(rows) < LEAST_RUN:
-        return [], f"the ball is seen in {len(rows)} frames only"
+    if why := _not_judged(path, len(rows)):
+        return [], why
     found = _shape(path, rows)
     if path.moves:
         return found, f"the camera moves: {path.moves}"
@@ -260,6 +261,16 @@ def film_findings(path: FilmPath) -> tuple[list[Finding], str]:
         size, error = float(np.sqrt(max(size**2 - 2 * noise**2, 0.0))), noise / np.sqrt(len(upper))
         found.append(Finding("flight", float(t[upper[worst]]), size, error, least * r, text, sigma))
     return found, ""
+
+
+def _not_judged(path: FilmPath, frames: int) -> str:
+    """Return why nothing is to be said of a ball; empty if something is."""
+    if frames < LEAST_RUN:
+        return f"the ball is seen in {frames} frames only"
+    width = np.zeros(0) if path.outlines is None else path.outlines[np.isfinite(path.outlines[:, 0]), 0]
+    if len(width) and np.median(width) < WHOLE_WIDTH * path.radius:
+        return "a part of the ball looks like what is behind it"
+    return ""
 
 
 def _bounces(
