@@ -255,7 +255,7 @@ CAPS = {
     "fitting": 10705,
     "gas": 6953,
     "billiards": 5588,
-    "tracks": 9471,
+    "tracks": 9473,
     "simulation": 6439,
     "core": 5745,
     "laws": 4968,

@@ -353,7 +353,7 @@ def fit_gas(
 
 
 def fit_air(
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="Flights: columns t, ball, x, y, z, wx, wy, wz.")],
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="Columns t, ball (of a flight), x, y, z, wx, wy, wz.")],
     scene: Annotated[Path, typer.Option(metavar="SCENE.toml", help="Its air, and its first ball: drag and lift.")],
     plot: Annotated[Path | None, shared("plot", help="Draw how far the flights are from their paths.")] = None,
     as_json: Annotated[bool, shared("json", rich_help_panel=OUTPUT)] = False,

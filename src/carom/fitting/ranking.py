@@ -135,7 +135,7 @@ def score_warnings(best: str, scores: dict[str, float], rival: str, rows: int) -
     notes = []
     if missing:
         notes.append(
-            f"CV score: none for {', '.join(missing)}: rows that were left out have no likelihood there; the verdict rests on AICc"
+            f"CV score: none for {', '.join(missing)}: under it a row that was left out is impossible; the verdict rests on AICc"
         )
     if rival and rows * (scores[rival] - scores[best]) > LEAST_GAIN:
         notes.append(

@@ -15,7 +15,7 @@ from carom.formatting import counted
 from carom.public.defaults import GRAVITY
 from carom.public.progress import Progress
 from carom.tracks.track import Track, position_noise
-from carom.tracks.verdicts import FilmPath
+from carom.tracks.verdicts import WHOLE_WIDTH, FilmPath
 from carom.tracks.video import balls as things
 from carom.tracks.video import scale as scales
 from carom.tracks.video.balls import LOST, Background, Blob, Path, joined
@@ -740,6 +740,8 @@ def _outline_notes(chosen: Sequence[Candidate], times: Array) -> list[str]:
                 f"the ball's radius changes from {radii[0]:.3g} to {radii[-1]:.3g} px: it comes nearer or moves away, so the scale"
                 " is not the same everywhere"
             )
+        if np.median([blob.radius for blob in one.path.blobs]) < WHOLE_WIDTH * one.optics.radius:
+            notes.append("a part of the ball looks like what is behind it: its radius is known far worse than to 2 %")
     one = max(chosen, key=lambda one: len(one.path.frames))
     if one.optics.exposure > LONG_EXPOSURE * interval:
         speed = velocities(times, _dense(one.path, len(times), times))[0]
