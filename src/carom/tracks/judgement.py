@@ -365,9 +365,9 @@ def judge(
     if found.of("gravity") and not any(piece.air is not None for ball in balls for piece in ball.pieces):
         notes.append("gravity: flights are compared with those in a vacuum; drag_per_metre allows for air")
     by_gravity = tracked is not None and any(" from gravity" in note for note in tracked.notes)
-    if by_gravity and found.checked["gravity"] == 1 and not found.of("gravity"):
-        found.checked["gravity"] = 0
-    found.unchecked = {law: _why_unchecked(law, balls, by_gravity) for law, count in found.checked.items() if not count}
+    one_flight = by_gravity and found.checked["gravity"] == 1 and not found.of("gravity")
+    found.checked["gravity"] *= not one_flight
+    found.unchecked = {law: _why_unchecked(law, balls, one_flight) for law, count in found.checked.items() if not count}
     if tracked is not None and view == "above" and len(balls) == 1:  # (these hold in any view)
         with suppress(CaromError):
             alone = by_film_laws(likeliest_ball(path, CaromError(view), rate=rate, **part), view)
@@ -395,7 +395,7 @@ def _checked(
     return kappa
 
 
-def _why_unchecked(law: str, balls: Sequence[BallRows], by_gravity: bool) -> str:
+def _why_unchecked(law: str, balls: Sequence[BallRows], one_flight: bool) -> str:
     if law == "penetration":
         return "there is one ball only, and the height of the floor is not known"
     pieces = [piece for ball in balls for piece in ball.pieces]
@@ -409,7 +409,7 @@ def _why_unchecked(law: str, balls: Sequence[BallRows], by_gravity: bool) -> str
         return "spins are not known"
     in_flight = (
         "the scale is from the one flight that is seen"
-        if by_gravity
+        if one_flight
         else f"no ball is in the air for more than {FEW} frames"
     )
     return {
